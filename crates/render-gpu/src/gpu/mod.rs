@@ -1,0 +1,1 @@
+//! Host file: the wgpu executor.

@@ -1,0 +1,94 @@
+//! Host file: light maps and the tables that are made of them.
+
+use glam::{UVec2, Vec4};
+
+/// Largest radiance that a texel may have. It keeps every product of the estimators finite in f32.
+pub const MAX_RADIANCE: f32 = 1e20;
+
+/// A lat-long map of radiance: row 0 at +z, its centre along +x, its left half toward +y.
+#[derive(Clone, Debug)]
+pub struct EnvMap {
+    size: UVec2,
+    texels: Vec<Vec4>,
+}
+
+/// Why a light map was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum EnvError {
+    /// There is no texel, or their number is not width × height.
+    #[error("a map of {width} × {height} texels cannot hold {len} of them")]
+    Size {
+        /// Width that was asked for.
+        width: u32,
+        /// Height that was asked for.
+        height: u32,
+        /// Texels given.
+        len: usize,
+    },
+    /// A texel is negative, not a number, or above [`MAX_RADIANCE`].
+    #[error("texel ({column}, {row}) is negative, not finite, or above 1e20")]
+    Texel {
+        /// Column of the first such texel.
+        column: u32,
+        /// Row of the first such texel.
+        row: u32,
+    },
+}
+
+impl EnvMap {
+    /// A map of `size.x * size.y` linear RGB texels, rows from the top; their w is ignored.
+    ///
+    /// # Errors
+    /// [`EnvError::Size`] and [`EnvError::Texel`].
+    pub fn new(size: UVec2, texels: Vec<Vec4>) -> Result<Self, EnvError> {
+        if texels.is_empty() || texels.len() as u64 != u64::from(size.x) * u64::from(size.y) {
+            return Err(EnvError::Size {
+                width: size.x,
+                height: size.y,
+                len: texels.len(),
+            });
+        }
+        if let Some(bad) = texels.iter().position(|t| !is_radiance(*t)) {
+            let bad = bad as u32;
+            return Err(EnvError::Texel {
+                column: bad % size.x,
+                row: bad / size.x,
+            });
+        }
+        Ok(Self { size, texels })
+    }
+
+    /// Sets every channel that [`EnvMap::new`] would refuse to 0 and says how many texels had one.
+    pub fn repair(texels: &mut [Vec4]) -> usize {
+        let mut repaired = 0;
+        for texel in texels.iter_mut().filter(|t| !is_radiance(**t)) {
+            let fixed = texel.to_array().map(|c| {
+                if c >= 0.0 && c <= MAX_RADIANCE {
+                    c
+                } else {
+                    0.0
+                }
+            });
+            *texel = Vec4::from_array(fixed);
+            repaired += 1;
+        }
+        repaired
+    }
+
+    /// Width and height in texels.
+    pub fn size(&self) -> UVec2 {
+        self.size
+    }
+
+    /// The texels, rows from the top.
+    pub fn texels(&self) -> &[Vec4] {
+        &self.texels
+    }
+}
+
+fn is_radiance(texel: Vec4) -> bool {
+    texel.min_element() >= 0.0
+        && texel.x <= MAX_RADIANCE
+        && texel.y <= MAX_RADIANCE
+        && texel.z <= MAX_RADIANCE
+}
