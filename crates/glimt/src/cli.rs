@@ -1,0 +1,138 @@
+//! Host file: the command line.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Renders virtual objects into filmed footage, lit by a filmed HDR light probe.
+#[derive(Debug, Parser)]
+#[command(version, propagate_version = true, after_help = EXIT_STATUS)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+    /// How to talk.
+    #[command(flatten)]
+    pub talk: Talk,
+}
+
+/// Flags that every command has.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct Talk {
+    /// Print nothing but warnings and errors
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+    /// Print events, and a summary at the end, as JSON lines on standard output
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// Say more on standard error: -v what is done, -vv in detail
+    #[arg(long, short, global = true, action = clap::ArgAction::Count)]
+    pub verbose: u8,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Render the built-in shot: everything on procedural data, nothing to download
+    #[command(after_help = DEMO_EXAMPLES)]
+    Demo {
+        /// Common flags.
+        #[command(flatten)]
+        flags: RenderFlags,
+    },
+    /// Render a shot file: EXR and PNG frames, and an mp4 of them
+    ///
+    /// A frame whose outputs exist already, made by this version from the same shot, inputs and seed, is skipped.
+    #[command(after_help = RENDER_EXAMPLES)]
+    Render {
+        /// The shot file (TOML); paths in it are relative to it
+        #[arg(value_name = "SHOT.toml")]
+        shot: PathBuf,
+        /// Common flags.
+        #[command(flatten)]
+        flags: RenderFlags,
+    },
+    /// Say what a file holds (EXR, HDR, glTF, OBJ, PLY, shot), or which devices there are
+    #[command(after_help = INFO_EXAMPLES)]
+    Info {
+        /// An image, a mesh or a shot; without it, devices and versions are listed
+        file: Option<PathBuf>,
+        /// Set a key of the shot before showing it
+        #[arg(long = "set", value_name = "KEY=VALUE")]
+        set: Vec<String>,
+    },
+}
+
+/// Flags of the commands that render.
+#[derive(Clone, Debug, Args)]
+pub struct RenderFlags {
+    /// Render these frames alone, as 1-24 or 7
+    #[arg(long, value_name = "A-B")]
+    pub frames: Option<String>,
+    /// Where to render
+    #[arg(long, value_enum, default_value_t)]
+    pub device: Device,
+    /// How to estimate reflected light, instead of the shot's render.method
+    #[arg(long, value_name = "mis|bis|smc|prt")]
+    pub method: Option<String>,
+    /// Set any key of the shot, as image.rays_per_pixel=64 or object.0.scale=2
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Folder for the outputs, instead of the shot's output.dir
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Seed of the random streams, instead of the shot's render.seed
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u32>,
+    /// Refuse inputs with defects (texels that are no light, degenerate triangles) rather than work around them
+    #[arg(long)]
+    pub strict: bool,
+}
+
+/// Where to render.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Device {
+    /// The GPU where a real one is found, else the CPU
+    #[default]
+    Auto,
+    /// The CPU
+    Cpu,
+    /// The GPU, or an error
+    Gpu,
+}
+
+const EXIT_STATUS: &str = "\
+Exit status:
+  0  everything that was asked for is written
+  1  a fault of the program
+  2  the command line or the shot is wrong
+  3  an input file is missing or broken
+  4  an output cannot be written
+  5  the device cannot render this
+
+Start with `glimt demo`; `glimt help render` shows examples.";
+
+const RENDER_EXAMPLES: &str = "\
+Examples:
+  glimt render shot.toml
+  glimt render shot.toml --frames 1-24 --out /tmp/draft --set image.rays_per_pixel=4
+  glimt render shot.toml --device gpu --seed 7 --json
+  glimt render shot.toml --set object.0.material.diffuse=[0.8,0.2,0.1] --set render.preset=kronander
+
+A shot needs a light and an object; every other key has a default:
+  [probe]
+  frames = \"capture/light.####.exr\"   # one file is a still
+  [[object]]
+  mesh = \"model.glb\"                  # .glb .gltf .obj .ply .ply.gz, or \"sphere\", \"plane\"
+  ground = true";
+
+const DEMO_EXAMPLES: &str = "\
+Examples:
+  glimt demo
+  glimt demo --frames 1-4 --out /tmp/demo --set image.rays_per_pixel=64";
+
+const INFO_EXAMPLES: &str = "\
+Examples:
+  glimt info                  devices and versions
+  glimt info light.0001.exr   size, channels, stops, brightest direction, bad texels
+  glimt info model.glb        triangles, bounds, materials, cameras
+  glimt info shot.toml        the shot with all its defaults";

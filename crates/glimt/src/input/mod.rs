@@ -1,0 +1,115 @@
+//! Host file: HDR images in: what kind of file it is, how large, and its texels as linear Rec. 709 radiance.
+
+pub mod exr;
+pub mod frames;
+pub mod hdr;
+pub mod probe;
+
+use crate::error::{Error, Result};
+use crate::notes::Notes;
+use glam::{UVec2, Vec4};
+use serde::Serialize;
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+/// An image of linear radiance with Rec. 709 primaries. Its texels are as in the file: some may be no radiance at all.
+#[derive(Clone, Debug)]
+pub struct HdrImage {
+    /// What the header says.
+    pub header: Header,
+    /// Texels, rows from the top; w is 1.
+    pub texels: Vec<Vec4>,
+}
+
+/// What the header of an image says.
+#[derive(Clone, Debug, Serialize)]
+pub struct Header {
+    /// `OpenEXR` or `Radiance`.
+    pub format: &'static str,
+    /// Width and height of the data in texels.
+    #[serde(serialize_with = "as_array")]
+    pub size: UVec2,
+    /// Each channel's name and type.
+    pub channels: Vec<String>,
+    /// How the texels are stored.
+    pub storage: String,
+    /// First texel of the data window.
+    pub data_origin: [i32; 2],
+    /// First texel of the display window.
+    pub display_origin: [i32; 2],
+    /// Size of the display window.
+    pub display_size: [u32; 2],
+    /// Layers (parts) of the file.
+    pub layers: usize,
+    /// What else is worth knowing.
+    pub remarks: Vec<String>,
+}
+
+fn as_array<S: serde::Serializer>(
+    size: &UVec2,
+    serializer: S,
+) -> std::result::Result<S::Ok, S::Error> {
+    size.to_array().serialize(serializer)
+}
+
+/// A kind of HDR file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// OpenEXR.
+    Exr,
+    /// Radiance RGBE.
+    Hdr,
+}
+
+/// Finds the format of a file by its first bytes.
+///
+/// # Errors
+/// The file cannot be read, or is no HDR image.
+pub fn format_of(file: &Path) -> Result<Format> {
+    let mut start = [0; 8];
+    let mut n = 0;
+    let mut reader = File::open(file).map_err(|e| Error::reading(file, &e))?;
+    while n < start.len() {
+        match reader.read(&mut start[n..]) {
+            Ok(0) => break,
+            Ok(read) => n += read,
+            Err(e) => return Err(Error::reading(file, &e)),
+        }
+    }
+    let start = &start[..n];
+    match start {
+        [] => Err(Error::input(file, "the file is empty").fix("copy or export it again")),
+        [0x76, 0x2f, 0x31, 0x01, ..] => Ok(Format::Exr),
+        [b'#', b'?', ..] => Ok(Format::Hdr),
+        [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, ..] => Err(Error::input(
+            file,
+            "a PNG or JPEG holds no high dynamic range",
+        )
+        .fix("light has to be OpenEXR (.exr) or Radiance (.hdr)")),
+        _ => Err(Error::input(file, "it is neither OpenEXR nor Radiance HDR")
+            .fix("convert it to one of these")),
+    }
+}
+
+/// Reads the header of an HDR image.
+///
+/// # Errors
+/// The file cannot be read, or is no HDR image that is understood.
+pub fn read_header(file: &Path) -> Result<Header> {
+    match format_of(file)? {
+        Format::Exr => exr::read_header(file),
+        Format::Hdr => hdr::read_header(file),
+    }
+}
+
+/// Reads an HDR image.
+///
+/// # Errors
+/// The file cannot be read, or is no HDR image that is understood.
+pub fn read_image(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
+    match format_of(file)? {
+        Format::Exr => exr::read_image(file, notes),
+        Format::Hdr => hdr::read(file, notes),
+    }
+}

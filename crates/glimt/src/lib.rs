@@ -1,0 +1,10 @@
+//! Host file: the program's parts as a library, so that tests and benchmarks load the same scenes and lights.
+//!
+//! `glimt` turns a shot (a TOML file: light, objects, camera) into frames. See [`shot`] for its keys, [`input`] and
+//! [`mesh`] for what is read, [`output`] for what is written, and [`render`] for the pipeline between them.
+
+pub mod demo;
+pub mod error;
+pub mod input;
+pub mod notes;
+pub mod shot;

@@ -1,0 +1,233 @@
+//! Host file: what a shot must fulfil beyond being well-formed.
+
+use super::parse::Source;
+use super::{Mapping, Method, Shot, range};
+use crate::error::{Error, Result};
+
+/// Largest width or height of an image.
+const MAX_SIDE: u32 = 32_768;
+
+/// Checks every value of a shot.
+///
+/// # Errors
+/// The first value that cannot be rendered, with its key, its place and what would do.
+pub fn check(shot: &Shot, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| Err(source.error(key, what).fix(fix));
+
+    let image = &shot.image;
+    if image.size.iter().any(|&n| n == 0 || n > MAX_SIDE) {
+        return bad("image.size", "a side is 0 or above 32768", "as [1280, 720]");
+    }
+    if image.rays_per_pixel == 0 || image.rays_per_pixel > 65_536 {
+        return bad(
+            "image.rays_per_pixel",
+            "it is not between 1 and 65536",
+            "16 is usual",
+        );
+    }
+    finite(source, "image.exposure_ev", &[image.exposure_ev])?;
+
+    check_camera(shot, source)?;
+
+    let probe = &shot.probe;
+    if probe.frames.is_empty() {
+        return bad(
+            "probe.frames",
+            "the shot has no light",
+            "name an image or a sequence, as [probe] frames = \"light.####.exr\"",
+        );
+    }
+    finite(source, "probe.rotate_z_deg", &[probe.rotate_z_deg])?;
+    if !(probe.scale >= 0.0 && probe.scale <= 1e12) {
+        return bad(
+            "probe.scale",
+            "it is not between 0 and 1e12",
+            "1 leaves the light as it is",
+        );
+    }
+    if !(probe.fps > 0.0 && probe.fps <= 1000.0) {
+        return bad("probe.fps", "it is not between 0 and 1000", "25 is usual");
+    }
+    if probe.mapping == Mapping::MirrorBall {
+        return bad(
+            "probe.mapping",
+            "\"mirror-ball\" is not supported yet",
+            "supported are \"lat-long\" and \"angular\"",
+        );
+    }
+    if probe.ball.is_some() {
+        return bad(
+            "probe.ball",
+            "it belongs to mapping = \"mirror-ball\" alone",
+            "remove it",
+        );
+    }
+    if shot.backplate.is_some() {
+        return bad(
+            "backplate",
+            "backplates are not supported yet",
+            "remove the table; image.background = \"transparent\" gives frames to lay over a plate",
+        );
+    }
+
+    check_objects(shot, source)?;
+
+    let render = &shot.render;
+    if render.method != Method::Mis {
+        return bad(
+            "render.method",
+            "only \"mis\" is supported yet",
+            "leave it out, or set it to \"mis\"",
+        );
+    }
+    let samples = [
+        ("render.brdf_samples", render.brdf_samples),
+        ("render.env_samples", render.env_samples),
+    ];
+    for (key, n) in samples {
+        if n > 65_536 {
+            return bad(key, "it is above 65536", "1 is usual");
+        }
+    }
+    if render.brdf_samples + render.env_samples == 0 {
+        return bad(
+            "render.brdf_samples",
+            "it is 0, and render.env_samples too",
+            "one of them must be at least 1",
+        );
+    }
+    if !render.frames.is_empty() {
+        range::parse(&render.frames).map_err(|e| {
+            let error = source.error("render.frames", e.what);
+            error.fix(e.fix.unwrap_or_default())
+        })?;
+    }
+
+    let output = &shot.output;
+    if output.dir.is_empty() {
+        return bad("output.dir", "it is empty", "\".\" is the shot's folder");
+    }
+    if let Some(aov) = output.aovs.first() {
+        return bad(
+            "output.aovs",
+            &format!("\"{aov}\": further images are not supported yet"),
+            "leave the list empty",
+        );
+    }
+    if !output.exr && !output.png && output.video.is_empty() {
+        return bad(
+            "output.exr",
+            "nothing would be written",
+            "turn on exr or png, or name a video",
+        );
+    }
+    let video = std::path::Path::new(&output.video);
+    if !output.video.is_empty() && video.extension().is_none_or(|e| e != "mp4") {
+        return bad(
+            "output.video",
+            "the name does not end in .mp4",
+            "as \"shot.mp4\"; empty for no video",
+        );
+    }
+    Ok(())
+}
+
+fn check_camera(shot: &Shot, source: &Source) -> Result<()> {
+    let camera = &shot.camera;
+    let vectors = [
+        ("camera.eye", camera.eye),
+        ("camera.target", camera.target),
+        ("camera.up", Some(camera.up)),
+    ];
+    for (key, vector) in vectors {
+        if let Some(v) = vector {
+            finite(source, key, &v)?;
+        }
+    }
+    if camera.up == [0.0; 3] {
+        return Err(source
+            .error("camera.up", "it has no length")
+            .fix("[0, 0, 1] is up in the world"));
+    }
+    if !(camera.fov_x_deg > 0.0 && camera.fov_x_deg < 180.0) {
+        return Err(source
+            .error("camera.fov_x_deg", "it is not between 0 and 180")
+            .fix("40 is usual"));
+    }
+    if !camera.gltf.is_empty() && (camera.eye.is_some() || camera.target.is_some()) {
+        return Err(source
+            .error("camera.gltf", "eye or target is given too")
+            .fix("keep one of the two ways to place the camera"));
+    }
+    Ok(())
+}
+
+fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
+    if shot.objects.is_empty() {
+        return Err(source
+            .error("object", "the shot has no object")
+            .fix("add one, as [[object]] mesh = \"model.glb\""));
+    }
+    for (i, object) in shot.objects.iter().enumerate() {
+        let key = |name: &str| format!("object.{i}.{name}");
+        if object.mesh.is_empty() {
+            return Err(source
+                .error(&key("mesh"), "the object has no mesh")
+                .fix("name a file (.glb .gltf .obj .ply), or \"sphere\" or \"plane\""));
+        }
+        finite(source, &key("translate"), &object.translate)?;
+        finite(source, &key("rotate_deg"), &object.rotate_deg)?;
+        if !(object.scale.abs() >= 1e-12 && object.scale.abs() <= 1e12) {
+            return Err(source
+                .error(&key("scale"), "an object of that size cannot be rendered")
+                .fix("1 leaves it as it is"));
+        }
+        if object.catcher {
+            return Err(source
+                .error(&key("catcher"), "shadow catchers are not supported yet")
+                .fix("remove it"));
+        }
+        if let Some(material) = &object.material {
+            check_material(material, i, source)?;
+        }
+    }
+    Ok(())
+}
+
+fn check_material(material: &super::Material, object: usize, source: &Source) -> Result<()> {
+    let key = |name: &str| format!("object.{object}.material.{name}");
+    for (name, colour) in [
+        ("diffuse", material.diffuse),
+        ("specular", material.specular),
+    ] {
+        if colour.iter().any(|c| !(*c >= 0.0 && *c <= 1.0)) {
+            return Err(source
+                .error(&key(name), "a channel is not between 0 and 1")
+                .fix("an albedo is the share of light that is reflected"));
+        }
+    }
+    let sum = (0..3).map(|c| material.diffuse[c] + material.specular[c]);
+    let largest = sum.fold(0.0, f32::max);
+    if !(largest <= 1.000_001) {
+        return Err(source
+            .error(
+                &key("diffuse"),
+                format!("diffuse + specular is {largest:.3} in a channel: more light would leave than came"),
+            )
+            .fix("keep the sum at 1 or below"));
+    }
+    if !(material.exponent >= 0.0 && material.exponent <= 1e4) {
+        return Err(source
+            .error(&key("exponent"), "it is not between 0 and 10000")
+            .fix("50 is glossy, 500 a near mirror"));
+    }
+    Ok(())
+}
+
+fn finite(source: &Source, key: &str, values: &[f32]) -> Result<()> {
+    if values.iter().all(|v| v.is_finite()) {
+        return Ok(());
+    }
+    let error: Error = source.error(key, "it is not a finite number");
+    Err(error.fix("write a plain number"))
+}

@@ -1,0 +1,92 @@
+//! Host file: the identity of a frame: a hash of everything that its pixels depend on.
+
+use super::Shot;
+use crate::error::{Error, Result};
+use sha2::{Digest, Sha256};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+/// SHA-256.
+pub type Hash = [u8; 32];
+
+/// The version that takes part in the identity of a frame.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// Hash of a file's content.
+///
+/// # Errors
+/// The file cannot be read.
+pub fn of_file(file: &Path) -> Result<Hash> {
+    let fail = |e: std::io::Error| Error::reading(file, &e);
+    let mut reader = File::open(file).map_err(fail)?;
+    let mut hasher = Sha256::new();
+    let mut buffer = vec![0; 1 << 16];
+    loop {
+        let n = reader.read(&mut buffer).map_err(fail)?;
+        if n == 0 {
+            return Ok(hasher.finalize().into());
+        }
+        hasher.update(&buffer[..n]);
+    }
+}
+
+/// Hash of the keys of a shot that its pixels depend on: neither paths (contents count), nor outputs, nor which frames.
+pub fn of_shot(shot: &Shot) -> Hash {
+    let mut shot = shot.clone();
+    let default = Shot::default();
+    shot.output = default.output;
+    shot.probe.frames.clear();
+    shot.probe.fps = default.probe.fps;
+    shot.render.frames.clear();
+    for object in &mut shot.objects {
+        object.mesh.clear();
+    }
+    let canonical = serde_json::to_string(&shot).expect("a shot is plain data");
+    Sha256::digest(canonical.as_bytes()).into()
+}
+
+/// Joins hashes in order.
+pub fn join<'a>(parts: impl IntoIterator<Item = &'a Hash>) -> Hash {
+    let mut hasher = Sha256::new();
+    for part in parts {
+        hasher.update(part);
+    }
+    hasher.finalize().into()
+}
+
+/// The identity of one frame: version, shot, meshes, light and number, in hexadecimal.
+pub fn of_frame(scene: &Hash, light: &Hash, frame: u32) -> String {
+    let mut hasher = Sha256::new();
+    hasher.update(b"glimt frame ");
+    hasher.update(VERSION.as_bytes());
+    hasher.update([0]);
+    hasher.update(scene);
+    hasher.update(light);
+    hasher.update(frame.to_le_bytes());
+    hex(&hasher.finalize().into())
+}
+
+/// A hash in hexadecimal.
+pub fn hex(hash: &Hash) -> String {
+    hash.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pixels_decide() {
+        let base = Shot::default();
+        let mut same = base.clone();
+        same.output.dir = "elsewhere".into();
+        same.probe.frames = "renamed.exr".into();
+        assert_eq!(of_shot(&base), of_shot(&same));
+        let mut other = base.clone();
+        other.render.seed = 2;
+        assert_ne!(of_shot(&base), of_shot(&other));
+        let zero = [0; 32];
+        assert_ne!(of_frame(&zero, &zero, 1), of_frame(&zero, &zero, 2));
+    }
+}

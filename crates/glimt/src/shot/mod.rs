@@ -1,0 +1,384 @@
+//! Host file: the shot, with the default of every key. Only the probe and the objects have none.
+
+pub mod check;
+pub mod digest;
+pub mod parse;
+pub mod range;
+
+use serde::{Deserialize, Serialize};
+
+/// A shot: what is rendered, from where, under which light, how, and where it goes.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Shot {
+    /// The image.
+    pub image: Image,
+    /// Where it is seen from.
+    pub camera: Camera,
+    /// The light.
+    pub probe: Probe,
+    /// What stands in it.
+    #[serde(rename = "object")]
+    pub objects: Vec<Object>,
+    /// Footage to lay the objects over.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub backplate: Option<Backplate>,
+    /// How it is rendered.
+    pub render: Render,
+    /// What is written.
+    pub output: Output,
+}
+
+/// The image.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Image {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Rays through each pixel.
+    pub rays_per_pixel: u32,
+    /// Where in its pixel a ray passes.
+    pub filter: Filter,
+    /// Curve of the display image.
+    pub tonemap: Tonemap,
+    /// Exposure of the display image, in stops.
+    pub exposure_ev: f32,
+    /// What is seen where no object is.
+    pub background: Background,
+}
+
+/// A pinhole camera. Without `eye` and `target`, it looks at the objects from a little above.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Camera {
+    /// Centre of projection.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub eye: Option<[f32; 3]>,
+    /// A point in the middle of the image.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub target: Option<[f32; 3]>,
+    /// A direction that is up in the image.
+    pub up: [f32; 3],
+    /// Horizontal field of view [degree].
+    pub fov_x_deg: f32,
+    /// Name of a camera in one of the glTF files, in place of all the above.
+    pub gltf: String,
+}
+
+/// The light: HDR images of the surroundings.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Probe {
+    /// File of a still, or of a sequence with `####` for the frame's number.
+    pub frames: String,
+    /// How directions lie in the image.
+    pub mapping: Mapping,
+    /// Turns the light counter-clockwise, seen from above [degree].
+    pub rotate_z_deg: f32,
+    /// Factor on the radiance.
+    pub scale: f32,
+    /// Frames per second of the sequence, and of the video made from it.
+    pub fps: f32,
+    /// Where the mirror ball is, for `mapping = "mirror-ball"`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ball: Option<Ball>,
+}
+
+/// A mirror ball in the probe's frames.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Ball {
+    /// From the centre of projection to the ball's centre [mm].
+    pub distance_mm: f32,
+    /// Radius of the ball [mm].
+    pub radius_mm: f32,
+    /// Centre of the ball in the image; found if not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centre_px: Option<[f32; 2]>,
+    /// Radius of the ball in the image; found if not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radius_px: Option<f32>,
+}
+
+/// A mesh that stands in the scene. It is scaled, then turned about x, y, z (fixed axes), then moved.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Object {
+    /// A mesh file, or `sphere` (radius 1) or `plane` (2 × 2, facing +z).
+    pub mesh: String,
+    /// Where it is moved to.
+    pub translate: [f32; 3],
+    /// Angles about x, y and z [degree].
+    pub rotate_deg: [f32; 3],
+    /// Factor on its size.
+    pub scale: f32,
+    /// The axis that is up in the file. Built-in meshes are made with z up.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub up: Option<Up>,
+    /// Set its lowest point on z = 0 before it is moved.
+    pub ground: bool,
+    /// Take shadows only, to be laid over a backplate.
+    pub catcher: bool,
+    /// One material in place of the file's.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub material: Option<Material>,
+}
+
+/// Blinn-Phong: `diffuse/π + specular · c(e) · (n·h)^e`.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Material {
+    /// Diffuse albedo, linear RGB.
+    pub diffuse: [f32; 3],
+    /// Specular albedo at normal incidence, linear RGB.
+    pub specular: [f32; 3],
+    /// Exponent, 0 to 10⁴.
+    pub exponent: f32,
+}
+
+/// Footage to lay the objects over.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Backplate {
+    /// File of a still, or of a sequence with `####` for the frame's number.
+    pub frames: String,
+}
+
+/// How it is rendered.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Render {
+    /// Estimator of reflected light.
+    pub method: Method,
+    /// BRDF samples on each ray.
+    pub brdf_samples: u32,
+    /// Environment samples on each ray.
+    pub env_samples: u32,
+    /// Settings under one name; keys that are given beside it win.
+    pub preset: Preset,
+    /// Where the uniforms come from.
+    pub pattern: Pattern,
+    /// Seed of the random streams.
+    pub seed: u32,
+    /// Frames of the shot, as `1-96`; all that the probe has, if empty.
+    pub frames: String,
+}
+
+/// What is written.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Output {
+    /// Folder.
+    pub dir: String,
+    /// Linear float frames.
+    pub exr: bool,
+    /// Display frames.
+    pub png: bool,
+    /// An mp4 of the whole shot, if it has more than one frame; none if empty.
+    pub video: String,
+    /// Codec of the video.
+    pub codec: Codec,
+    /// Further images.
+    pub aovs: Vec<String>,
+}
+
+macro_rules! words {
+    ($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal),+ $(,)? }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+        pub enum $name { $($(#[$variant_doc])* #[serde(rename = $word)] $variant),+ }
+    };
+}
+
+words! {
+    /// Where in its pixel a ray passes.
+    Filter {
+        /// Anywhere in the pixel.
+        #[default] Box = "box",
+        /// Through its centre.
+        Centre = "centre",
+    }
+}
+words! {
+    /// Curve of the display image.
+    Tonemap {
+        /// Clipped, then the sRGB curve.
+        #[default] Srgb = "srgb",
+        /// `x / (1 + x)`, then the sRGB curve.
+        Reinhard = "reinhard",
+    }
+}
+words! {
+    /// What is seen where no object is.
+    Background {
+        /// The light.
+        #[default] Environment = "environment",
+        /// Nothing, with alpha 0.
+        Transparent = "transparent",
+    }
+}
+words! {
+    /// How directions lie in the probe's images.
+    Mapping {
+        /// Latitude and longitude, 2:1.
+        #[default] LatLong = "lat-long",
+        /// Angular map (light probe), 1:1.
+        Angular = "angular",
+        /// Photograph of a mirror ball.
+        MirrorBall = "mirror-ball",
+    }
+}
+words! {
+    /// The axis that is up in a mesh file.
+    Up {
+        /// As in glTF.
+        #[default] Y = "y",
+        /// As in the world here.
+        Z = "z",
+    }
+}
+words! {
+    /// Estimator of reflected light.
+    Method {
+        /// Multiple importance sampling.
+        #[default] Mis = "mis",
+        /// Bidirectional importance sampling.
+        Bis = "bis",
+        /// Sequential Monte Carlo.
+        Smc = "smc",
+        /// Precomputed radiance transfer.
+        Prt = "prt",
+    }
+}
+words! {
+    /// Settings under one name.
+    Preset {
+        /// None.
+        #[default] None = "",
+        /// 15 + 15 independent samples on one ray through each pixel's centre (Kronander 2014).
+        Kronander = "kronander",
+    }
+}
+words! {
+    /// Where the uniforms come from.
+    Pattern {
+        /// Owen-scrambled Sobol points.
+        #[default] OwenSobol = "owen-sobol",
+        /// Independent uniforms.
+        Independent = "independent",
+        /// Independent uniforms in strata.
+        Stratified = "stratified",
+    }
+}
+words! {
+    /// Codec of the video.
+    Codec {
+        /// H.264 where `ffmpeg` is found, else AV1.
+        #[default] Auto = "auto",
+        /// AV1, encoded here.
+        Av1 = "av1",
+        /// H.264, encoded by `ffmpeg`.
+        H264 = "h264",
+    }
+}
+
+impl Default for Image {
+    fn default() -> Self {
+        Self {
+            size: [1280, 720],
+            rays_per_pixel: 16,
+            filter: Filter::Box,
+            tonemap: Tonemap::Srgb,
+            exposure_ev: 0.0,
+            background: Background::Environment,
+        }
+    }
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self {
+            eye: None,
+            target: None,
+            up: [0.0, 0.0, 1.0],
+            fov_x_deg: 40.0,
+            gltf: String::new(),
+        }
+    }
+}
+
+impl Default for Probe {
+    fn default() -> Self {
+        Self {
+            frames: String::new(),
+            mapping: Mapping::LatLong,
+            rotate_z_deg: 0.0,
+            scale: 1.0,
+            fps: 25.0,
+            ball: None,
+        }
+    }
+}
+
+impl Default for Ball {
+    fn default() -> Self {
+        Self {
+            distance_mm: 1250.0,
+            radius_mm: 50.0,
+            centre_px: None,
+            radius_px: None,
+        }
+    }
+}
+
+impl Default for Object {
+    fn default() -> Self {
+        Self {
+            mesh: String::new(),
+            translate: [0.0; 3],
+            rotate_deg: [0.0; 3],
+            scale: 1.0,
+            up: None,
+            ground: false,
+            catcher: false,
+            material: None,
+        }
+    }
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self {
+            diffuse: [0.5; 3],
+            specular: [0.0; 3],
+            exponent: 50.0,
+        }
+    }
+}
+
+impl Default for Render {
+    fn default() -> Self {
+        Self {
+            method: Method::Mis,
+            brdf_samples: 1,
+            env_samples: 1,
+            preset: Preset::None,
+            pattern: Pattern::OwenSobol,
+            seed: 1,
+            frames: String::new(),
+        }
+    }
+}
+
+impl Default for Output {
+    fn default() -> Self {
+        Self {
+            dir: "out".to_owned(),
+            exr: true,
+            png: true,
+            video: "shot.mp4".to_owned(),
+            codec: Codec::Auto,
+            aovs: Vec::new(),
+        }
+    }
+}

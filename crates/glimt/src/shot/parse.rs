@@ -1,0 +1,328 @@
+//! Host file: from TOML and `--set key=value` to a shot. What is not understood is an error that says where and names
+//! the nearest thing that would be.
+
+use super::Shot;
+use crate::error::{Error, Result, nearest};
+use std::path::Path;
+use toml::de::{DeTable, DeValue};
+use toml::{Table, Value};
+
+/// A shot with the text that it was read from, for messages about its keys.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// The file's name.
+    pub file: std::path::PathBuf,
+    text: String,
+    set: Vec<String>,
+}
+
+/// Reads a shot file and applies `key=value` overrides.
+///
+/// # Errors
+/// The first unknown key, wrong type or syntax error, with its line and column or the override it stands in.
+pub fn read(file: &Path, set: &[String]) -> Result<(Shot, Source)> {
+    let text = std::fs::read_to_string(file).map_err(|e| match e.kind() {
+        std::io::ErrorKind::InvalidData => {
+            Error::input(file, "it is not a text file").fix("a shot is a TOML file")
+        }
+        _ => Error::reading(file, &e),
+    })?;
+    parse(file, text, set)
+}
+
+/// The same for a text already in memory; `file` is its name in messages.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(file: &Path, text: String, set: &[String]) -> Result<(Shot, Source)> {
+    let in_file = |error: toml::de::Error| {
+        let (line, column) = position(&text, error.span().map_or(0, |s| s.start));
+        explain(error.message()).file(file).at_line(line, column)
+    };
+    let mut table: Table = toml::from_str(&text).map_err(in_file)?;
+    // Read once for the places of its errors; the overrides are applied to the table and read again.
+    toml::from_str::<Shot>(&text).map_err(in_file)?;
+    for item in set {
+        override_key(&mut table, item)?;
+    }
+    apply_preset(&mut table);
+    let shot = to_shot(&table).map_err(|e| explain(e.message()).file(file))?;
+    let source = Source {
+        file: file.to_owned(),
+        text,
+        set: set.to_vec(),
+    };
+    Ok((shot, source))
+}
+
+impl Source {
+    /// An error about the value of a key, as `image.size` or `object.0.scale`, at its place in the file.
+    pub fn error(&self, key: &str, what: impl std::fmt::Display) -> Error {
+        let error = Error::usage(format!("{key}: {what}"));
+        if let Some(item) = self.set.iter().rev().find(|item| {
+            let set_key = item.split('=').next().unwrap_or_default();
+            normalise(set_key) == key || key.starts_with(&format!("{}.", normalise(set_key)))
+        }) {
+            return error.at(format!("--set {item}"));
+        }
+        let error = error.file(&self.file);
+        match locate(&self.text, key) {
+            Some((line, column)) => error.at_line(line, column),
+            None => error,
+        }
+    }
+}
+
+fn to_shot(table: &Table) -> std::result::Result<Shot, toml::de::Error> {
+    Value::Table(table.clone()).try_into()
+}
+
+/// Sets one key from `key=value`. A value that is not TOML, or not of the key's type, is taken as a string.
+fn override_key(table: &mut Table, item: &str) -> Result<()> {
+    let wrong = |error: Error| error.at(format!("--set {item}"));
+    let Some((key, text)) = item.split_once('=') else {
+        return Err(wrong(
+            Error::usage("there is no `=`").fix("write it as --set image.rays_per_pixel=64"),
+        ));
+    };
+    let key = normalise(key);
+    let text = text.trim();
+    let as_string = Value::String(text.to_owned());
+    let value = toml::from_str::<Table>(&format!("value = {text}"))
+        .ok()
+        .and_then(|mut t| t.remove("value"))
+        .unwrap_or_else(|| as_string.clone());
+
+    let mut changed = table.clone();
+    insert(&mut changed, &key, value).map_err(wrong)?;
+    if let Err(error) = to_shot(&changed) {
+        let mut quoted = table.clone();
+        insert(&mut quoted, &key, as_string).map_err(wrong)?;
+        if to_shot(&quoted).is_err() {
+            return Err(wrong(explain(error.message())));
+        }
+        changed = quoted;
+    }
+    *table = changed;
+    Ok(())
+}
+
+/// `object[0].scale` is `object.0.scale`.
+fn normalise(key: &str) -> String {
+    key.trim().replace('[', ".").replace(']', "")
+}
+
+fn insert(table: &mut Table, key: &str, value: Value) -> Result<()> {
+    let (path, last) = key.rsplit_once('.').unwrap_or(("", key));
+    let mut here = table;
+    let mut parts = path.split('.').filter(|p| !p.is_empty()).peekable();
+    while let Some(part) = parts.next() {
+        let slot = match part {
+            "object" if parts.peek().is_some() || last.parse::<usize>().is_ok() => here
+                .entry("object")
+                .or_insert_with(|| Value::Array(Vec::new())),
+            _ => here
+                .entry(part)
+                .or_insert_with(|| Value::Table(Table::new())),
+        };
+        here = match slot {
+            Value::Table(table) => table,
+            Value::Array(array) => element(array, part, parts.next().unwrap_or(last))?,
+            _ => {
+                return Err(Error::usage(format!(
+                    "`{part}` is a value, not a table: it has no key `{last}`"
+                )));
+            }
+        };
+    }
+    here.insert(last.to_owned(), value);
+    Ok(())
+}
+
+/// The table at `index` of an array of tables; the one after the last is made.
+fn element<'a>(array: &'a mut Vec<Value>, name: &str, index: &str) -> Result<&'a mut Table> {
+    let len = array.len();
+    let Ok(index) = index.parse::<usize>() else {
+        return Err(
+            Error::usage(format!("`{name}` is a list: `{index}` is no index"))
+                .fix(format!("name one of its {len} by number, as {name}.0")),
+        );
+    };
+    if index > len {
+        return Err(Error::usage(format!(
+            "`{name}.{index}` does not exist: there are {len}, counted from 0"
+        )));
+    }
+    if index == len {
+        array.push(Value::Table(Table::new()));
+    }
+    match &mut array[index] {
+        Value::Table(table) => Ok(table),
+        _ => Err(Error::usage(format!("`{name}.{index}` is not a table"))),
+    }
+}
+
+/// Fills in what a preset means, where the key itself is not given.
+fn apply_preset(table: &mut Table) {
+    let preset = table.get("render").and_then(|r| r.get("preset"));
+    if preset.and_then(Value::as_str) != Some("kronander") {
+        return;
+    }
+    let settings: [(&str, &str, Value); 5] = [
+        ("image", "rays_per_pixel", Value::Integer(1)),
+        ("image", "filter", Value::String("centre".into())),
+        ("render", "brdf_samples", Value::Integer(15)),
+        ("render", "env_samples", Value::Integer(15)),
+        ("render", "pattern", Value::String("independent".into())),
+    ];
+    for (section, key, value) in settings {
+        let section = table
+            .entry(section)
+            .or_insert_with(|| Value::Table(Table::new()));
+        if let Value::Table(section) = section {
+            section.entry(key).or_insert(value);
+        }
+    }
+}
+
+/// Turns a message of the deserialiser into ours: an unknown word gets the nearest known one.
+fn explain(message: &str) -> Error {
+    let kinds = [
+        ("unknown field `", "unknown key"),
+        ("unknown variant `", "unknown value"),
+    ];
+    for (start, name) in kinds {
+        let Some(rest) = message.strip_prefix(start) else {
+            continue;
+        };
+        let Some((word, known)) = rest.split_once('`') else {
+            continue;
+        };
+        // The known words stand between backquotes, so in every second piece.
+        let known: Vec<&str> = known.split('`').skip(1).step_by(2).collect();
+        let error = Error::usage(format!("{name} `{word}`"));
+        return match nearest(word, known.iter().copied()) {
+            Some(near) => error.fix(format!("did you mean `{near}`?")),
+            None => error.fix(format!("known here: {}", known.join(", "))),
+        };
+    }
+    Error::usage(message)
+}
+
+/// Line and column, from 1, of a byte of the text.
+fn position(text: &str, byte: usize) -> (usize, usize) {
+    let before = &text[..text.floor_char_boundary(byte.min(text.len()))];
+    let line = before.matches('\n').count() + 1;
+    let start = before.rfind('\n').map_or(0, |i| i + 1);
+    (line, before[start..].chars().count() + 1)
+}
+
+/// Where a key stands in the text, or the nearest table around it.
+fn locate(text: &str, key: &str) -> Option<(usize, usize)> {
+    let document = DeTable::parse(text).ok()?;
+    let mut span = None;
+    let mut table = Some(document.get_ref());
+    let mut array = None;
+    for part in key.split('.') {
+        let value: &DeValue<'_> = if let Some(t) = table {
+            let Some((k, v)) = t.iter().find(|(k, _)| k.get_ref() == part) else {
+                break;
+            };
+            span = Some(k.span());
+            v.get_ref()
+        } else {
+            let a: &toml::de::DeArray<'_> = array?;
+            let Some(v) = part.parse::<usize>().ok().and_then(|i| a.get(i)) else {
+                break;
+            };
+            span = Some(v.span());
+            v.get_ref()
+        };
+        (table, array) = (value.as_table(), value.as_array());
+        if table.is_none() && array.is_none() {
+            break;
+        }
+    }
+    span.map(|s| position(text, s.start))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shot(text: &str, set: &[&str]) -> Result<Shot> {
+        let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
+        parse(Path::new("s.toml"), text.to_owned(), &set).map(|(shot, _)| shot)
+    }
+
+    #[test]
+    fn an_empty_shot_has_all_defaults() {
+        assert_eq!(shot("", &[]).unwrap(), Shot::default());
+    }
+
+    #[test]
+    fn unknown_keys_and_values_name_the_nearest() {
+        let error = shot("[image]\n  siez = [1, 2]\n", &[]).unwrap_err();
+        let expected = "s.toml:2:3: unknown key `siez`; did you mean `size`?";
+        assert_eq!(error.to_string(), expected);
+        let error = shot("[image]\nfilter = \"center\"", &[]).unwrap_err();
+        assert!(error.to_string().contains("did you mean `centre`?"));
+        let error = shot("[image]\nsize = \"big\"", &[]).unwrap_err();
+        assert!(error.to_string().starts_with("s.toml:2:8: invalid type"));
+    }
+
+    #[test]
+    fn overrides_reach_every_key() {
+        let text = "[[object]]\nmesh = \"a.obj\"\n";
+        let set = [
+            "image.size=[4, 2]",
+            "object.0.scale=2",
+            "object[0].up=z",
+            "object.0.material.diffuse=[1,0,0]",
+            "object.1.mesh=plane",
+            "render.frames=7",
+            "probe.frames=light.exr",
+        ];
+        let shot = shot(text, &set).unwrap();
+        assert_eq!(shot.image.size, [4, 2]);
+        assert_eq!(shot.objects[0].scale, 2.0);
+        assert_eq!(shot.objects[0].up, Some(super::super::Up::Z));
+        assert_eq!(
+            shot.objects[0].material.as_ref().unwrap().diffuse,
+            [1.0, 0.0, 0.0]
+        );
+        assert_eq!(shot.objects[1].mesh, "plane");
+        assert_eq!(shot.render.frames, "7");
+        assert_eq!(shot.probe.frames, "light.exr");
+    }
+
+    #[test]
+    fn overrides_are_checked() {
+        let message = |set: &str| shot("", &[set]).unwrap_err().to_string();
+        assert_eq!(
+            message("image.siez=3"),
+            "--set image.siez=3: unknown key `siez`; did you mean `size`?"
+        );
+        assert!(message("image").contains("there is no `=`"));
+        assert!(message("object.2.scale=1").contains("does not exist"));
+        assert!(message("image.size=big").starts_with("--set image.size=big: invalid type"));
+    }
+
+    #[test]
+    fn a_preset_yields_to_given_keys() {
+        let text = "[render]\npreset = \"kronander\"\nenv_samples = 3\n";
+        let shot = shot(text, &["image.rays_per_pixel=2"]).unwrap();
+        assert_eq!(shot.render.brdf_samples, 15);
+        assert_eq!(shot.render.env_samples, 3);
+        assert_eq!(shot.image.rays_per_pixel, 2);
+        assert_eq!(shot.image.filter, super::super::Filter::Centre);
+    }
+
+    #[test]
+    fn values_are_located() {
+        let text = "[image]\nsize = [1, 1]\n\n[[object]]\nmesh = \"a\"\n[[object]]\nscale = 0\n";
+        assert_eq!(locate(text, "image.size"), Some((2, 1)));
+        assert_eq!(locate(text, "object.1.scale"), Some((7, 1)));
+        assert_eq!(locate(text, "camera.eye"), None);
+    }
+}
