@@ -1,1 +1,3 @@
-//! stub
+//! Host file: helpers of the tests.
+
+pub mod gpu;

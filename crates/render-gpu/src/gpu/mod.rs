@@ -1,1 +1,17 @@
 //! Host file: the wgpu executor.
+//!
+//! [`GpuContext`] opens an adapter with the adapter's own limits; [`GpuContext::launch`] runs a generated
+//! [`Entry`](crate::entry::Entry) over any number of elements, cut into dispatches that fit the adapter's limits and
+//! stay short. Everything that can go wrong is a [`GpuError`] that names the adapter and the limit.
+
+mod buffer;
+mod device;
+mod error;
+mod kernel;
+mod launch;
+mod timing;
+
+pub use buffer::GpuBuffer;
+pub use device::{AdapterPreference, AdapterSummary, GpuContext, GpuOptions, enumerate};
+pub use error::GpuError;
+pub use launch::{Arg, LaunchReport};

@@ -1,0 +1,214 @@
+//! Host file: storage buffers, and the ways in and out of them.
+
+use std::sync::mpsc;
+
+use super::device::GpuContext;
+use super::error::GpuError;
+
+/// The most bytes of a copy back to the host at a time, so that staging stays small.
+const STAGING_BYTES: u64 = 64 << 20;
+
+/// A storage buffer on the GPU.
+#[derive(Debug)]
+pub struct GpuBuffer {
+    pub(super) raw: wgpu::Buffer,
+    label: String,
+}
+
+impl GpuBuffer {
+    /// Its size in bytes.
+    #[must_use]
+    pub fn len(&self) -> u64 {
+        self.raw.size()
+    }
+
+    /// Always false: WGSL knows no empty buffer.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.raw.size() == 0
+    }
+
+    /// The name it was made with.
+    #[must_use]
+    pub fn label(&self) -> &str {
+        &self.label
+    }
+}
+
+impl GpuContext {
+    /// A buffer of `bytes` bytes, all zero. Its name appears in errors.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Limit`] when it is larger than the adapter allows, [`GpuError::OutOfMemory`], and
+    /// [`GpuError::Argument`] when its size is zero or no multiple of 4.
+    pub fn buffer(&self, label: &str, bytes: u64) -> Result<GpuBuffer, GpuError> {
+        if bytes == 0 || !bytes.is_multiple_of(4) {
+            let problem =
+                format!("a buffer of {bytes} bytes; it must be a multiple of 4 and not empty");
+            return Err(GpuError::Argument {
+                entry: label.to_owned(),
+                problem,
+            });
+        }
+        if bytes > self.limits.max_buffer_size {
+            let what = format!("buffer '{label}'");
+            return Err(self.limit_error(
+                what,
+                bytes,
+                "max_buffer_size",
+                self.limits.max_buffer_size,
+            ));
+        }
+        let usage = wgpu::BufferUsages::STORAGE
+            | wgpu::BufferUsages::COPY_DST
+            | wgpu::BufferUsages::COPY_SRC;
+        let descriptor = wgpu::BufferDescriptor {
+            label: Some(label),
+            size: bytes,
+            usage,
+            mapped_at_creation: false,
+        };
+        let raw = self.guarded(
+            || format!("making buffer '{label}' of {bytes} bytes"),
+            || self.device.create_buffer(&descriptor),
+        )?;
+        Ok(GpuBuffer {
+            raw,
+            label: label.to_owned(),
+        })
+    }
+
+    /// A buffer that holds `values`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::buffer`].
+    pub fn buffer_of<T: bytemuck::NoUninit>(
+        &self,
+        label: &str,
+        values: &[T],
+    ) -> Result<GpuBuffer, GpuError> {
+        let buffer = self.buffer(label, size_of_val(values) as u64)?;
+        self.write(&buffer, values)?;
+        Ok(buffer)
+    }
+
+    /// Puts `values` at the start of `buffer`, before any launch that comes later and after any that came before.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Argument`] when they do not fit.
+    pub fn write<T: bytemuck::NoUninit>(
+        &self,
+        buffer: &GpuBuffer,
+        values: &[T],
+    ) -> Result<(), GpuError> {
+        let bytes: &[u8] = bytemuck::cast_slice(values);
+        if bytes.len() as u64 > buffer.len() || !bytes.len().is_multiple_of(4) {
+            let problem = format!(
+                "{} bytes written to a buffer of {}",
+                bytes.len(),
+                buffer.len()
+            );
+            return Err(GpuError::Argument {
+                entry: buffer.label.clone(),
+                problem,
+            });
+        }
+        self.guarded(
+            || format!("writing {} bytes to '{}'", bytes.len(), buffer.label),
+            || self.queue.write_buffer(&buffer.raw, 0, bytes),
+        )
+    }
+
+    /// The first `count` values of `buffer`, after all launches so far.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Argument`] when it is shorter, [`GpuError::TimedOut`], [`GpuError::Lost`].
+    pub fn read<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(
+        &self,
+        buffer: &GpuBuffer,
+        count: usize,
+    ) -> Result<Vec<T>, GpuError> {
+        let bytes = (count * size_of::<T>()) as u64;
+        if bytes > buffer.len() || !bytes.is_multiple_of(4) {
+            let problem = format!("{bytes} bytes read from a buffer of {}", buffer.len());
+            return Err(GpuError::Argument {
+                entry: buffer.label.clone(),
+                problem,
+            });
+        }
+        let mut values = vec![T::zeroed(); count];
+        let target: &mut [u8] = bytemuck::cast_slice_mut(&mut values);
+        if bytes == 0 {
+            return Ok(values);
+        }
+        let what = || format!("reading {bytes} bytes from '{}'", buffer.label);
+        let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
+        let size = bytes.min(STAGING_BYTES);
+        let descriptor = wgpu::BufferDescriptor {
+            label: Some("read back"),
+            size,
+            usage,
+            mapped_at_creation: false,
+        };
+        let staging = self.guarded(what, || self.device.create_buffer(&descriptor))?;
+        for (index, piece) in target.chunks_mut(STAGING_BYTES as usize).enumerate() {
+            let size = piece.len() as u64;
+            let submission = self.guarded(what, || {
+                let mut encoder = self
+                    .device
+                    .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+                encoder.copy_buffer_to_buffer(
+                    &buffer.raw,
+                    index as u64 * STAGING_BYTES,
+                    &staging,
+                    0,
+                    size,
+                );
+                self.queue.submit([encoder.finish()])
+            })?;
+            self.read_mapped(&staging, piece, submission, what)?;
+        }
+        Ok(values)
+    }
+
+    /// Copies the start of a staging buffer to `target` once `submission`, which fills it, is done.
+    pub(super) fn read_mapped(
+        &self,
+        staging: &wgpu::Buffer,
+        target: &mut [u8],
+        submission: wgpu::SubmissionIndex,
+        what: impl Fn() -> String,
+    ) -> Result<(), GpuError> {
+        let (sender, receiver) = mpsc::channel();
+        let range = 0..target.len() as u64;
+        self.guarded(&what, || {
+            staging.map_async(wgpu::MapMode::Read, range.clone(), move |result| {
+                // The receiver lives until the end of this function; a late answer has no one to hear it.
+                sender.send(result).unwrap_or_default();
+            });
+        })?;
+        self.wait(submission, &what)?;
+        let refused = |reason: String| GpuError::Refused {
+            adapter: self.adapter().to_string(),
+            what: what(),
+            reason,
+        };
+        match receiver.try_recv() {
+            Ok(Ok(())) => {}
+            Ok(Err(error)) => return Err(refused(error.to_string())),
+            Err(_) => return Err(refused("the buffer was not mapped".to_owned())),
+        }
+        {
+            let view = staging
+                .get_mapped_range(range)
+                .map_err(|error| refused(error.to_string()))?;
+            target.copy_from_slice(&view);
+        }
+        staging.unmap();
+        Ok(())
+    }
+}

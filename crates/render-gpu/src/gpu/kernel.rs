@@ -1,0 +1,272 @@
+//! Host file: compiled entries, and the check of a launch's arguments against them.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::buffer::GpuBuffer;
+use super::device::GpuContext;
+use super::error::GpuError;
+use super::launch::{Arg, Pace};
+use crate::entry::{BufferSlot, Entry};
+
+/// Pipelines by name, then by text: several shaders may have an entry of one name.
+pub(super) type KernelCache = Mutex<HashMap<&'static str, Vec<Arc<Kernel>>>>;
+
+/// A compiled entry.
+#[derive(Debug)]
+pub(super) struct Kernel {
+    pub(super) entry: Entry,
+    pub(super) pipeline: wgpu::ComputePipeline,
+    pub(super) layout: wgpu::BindGroupLayout,
+    pub(super) pace: Mutex<Option<Pace>>,
+}
+
+impl GpuContext {
+    /// Compiles `entry` now, so that its first launch does not wait for the driver.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Limit`] when it uses more buffers or a larger group than the adapter allows;
+    /// [`GpuError::Refused`] with the compiler's message.
+    pub fn prepare(&self, entry: &Entry) -> Result<(), GpuError> {
+        self.kernel(entry).map(drop)
+    }
+
+    pub(super) fn kernel(&self, entry: &Entry) -> Result<Arc<Kernel>, GpuError> {
+        let mut kernels = self.kernels.lock().unwrap_or_else(PoisonError::into_inner);
+        let same_name = kernels.entry(entry.name).or_default();
+        if let Some(kernel) = same_name.iter().find(|kernel| kernel.entry == *entry) {
+            return Ok(Arc::clone(kernel));
+        }
+        let kernel = Arc::new(self.compile(entry)?);
+        same_name.push(Arc::clone(&kernel));
+        Ok(kernel)
+    }
+
+    fn compile(&self, entry: &Entry) -> Result<Kernel, GpuError> {
+        self.check_limits(entry)?;
+        let slot_layout = |binding: u32, writable: bool| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility: wgpu::ShaderStages::COMPUTE,
+            ty: wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Storage {
+                    read_only: !writable,
+                },
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            },
+            count: None,
+        };
+        let slots: Vec<_> = std::iter::once(slot_layout(0, false))
+            .chain(
+                entry
+                    .buffers
+                    .iter()
+                    .map(|slot| slot_layout(slot.binding, slot.writable)),
+            )
+            .collect();
+        let what = || format!("shader {}", entry.name);
+        let (layout, pipeline) = self.guarded(what, || {
+            let module = self
+                .device
+                .create_shader_module(wgpu::ShaderModuleDescriptor {
+                    label: Some(entry.name),
+                    source: wgpu::ShaderSource::Wgsl(entry.wgsl.into()),
+                });
+            let layout = self
+                .device
+                .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                    label: Some(entry.name),
+                    entries: &slots,
+                });
+            let pipeline_layout =
+                self.device
+                    .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                        label: Some(entry.name),
+                        bind_group_layouts: &[Some(&layout)],
+                        immediate_size: 0,
+                    });
+            let pipeline = self
+                .device
+                .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                    label: Some(entry.name),
+                    layout: Some(&pipeline_layout),
+                    module: &module,
+                    entry_point: Some(entry.name),
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    cache: None,
+                });
+            (layout, pipeline)
+        })?;
+        Ok(Kernel {
+            entry: *entry,
+            pipeline,
+            layout,
+            pace: Mutex::new(None),
+        })
+    }
+
+    fn check_limits(&self, entry: &Entry) -> Result<(), GpuError> {
+        let limits = &self.limits;
+        let buffers = entry.buffers.len() as u64 + 1;
+        let group = u64::from(entry.workgroup_size);
+        let checks = [
+            (
+                "max_storage_buffers_per_shader_stage",
+                limits.max_storage_buffers_per_shader_stage,
+                buffers,
+            ),
+            (
+                "max_bindings_per_bind_group",
+                limits.max_bindings_per_bind_group,
+                buffers,
+            ),
+            (
+                "max_compute_workgroup_size_x",
+                limits.max_compute_workgroup_size_x,
+                group,
+            ),
+            (
+                "max_compute_invocations_per_workgroup",
+                limits.max_compute_invocations_per_workgroup,
+                group,
+            ),
+        ];
+        for (limit, allowed, needed) in checks {
+            if needed > u64::from(allowed) {
+                return Err(self.limit_error(
+                    format!("kernel {}", entry.name),
+                    needed,
+                    limit,
+                    allowed.into(),
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A slice argument, bound: how many of its bytes belong to one element of the launch (none where all elements read
+/// it whole).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bound<'a> {
+    pub(super) slot: &'a BufferSlot,
+    pub(super) buffer: &'a GpuBuffer,
+    pub(super) bytes_per_element: Option<u64>,
+}
+
+/// The arguments of a launch, checked to be all of the entry's and no others.
+#[derive(Debug)]
+pub(super) struct Arguments<'a> {
+    pub(super) params: Vec<u8>,
+    pub(super) bound: Vec<Bound<'a>>,
+}
+
+/// What the launcher itself puts into the params buffer.
+const FIRST: &str = "first";
+const COUNT: &str = "count";
+/// The slot of returned elements.
+const OUT: &str = "out";
+
+impl<'a> Arguments<'a> {
+    pub(super) fn new(
+        entry: &'a Entry,
+        args: &[(&str, Arg<'a>)],
+        count: u32,
+    ) -> Result<Self, GpuError> {
+        let fail = |problem: String| GpuError::Argument {
+            entry: entry.name.to_owned(),
+            problem,
+        };
+        let find = |path: &str| {
+            args.iter()
+                .find(|(name, _)| *name == path)
+                .map(|(_, arg)| *arg)
+        };
+
+        let mut params = vec![0; entry.params_size as usize];
+        for field in entry
+            .params
+            .iter()
+            .filter(|field| field.path != FIRST && field.path != COUNT)
+        {
+            let path = field.path;
+            let bytes = match (find(path), path.strip_suffix("_len").and_then(find)) {
+                (Some(Arg::Value(bytes)), _) => bytes.to_vec(),
+                (Some(_), _) => {
+                    return Err(fail(format!(
+                        "argument '{path}' is a plain value, not a buffer"
+                    )));
+                }
+                (None, Some(Arg::Chunk(_, len))) => len.to_ne_bytes().to_vec(),
+                (None, _) => return Err(fail(format!("argument '{path}' is missing"))),
+            };
+            let (from, to) = (field.offset as usize, (field.offset + field.size) as usize);
+            if bytes.len() != field.size as usize {
+                return Err(fail(format!(
+                    "argument '{path}' is {} bytes, not {}",
+                    bytes.len(),
+                    field.size
+                )));
+            }
+            params
+                .get_mut(from..to)
+                .ok_or_else(|| fail(format!("parameter '{path}' lies outside the params buffer")))?
+                .copy_from_slice(&bytes);
+        }
+
+        let mut bound = Vec::new();
+        for slot in entry.buffers {
+            let (path, stride) = (slot.path, u64::from(slot.stride));
+            let is_chunk = slot.writable && path != OUT;
+            let (buffer, bytes_per_element) = match find(path) {
+                Some(Arg::Buffer(buffer)) if !is_chunk => (buffer, slot.writable.then_some(stride)),
+                Some(Arg::Chunk(buffer, len)) if is_chunk && len > 0 => {
+                    (buffer, Some(stride * u64::from(len)))
+                }
+                Some(_) if is_chunk => {
+                    return Err(fail(format!(
+                        "argument '{path}' must be a chunk of 1 or more"
+                    )));
+                }
+                Some(_) => return Err(fail(format!("argument '{path}' must be a buffer"))),
+                None => return Err(fail(format!("argument '{path}' is missing"))),
+            };
+            let needed = bytes_per_element.map_or(stride, |bytes| bytes * u64::from(count));
+            if buffer.len() < needed {
+                return Err(fail(format!(
+                    "argument '{path}' has {} bytes and needs {needed}",
+                    buffer.len()
+                )));
+            }
+            bound.push(Bound {
+                slot,
+                buffer,
+                bytes_per_element,
+            });
+        }
+
+        let known = |path: &str| {
+            entry
+                .params
+                .iter()
+                .any(|field| field.path == path && path != FIRST && path != COUNT)
+                || entry.buffers.iter().any(|slot| slot.path == path)
+        };
+        if let Some((path, _)) = args.iter().find(|(path, _)| !known(path)) {
+            return Err(fail(format!("there is no argument '{path}'")));
+        }
+        Ok(Self { params, bound })
+    }
+
+    /// The params buffer of a dispatch that computes elements `first .. first + count`.
+    pub(super) fn params_for(&mut self, entry: &Entry, first: u32, count: u32) -> &[u8] {
+        for (path, value) in [(FIRST, first), (COUNT, count)] {
+            if let Some(field) = entry.params.iter().find(|field| field.path == path) {
+                let from = field.offset as usize;
+                self.params[from..from + 4].copy_from_slice(&value.to_ne_bytes());
+            }
+        }
+        &self.params
+    }
+}

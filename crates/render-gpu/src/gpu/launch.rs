@@ -1,0 +1,290 @@
+//! Host file: running an entry over many elements in dispatches that fit the adapter and stay short.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, PoisonError};
+use std::time::{Duration, Instant};
+
+use super::buffer::GpuBuffer;
+use super::device::GpuContext;
+use super::error::GpuError;
+use super::kernel::{Arguments, Kernel};
+use super::timing::Stopwatch;
+use crate::entry::Entry;
+
+/// An argument of a launch, bound by its path.
+#[derive(Clone, Copy, Debug)]
+pub enum Arg<'a> {
+    /// The bytes of a plain value, as `bytemuck::bytes_of` gives them.
+    Value(&'a [u8]),
+    /// A slice that is read whole, or `out`, which has one value for each element of the launch.
+    Buffer(&'a GpuBuffer),
+    /// A slice that is cut into chunks of so many values, one chunk for each element. Sets `<path>_len`, too.
+    Chunk(&'a GpuBuffer, u32),
+}
+
+/// How a launch went.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LaunchReport {
+    /// Dispatches that it was cut into.
+    pub dispatches: u32,
+    /// Time until the last was done, as the host saw it.
+    pub wall: Duration,
+    /// Time the GPU spent in them; `None` where the adapter offers no timestamps.
+    pub gpu: Option<Duration>,
+}
+
+/// Elements in the first dispatch of a kernel of unknown pace: short on the slowest adapter, cheap on the fastest.
+const FIRST_DISPATCH: u32 = 4096;
+/// How much larger a dispatch may be than the one before: a few pixels say little about the rest.
+const GROWTH: f64 = 4.0;
+/// Dispatches in flight: one runs while the next is encoded.
+const IN_FLIGHT: usize = 2;
+
+/// How fast a kernel ran last, from which the size of its next dispatch follows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pace {
+    seconds_per_element: f64,
+    elements: u32,
+}
+
+/// A dispatch on its way.
+struct Flight {
+    submission: wgpu::SubmissionIndex,
+    submitted: Instant,
+    elements: u32,
+    stopwatch: Option<Stopwatch>,
+}
+
+impl GpuContext {
+    /// Computes elements `first .. first + count` of `entry`. Element `first + i` fills the i-th value of `out` and
+    /// the i-th chunk of each chunked argument.
+    ///
+    /// It is cut into as many dispatches as bindings, grid and the dispatch time of the options require, and returns
+    /// when all are done.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Argument`] when the arguments are not the entry's, [`GpuError::Limit`] when a slice that is read
+    /// whole is larger than a binding may be, and those of [`Self::prepare`]; [`GpuError::TimedOut`],
+    /// [`GpuError::OutOfMemory`], [`GpuError::Lost`].
+    pub fn launch(
+        &self,
+        entry: &Entry,
+        args: &[(&str, Arg<'_>)],
+        first: u32,
+        count: u32,
+    ) -> Result<LaunchReport, GpuError> {
+        if first.checked_add(count).is_none() {
+            let problem = format!("elements {first} and {count} more are beyond u32");
+            return Err(GpuError::Argument {
+                entry: entry.name.to_owned(),
+                problem,
+            });
+        }
+        let kernel = self.kernel(entry)?;
+        let mut arguments = Arguments::new(entry, args, count)?;
+        let tiles = self.tiles(entry, &arguments)?;
+        let params = self.buffer(
+            entry.name,
+            u64::from(entry.params_size.max(4)).next_multiple_of(16),
+        )?;
+
+        let started = Instant::now();
+        let mut report = LaunchReport {
+            gpu: self.has_timestamps.then_some(Duration::ZERO),
+            ..Default::default()
+        };
+        let mut flights = VecDeque::new();
+        let mut last_done = started;
+        let mut done = 0;
+        while done < count {
+            let pace = *kernel.pace.lock().unwrap_or_else(PoisonError::into_inner);
+            let elements = tiles
+                .next(pace, self.options.dispatch_target)
+                .min(count - done);
+            self.write(&params, arguments.params_for(entry, first + done, elements))?;
+            flights.push_back(self.dispatch(&kernel, &arguments, &params, done, elements)?);
+            report.dispatches += 1;
+            done += elements;
+            while flights.len() >= IN_FLIGHT || (done == count && !flights.is_empty()) {
+                let Some(flight) = flights.pop_front() else {
+                    break;
+                };
+                self.land(&kernel, flight, &mut last_done, &mut report)?;
+            }
+        }
+        report.wall = started.elapsed();
+        Ok(report)
+    }
+
+    /// What bounds the dispatches of a launch.
+    fn tiles(&self, entry: &Entry, arguments: &Arguments<'_>) -> Result<Tiles, GpuError> {
+        let groups = u64::from(self.limits.max_compute_workgroups_per_dimension);
+        // The linear index is computed in 32 bits.
+        let grid = (groups * groups * u64::from(entry.workgroup_size)).min(1 << 31);
+        let mut largest = grid.min(self.options.max_elements.max(1).into());
+        let mut granule = 1;
+        let binding = self.max_binding_bytes();
+        let alignment = u64::from(self.limits.min_storage_buffer_offset_alignment);
+        for bound in &arguments.bound {
+            let what = || format!("argument '{}' of {}", bound.slot.path, entry.name);
+            let limit = "max_storage_buffer_binding_size";
+            match bound.bytes_per_element {
+                None if bound.buffer.len() > binding => {
+                    return Err(self.limit_error(what(), bound.buffer.len(), limit, binding));
+                }
+                None => {}
+                Some(bytes) => {
+                    largest = largest.min(binding / bytes.max(1));
+                    // Each dispatch binds its own part, which must begin at a multiple of the alignment. Both are
+                    // powers of two times something small, so the least common multiple is small, too.
+                    granule = lcm(granule, alignment / gcd(alignment, bytes));
+                }
+            }
+        }
+        let whole = largest / granule * granule;
+        if whole == 0 {
+            let what = format!("a tile of {granule} elements of {}", entry.name);
+            return Err(self.limit_error(what, granule, "elements per dispatch", largest));
+        }
+        let group = lcm(granule, entry.workgroup_size.into());
+        Ok(Tiles {
+            largest: whole,
+            granule: if group <= whole { group } else { granule },
+        })
+    }
+
+    /// Submits elements `done .. done + elements` of a launch.
+    fn dispatch(
+        &self,
+        kernel: &Kernel,
+        arguments: &Arguments<'_>,
+        params: &GpuBuffer,
+        done: u32,
+        elements: u32,
+    ) -> Result<Flight, GpuError> {
+        let entry = &kernel.entry;
+        let mut entries = vec![wgpu::BindGroupEntry {
+            binding: 0,
+            resource: params.raw.as_entire_binding(),
+        }];
+        entries.extend(arguments.bound.iter().map(|bound| {
+            let part = bound
+                .bytes_per_element
+                .map(|bytes| (u64::from(done) * bytes, u64::from(elements) * bytes));
+            let (offset, size) = part.unwrap_or((0, bound.buffer.len()));
+            wgpu::BindGroupEntry {
+                binding: bound.slot.binding,
+                resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+                    buffer: &bound.buffer.raw,
+                    offset,
+                    size: wgpu::BufferSize::new(size),
+                }),
+            }
+        }));
+        // As square as the limit needs, not as wide as it allows: a second row may be almost empty.
+        let groups = elements.div_ceil(entry.workgroup_size);
+        let rows = groups.div_ceil(self.limits.max_compute_workgroups_per_dimension);
+        let columns = groups.div_ceil(rows);
+
+        let stopwatch = if self.has_timestamps {
+            Some(Stopwatch::new(self)?)
+        } else {
+            None
+        };
+        let submitted = Instant::now();
+        let submission = self.guarded(
+            || format!("{elements} elements of {}", entry.name),
+            || {
+                let bind_group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                    label: Some(entry.name),
+                    layout: &kernel.layout,
+                    entries: &entries,
+                });
+                let mut encoder = self
+                    .device
+                    .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+                {
+                    let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+                        label: Some(entry.name),
+                        timestamp_writes: stopwatch.as_ref().map(Stopwatch::writes),
+                    });
+                    pass.set_pipeline(&kernel.pipeline);
+                    pass.set_bind_group(0, &bind_group, &[]);
+                    pass.dispatch_workgroups(columns, rows, 1);
+                }
+                if let Some(stopwatch) = &stopwatch {
+                    stopwatch.resolve(&mut encoder);
+                }
+                self.queue.submit([encoder.finish()])
+            },
+        )?;
+        Ok(Flight {
+            submission,
+            submitted,
+            elements,
+            stopwatch,
+        })
+    }
+
+    /// Waits for a dispatch and learns the kernel's pace from it.
+    fn land(
+        &self,
+        kernel: &Arc<Kernel>,
+        flight: Flight,
+        last_done: &mut Instant,
+        report: &mut LaunchReport,
+    ) -> Result<(), GpuError> {
+        let Flight {
+            submission,
+            submitted,
+            elements,
+            stopwatch,
+        } = flight;
+        self.wait(submission.clone(), || {
+            format!("{elements} elements of {}", kernel.entry.name)
+        })?;
+        let now = Instant::now();
+        // It began when it was submitted or when the one before it ended, whichever was later.
+        let wall = now - submitted.max(*last_done);
+        *last_done = now;
+        if let (Some(stopwatch), Some(total)) = (stopwatch, &mut report.gpu) {
+            *total += stopwatch.read(self, submission)?;
+        }
+        let pace = Pace {
+            seconds_per_element: wall.as_secs_f64() / f64::from(elements),
+            elements,
+        };
+        *kernel.pace.lock().unwrap_or_else(PoisonError::into_inner) = Some(pace);
+        Ok(())
+    }
+}
+
+/// The sizes that dispatches may have.
+struct Tiles {
+    /// The most elements; a multiple of the parts' alignment.
+    largest: u64,
+    /// Sizes are multiples of this, so that the next part begins aligned.
+    granule: u64,
+}
+
+impl Tiles {
+    /// The next size, so that it takes about `target`.
+    fn next(&self, pace: Option<Pace>, target: Duration) -> u32 {
+        let first = f64::from(FIRST_DISPATCH);
+        let wanted = pace.map_or(first, |pace| {
+            let in_time = target.as_secs_f64() / pace.seconds_per_element.max(1e-15);
+            in_time.min((f64::from(pace.elements) * GROWTH).max(first))
+        });
+        let wanted = wanted.min(self.largest as f64) as u64;
+        (wanted / self.granule * self.granule).clamp(self.granule, self.largest) as u32
+    }
+}
+
+fn gcd(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+fn lcm(a: u64, b: u64) -> u64 {
+    a / gcd(a, b) * b
+}
