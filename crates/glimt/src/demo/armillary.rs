@@ -10,7 +10,7 @@ use glimt_render_gpu::host::scene::{Material, Object, SceneDescription};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Diffuse albedo of the floor.
-pub(super) const FLOOR: Vec3 = vec3(0.34, 0.32, 0.29);
+pub(super) const FLOOR: Vec3 = vec3(0.33, 0.29, 0.25);
 
 /// Height of the sphere's centre above the floor [m].
 const CENTRE: f64 = 1.72;
@@ -23,6 +23,7 @@ const LACQUER: u32 = 3;
 const BRASS: u32 = 4;
 const ENAMEL: u32 = 5;
 const SILVER: u32 = 6;
+const IVORY: u32 = 7;
 
 /// The scene of the shot; it is the same in all frames.
 pub fn scene() -> SceneDescription {
@@ -53,12 +54,13 @@ fn materials() -> Vec<Material> {
     };
     vec![
         material(FLOOR, Vec3::ZERO, 0.0),
-        material(vec3(0.07, 0.06, 0.05), Vec3::splat(0.04), 60.0),
-        material(vec3(0.58, 0.53, 0.46), Vec3::ZERO, 0.0),
-        material(vec3(0.30, 0.025, 0.02), Vec3::splat(0.16), 90.0),
-        material(vec3(0.03, 0.02, 0.005), vec3(0.93, 0.71, 0.36), 2500.0),
-        material(vec3(0.015, 0.07, 0.26), Vec3::splat(0.22), 400.0),
-        material(Vec3::splat(0.01), vec3(0.94, 0.93, 0.91), 8000.0),
+        material(vec3(0.06, 0.05, 0.045), Vec3::splat(0.04), 60.0),
+        material(vec3(0.60, 0.54, 0.46), Vec3::ZERO, 0.0),
+        material(vec3(0.36, 0.03, 0.02), Vec3::splat(0.12), 120.0),
+        material(vec3(0.21, 0.12, 0.035), vec3(0.68, 0.47, 0.20), 40.0),
+        material(vec3(0.015, 0.09, 0.34), Vec3::splat(0.20), 400.0),
+        material(Vec3::splat(0.02), vec3(0.93, 0.92, 0.90), 6000.0),
+        material(vec3(0.66, 0.60, 0.48), Vec3::splat(0.08), 90.0),
     ]
 }
 
@@ -73,19 +75,18 @@ fn pedestal(solid: &mut Solid) {
     let fine = uvec2(240, 12);
     let flat = uvec2(240, 1);
     let at = dvec2;
-    let stone: [(UVec2, DVec2, DVec2, f64); 12] = [
-        (flat, at(0.86, 0.0), at(0.86, 0.085), 0.0),
-        (fine, at(0.86, 0.085), at(0.84, 0.105), 0.008),
-        (flat, at(0.84, 0.105), at(0.70, 0.105), 0.0),
-        (flat, at(0.70, 0.105), at(0.70, 0.18), 0.0),
-        (fine, at(0.70, 0.18), at(0.68, 0.20), 0.008),
-        (flat, at(0.68, 0.20), at(0.54, 0.20), 0.0),
-        (fine, at(0.54, 0.20), at(0.54, 0.30), 0.05),
-        (flat, at(0.54, 0.30), at(0.48, 0.30), 0.0),
-        (fine, at(0.48, 0.30), at(0.36, 0.42), -0.055),
-        (flat, at(0.36, 0.42), at(0.39, 0.42), 0.0),
-        (fine, at(0.39, 0.42), at(0.39, 0.48), 0.03),
-        (flat, at(0.39, 0.48), at(0.10, 0.48), 0.0),
+    let stone: [(UVec2, DVec2, DVec2, f64); 11] = [
+        (flat, at(0.80, 0.0), at(0.80, 0.085), 0.0),
+        (fine, at(0.80, 0.085), at(0.78, 0.105), 0.008),
+        (flat, at(0.78, 0.105), at(0.62, 0.105), 0.0),
+        (fine, at(0.62, 0.105), at(0.62, 0.185), 0.04),
+        (flat, at(0.62, 0.185), at(0.56, 0.185), 0.0),
+        (fine, at(0.56, 0.185), at(0.38, 0.315), -0.07),
+        (flat, at(0.38, 0.315), at(0.41, 0.315), 0.0),
+        (fine, at(0.41, 0.315), at(0.41, 0.375), 0.03),
+        (flat, at(0.41, 0.375), at(0.30, 0.375), 0.0),
+        (flat, at(0.30, 0.375), at(0.30, 0.40), 0.0),
+        (flat, at(0.30, 0.40), at(0.08, 0.40), 0.0),
     ];
     for (cells, a, b, bulge) in stone {
         solid.lathe(STONE, cells, arc(a, b, bulge));
@@ -93,14 +94,14 @@ fn pedestal(solid: &mut Solid) {
     // The vase: a slow wave in height, 20 flutes around that fade towards its ends.
     solid.patch(LACQUER, uvec2(320, 72), |uv| {
         let t = uv.y;
-        let wave = 0.5 - 0.5 * (TAU * (0.12 + 0.86 * t.powf(0.75))).cos();
-        let body = 0.085 + 0.20 * wave.powf(1.2);
+        let wave = 0.5 - 0.5 * (TAU * (0.16 + 0.82 * t.powf(0.85))).cos();
+        let body = 0.075 + 0.19 * wave.powf(1.3);
         let flutes = 0.024 * (PI * t).sin().max(0.0) * (10.0 * TAU * uv.x).sin().abs();
-        around_z(uv.x, body - flutes) + (0.48 + 0.36 * t) * DVec3::Z
+        around_z(uv.x, body - flutes) + (0.40 + 0.46 * t) * DVec3::Z
     });
     for (height, radius, half) in [
-        (0.495, 0.155, dvec2(0.030, 0.020)),
-        (0.845, 0.100, dvec2(0.035, 0.022)),
+        (0.418, 0.145, dvec2(0.030, 0.020)),
+        (0.852, 0.085, dvec2(0.035, 0.022)),
     ] {
         let place = Place {
             turn: DMat3::IDENTITY,
@@ -123,7 +124,7 @@ fn cradle(solid: &mut Solid) {
         origin: centre,
     };
     solid.ring(
-        BRASS,
+        ENAMEL,
         uvec2(360, 28),
         0.90,
         dvec2(0.060, 0.022),
@@ -205,7 +206,7 @@ fn sphere(solid: &mut Solid) {
     }
     let ecliptic = polar.turned(DMat3::from_rotation_x(obliquity));
     solid.ring(
-        SILVER,
+        IVORY,
         around,
         0.66,
         dvec2(0.012, 0.070),
@@ -218,7 +219,7 @@ fn sphere(solid: &mut Solid) {
 
 /// A globe of enamel with meridians and parallels cut into it.
 fn globe(solid: &mut Solid, polar: &Place) {
-    solid.patch(ENAMEL, uvec2(288, 144), |uv| {
+    solid.patch(SILVER, uvec2(288, 144), |uv| {
         let theta = (1.0 - uv.y) * PI;
         let meridians = groove(12.0 * uv.x, 0.06 / theta.sin().abs().max(0.05));
         let parallels = groove(12.0 * uv.y, 0.10);
@@ -243,43 +244,65 @@ fn axis(solid: &mut Solid, polar: &Place) {
     solid.rod(BRASS, uvec2(40, 12), [1.05, 1.22], point, polar);
 }
 
-/// The floor, cut along circles and rays about the foot of the axis; the hour lines and three circles are inlaid.
+/// A part of the floor between two circles about the foot of the axis.
+#[derive(Clone, Copy)]
+enum Band {
+    Plain,
+    /// A circle of inlay.
+    Circle,
+    /// Crossed by the hour lines.
+    Dial,
+    /// Crossed by the hour lines, every other hour filled.
+    Scale,
+}
+
+/// A part of the floor between two rays from the foot of the axis.
+#[derive(Clone, Copy)]
+enum Sector {
+    Line,
+    Hour { filled: bool },
+    Night,
+}
+
+/// The floor, cut along circles and rays about the foot of the axis.
 fn floor(solid: &mut Solid) {
-    let foot = dvec3(CENTRE / LATITUDE.tan(), 0.0, 0.0);
-    // Radii and whether the band that starts there is a circle of inlay.
     let bands = [
-        (0.0, false),
-        (1.10, true),
-        (1.14, false),
-        (3.60, true),
-        (3.65, false),
-        (4.35, true),
-        (4.42, false),
-        (12.0, false),
-        (40.0, false),
-        (160.0, false),
+        (0.0, Band::Plain),
+        (1.10, Band::Circle),
+        (1.14, Band::Dial),
+        (3.60, Band::Circle),
+        (3.65, Band::Scale),
+        (3.95, Band::Circle),
+        (4.00, Band::Plain),
+        (12.0, Band::Plain),
+        (40.0, Band::Plain),
+        (160.0, Band::Plain),
     ];
-    let mut rays: Vec<(f64, bool)> = (-6..=6)
-        .flat_map(|hour: i32| {
-            let turns = hour_line(hour) / TAU;
-            let half = if hour % 3 == 0 { 0.0016 } else { 0.0009 };
-            [(turns - half, true), (turns + half, false)]
-        })
-        .collect();
-    rays.extend((1..12).map(|i| (0.76 + 0.04 * f64::from(i), false)));
-    rays.sort_by(|a, b| a.0.total_cmp(&b.0));
-    for (i, &(from, ray_inlaid)) in rays.iter().enumerate() {
-        let to = if i + 1 < rays.len() {
-            rays[i + 1].0
-        } else {
-            rays[0].0 + 1.0
-        };
-        for (band, &(inner, circle_inlaid)) in bands[..bands.len() - 1].iter().enumerate() {
-            let outer = bands[band + 1].0;
-            let between_circles = (1.10..4.35).contains(&inner);
-            let inlaid = circle_inlaid || (ray_inlaid && between_circles);
-            let material = if inlaid { INLAY } else { PAVING };
-            let cells = uvec2(((to - from) / 0.01).ceil() as u32, 1);
+    let mut sectors = Vec::new();
+    for hour in (-6..=6).rev() {
+        let line = hour_line(hour) / TAU;
+        let half = if hour % 3 == 0 { 0.0020 } else { 0.0010 };
+        let filled = hour % 2 == 0;
+        sectors.push((line - half, Sector::Line));
+        sectors.push((line + half, Sector::Hour { filled }));
+    }
+    // Past the last line lies the other half of the circle.
+    if let Some(last) = sectors.last_mut() {
+        last.1 = Sector::Night;
+    }
+    let first = sectors[0].0;
+    let foot = dvec3(CENTRE / LATITUDE.tan(), 0.0, 0.0);
+    for (i, &(from, sector)) in sectors.iter().enumerate() {
+        let to = sectors.get(i + 1).map_or(first + 1.0, |next| next.0);
+        let cells = uvec2(((to - from) / 0.01).ceil() as u32, 1);
+        for pair in bands.windows(2) {
+            let (inner, outer) = (pair[0].0, pair[1].0);
+            let material = match (pair[0].1, sector) {
+                (Band::Circle, _)
+                | (Band::Dial | Band::Scale, Sector::Line)
+                | (Band::Scale, Sector::Hour { filled: true }) => INLAY,
+                _ => PAVING,
+            };
             solid.patch(material, cells, |uv| {
                 let radius = outer + (inner - outer) * uv.y;
                 foot + around_z(from + (to - from) * uv.x, radius)

@@ -28,7 +28,7 @@ const LAMPS: [Lamp; 4] = [
         radius: 3.0,
         sway: 1.0,
         swings: 3.0,
-        radiance: vec3(900.0, 330.0, 60.0),
+        radiance: vec3(2160.0, 792.0, 144.0),
         flicker: 0.6,
     },
     // A lantern that swings, left behind the camera.
@@ -38,7 +38,7 @@ const LAMPS: [Lamp; 4] = [
         radius: 2.2,
         sway: 9.0,
         swings: 1.0,
-        radiance: vec3(60.0, 420.0, 620.0),
+        radiance: vec3(144.0, 1008.0, 1488.0),
         flicker: 0.1,
     },
     // Magenta, on the right.
@@ -48,7 +48,7 @@ const LAMPS: [Lamp; 4] = [
         radius: 2.6,
         sway: 5.0,
         swings: 1.5,
-        radiance: vec3(640.0, 60.0, 420.0),
+        radiance: vec3(1536.0, 144.0, 1008.0),
         flicker: 0.25,
     },
     // A small white one, high behind the sculpture on the right.
@@ -58,7 +58,7 @@ const LAMPS: [Lamp; 4] = [
         radius: 1.2,
         sway: 0.0,
         swings: 0.0,
-        radiance: vec3(900.0, 820.0, 700.0),
+        radiance: vec3(2160.0, 1968.0, 1680.0),
         flicker: 0.0,
     },
 ];

@@ -38,12 +38,12 @@ fn shot_time(frame: u32) -> f32 {
 /// The camera of a frame: it drifts a few degrees around the sculpture.
 pub fn camera(frame: u32) -> Camera {
     let time = shot_time(frame);
-    let azimuth = (188.0 - 16.0 * time).to_radians();
-    let distance = 6.9;
-    let height = 1.62 + 0.25 * time;
+    let azimuth = (192.0 - 20.0 * time).to_radians();
+    let distance = 7.9;
+    let height = 2.1 + 0.3 * time;
     Camera {
         eye: vec3(distance * azimuth.cos(), distance * azimuth.sin(), height),
-        target: vec3(0.0, 0.0, 1.17),
+        target: vec3(0.0, -0.6, 1.16),
         up: Vec3::Z,
         fov_x: 40_f32.to_radians(),
     }
@@ -64,7 +64,7 @@ pub fn settings(frame: u32) -> RenderSettings {
         background: Background::Environment,
         seed: 1,
         frame,
-        exposure_ev: -3.6,
+        exposure_ev: -4.75,
         tonemap: Tonemap::Srgb,
     }
 }

@@ -15,13 +15,13 @@ const RADIUS: f64 = 0.5 * PI / 180.0;
 const EXTRATERRESTRIAL: f64 = 190.0;
 
 /// The sky's turbidity: 1 is pure air.
-pub(super) const TURBIDITY: f64 = 3.0;
+pub(super) const TURBIDITY: f64 = 2.2;
 
 /// Direction towards the sun in frame `frame`. +x is south, +y east: it climbs from the left into the picture, on the
 /// circle that it describes about the celestial pole.
 pub(super) fn direction(frame: u32) -> DVec3 {
-    let declination = 12_f64.to_radians();
-    let hour_angle = (-84.0 + 56.0 * f64::from(shot_time(frame))).to_radians();
+    let declination = 14_f64.to_radians();
+    let hour_angle = (-77.0 + 45.0 * f64::from(shot_time(frame))).to_radians();
     let (sin_l, cos_l) = LATITUDE.sin_cos();
     let (sin_d, cos_d) = declination.sin_cos();
     dvec3(
