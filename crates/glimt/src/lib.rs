@@ -6,5 +6,6 @@
 pub mod demo;
 pub mod error;
 pub mod input;
+pub mod mesh;
 pub mod notes;
 pub mod shot;

@@ -1,0 +1,136 @@
+//! Host file: meshes in: files and built-in shapes as the renderer's host types, checked.
+
+pub mod builtin;
+pub mod clean;
+pub mod gltf;
+pub mod obj;
+pub mod place;
+pub mod ply;
+
+use crate::error::{Error, Result};
+use crate::notes::Notes;
+use crate::shot::digest::{self, Hash};
+use glam::{Mat4, Vec3};
+use glimt_render_gpu::host::scene::{Material, Mesh, Texture};
+use std::path::{Path, PathBuf};
+
+/// What a mesh file holds. Indices are into its own lists.
+#[derive(Clone, Debug, Default)]
+pub struct Model {
+    /// Geometry.
+    pub meshes: Vec<Mesh>,
+    /// Reflection models; at least one where there is a mesh.
+    pub materials: Vec<Material>,
+    /// Name of each material.
+    pub material_names: Vec<String>,
+    /// Images.
+    pub textures: Vec<Texture>,
+    /// Where the meshes stand, in the file's own axes.
+    pub parts: Vec<Part>,
+    /// Cameras.
+    pub cameras: Vec<ModelCamera>,
+    /// Number of animations, of which none is played.
+    pub animations: usize,
+    /// The file and all that it refers to.
+    pub files: Vec<PathBuf>,
+    /// Whether z is up, rather than y, if a shot does not say.
+    pub z_up: bool,
+}
+
+/// A mesh placed in its file.
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    /// Index of the mesh.
+    pub mesh: usize,
+    /// To the file's world.
+    pub transform: Mat4,
+}
+
+/// A perspective camera of a file.
+#[derive(Clone, Debug)]
+pub struct ModelCamera {
+    /// Its name.
+    pub name: String,
+    /// To the file's world; it looks along −z with +y up.
+    pub transform: Mat4,
+    /// Vertical field of view [rad].
+    pub fov_y: f32,
+}
+
+/// Grey paint, for meshes that have no material.
+pub fn default_material() -> Material {
+    Material::BlinnPhong {
+        diffuse: Vec3::splat(0.6),
+        specular: Vec3::ZERO,
+        exponent: 1.0,
+    }
+}
+
+/// Loads `sphere`, `plane`, or a file by its extension; a relative path is relative to `base`.
+///
+/// # Errors
+/// The file cannot be read, is broken, or holds no triangle.
+pub fn load(base: &Path, name: &str, notes: &mut Notes) -> Result<Model> {
+    if let Some(model) = builtin::load(name) {
+        return Ok(model);
+    }
+    let file = base.join(name);
+    let lower = name.to_ascii_lowercase();
+    let lower = lower.strip_suffix(".gz").unwrap_or(&lower);
+    let mut model = match lower
+        .rsplit_once('.')
+        .map_or("", |(_, extension)| extension)
+    {
+        "glb" | "gltf" => gltf::load(&file, notes)?,
+        "obj" => obj::load(&file, notes)?,
+        "ply" => ply::load(&file, notes)?,
+        _ => {
+            return Err(Error::input(&file, "it is no kind of mesh that is known")
+                .fix("known are .glb, .gltf, .obj, .ply, .ply.gz, and the built-in \"sphere\" and \"plane\""));
+        }
+    };
+    clean::clean(&mut model, &file, notes)?;
+    Ok(model)
+}
+
+impl Model {
+    /// Number of triangles, counting each placing of a mesh.
+    pub fn triangles(&self) -> usize {
+        let count = |part: &Part| self.meshes[part.mesh].indices.len();
+        self.parts.iter().map(count).sum()
+    }
+
+    /// Bounds of all its parts after a further transform; `None` without any.
+    pub fn bounds(&self, transform: Mat4) -> Option<(Vec3, Vec3)> {
+        let mut bounds: Option<(Vec3, Vec3)> = None;
+        for part in &self.parts {
+            let to_world = transform * part.transform;
+            let mesh = &self.meshes[part.mesh];
+            for &index in mesh.indices.as_flattened() {
+                let p = to_world.transform_point3(mesh.positions[index as usize]);
+                let (low, high) = bounds.unwrap_or((p, p));
+                bounds = Some((low.min(p), high.max(p)));
+            }
+        }
+        bounds
+    }
+
+    /// Hash of the contents of all its files; of its name, if it is built in.
+    ///
+    /// # Errors
+    /// A file cannot be read.
+    pub fn digest(&self, name: &str) -> Result<Hash> {
+        if self.files.is_empty() {
+            let mut hash = [0; 32];
+            let n = name.len().min(32);
+            hash[..n].copy_from_slice(&name.as_bytes()[..n]);
+            return Ok(hash);
+        }
+        let hashes: Vec<Hash> = self
+            .files
+            .iter()
+            .map(|file| digest::of_file(file))
+            .collect::<Result<_>>()?;
+        Ok(digest::join(&hashes))
+    }
+}
