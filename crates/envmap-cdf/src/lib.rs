@@ -23,7 +23,7 @@
 //! let env = EnvCdf::new(size, &marginal, &conditional).unwrap();
 //!
 //! // Irradiance of an upward plane: most samples find the lamp.
-//! let (mut irradiance, n) = (0.0, 4096);
+//! let (mut irradiance, n) = (0.0, 4096_u32);
 //! for i in 0..n {
 //!     let u = UVec2::new(i.wrapping_mul(2_654_435_769), i << 20);
 //!     let sample = env.sample(u);
