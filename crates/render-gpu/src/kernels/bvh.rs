@@ -1,0 +1,173 @@
+//! Shared file: the way of a ray through a binary tree of boxes.
+
+use glam::Vec3;
+
+use super::ray::{Hit, Ray};
+use super::triangle::{Triangle, barycentrics, intersect};
+
+/// Entries of the traversal's stack. A tree that is deeper is refused when it is built.
+pub const STACK_SIZE: usize = 64;
+
+/// A node of the tree: an inner node with two children side by side, or a leaf with a run of triangles. 32 bytes.
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct BvhNode {
+    /// Lower corner of its box.
+    pub min: Vec3,
+    /// Number of triangles in a leaf; 0 in an inner node.
+    pub count: u32,
+    /// Upper corner of its box.
+    pub max: Vec3,
+    /// The first child (the second follows it), or the leaf's first triangle.
+    pub first: u32,
+}
+
+/// Where the ray enters the node's box, in units of its direction; [`f32::MAX`] where it misses it or leaves it behind.
+///
+/// The far side is moved out by two rounding errors, which makes the test conservative (Ize 2013).
+#[inline(always)]
+fn box_distance(node: &BvhNode, ray: &Ray) -> f32 {
+    let to_min = (node.min - ray.origin) * ray.inverse_direction;
+    let to_max = (node.max - ray.origin) * ray.inverse_direction;
+    let near = to_min.min(to_max).max_element();
+    let far = to_min.max(to_max).min_element() * 1.000_000_4;
+    if far >= near && far >= 0.0 {
+        near
+    } else {
+        f32::MAX
+    }
+}
+
+/// What the ray hits first at a distance in `(0, t_max)`.
+///
+/// `nodes[0]` is the root. An empty tree is never hit.
+#[must_use]
+pub fn closest_hit(
+    nodes: &[BvhNode],
+    triangles: &[Triangle],
+    ray: &Ray,
+    t_max: f32,
+) -> Option<Hit> {
+    let mut t = t_max;
+    let triangle = traverse(nodes, triangles, ray, &mut t, false);
+    if triangle == NONE {
+        return None;
+    }
+    Some(Hit {
+        triangle,
+        t,
+        barycentrics: barycentrics(&triangles[triangle as usize], ray),
+    })
+}
+
+/// Whether the ray hits anything at a distance in `(0, t_max)`.
+#[must_use]
+pub fn any_hit(nodes: &[BvhNode], triangles: &[Triangle], ray: &Ray, t_max: f32) -> bool {
+    let mut t = t_max;
+    traverse(nodes, triangles, ray, &mut t, true) != NONE
+}
+
+/// Index of no triangle.
+const NONE: u32 = u32::MAX;
+
+/// Visits the nodes that the ray meets within `reach`, nearer children first. Returns the triangle that is hit first,
+/// with its distance in `reach`; or, where `any` is set, the first one found.
+#[inline(always)]
+#[allow(clippy::manual_swap)]
+fn traverse(
+    nodes: &[BvhNode],
+    triangles: &[Triangle],
+    ray: &Ray,
+    reach: &mut f32,
+    any: bool,
+) -> u32 {
+    if nodes.is_empty() || box_distance(&nodes[0], ray) >= *reach {
+        return NONE;
+    }
+    let root = nodes[0];
+    if root.count > 0 {
+        return visit_leaf(triangles, &root, ray, reach, NONE);
+    }
+    let mut best = NONE;
+    let mut stack = [0u32; STACK_SIZE];
+    let mut height = 0;
+    let mut pair = root.first;
+    loop {
+        let mut near = nodes[pair as usize];
+        let mut far = nodes[pair as usize + 1];
+        let mut t_near = box_distance(&near, ray);
+        let mut t_far = box_distance(&far, ray);
+        // Swapping in place lets the CPU predict the order; choosing each value by `if` was a third slower.
+        if t_near > t_far {
+            let node = near;
+            near = far;
+            far = node;
+            let t = t_near;
+            t_near = t_far;
+            t_far = t;
+        }
+        let mut into_near = t_near < *reach;
+        if into_near && near.count > 0 {
+            best = visit_leaf(triangles, &near, ray, reach, best);
+            if any && best != NONE {
+                return best;
+            }
+            into_near = false;
+        }
+        let mut into_far = t_far < *reach;
+        if into_far && far.count > 0 {
+            best = visit_leaf(triangles, &far, ray, reach, best);
+            if any && best != NONE {
+                return best;
+            }
+            into_far = false;
+        }
+        if into_near {
+            pair = near.first;
+            if into_far {
+                stack[height] = far.first;
+                height += 1;
+            }
+        } else if into_far {
+            pair = far.first;
+        } else if height > 0 {
+            height -= 1;
+            pair = stack[height];
+        } else {
+            return best;
+        }
+    }
+}
+
+/// The nearest triangle of the leaf within `reach`, which becomes its distance; `best` where there is none.
+#[inline(always)]
+fn visit_leaf(
+    triangles: &[Triangle],
+    leaf: &BvhNode,
+    ray: &Ray,
+    reach: &mut f32,
+    best: u32,
+) -> u32 {
+    let mut nearest = best;
+    for i in leaf.first..leaf.first + leaf.count {
+        let t = intersect(&triangles[i as usize], ray, *reach);
+        if t < *reach {
+            *reach = t;
+            nearest = i;
+        }
+    }
+    nearest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn layout_is_that_of_wgsl() {
+        assert_eq!(core::mem::size_of::<BvhNode>(), 32);
+        assert_eq!(core::mem::offset_of!(BvhNode, count), 12);
+        assert_eq!(core::mem::offset_of!(BvhNode, max), 16);
+        assert_eq!(core::mem::offset_of!(BvhNode, first), 28);
+    }
+}

@@ -1,0 +1,10 @@
+//! Shared file: the functions that run for every ray and pixel, on the CPU and, lowered, on the GPU.
+//!
+//! A kernel computes one element of a buffer. All ids are local to a tile; [`frame::FrameParams::first_pixel`] places
+//! the tile in the image, and random streams are keyed by the pixel of the image, so that an image has the same bits
+//! whatever its tiles.
+
+pub mod bvh;
+pub mod camera;
+pub mod ray;
+pub mod triangle;
