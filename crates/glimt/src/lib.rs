@@ -8,4 +8,5 @@ pub mod error;
 pub mod input;
 pub mod mesh;
 pub mod notes;
+pub mod output;
 pub mod shot;

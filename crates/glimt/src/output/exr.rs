@@ -1,0 +1,75 @@
+//! Host file: linear frames as OpenEXR: 32-bit float RGBA, premultiplied, Rec. 709 primaries, ZIP.
+
+use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending};
+use crate::error::{Error, Result};
+use crate::input::exr::REC_709;
+use ::exr::math::Vec2;
+use ::exr::meta::MetaData;
+use ::exr::meta::attribute::{AttributeValue, Chromaticities, Text};
+use ::exr::prelude::{
+    Blocks, Compression, Encoding, Image, Layer, LayerAttributes, LineOrder, SpecificChannels,
+    WritableImage,
+};
+use glam::{UVec2, Vec4};
+use std::path::Path;
+
+/// Key of the frame's number.
+const FRAME_KEY: &str = "glimtFrame";
+
+/// Writes a frame, whole or not at all.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result<()> {
+    let mut attributes = LayerAttributes {
+        software_name: Some(Text::from(SOFTWARE)),
+        ..LayerAttributes::default()
+    };
+    let hash = AttributeValue::Text(Text::from(stamp.hash.as_str()));
+    attributes.other.insert(Text::from(HASH_KEY), hash);
+    let frame = AttributeValue::I32(stamp.frame.cast_signed());
+    attributes.other.insert(Text::from(FRAME_KEY), frame);
+
+    let width = size.x as usize;
+    let layer = Layer::new(
+        (width, size.y as usize),
+        attributes,
+        Encoding {
+            compression: Compression::ZIP16,
+            blocks: Blocks::ScanLines,
+            line_order: LineOrder::Increasing,
+        },
+        SpecificChannels::rgba(|at: Vec2<usize>| {
+            let pixel = pixels[at.y() * width + at.x()];
+            (pixel.x, pixel.y, pixel.z, pixel.w)
+        }),
+    );
+    let mut image = Image::from_layer(layer);
+    let [red, green, blue, white] = REC_709.map(|p| Vec2(p[0], p[1]));
+    image.attributes.chromaticities = Some(Chromaticities {
+        red,
+        green,
+        blue,
+        white,
+    });
+
+    let mut pending = Pending::create(file)?;
+    image
+        .write()
+        .to_buffered(&mut pending)
+        .map_err(|e| match e {
+            ::exr::error::Error::Io(e) => Error::writing(file, &e),
+            e => Error::output(file, e),
+        })?;
+    pending.commit()
+}
+
+/// The identity that a frame was stored with; `None` if there is no such frame, or none of ours.
+pub fn read_hash(file: &Path) -> Option<String> {
+    let meta = MetaData::read_from_file(file, false).ok()?;
+    let attributes = &meta.headers.first()?.own_attributes.other;
+    match attributes.get(&Text::from(HASH_KEY))? {
+        AttributeValue::Text(hash) => Some(hash.to_string()),
+        _ => None,
+    }
+}

@@ -1,0 +1,38 @@
+//! Host file: frames out: EXR, PNG and mp4, each whole under its name or not there at all.
+
+pub mod atomic;
+pub mod exr;
+pub mod png;
+pub mod video;
+
+use glimt_render_gpu::host::render::FrameImage;
+
+/// Key of the text that holds a frame's identity, in EXR attributes and PNG text chunks.
+pub const HASH_KEY: &str = "glimtHash";
+
+/// What is stored beside a frame's pixels.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stamp {
+    /// Identity of the frame, in hexadecimal.
+    pub hash: String,
+    /// Number of the frame.
+    pub frame: u32,
+}
+
+/// The program and its version, for the files it writes.
+pub const SOFTWARE: &str = concat!("glimt ", env!("CARGO_PKG_VERSION"));
+
+/// Rows of the display image as bytes: RGB where every pixel is opaque, else RGBA with straight (not premultiplied)
+/// alpha. The second value is whether there is alpha.
+pub fn display_bytes(image: &FrameImage) -> (Vec<u8>, bool) {
+    let opaque = image.display.iter().all(|pixel| pixel[3] == 255);
+    let bytes = match opaque {
+        true => image
+            .display
+            .iter()
+            .flat_map(|p| [p[0], p[1], p[2]])
+            .collect(),
+        false => image.display.iter().flat_map(|p| *p).collect(),
+    };
+    (bytes, !opaque)
+}

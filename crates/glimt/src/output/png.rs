@@ -1,0 +1,72 @@
+//! Host file: display frames as PNG, 8 bits, sRGB.
+
+use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending, display_bytes};
+use crate::error::{Error, Result};
+use ::png::{
+    BitDepth, ColorType, Compression, Decoder, Encoder, EncodingError, SrgbRenderingIntent,
+};
+use glam::UVec2;
+use glimt_render_gpu::host::render::FrameImage;
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+/// Writes a frame, whole or not at all.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write(file: &Path, image: &FrameImage, stamp: &Stamp) -> Result<()> {
+    let fail = |e: EncodingError| match e {
+        EncodingError::IoError(e) => Error::writing(file, &e),
+        e => Error::output(file, e),
+    };
+    let (bytes, alpha) = display_bytes(image);
+    let mut pending = Pending::create(file)?;
+    let mut encoder = Encoder::new(&mut pending, image.size.x, image.size.y);
+    encoder.set_color(if alpha {
+        ColorType::Rgba
+    } else {
+        ColorType::Rgb
+    });
+    encoder.set_depth(BitDepth::Eight);
+    encoder.set_compression(Compression::Balanced);
+    encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+    let texts = [
+        (HASH_KEY, stamp.hash.clone()),
+        ("Software", SOFTWARE.to_owned()),
+        ("Comment", format!("frame {}", stamp.frame)),
+    ];
+    for (key, text) in texts {
+        encoder.add_text_chunk(key.to_owned(), text).map_err(fail)?;
+    }
+    let mut writer = encoder.write_header().map_err(fail)?;
+    writer.write_image_data(&bytes).map_err(fail)?;
+    writer.finish().map_err(fail)?;
+    pending.commit()
+}
+
+/// The identity that a frame was stored with; `None` if there is no such frame, or none of ours.
+pub fn read_hash(file: &Path) -> Option<String> {
+    let reader = Decoder::new(BufReader::new(File::open(file).ok()?))
+        .read_info()
+        .ok()?;
+    let texts = &reader.info().uncompressed_latin1_text;
+    let text = texts.iter().find(|chunk| chunk.keyword == HASH_KEY)?;
+    Some(text.text.clone())
+}
+
+/// Reads a frame that [`write`] stored, as RGB; alpha is laid over black.
+///
+/// # Errors
+/// The file cannot be read.
+pub fn read_rgb(file: &Path) -> Result<(UVec2, Vec<u8>)> {
+    let image = image::open(file)
+        .map_err(|e| Error::input(file, e).fix("remove it, and render it again"))?;
+    let image = image.to_rgba8();
+    let over_black = |c: u8, a: u8| ((u32::from(c) * u32::from(a) + 127) / 255) as u8;
+    let rgb = image
+        .pixels()
+        .flat_map(|p| [p[0], p[1], p[2]].map(|c| over_black(c, p[3])))
+        .collect();
+    Ok((UVec2::new(image.width(), image.height()), rgb))
+}
