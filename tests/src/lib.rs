@@ -1,3 +1,8 @@
 //! Host file: helpers of the tests.
 
 pub mod gpu;
+#[allow(
+    clippy::all,
+    reason = "each form of the language is there to be lowered, the unusual ones above all"
+)]
+pub mod kernels;
