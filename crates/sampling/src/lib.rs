@@ -1,5 +1,73 @@
 //! Host file: uniform numbers, the warps that make directions of them, and weights that combine strategies. `no_std`,
 //! no alloc; glam types.
+//!
+//! ```
+//! use glam::Vec3;
+//! use glimt_sampling::warp::{pdf_cosine_hemisphere_sr, sample_cap, sample_cosine_hemisphere};
+//! use glimt_sampling::{OwenSobol, UniformSource, mis, unit_vec2};
+//!
+//! // Irradiance under a sky of radiance 1 with a lamp of radiance 100 overhead, by two strategies at once: the cosine
+//! // for the sky, the lamp's own cap for the lamp. The truth is π (1 + 99 sin²α).
+//! let height = glimt_sampling::warp::cap_height(0.1);
+//! let pdf_lamp = |d: Vec3| glimt_sampling::warp::pdf_cap_sr(d, height);
+//! let radiance = |d: Vec3| if pdf_lamp(d) > 0.0 { 100.0 } else { 1.0 };
+//! let n = 1024;
+//! let mut sum = 0.0;
+//! for i in 0..n {
+//!     let mut point = OwenSobol::new(1, 0, 0, i);
+//!     let cosine = sample_cosine_hemisphere(unit_vec2(point.next_uvec2())).direction;
+//!     let lamp = sample_cap(unit_vec2(point.next_uvec2()), height).direction;
+//!     for d in [cosine, lamp] {
+//!         let density = mis::multi_sample_density(n, pdf_cosine_hemisphere_sr(d), n, pdf_lamp(d));
+//!         if density > 0.0 {
+//!             sum += radiance(d) * d.z / density;
+//!         }
+//!     }
+//! }
+//! let truth = core::f32::consts::PI * (1.0 + 99.0 * 0.1f32.sin().powi(2));
+//! assert!((sum / truth - 1.0).abs() < 0.01);
+//! ```
+//!
+//! # What is here
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`uniform`] | the rule from `u32` to `[0, 1)`, and the trait of everything that yields uniform words |
+//! | [`xoshiro`] | a generator; behind `rand_core`'s traits too |
+//! | [`sobol`] | Owen-scrambled Sobol points, the pattern to prefer |
+//! | [`warp`] | disc, cosine hemisphere, sphere, cap, power-cosine lobe: sample, density, inverse |
+//! | [`mis`] | the balance and power heuristics, multi-sample and one-sample estimators |
+//! | [`math`] | luminance, shading frame |
+//! | [`hash`] | integer hashes |
+//!
+//! # Conventions
+//!
+//! - Uniforms are `u32` at the bottom; floats are made of them by [`unit_f32`] alone, and are never 1.
+//! - Streams are keyed by (seed, frame, pixel), never by the order of execution.
+//! - A density's name ends in its measure: `_sr` per steradian; a discrete one starts with `pmf_`.
+//! - An impossible sample has density 0, contributes 0, and counts.
+//! - Transcendental functions are `libm`'s, so every host computes the same bits.
+//!
+//! # One source, two processors
+//!
+//! All modules but the `rand_core` implementations are *shared files*: plain Rust without heap or standard library that
+//! also lowers to WGSL. With the feature `shader-source` their text is at hand as `SHADER_SOURCE`.
+//!
+//! # Bibliography
+//!
+//! - D. Blackman, S. Vigna: *Scrambled linear pseudorandom number generators*, ACM TOMS 47(4), 2021.
+//! - B. Burley: *Practical hash-based Owen scrambling*, JCGT 9(4), 2020.
+//! - T. Duff et al.: *Building an orthonormal basis, revisited*, JCGT 6(1), 2017.
+//! - M. Jarzynski, M. Olano: *Hash functions for GPU rendering*, JCGT 9(3), 2020.
+//! - S. Joe, F. Kuo: *Constructing Sobol sequences with better two-dimensional projections*, SIAM J. Sci. Comput. 30,
+//!   2008.
+//! - J. Kronander et al.: *Real-time video based lighting using GPU raytracing*, EUSIPCO 2014.
+//! - E. Lafortune, Y. Willems: *Using the modified Phong reflectance model for physically based rendering*, 1994.
+//! - S. Laine, T. Karras: *Stratified sampling for stochastic transparency*, EGSR 2011.
+//! - P. Shirley, K. Chiu: *A low distortion map between disk and square*, JGT 2(3), 1997.
+//! - E. Veach, L. Guibas: *Optimally combining sampling techniques for Monte Carlo rendering*, SIGGRAPH 1995.
+//! - N. Vegdahl: *Building a better LK hash*, 2021 (the constants of the scrambling).
+//! - C. Wellons: *Prospecting for hash functions*, 2018 (`lowbias32`).
 
 #![no_std]
 
@@ -9,6 +77,7 @@ pub mod mis;
 mod rng;
 pub mod sobol;
 pub mod uniform;
+pub mod warp;
 pub mod xoshiro;
 
 pub use math::{ShadingFrame, luminance};
@@ -27,6 +96,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("mis.rs", include_str!("mis.rs")),
         ("sobol.rs", include_str!("sobol.rs")),
         ("uniform.rs", include_str!("uniform.rs")),
+        ("warp.rs", include_str!("warp.rs")),
         ("xoshiro.rs", include_str!("xoshiro.rs")),
     ],
 );
