@@ -116,7 +116,7 @@ fn pedestal(solid: &mut Solid) {
     );
 }
 
-/// Four bows of stone-white lacquer that carry the horizon, the one ring that does not tilt.
+/// Four lacquered bows that carry the horizon, the one ring that does not tilt.
 fn cradle(solid: &mut Solid) {
     let centre = CENTRE * DVec3::Z;
     let level = Place {
@@ -140,14 +140,14 @@ fn cradle(solid: &mut Solid) {
         solid.patch(LACQUER, uvec2(20, 64), |uv| {
             let angle = -FRAC_PI_2 * (0.985 - 0.985 * uv.y);
             let along = angle.cos() * out + angle.sin() * DVec3::Z;
-            let section = 0.030 * rounded_section(uv.x);
+            let section = 0.030 * circle(uv.x);
             centre + (0.87 + section.y) * along + section.x * side
         });
     }
 }
 
 /// A circle's point, counter-clockwise.
-fn rounded_section(turns: f64) -> DVec2 {
+fn circle(turns: f64) -> DVec2 {
     let (sin, cos) = (TAU * turns).sin_cos();
     dvec2(cos, sin)
 }
