@@ -1,0 +1,301 @@
+//! Which impl a method, an associated function or an associated const comes from.
+
+use std::collections::HashSet;
+
+use crate::diag::{R, Span, err};
+use crate::hir::ConstKey;
+use crate::items::{Def, FnId};
+use crate::resolve::Ns;
+use crate::ty::{Table, Ty};
+
+use super::types::names;
+use super::{Checker, Scope};
+
+/// A member found in an impl or as a trait's default.
+#[derive(Clone, Debug)]
+pub(super) struct Member {
+    /// A function's or a const's id.
+    pub(super) id: usize,
+    pub(super) substs: Vec<(String, Ty)>,
+    table: Table,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum What {
+    Fn,
+    Const,
+}
+
+impl Checker<'_> {
+    /// The trait that a path names from `module`; `None` for traits that were not handed to the front end.
+    fn trait_of(&self, module: usize, path: &syn::Path, span: Span) -> Option<usize> {
+        let found = self
+            .items
+            .find(module, &names(path), Ns::Type, span, &mut HashSet::new());
+        match found {
+            Ok(Some(Def::Trait(id))) => Some(id),
+            _ => None,
+        }
+    }
+
+    /// Whether impl `i` is for `ty`: its generic arguments, in a table of their own.
+    fn impl_matches(
+        &mut self,
+        i: usize,
+        ty: &Ty,
+        span: Span,
+    ) -> Option<(Vec<(String, Ty)>, Table)> {
+        let item = &self.items.impls[i];
+        let outer = self.table.clone();
+        let substs = self.fresh(&item.generics);
+        let scope = Scope {
+            module: item.module,
+            file: item.file,
+            substs: substs.clone(),
+            self_ty: None,
+            generic: false,
+        };
+        // A type that cannot be lowered is not the one that is asked for.
+        let fits = match self.within(scope, |c| c.ty(&item.self_ty)) {
+            Ok(target) => {
+                self.table.unify(&target, ty).is_ok() && self.bounds_hold(i, &substs, span)
+            }
+            Err(_) => false,
+        };
+        let table = std::mem::replace(&mut self.table, outer);
+        fits.then_some((substs, table))
+    }
+
+    /// Whether the bounds of a blanket impl hold, as far as they name the program's own traits.
+    fn bounds_hold(&mut self, i: usize, substs: &[(String, Ty)], span: Span) -> bool {
+        let item = &self.items.impls[i];
+        // Only an impl for a bare parameter can apply wrongly: others are told apart by their type.
+        let syn::Type::Path(p) = &item.self_ty else {
+            return true;
+        };
+        let Some(bare) = p.path.get_ident() else {
+            return true;
+        };
+        let mut bounds = Vec::new();
+        for param in item.generics.type_params() {
+            if param.ident == *bare {
+                bounds.extend(param.bounds.iter());
+            }
+        }
+        for predicate in item
+            .generics
+            .where_clause
+            .iter()
+            .flat_map(|w| &w.predicates)
+        {
+            if let syn::WherePredicate::Type(t) = predicate
+                && matches!(&t.bounded_ty, syn::Type::Path(p) if p.path.is_ident(bare))
+            {
+                bounds.extend(t.bounds.iter());
+            }
+        }
+        let Some((_, ty)) = substs.iter().find(|(n, _)| bare == n) else {
+            return true;
+        };
+        let ty = self.zonk(ty);
+        for bound in bounds {
+            if let syn::TypeParamBound::Trait(t) = bound
+                && let Some(trait_id) = self.trait_of(item.module, &t.path, span)
+                && !self.implements(&ty, trait_id, span)
+            {
+                return false;
+            }
+        }
+        true
+    }
+
+    fn implements(&mut self, ty: &Ty, trait_id: usize, span: Span) -> bool {
+        (0..self.items.impls.len()).any(|i| {
+            let item = &self.items.impls[i];
+            let named = item
+                .trait_
+                .as_ref()
+                .and_then(|p| self.trait_of(item.module, p, span));
+            named == Some(trait_id) && self.impl_matches(i, ty, span).is_some()
+        })
+    }
+
+    /// Members called `name` of `ty`: those of inherent impls, and those of traits.
+    fn members(
+        &mut self,
+        ty: &Ty,
+        name: &str,
+        what: What,
+        only: Option<usize>,
+        span: Span,
+    ) -> (Vec<Member>, Vec<Member>) {
+        let mut inherent = Vec::new();
+        let mut of_traits: Vec<Member> = Vec::new();
+        for i in 0..self.items.impls.len() {
+            let item = &self.items.impls[i];
+            let own = match what {
+                What::Fn => item.fns.get(name),
+                What::Const => item.consts.get(name),
+            }
+            .copied();
+            match &item.trait_ {
+                None => {
+                    if let (Some(id), None) = (own, only)
+                        && let Some((substs, table)) = self.impl_matches(i, ty, span)
+                    {
+                        inherent.push(Member { id, substs, table });
+                    }
+                }
+                Some(path) => {
+                    let Some(t) = self.trait_of(item.module, path, span) else {
+                        continue;
+                    };
+                    if only.is_some_and(|only| only != t) {
+                        continue;
+                    }
+                    let default = match what {
+                        What::Fn => self.items.traits[t].fns.get(name),
+                        What::Const => self.items.traits[t].consts.get(name),
+                    }
+                    .copied();
+                    let Some(declared) = default else { continue };
+                    if let Some((mut substs, table)) = self.impl_matches(i, ty, span) {
+                        if own.is_none() {
+                            // The default's body stands in the trait: the impl's parameters mean nothing there.
+                            substs.clear();
+                        }
+                        let id = own.unwrap_or(declared);
+                        of_traits.push(Member { id, substs, table });
+                    }
+                }
+            }
+        }
+        (inherent, of_traits)
+    }
+
+    /// The one member called `name` of `ty`. `builtin` says that the language has one of that name too.
+    pub(super) fn member(
+        &mut self,
+        ty: &Ty,
+        name: &str,
+        what: What,
+        only: Option<usize>,
+        builtin: bool,
+        span: Span,
+    ) -> R<Option<Member>> {
+        let (mut inherent, mut of_traits) = self.members(ty, name, what, only, span);
+        let ambiguous = |c: &Self, between: &str| {
+            Err(err(
+                span,
+                format!("`{name}` on `{}` is ambiguous: {between}", c.show(ty)),
+                "call it by its trait, as `Trait::name(value)`, or rename one of them",
+            ))
+        };
+        if inherent.len() > 1 {
+            return ambiguous(self, "several inherent impls have it");
+        }
+        if of_traits.len() > 1 {
+            return ambiguous(self, "several trait impls have it");
+        }
+        if self.scope.generic && (builtin || !inherent.is_empty()) && !of_traits.is_empty() {
+            return ambiguous(
+                self,
+                "the type itself has it, and so has a trait, and this code is generic",
+            );
+        }
+        if builtin && inherent.is_empty() {
+            return Ok(None);
+        }
+        let chosen = inherent.pop().or_else(|| of_traits.pop());
+        if let Some(m) = &chosen {
+            self.table = m.table.clone();
+        }
+        Ok(chosen)
+    }
+
+    /// The impl of an operator's trait (`core::ops::Add` by its last name) for `ty`, right side `rhs`.
+    pub(super) fn operator(
+        &mut self,
+        ty: &Ty,
+        trait_name: &str,
+        method: &str,
+        rhs: Option<&Ty>,
+        span: Span,
+    ) -> R<Option<(FnId, Vec<(String, Ty)>)>> {
+        let mut found: Option<(FnId, Vec<(String, Ty)>, Table)> = None;
+        for i in 0..self.items.impls.len() {
+            let item = &self.items.impls[i];
+            let Some(path) = &item.trait_ else { continue };
+            let (Some(last), Some(&id)) = (path.segments.last(), item.fns.get(method)) else {
+                continue;
+            };
+            let path_names = names(path);
+            let def = self.items.find(
+                item.module,
+                &path_names,
+                Ns::Type,
+                span,
+                &mut HashSet::new(),
+            );
+            let is_core = matches!(&def, Ok(Some(Def::Extern(full))) if full.starts_with("core::ops::") && full.ends_with(trait_name));
+            if !is_core {
+                continue;
+            }
+            let Some((substs, mut table)) = self.impl_matches(i, ty, span) else {
+                continue;
+            };
+            if let Some(rhs) = rhs {
+                let written = match &last.arguments {
+                    syn::PathArguments::AngleBracketed(a) => a.args.iter().find_map(|a| match a {
+                        syn::GenericArgument::Type(t) => Some(t),
+                        _ => None,
+                    }),
+                    _ => None,
+                };
+                let want = match written {
+                    None => ty.clone(),
+                    Some(t) => {
+                        let scope = Scope {
+                            module: item.module,
+                            file: item.file,
+                            substs: substs.clone(),
+                            self_ty: Some(ty.clone()),
+                            generic: false,
+                        };
+                        self.within(scope, |c| c.ty(t))?
+                    }
+                };
+                if table.unify(&want, rhs).is_err() {
+                    continue;
+                }
+            }
+            if found.is_some() {
+                return Err(err(
+                    span,
+                    format!(
+                        "the operator's `{trait_name}` is ambiguous for `{}`",
+                        self.show(ty)
+                    ),
+                    "annotate the right side's type",
+                ));
+            }
+            found = Some((id, substs, table));
+        }
+        Ok(found.map(|(id, substs, table)| {
+            self.table = table;
+            (id, substs)
+        }))
+    }
+
+    pub(super) fn const_key(&self, member: &Member, self_ty: &Ty) -> ConstKey {
+        ConstKey {
+            id: member.id,
+            substs: member
+                .substs
+                .iter()
+                .map(|(n, t)| (n.clone(), self.zonk(t)))
+                .collect(),
+            self_ty: Some(self.zonk(self_ty)),
+        }
+    }
+}

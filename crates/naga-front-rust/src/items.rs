@@ -1,0 +1,596 @@
+//! The program's items: files parsed by `syn`, sorted into modules.
+
+use std::collections::HashMap;
+
+use crate::diag::{Error, R, Span, err};
+
+pub(crate) type ModId = usize;
+pub(crate) type FnId = usize;
+
+/// What a name stands for.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Def {
+    Mod(ModId),
+    Struct(usize),
+    Enum(usize),
+    Variant(usize, u32),
+    Fn(FnId),
+    Const(usize),
+    Trait(usize),
+    Alias(usize),
+    /// A path into `glam`, `libm` or `core`, known by name only.
+    Extern(String),
+}
+
+/// A name in a module: an item, or a `use` that is resolved when it is looked up.
+#[derive(Clone, Debug)]
+pub(crate) struct Named {
+    pub(crate) target: Target,
+    /// Why the item cannot be reached by shared code, as `#[cfg(feature = "x")]`.
+    pub(crate) gate: Option<String>,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum Target {
+    Def(Def),
+    Use(Vec<String>),
+    /// `mod x;` whose file was not handed to the front end.
+    Absent,
+    /// `static`, `union`, macro: host code.
+    Unsupported(&'static str),
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct Module {
+    pub(crate) krate: usize,
+    pub(crate) parent: Option<ModId>,
+    pub(crate) names: HashMap<String, Vec<Named>>,
+    pub(crate) globs: Vec<Vec<String>>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Owner {
+    Free,
+    Impl(usize),
+    Trait(usize),
+}
+
+#[derive(Debug)]
+pub(crate) struct FnItem {
+    pub(crate) module: ModId,
+    pub(crate) file: usize,
+    pub(crate) owner: Owner,
+    pub(crate) sig: syn::Signature,
+    pub(crate) body: Option<syn::Block>,
+    pub(crate) attrs: Vec<syn::Attribute>,
+}
+
+#[derive(Debug)]
+pub(crate) struct StructItem {
+    pub(crate) module: ModId,
+    pub(crate) file: usize,
+    pub(crate) item: syn::ItemStruct,
+}
+
+#[derive(Debug)]
+pub(crate) struct EnumItem {
+    pub(crate) file: usize,
+    pub(crate) item: syn::ItemEnum,
+}
+
+#[derive(Debug)]
+pub(crate) struct ConstItem {
+    pub(crate) module: ModId,
+    pub(crate) file: usize,
+    pub(crate) owner: Owner,
+    pub(crate) name: String,
+    pub(crate) ty: syn::Type,
+    pub(crate) value: Option<syn::Expr>,
+}
+
+#[derive(Debug)]
+pub(crate) struct TraitItem {
+    pub(crate) name: String,
+    pub(crate) generics: syn::Generics,
+    pub(crate) fns: HashMap<String, FnId>,
+    pub(crate) consts: HashMap<String, usize>,
+}
+
+#[derive(Debug)]
+pub(crate) struct ImplItem {
+    pub(crate) module: ModId,
+    pub(crate) file: usize,
+    pub(crate) generics: syn::Generics,
+    pub(crate) trait_: Option<syn::Path>,
+    pub(crate) self_ty: syn::Type,
+    pub(crate) fns: HashMap<String, FnId>,
+    pub(crate) consts: HashMap<String, usize>,
+}
+
+#[derive(Debug)]
+pub(crate) struct AliasItem {
+    pub(crate) module: ModId,
+    pub(crate) file: usize,
+    pub(crate) item: syn::ItemType,
+}
+
+#[derive(Debug)]
+pub(crate) struct File {
+    pub(crate) display: String,
+    pub(crate) text: String,
+}
+
+/// Everything that was parsed.
+#[derive(Debug, Default)]
+pub(crate) struct Items {
+    pub(crate) files: Vec<File>,
+    pub(crate) crates: HashMap<String, ModId>,
+    pub(crate) modules: Vec<Module>,
+    pub(crate) fns: Vec<FnItem>,
+    pub(crate) structs: Vec<StructItem>,
+    pub(crate) enums: Vec<EnumItem>,
+    pub(crate) consts: Vec<ConstItem>,
+    pub(crate) traits: Vec<TraitItem>,
+    pub(crate) impls: Vec<ImplItem>,
+    pub(crate) aliases: Vec<AliasItem>,
+}
+
+/// The `cfg` of an item: nothing, `cfg(test)`, or another one.
+enum Cfg {
+    None,
+    Test,
+    Other(String),
+}
+
+fn cfg_of(attrs: &[syn::Attribute]) -> Cfg {
+    for attr in attrs {
+        let path = attr.path();
+        if path.is_ident("test") {
+            return Cfg::Test;
+        }
+        if path.is_ident("cfg") || path.is_ident("cfg_attr") {
+            let text = match &attr.meta {
+                syn::Meta::List(list) => list.tokens.to_string(),
+                _ => String::new(),
+            };
+            if path.is_ident("cfg") && text == "test" {
+                return Cfg::Test;
+            }
+            return Cfg::Other(format!(
+                "#[{}({text})]",
+                if path.is_ident("cfg") {
+                    "cfg"
+                } else {
+                    "cfg_attr"
+                }
+            ));
+        }
+    }
+    Cfg::None
+}
+
+/// One crate's files while they are sorted into modules.
+struct Loader<'a> {
+    items: &'a mut Items,
+    crate_name: &'a str,
+    krate: usize,
+    parsed: HashMap<String, (usize, Option<syn::File>)>,
+}
+
+impl Items {
+    /// Parses a crate: `(path below src/, text)` pairs. The root is `lib.rs`, or the only file; where there are
+    /// several files and no `lib.rs`, each is a module of the crate.
+    pub(crate) fn add_crate(&mut self, name: &str, files: &[(&str, &str)]) -> R<()> {
+        if self.crates.contains_key(name) || ["glam", "libm", "core", "std"].contains(&name) {
+            return Err(Box::new(Error {
+                message: format!("the crate name `{name}` is taken"),
+                span: None,
+                help: Some("give each crate a name of its own".into()),
+                notes: Vec::new(),
+            }));
+        }
+        let mut parsed = HashMap::new();
+        for (path, text) in files {
+            let file = self.files.len();
+            self.files.push(File {
+                display: format!("{name}/src/{path}"),
+                text: (*text).to_string(),
+            });
+            let ast = syn::parse_file(text).map_err(|e| {
+                let start = e.span().start();
+                let span = Span {
+                    file,
+                    line: start.line,
+                    column: start.column,
+                    width: 1,
+                };
+                err(
+                    span,
+                    format!("cannot parse: {e}"),
+                    "the file must compile with rustc first",
+                )
+            })?;
+            parsed.insert((*path).to_string(), (file, Some(ast)));
+        }
+        let root = self.modules.len();
+        self.modules.push(Module {
+            krate: root,
+            ..Module::default()
+        });
+        self.crates.insert(name.to_string(), root);
+        let mut loader = Loader {
+            items: self,
+            crate_name: name,
+            krate: root,
+            parsed,
+        };
+        if loader.parsed.contains_key("lib.rs") {
+            loader.file(root, "lib.rs", "")
+        } else if let [(only, _)] = files {
+            loader.file(root, only, "")
+        } else {
+            for (path, _) in files {
+                let stem = path.trim_end_matches(".rs").to_string();
+                let id = loader.child(root, &stem);
+                loader.file(id, path, &format!("{stem}/"))?;
+            }
+            Ok(())
+        }
+    }
+
+    fn name(&mut self, module: ModId, name: String, target: Target, gate: Option<String>) {
+        let entry = Named { target, gate };
+        self.modules[module]
+            .names
+            .entry(name)
+            .or_default()
+            .push(entry);
+    }
+}
+
+impl Loader<'_> {
+    fn child(&mut self, parent: ModId, name: &str) -> ModId {
+        let id = self.items.modules.len();
+        self.items.modules.push(Module {
+            krate: self.krate,
+            parent: Some(parent),
+            ..Module::default()
+        });
+        let named = Target::Def(Def::Mod(id));
+        self.items.name(parent, name.to_string(), named, None);
+        id
+    }
+
+    fn file(&mut self, module: ModId, path: &str, dir: &str) -> R<()> {
+        let (file, ast) = self
+            .parsed
+            .get_mut(path)
+            .expect("the caller has looked it up");
+        let file = *file;
+        let ast = ast.take().ok_or_else(|| {
+            let span = Span {
+                file,
+                line: 1,
+                column: 0,
+                width: 1,
+            };
+            err(
+                span,
+                "the file is a module twice",
+                "declare each module once",
+            )
+        })?;
+        self.module(module, file, dir, ast.items)
+    }
+
+    fn module(&mut self, module: ModId, file: usize, dir: &str, list: Vec<syn::Item>) -> R<()> {
+        for item in list {
+            self.item(module, file, dir, item)?;
+        }
+        Ok(())
+    }
+
+    fn item(&mut self, module: ModId, file: usize, dir: &str, item: syn::Item) -> R<()> {
+        let attrs: &[syn::Attribute] = match &item {
+            syn::Item::Const(i) => &i.attrs,
+            syn::Item::Enum(i) => &i.attrs,
+            syn::Item::Fn(i) => &i.attrs,
+            syn::Item::Impl(i) => &i.attrs,
+            syn::Item::Mod(i) => &i.attrs,
+            syn::Item::Struct(i) => &i.attrs,
+            syn::Item::Trait(i) => &i.attrs,
+            syn::Item::Type(i) => &i.attrs,
+            syn::Item::Use(i) => &i.attrs,
+            syn::Item::Static(i) => &i.attrs,
+            _ => &[],
+        };
+        let gate = match cfg_of(attrs) {
+            Cfg::Test => return Ok(()),
+            Cfg::Other(text) => Some(text),
+            Cfg::None => None,
+        };
+        let it = &mut *self.items;
+        match item {
+            syn::Item::Fn(f) => {
+                let id = it.fns.len();
+                let name = f.sig.ident.to_string();
+                it.fns.push(FnItem {
+                    module,
+                    file,
+                    owner: Owner::Free,
+                    sig: f.sig,
+                    body: Some(*f.block),
+                    attrs: f.attrs,
+                });
+                it.name(module, name, Target::Def(Def::Fn(id)), gate);
+            }
+            syn::Item::Struct(item) => {
+                let id = it.structs.len();
+                let name = item.ident.to_string();
+                it.structs.push(StructItem { module, file, item });
+                it.name(module, name, Target::Def(Def::Struct(id)), gate);
+            }
+            syn::Item::Enum(item) => {
+                let id = it.enums.len();
+                let name = item.ident.to_string();
+                it.enums.push(EnumItem { file, item });
+                it.name(module, name, Target::Def(Def::Enum(id)), gate);
+            }
+            syn::Item::Const(c) => {
+                let id = it.consts.len();
+                let name = c.ident.to_string();
+                it.consts.push(ConstItem {
+                    module,
+                    file,
+                    owner: Owner::Free,
+                    name: name.clone(),
+                    ty: *c.ty,
+                    value: Some(*c.expr),
+                });
+                it.name(module, name, Target::Def(Def::Const(id)), gate);
+            }
+            syn::Item::Type(item) => {
+                let id = it.aliases.len();
+                let name = item.ident.to_string();
+                it.aliases.push(AliasItem { module, file, item });
+                it.name(module, name, Target::Def(Def::Alias(id)), gate);
+            }
+            syn::Item::Use(u) => {
+                let mut prefix = Vec::new();
+                if u.leading_colon.is_some() {
+                    prefix.push(String::new());
+                }
+                self.use_tree(module, &u.tree, prefix, gate.as_deref());
+            }
+            syn::Item::Mod(m) => {
+                let name = m.ident.to_string();
+                let below = format!("{dir}{name}/");
+                if let Some(gate) = gate {
+                    it.name(module, name, Target::Absent, Some(gate));
+                } else if let Some((_, list)) = m.content {
+                    let id = self.child(module, &name);
+                    self.module(id, file, &below, list)?;
+                } else {
+                    let path = [format!("{dir}{name}.rs"), format!("{dir}{name}/mod.rs")]
+                        .into_iter()
+                        .find(|p| self.parsed.contains_key(p));
+                    match path {
+                        Some(path) => {
+                            let id = self.child(module, &name);
+                            self.file(id, &path, &below)?;
+                        }
+                        None => it.name(module, name, Target::Absent, None),
+                    }
+                }
+            }
+            syn::Item::Trait(t) => {
+                let id = it.traits.len();
+                let name = t.ident.to_string();
+                it.traits.push(TraitItem {
+                    name: name.clone(),
+                    generics: t.generics,
+                    fns: HashMap::new(),
+                    consts: HashMap::new(),
+                });
+                it.name(module, name, Target::Def(Def::Trait(id)), gate);
+                for member in t.items {
+                    match member {
+                        syn::TraitItem::Fn(f) => {
+                            let name = f.sig.ident.to_string();
+                            let fn_id = it.fns.len();
+                            it.fns.push(FnItem {
+                                module,
+                                file,
+                                owner: Owner::Trait(id),
+                                sig: f.sig,
+                                body: f.default,
+                                attrs: f.attrs,
+                            });
+                            it.traits[id].fns.insert(name, fn_id);
+                        }
+                        syn::TraitItem::Const(c) => {
+                            let name = c.ident.to_string();
+                            let const_id = it.consts.len();
+                            it.consts.push(ConstItem {
+                                module,
+                                file,
+                                owner: Owner::Trait(id),
+                                name: name.clone(),
+                                ty: c.ty,
+                                value: c.default.map(|(_, e)| e),
+                            });
+                            it.traits[id].consts.insert(name, const_id);
+                        }
+                        // An associated type is refused where a path names it.
+                        _ => {}
+                    }
+                }
+            }
+            syn::Item::Impl(i) => {
+                // An impl behind a cfg may or may not be there: rustc alone knows. It is host code.
+                if gate.is_some() {
+                    return Ok(());
+                }
+                let id = it.impls.len();
+                it.impls.push(ImplItem {
+                    module,
+                    file,
+                    generics: i.generics,
+                    trait_: i.trait_.map(|(path, _)| path),
+                    self_ty: *i.self_ty,
+                    fns: HashMap::new(),
+                    consts: HashMap::new(),
+                });
+                for member in i.items {
+                    match member {
+                        syn::ImplItem::Fn(f) => {
+                            if matches!(cfg_of(&f.attrs), Cfg::Test) {
+                                continue;
+                            }
+                            let name = f.sig.ident.to_string();
+                            let fn_id = it.fns.len();
+                            let at = Span::of(file, &f.sig.ident);
+                            it.fns.push(FnItem {
+                                module,
+                                file,
+                                owner: Owner::Impl(id),
+                                sig: f.sig,
+                                body: Some(f.block),
+                                attrs: f.attrs,
+                            });
+                            if it.impls[id].fns.insert(name.clone(), fn_id).is_some() {
+                                return Err(err(
+                                    at,
+                                    format!("`{name}` is defined twice in this impl"),
+                                    "shared code carries no `cfg`: keep one of them",
+                                ));
+                            }
+                        }
+                        syn::ImplItem::Const(c) => {
+                            let name = c.ident.to_string();
+                            let const_id = it.consts.len();
+                            it.consts.push(ConstItem {
+                                module,
+                                file,
+                                owner: Owner::Impl(id),
+                                name: name.clone(),
+                                ty: c.ty,
+                                value: Some(c.expr),
+                            });
+                            it.impls[id].consts.insert(name, const_id);
+                        }
+                        _ => {}
+                    }
+                }
+            }
+            syn::Item::Static(s) => {
+                it.name(
+                    module,
+                    s.ident.to_string(),
+                    Target::Unsupported("a `static`"),
+                    gate,
+                );
+            }
+            syn::Item::Union(u) => {
+                it.name(
+                    module,
+                    u.ident.to_string(),
+                    Target::Unsupported("a `union`"),
+                    gate,
+                );
+            }
+            syn::Item::Macro(m) => {
+                if let Some(ident) = m.ident {
+                    it.name(
+                        module,
+                        ident.to_string(),
+                        Target::Unsupported("a macro"),
+                        gate,
+                    );
+                }
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn use_tree(
+        &mut self,
+        module: ModId,
+        tree: &syn::UseTree,
+        mut path: Vec<String>,
+        gate: Option<&str>,
+    ) {
+        let gated = || gate.map(str::to_string);
+        match tree {
+            syn::UseTree::Path(p) => {
+                path.push(p.ident.to_string());
+                self.use_tree(module, &p.tree, path, gate);
+            }
+            syn::UseTree::Name(n) => {
+                let mut name = n.ident.to_string();
+                if name == "self" {
+                    name = path
+                        .last()
+                        .cloned()
+                        .unwrap_or_else(|| self.crate_name.to_string());
+                } else {
+                    path.push(name.clone());
+                }
+                self.items.name(module, name, Target::Use(path), gated());
+            }
+            syn::UseTree::Rename(r) => {
+                if r.ident != "self" {
+                    path.push(r.ident.to_string());
+                }
+                // `use Trait as _` brings methods only; they are found by type.
+                if r.rename != "_" {
+                    self.items
+                        .name(module, r.rename.to_string(), Target::Use(path), gated());
+                }
+            }
+            syn::UseTree::Glob(_) => {
+                if gate.is_none() {
+                    self.items.modules[module].globs.push(path);
+                }
+            }
+            syn::UseTree::Group(g) => {
+                for tree in &g.items {
+                    self.use_tree(module, tree, path.clone(), gate);
+                }
+            }
+        }
+    }
+}
+
+/// Refuses attributes that could change what a reached item means.
+pub(crate) fn check_attrs(file: usize, attrs: &[syn::Attribute]) -> R<()> {
+    const ALLOWED: [&str; 10] = [
+        "inline",
+        "must_use",
+        "derive",
+        "repr",
+        "allow",
+        "expect",
+        "doc",
+        "test",
+        "deprecated",
+        "warn",
+    ];
+    for attr in attrs {
+        let path = attr.path();
+        let first = path
+            .segments
+            .first()
+            .map(|s| s.ident.to_string())
+            .unwrap_or_default();
+        if !ALLOWED.contains(&first.as_str()) && first != "clippy" && first != "rustfmt" {
+            return Err(err(
+                Span::of(file, attr),
+                format!("the attribute `{first}` is not allowed on shared code"),
+                "allowed are inline, must_use, derive, repr, allow, expect and docs; move host code to a host file",
+            ));
+        }
+    }
+    Ok(())
+}

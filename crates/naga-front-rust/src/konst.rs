@@ -1,0 +1,112 @@
+//! Values known while lowering: array lengths and the elements of constant tables.
+
+use crate::check::check_const;
+use crate::hir::{BinOp, Body, Expr, Kind, Lit, UnOp};
+use crate::items::Items;
+use crate::ty::{Table, Ty};
+
+/// The value of an integer expression, if it is one that can be computed here.
+pub(crate) fn eval_u32(items: &Items, table: &Table, e: &Expr) -> Option<u32> {
+    match eval(items, table, e)? {
+        Lit::U32(v) => Some(v),
+        Lit::I32(v) => u32::try_from(v).ok(),
+        _ => None,
+    }
+}
+
+/// The value of a const's body.
+pub(crate) fn eval_body(items: &Items, body: &Body) -> Option<Lit> {
+    eval(items, &body.table, &body.value)
+}
+
+/// The value of an expression made of literals, consts, operators and casts; `None` for all else.
+pub(crate) fn eval(items: &Items, table: &Table, e: &Expr) -> Option<Lit> {
+    let signed = || matches!(table.zonk(&e.ty), Ty::I32 | Ty::IntVar(_));
+    match &e.kind {
+        Kind::Lit(lit) => Some(*lit),
+        Kind::Int(v) if signed() => i32::try_from(*v).ok().map(Lit::I32),
+        Kind::Int(v) => Some(Lit::U32(*v)),
+        Kind::Const(key) => eval_body(items, &check_const(items, key).ok()?),
+        Kind::Block(stmts, Some(tail)) if stmts.is_empty() => eval(items, table, tail),
+        Kind::Unary(op, inner) => {
+            // `-2147483648`: the literal alone does not fit.
+            if let (UnOp::Neg, Kind::Int(v), true) = (op, &inner.kind, signed()) {
+                return Some(Lit::I32((*v as i32).wrapping_neg()));
+            }
+            match (op, eval(items, table, inner)?) {
+                (UnOp::Neg, Lit::F32(v)) => Some(Lit::F32(-v)),
+                (UnOp::Neg, Lit::I32(v)) => Some(Lit::I32(v.wrapping_neg())),
+                (UnOp::Not, Lit::Bool(v)) => Some(Lit::Bool(!v)),
+                (UnOp::Not, Lit::U32(v)) => Some(Lit::U32(!v)),
+                (UnOp::Not, Lit::I32(v)) => Some(Lit::I32(!v)),
+                _ => None,
+            }
+        }
+        Kind::Cast(inner) => {
+            let v = eval(items, table, inner)?;
+            Some(match (v, table.zonk(&e.ty)) {
+                (Lit::F32(v), Ty::F32) => Lit::F32(v),
+                (Lit::F32(v), Ty::I32) => Lit::I32(v as i32),
+                (Lit::F32(v), _) => Lit::U32(v as u32),
+                (Lit::U32(v), Ty::F32) => Lit::F32(v as f32),
+                (Lit::U32(v), Ty::I32) => Lit::I32(v as i32),
+                (Lit::U32(v), _) => Lit::U32(v),
+                (Lit::I32(v), Ty::F32) => Lit::F32(v as f32),
+                (Lit::I32(v), Ty::I32) => Lit::I32(v),
+                (Lit::I32(v), _) => Lit::U32(v as u32),
+                (Lit::Bool(v), Ty::I32) => Lit::I32(v.into()),
+                (Lit::Bool(v), _) => Lit::U32(v.into()),
+            })
+        }
+        Kind::Binary(op, l, r) => binary(*op, eval(items, table, l)?, eval(items, table, r)?),
+        _ => None,
+    }
+}
+
+fn binary(op: BinOp, l: Lit, r: Lit) -> Option<Lit> {
+    use BinOp as O;
+    if let (O::Shl | O::Shr, Lit::U32(v)) = (op, l) {
+        let by = match r {
+            Lit::U32(n) => n,
+            Lit::I32(n) => n as u32,
+            _ => return None,
+        };
+        return Some(Lit::U32(if op == O::Shl {
+            v.wrapping_shl(by)
+        } else {
+            v.wrapping_shr(by)
+        }));
+    }
+    Some(match (l, r) {
+        (Lit::F32(a), Lit::F32(b)) => Lit::F32(match op {
+            O::Add => a + b,
+            O::Sub => a - b,
+            O::Mul => a * b,
+            O::Div => a / b,
+            _ => return None,
+        }),
+        (Lit::U32(a), Lit::U32(b)) => Lit::U32(match op {
+            O::Add => a.checked_add(b)?,
+            O::Sub => a.checked_sub(b)?,
+            O::Mul => a.checked_mul(b)?,
+            O::Div => a.checked_div(b)?,
+            O::Rem => a.checked_rem(b)?,
+            O::And => a & b,
+            O::Or => a | b,
+            O::Xor => a ^ b,
+            _ => return None,
+        }),
+        (Lit::I32(a), Lit::I32(b)) => Lit::I32(match op {
+            O::Add => a.checked_add(b)?,
+            O::Sub => a.checked_sub(b)?,
+            O::Mul => a.checked_mul(b)?,
+            O::Div => a.checked_div(b)?,
+            O::Rem => a.checked_rem(b)?,
+            O::And => a & b,
+            O::Or => a | b,
+            O::Xor => a ^ b,
+            _ => return None,
+        }),
+        _ => return None,
+    })
+}
