@@ -62,7 +62,7 @@ pub enum BuildError {
     TexelCount {
         /// The number that it must have.
         expected: usize,
-        /// The number that it has (at least, where an iterator was not run to its end).
+        /// The number that it has.
         found: usize,
     },
 }
@@ -149,16 +149,23 @@ pub fn luminance_weights<const C: usize>(
 /// # Ok::<(), glimt_envmap_cdf::BuildError>(())
 /// ```
 pub fn build_row_into(
-    weights: impl IntoIterator<Item = f32>,
+    weights: impl IntoIterator<IntoIter: ExactSizeIterator<Item = f32>>,
     conditional_row: &mut [u32],
 ) -> Result<RowReport, BuildError> {
     let width = conditional_row.len().saturating_sub(1);
     if width == 0 || width > MAX_SIZE as usize {
         return Err(BuildError::Size(UVec2::new(width as u32, 1)));
     }
+    let weights = weights.into_iter();
+    if weights.len() != width {
+        return Err(BuildError::TexelCount {
+            expected: width,
+            found: weights.len(),
+        });
+    }
     // The weights' bits wait in the row itself until the sum is known.
-    let (bits, bad_texels) = store_weights(weights, &mut conditional_row[1..])?;
-    let weight_sum = sum_of_bits(bits);
+    let bad_texels = store_weights(weights, &mut conditional_row[1..]);
+    let weight_sum = sum_of_bits(&conditional_row[1..]);
     conditional_row[0] = 0;
     let mut raised = 0;
     if weight_sum > 0.0 {
@@ -179,31 +186,20 @@ pub fn build_row_into(
     })
 }
 
-/// Writes the bits of the weights, bad ones as 0. Returns them and the number of bad ones.
-fn store_weights(
-    weights: impl IntoIterator<Item = f32>,
-    bits: &mut [u32],
-) -> Result<(&[u32], u32), BuildError> {
-    let expected = bits.len();
-    let mut weights = weights.into_iter();
-    let (mut found, mut bad) = (0, 0);
-    for (bits, weight) in bits.iter_mut().zip(weights.by_ref()) {
+/// Writes the bits of the weights, bad ones as 0. Returns how many were bad.
+fn store_weights(weights: impl Iterator<Item = f32>, bits: &mut [u32]) -> u32 {
+    let mut bad = 0;
+    for (bits, weight) in bits.iter_mut().zip(weights) {
         // A negative zero becomes a positive one on the way.
         *bits = (weight_or_zero(weight) + 0.0).to_bits();
         bad += u32::from(!is_weight(weight));
-        found += 1;
     }
-    if found == expected && weights.next().is_some() {
-        found += 1;
-    }
-    if found != expected {
-        return Err(BuildError::TexelCount { expected, found });
-    }
-    Ok((bits, bad))
+    bad
 }
 
 fn is_weight(x: f32) -> bool {
-    x >= 0.0 && x <= f32::MAX
+    // Without a short circuit the loop over a row needs no branch.
+    (x >= 0.0) & (x <= f32::MAX)
 }
 
 /// A bad weight as 0.
@@ -320,7 +316,7 @@ pub(crate) fn band_area(row: usize, height: usize) -> f64 {
 /// assert!(env.texel_pdf_sr(UVec2::new(2, 0)) > 70.0 * env.texel_pdf_sr(UVec2::new(1, 0)));
 /// # Ok::<(), glimt_envmap_cdf::BuildError>(())
 /// ```
-pub fn build_into<W: IntoIterator<Item = f32>>(
+pub fn build_into<W: IntoIterator<IntoIter: ExactSizeIterator<Item = f32>>>(
     size: UVec2,
     mut weights_of_row: impl FnMut(u32) -> W,
     marginal: &mut [u32],

@@ -50,7 +50,7 @@ pub fn compensated_weight(weight: f32, mean: f32) -> f32 {
 ///
 /// # Errors
 /// As [`build_into`].
-pub fn build_compensated_into<W: IntoIterator<Item = f32>>(
+pub fn build_compensated_into<W: IntoIterator<IntoIter: ExactSizeIterator<Item = f32>>>(
     size: UVec2,
     mut weights_of_row: impl FnMut(u32) -> W,
     marginal: &mut [u32],

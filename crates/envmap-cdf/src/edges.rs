@@ -36,6 +36,7 @@ impl Edges {
     }
 
     /// The edges after each of the next [`LANES`] bins.
+    #[inline(always)]
     pub(crate) fn push_lanes(&mut self, w: &[f64; LANES]) -> [u32; LANES] {
         // Whatever the tree, adding a zero changes no sum and adding a positive weight lowers none, so the edges stay
         // in order and those around a zero weight stay equal.
