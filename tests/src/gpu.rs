@@ -4,6 +4,7 @@ use std::io::Write;
 
 use glimt_render_gpu::entry::{BufferSlot, Entry, ParamField};
 use glimt_render_gpu::gpu::{AdapterPreference, GpuContext, GpuError, GpuOptions};
+use naga_front_rust::Shader;
 
 /// The machine's fastest adapter, or `None` after a line on standard error where there is none.
 ///
@@ -88,4 +89,30 @@ impl OwnedEntry {
                 .leak(),
         }
     }
+}
+
+/// A shader that the front end has just made, as an [`Entry`].
+#[must_use]
+pub fn entry_of(shader: &Shader) -> Entry {
+    let params = shader
+        .params
+        .iter()
+        .map(|param| (param.path.clone(), param.offset, param.size));
+    let buffers = shader.buffers.iter().map(|buffer| {
+        (
+            buffer.path.clone(),
+            buffer.binding,
+            buffer.stride,
+            buffer.writable,
+        )
+    });
+    OwnedEntry {
+        name: shader.entry_point.clone(),
+        wgsl: shader.wgsl.clone(),
+        workgroup_size: shader.workgroup_size,
+        params_size: shader.params_size,
+        params: params.collect(),
+        buffers: buffers.collect(),
+    }
+    .leak()
 }

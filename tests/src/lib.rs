@@ -1,8 +1,11 @@
 //! Host file: helpers of the tests.
 
+pub mod differential;
 pub mod gpu;
 #[allow(
     clippy::all,
     reason = "each form of the language is there to be lowered, the unusual ones above all"
 )]
 pub mod kernels;
+pub mod quadrature;
+pub mod stats;

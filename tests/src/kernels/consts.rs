@@ -16,6 +16,7 @@ const LIMITS: Limits = Limits {
     high: SHIFTED + 100,
     size: UVec2::new(7, 9),
 };
+const LOCAL: u32 = 99;
 const NEGATIVE: i32 = -(COUNT as i32) - 1;
 
 #[derive(Clone, Copy)]
@@ -37,7 +38,6 @@ impl Limits {
 pub fn integers(id: u32, ints: &[u32], _floats: &[f32]) -> [u32; 8] {
     let a = uint(id, ints, 0);
     let k = (a % 8) as usize;
-    const LOCAL: u32 = 99;
     [
         PRIMES[k],
         TABLE[k % 3] ^ a,

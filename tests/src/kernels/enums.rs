@@ -1,6 +1,7 @@
 //! Shared file: enums without fields.
 
 use super::input::uint;
+use Mode::{Add, Second, Subtract, Xor};
 
 /// A way to combine two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +29,6 @@ impl Mode {
     }
 
     fn apply(self, a: u32, b: u32) -> u32 {
-        use Mode::*;
         match self {
             Add => a.wrapping_add(b),
             Subtract => a.wrapping_sub(b),

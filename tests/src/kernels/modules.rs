@@ -58,11 +58,8 @@ pub fn paths(id: u32, ints: &[u32], _floats: &[f32]) -> [u32; 8] {
     ]
 }
 
-/// A function inside a function, and a local that hides a function.
+/// A local hides a function, from where it is declared.
 fn local(a: u32) -> u32 {
-    fn who() -> u32 {
-        7
-    }
     let from_item = who();
     let who = a ^ 3;
     who + from_item

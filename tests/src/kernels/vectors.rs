@@ -1,6 +1,7 @@
 //! Shared file: glam's vectors.
 
 use super::input::{float, int, uint};
+use glam::swizzles::*;
 use glam::{
     IVec2, IVec3, IVec4, UVec2, UVec3, UVec4, Vec2, Vec3, Vec4, ivec2, ivec3, uvec2, uvec3, uvec4,
     vec2, vec3, vec4,
@@ -118,7 +119,6 @@ pub fn componentwise(id: u32, _ints: &[u32], floats: &[f32]) -> [f32; 8] {
 
 /// Swizzles, and growing and shrinking.
 pub fn swizzles(id: u32, _ints: &[u32], floats: &[f32]) -> Vec4 {
-    use glam::Vec4Swizzles;
     let a = v4(id, floats, 0);
     let b = a.xyz().extend(a.x) + a.wzyx() + a.xxyy();
     let c = b.xy() + b.yx() - b.zz();
@@ -128,7 +128,6 @@ pub fn swizzles(id: u32, _ints: &[u32], floats: &[f32]) -> Vec4 {
 
 /// Swizzles of two and three components.
 pub fn small_swizzles(id: u32, _ints: &[u32], floats: &[f32]) -> [f32; 6] {
-    use glam::{Vec2Swizzles, Vec3Swizzles};
     let a = v3(id, floats, 0);
     let b = v2(id, floats, 3);
     let (p, q, r) = (a.zyx(), a.yz(), b.yx());
@@ -178,7 +177,6 @@ pub fn unsigned(id: u32, ints: &[u32], _floats: &[f32]) -> UVec4 {
 
 /// Unsigned vectors of two and three components.
 pub fn small_unsigned(id: u32, ints: &[u32], floats: &[f32]) -> [u32; 8] {
-    use glam::Vec3Swizzles;
     let a = uvec3(uint(id, ints, 0), uint(id, ints, 1), uint(id, ints, 2));
     let b = UVec2::new(uint(id, ints, 3) >> 8, 5);
     let c = a.xy() ^ b * 3;
