@@ -170,6 +170,8 @@ pub(crate) enum Stmt {
 pub(crate) enum Pat {
     Wild,
     Bind(LocalId),
+    /// `name @ pattern`.
+    At(LocalId, Box<Pat>),
     /// A literal or a const, of the scrutinee's type.
     Value(Expr),
     /// From, to, whether the end is included; open ends are `None`.

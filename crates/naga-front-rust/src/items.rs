@@ -46,6 +46,8 @@ pub(crate) struct Module {
     pub(crate) parent: Option<ModId>,
     pub(crate) names: HashMap<String, Vec<Named>>,
     pub(crate) globs: Vec<Vec<String>>,
+    /// Stands for the items at the top of a function body: what it lacks, its parent has.
+    pub(crate) block: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -311,11 +313,13 @@ impl Loader<'_> {
         };
         let it = &mut *self.items;
         match item {
-            syn::Item::Fn(f) => {
+            syn::Item::Fn(mut f) => {
+                let inner = self.body_items(module, file, &mut f.block)?;
+                let it = &mut *self.items;
                 let id = it.fns.len();
                 let name = f.sig.ident.to_string();
                 it.fns.push(FnItem {
-                    module,
+                    module: inner,
                     file,
                     owner: Owner::Free,
                     sig: f.sig,
@@ -443,15 +447,17 @@ impl Loader<'_> {
                 });
                 for member in i.items {
                     match member {
-                        syn::ImplItem::Fn(f) => {
+                        syn::ImplItem::Fn(mut f) => {
                             if matches!(cfg_of(&f.attrs), Cfg::Test) {
                                 continue;
                             }
+                            let inner = self.body_items(module, file, &mut f.block)?;
+                            let it = &mut *self.items;
                             let name = f.sig.ident.to_string();
                             let fn_id = it.fns.len();
                             let at = Span::of(file, &f.sig.ident);
                             it.fns.push(FnItem {
-                                module,
+                                module: inner,
                                 file,
                                 owner: Owner::Impl(id),
                                 sig: f.sig,
@@ -467,6 +473,7 @@ impl Loader<'_> {
                             }
                         }
                         syn::ImplItem::Const(c) => {
+                            let it = &mut *self.items;
                             let name = c.ident.to_string();
                             let const_id = it.consts.len();
                             it.consts.push(ConstItem {
@@ -512,6 +519,27 @@ impl Loader<'_> {
             _ => {}
         }
         Ok(())
+    }
+
+    /// Takes the items at the top of a function's body into a module of their own, and gives that.
+    fn body_items(&mut self, module: ModId, file: usize, body: &mut syn::Block) -> R<ModId> {
+        if !body.stmts.iter().any(|s| matches!(s, syn::Stmt::Item(_))) {
+            return Ok(module);
+        }
+        let id = self.items.modules.len();
+        self.items.modules.push(Module {
+            krate: self.krate,
+            parent: Some(module),
+            block: true,
+            ..Module::default()
+        });
+        for stmt in std::mem::take(&mut body.stmts) {
+            match stmt {
+                syn::Stmt::Item(item) => self.item(id, file, "", item)?,
+                stmt => body.stmts.push(stmt),
+            }
+        }
+        Ok(id)
     }
 
     fn use_tree(

@@ -51,10 +51,10 @@ impl Items {
     ) -> R<Option<Def>> {
         let (mut at, mut rest) = match path[0].as_str() {
             "crate" => (Some(Def::Mod(self.modules[module].krate)), &path[1..]),
-            "self" => (Some(Def::Mod(module)), &path[1..]),
+            "self" => (Some(Def::Mod(self.written(module))), &path[1..]),
             "super" => {
                 let up = |m: ModId| self.modules[m].parent;
-                let mut m = up(module);
+                let mut m = up(self.written(module));
                 let mut rest = &path[1..];
                 while rest.first().is_some_and(|s| s == "super") {
                     m = m.and_then(up);
@@ -65,7 +65,17 @@ impl Items {
             "" => (self.extern_crate(&path[1]), &path[2..]),
             first => {
                 let head = if path.len() == 1 { ns } else { Ns::Type };
-                let found = match self.lookup(module, first, head, span, busy)? {
+                let mut found = self.lookup(module, first, head, span, busy)?;
+                let mut outer = module;
+                while let (None, true, Some(parent)) = (
+                    &found,
+                    self.modules[outer].block,
+                    self.modules[outer].parent,
+                ) {
+                    found = self.lookup(parent, first, head, span, busy)?;
+                    outer = parent;
+                }
+                let found = match found {
                     Some(def) => Some(def),
                     None => self.extern_crate(first),
                 };
@@ -98,6 +108,14 @@ impl Items {
             rest = &rest[1..];
         }
         Ok(at)
+    }
+
+    /// The module that is written in the source around a function body's items.
+    fn written(&self, mut module: ModId) -> ModId {
+        while let (true, Some(parent)) = (self.modules[module].block, self.modules[module].parent) {
+            module = parent;
+        }
+        module
     }
 
     fn variant(&self, id: usize, name: &str) -> Option<u32> {

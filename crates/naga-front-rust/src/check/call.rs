@@ -222,6 +222,17 @@ impl Checker<'_> {
                 _ => self.builtin(Builtin::IsEmpty, vec![len], Ty::Bool, whole),
             });
         }
+        if let (Ty::Mat(n), "col", [index]) = (&ty, name.as_str(), args.as_slice()) {
+            let base = self.value(receiver);
+            let index = self.expr(index, Some(&Ty::Usize))?;
+            let index = self.coerce(index, &Ty::Usize)?;
+            let ty = Ty::Vec(Scalar::F32, *n);
+            return Ok(Expr {
+                kind: Kind::Index(Box::new(base), Box::new(index)),
+                ty,
+                span: whole,
+            });
+        }
         if let Ty::Var(_) | Ty::IntVar(_) = ty {
             return Err(err(
                 span,

@@ -271,6 +271,25 @@ impl Checker<'_> {
         };
         match &l.lit {
             syn::Lit::Bool(b) => lit(Lit::Bool(b.value), Ty::Bool),
+            // In patterns a literal holds its own sign.
+            syn::Lit::Int(i) if i.base10_digits().starts_with('-') => {
+                let digits = format!(
+                    "{}{}",
+                    i.base10_digits().trim_start_matches('-'),
+                    i.suffix()
+                );
+                let positive = syn::ExprLit {
+                    attrs: Vec::new(),
+                    lit: syn::Lit::Int(syn::LitInt::new(&digits, i.span())),
+                };
+                let inner = self.literal(&positive)?;
+                let ty = inner.ty.clone();
+                Ok(Expr {
+                    kind: Kind::Unary(crate::hir::UnOp::Neg, Box::new(inner)),
+                    ty,
+                    span,
+                })
+            }
             syn::Lit::Float(f) if matches!(f.suffix(), "" | "f32") => {
                 let v: f32 = f
                     .base10_parse()

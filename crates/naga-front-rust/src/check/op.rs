@@ -173,7 +173,10 @@ impl Checker<'_> {
             return Ok(Some(Ty::Never));
         }
         if shifts {
-            return Ok((l.is_int() && r.is_int()).then_some(l));
+            let distance = r.is_int()
+                || matches!((&l, &r), (Ty::Vec(_, n), Ty::Vec(s, m)) if n == m && *s != Scalar::F32);
+            let shifted = l.is_int() || matches!(l, Ty::Vec(s, _) if s != Scalar::F32);
+            return Ok((shifted && distance).then_some(l));
         }
         // Enums and bools.
         if compares {
@@ -196,7 +199,7 @@ impl Checker<'_> {
             }
             (Ty::Vec(s, _), other) if other.is_number() => {
                 self.unify(other, &Ty::of_scalar(*s), span)?;
-                Ok((!bits).then(|| l.clone()))
+                Ok((!bits || *s != Scalar::F32).then(|| l.clone()))
             }
             (other, Ty::Vec(s, _)) if other.is_number() => {
                 self.unify(other, &Ty::of_scalar(*s), span)?;

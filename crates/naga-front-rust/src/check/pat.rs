@@ -27,12 +27,16 @@ impl Checker<'_> {
             }
             syn::Pat::Ident(i) => {
                 let name = i.ident.to_string();
-                if i.by_ref.is_some() || i.subpat.is_some() {
+                if i.by_ref.is_some() {
                     return Err(err(
                         span,
-                        "`ref` and `@` patterns cannot be lowered",
+                        "`ref` patterns cannot be lowered",
                         "bind the value, then use it",
                     ));
+                }
+                if let Some((_, inner)) = &i.subpat {
+                    let id = self.declare(&name, ty.clone(), i.mutability.is_some());
+                    return Ok(Pat::At(id, Box::new(self.pattern(inner, ty)?)));
                 }
                 if i.mutability.is_none() {
                     if name == "None" {
@@ -210,6 +214,12 @@ impl Checker<'_> {
                 if let Kind::None = e.kind {
                     self.unify(&e.ty, ty, span)?;
                     return Ok(Pat::None);
+                }
+                if let Kind::Struct(fields, None) = &e.kind
+                    && fields.is_empty()
+                {
+                    self.unify(&e.ty, ty, span)?;
+                    return Ok(Pat::Wild);
                 }
                 self.value_of(e, ty)
             }

@@ -55,8 +55,8 @@ impl Checker<'_> {
                     syn::Stmt::Item(item) => {
                         return Err(err(
                             c.span(item),
-                            "an item inside a function cannot be lowered",
-                            "move it to the module",
+                            "an item inside a block cannot be lowered",
+                            "move it to the top of the function, or to the module",
                         ));
                     }
                 }

@@ -93,8 +93,26 @@ impl Checker<'_> {
 
     pub(super) fn array_len(&mut self, len: &syn::Expr) -> R<Ty> {
         let span = self.span(len);
-        if let syn::Expr::Infer(_) = len {
-            return Ok(self.table.var());
+        match len {
+            syn::Expr::Infer(_) => return Ok(self.table.var()),
+            // A const parameter may still be open at a call: it is inferred with the rest.
+            syn::Expr::Path(p) if p.qself.is_none() => {
+                let name = p.path.get_ident();
+                let found = self
+                    .scope
+                    .substs
+                    .iter()
+                    .find(|(n, _)| name.is_some_and(|i| i == n));
+                if let Some((_, ty)) = found {
+                    return Ok(ty.clone());
+                }
+            }
+            syn::Expr::Block(b) if b.block.stmts.len() == 1 => {
+                if let syn::Stmt::Expr(inner, None) = &b.block.stmts[0] {
+                    return self.array_len(inner);
+                }
+            }
+            _ => {}
         }
         let checked = self.expr(len, Some(&Ty::Usize))?;
         match konst::eval_u32(self.items, &self.table, &checked) {

@@ -196,8 +196,8 @@ impl FnLowerer<'_, '_> {
                 } else {
                     (O::Shr, O::Shl)
                 };
-                let l = self.binary(there, bits, &Ty::U32, a[1], &Ty::U32, span)?;
-                let r = self.binary(other, bits, &Ty::U32, back, &Ty::U32, span)?;
+                let l = self.binary(there, bits, &Ty::U32, a[1], &Ty::U32)?;
+                let r = self.binary(other, bits, &Ty::U32, back, &Ty::U32)?;
                 let both = self.bin(NBin::InclusiveOr, l, r);
                 if types[0] == Ty::I32 {
                     self.cast(both, &Ty::U32, &Ty::I32)
@@ -300,7 +300,7 @@ impl FnLowerer<'_, '_> {
                     components,
                 })
             }
-            B::Op(bin) => self.binary(bin, a[0], &types[0], a[1], &types[1], span)?,
+            B::Op(bin) => self.binary(bin, a[0], &types[0], a[1], &types[1])?,
             B::WrappingNeg => {
                 let zero = self.number(&ty, 0);
                 self.bin(NBin::Subtract, zero, a[0])

@@ -96,7 +96,7 @@ impl FnLowerer<'_, '_> {
                 });
                 Ok(Val::Unit)
             }
-            Kind::AssignOp(op, place, value) => self.assign_op(*op, place, value, span),
+            Kind::AssignOp(op, place, value) => self.assign_op(*op, place, value),
             _ => Err(err(
                 span,
                 "this expression cannot be lowered here",
@@ -105,7 +105,7 @@ impl FnLowerer<'_, '_> {
         }
     }
 
-    fn assign_op(&mut self, op: BinOp, place: &Expr, value: &Expr, span: Span) -> R<Val> {
+    fn assign_op(&mut self, op: BinOp, place: &Expr, value: &Expr) -> R<Val> {
         let (pt, vt) = (self.body.ty(&place.ty), self.body.ty(&value.ty));
         // As rustc does: primitive types compute the right side first, all others the place.
         let primitive = |t: &Ty| t.is_number() || *t == Ty::Bool;
@@ -117,7 +117,7 @@ impl FnLowerer<'_, '_> {
             (ptr, self.plain(value)?)
         };
         let left = self.emit(Expression::Load { pointer: ptr });
-        let result = self.binary(op, left, &pt, right, &vt, span)?;
+        let result = self.binary(op, left, &pt, right, &vt)?;
         self.push(Statement::Store {
             pointer: ptr,
             value: result,
@@ -380,6 +380,7 @@ impl FnLowerer<'_, '_> {
     fn test(&mut self, value: &Val, ty: &Ty, pat: &Pat, span: Span) -> R<Option<H>> {
         Ok(match pat {
             Pat::Wild | Pat::Bind(_) => None,
+            Pat::At(_, inner) => self.test(value, ty, inner, span)?,
             Pat::Value(e) => {
                 let v = self.of(value, ty, span)?;
                 let e = self.plain(e)?;
@@ -460,6 +461,10 @@ impl FnLowerer<'_, '_> {
     fn bind_pattern(&mut self, value: &Val, ty: &Ty, pat: &Pat, span: Span) -> R<()> {
         match pat {
             Pat::Bind(id) => self.bind(*id, value.clone(), span),
+            Pat::At(id, inner) => {
+                self.bind(*id, value.clone(), span)?;
+                self.bind_pattern(value, ty, inner, span)
+            }
             Pat::Some(inner) => {
                 let Ty::Option(payload) = ty else {
                     return Ok(());

@@ -159,7 +159,7 @@ impl FnLowerer<'_, '_> {
                 let left = self.plain(l)?;
                 let right = self.plain(r)?;
                 let (lt, rt) = (self.body.ty(&l.ty), self.body.ty(&r.ty));
-                plain(self.binary(*op, left, &lt, right, &rt, span)?)
+                plain(self.binary(*op, left, &lt, right, &rt)?)
             }
             Kind::AndAnd(l, r) => self.short(l, r, true),
             Kind::OrOr(l, r) => self.short(l, r, false),
@@ -195,15 +195,7 @@ impl FnLowerer<'_, '_> {
     }
 
     /// A built-in binary operator on lowered operands.
-    pub(crate) fn binary(
-        &mut self,
-        op: BinOp,
-        left: H,
-        lt: &Ty,
-        right: H,
-        rt: &Ty,
-        span: Span,
-    ) -> R<H> {
+    pub(crate) fn binary(&mut self, op: BinOp, left: H, lt: &Ty, right: H, rt: &Ty) -> R<H> {
         use BinOp as O;
         let (mut left, mut right) = (left, right);
         let op = match op {
@@ -224,6 +216,13 @@ impl FnLowerer<'_, '_> {
             O::Gt => NBin::Greater,
             O::Ge => NBin::GreaterEqual,
         };
+        let splat = |c: &mut Self, value: H, like: &Ty| match like {
+            Ty::Vec(_, n) => c.emit(Expression::Splat {
+                size: super::types::vector_size(*n),
+                value,
+            }),
+            _ => value,
+        };
         if matches!(op, NBin::ShiftLeft | NBin::ShiftRight) {
             // Rust masks the distance in release builds; some back ends leave a distance of 32 or more undefined.
             let literal = match self.func.expressions[right] {
@@ -234,33 +233,35 @@ impl FnLowerer<'_, '_> {
             right = match literal {
                 Some(v) => self.lit(Lit::U32(v & 31)),
                 None => {
-                    let distance = self.cast(right, rt, &Ty::U32);
+                    let unsigned = match rt {
+                        Ty::Vec(_, n) => Ty::Vec(Scalar::U32, *n),
+                        _ => Ty::U32,
+                    };
+                    let distance = self.cast(right, rt, &unsigned);
                     let mask = self.lit(Lit::U32(31));
+                    let mask = splat(self, mask, rt);
                     self.bin(NBin::And, distance, mask)
                 }
             };
+            if !matches!(rt, Ty::Vec(..)) {
+                right = splat(self, right, lt);
+            }
             return Ok(self.bin(op, left, right));
         }
-        // WGSL mixes vectors and scalars for + - * / %, and not for the rest.
-        let mixes = matches!(
-            op,
-            NBin::Add | NBin::Subtract | NBin::Multiply | NBin::Divide | NBin::Modulo
-        );
-        let splat = |c: &mut Self, value: H, like: &Ty| match like {
-            Ty::Vec(_, n) => c.emit(Expression::Splat {
-                size: super::types::vector_size(*n),
-                value,
-            }),
-            _ => value,
-        };
-        if !mixes || op == NBin::Modulo {
+        if op == NBin::ExclusiveOr && *lt == Ty::Bool {
+            return Ok(self.bin(NBin::NotEqual, left, right));
+        }
+        // naga mixes vectors and scalars in float products alone.
+        let mixes = op == NBin::Multiply
+            && lt.scalar() != Some(Scalar::I32)
+            && lt.scalar() != Some(Scalar::U32);
+        if !mixes {
             match (lt, rt) {
                 (Ty::Vec(..), t) if t.is_number() => right = splat(self, right, lt),
                 (t, Ty::Vec(..)) if t.is_number() => left = splat(self, left, rt),
                 _ => {}
             }
         }
-        let _ = span;
         Ok(self.bin(op, left, right))
     }
 

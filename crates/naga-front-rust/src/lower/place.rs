@@ -87,7 +87,7 @@ impl FnLowerer<'_, '_> {
                 index: at,
             })));
         }
-        let array = matches!(self.body.ty(&base.ty), Ty::Array(..));
+        let array = matches!(self.body.ty(&base.ty), Ty::Array(..) | Ty::Mat(_));
         let place = match place {
             // A value has no address: where the index is computed, the array is put in a variable first.
             Place::Val(Val::Plain(v)) if array && fixed.is_none() => {
