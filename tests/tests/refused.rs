@@ -55,7 +55,10 @@ fn check(list: Vec<Refused>) {
         };
         let text = error.to_string();
         let mut say = |what: &str| failures.push(format!("{what}:\n{text}\nof\n{source}"));
-        if !text.contains(phrase) {
+        // Not the whole text, which holds the source line.
+        let help = error.help.as_deref().unwrap_or_default();
+        let said = format!("{} {} {help}", error.message, error.notes.join(" "));
+        if !said.contains(phrase) {
             say(&format!("lacks '{phrase}'"));
         }
         if !text.contains("help: ") {
@@ -120,8 +123,8 @@ fn types() {
         line("DVec3", "let y: glam::DVec3 = make();"),
         with(
             "dyn",
-            "trait T { fn a(&self) -> u32; }\nfn f(t: &dyn T) -> u32 { t.a() }",
-            "x = f(&3);",
+            "trait T { fn a(&self) -> u32; }\nfn call(t: &dyn T) -> u32 { t.a() } // HERE",
+            "x = call(&3);",
         ),
         with("enum", "enum E { A(u32), B }", "let e = E::A(x);"),
         with(
@@ -139,18 +142,18 @@ fn references() {
         line("&mut", "let y = &mut x;"),
         with(
             "&mut",
-            "struct S<'a> { x: &'a mut u32 }",
+            "struct S<'a> { x: &'a mut u32 } // HERE",
             "let s = S { x: &mut x };",
         ),
         with(
             "&mut",
-            "fn f<'a>(a: &'a mut u32) -> &'a mut u32 { a }",
-            "let y = f(&mut x);",
+            "fn call<'a>(a: &'a mut u32) -> &'a mut u32 { a } // HERE",
+            "let y = call(&mut x);",
         ),
         with(
             "array",
-            "fn f(a: &[u32]) -> u32 { a[0] }",
-            "x = f(&[1, 2, 3]);",
+            "fn call(a: &[u32]) -> u32 { a[0] }",
+            "x = call(&[1, 2, 3]);",
         ),
         line("slice", "let s = if x > 3 { ints } else { &ints[1..] };"),
         line("slice", "let s = [ints, ints];"),
@@ -185,11 +188,10 @@ fn statements() {
         line("cfg", "if cfg!(debug_assertions) { x = 1; }"),
         line("todo", "todo!();"),
         with("own", "macro_rules! own { () => { 1 } }", "x = own!();"),
-        line("match", "match f { 1.0 => x = 2, _ => {} }"),
         line("pattern", "let [a, b] = [1, 2];"),
         line("pattern", "if let [a, ..] = [1, 2] { x = a; }"),
         line("pattern", "let ref y = x;"),
-        line("yield", "yield x;"),
+        line("this expression", "yield x;"),
         line("const", "const { assert!(true) };"),
     ]);
 }
@@ -280,48 +282,48 @@ fn functions() {
     check(vec![
         with(
             "recurs",
-            "fn f(a: u32) -> u32 { if a == 0 { 0 } else { f(a - 1) } } // HERE",
-            "x = f(x);",
+            "fn call(a: u32) -> u32 { if a == 0 { 0 } else { call(a - 1) } } // HERE",
+            "x = call(x);",
         ),
         with(
             "recurs",
-            "fn f(a: u32) -> u32 { g(a) } // HERE\nfn g(a: u32) -> u32 { f(a) } // HERE",
-            "x = f(x);",
+            "fn call(a: u32) -> u32 { g(a) } // HERE\nfn g(a: u32) -> u32 { call(a) } // HERE",
+            "x = call(x);",
         ),
         with(
             "unsafe",
-            "unsafe fn f(a: u32) -> u32 { a } // HERE",
-            "x = f(x);",
+            "unsafe fn call(a: u32) -> u32 { a } // HERE",
+            "x = call(x);",
         ),
         with(
             "async",
-            "async fn f(a: u32) -> u32 { a } // HERE",
-            "let y = f(x);",
+            "async fn call(a: u32) -> u32 { a } // HERE",
+            "let y = call(x);",
         ),
         with(
             "extern",
-            "extern \"C\" fn f(a: u32) -> u32 { a } // HERE",
-            "x = f(x);",
+            "extern \"C\" fn call(a: u32) -> u32 { a } // HERE",
+            "x = call(x);",
         ),
         with(
             "impl Trait",
-            "trait T {}\nfn f(a: u32) -> impl T { a } // HERE",
-            "let y = f(x);",
+            "trait T {}\nfn call(a: u32) -> impl T { a } // HERE",
+            "let y = call(x);",
         ),
         with(
             "attribute",
-            "#[track_caller] // HERE\nfn f(a: u32) -> u32 { a }",
-            "x = f(x);",
+            "#[track_caller] // HERE\nfn call(a: u32) -> u32 { a }",
+            "x = call(x);",
         ),
         with(
             "attribute",
-            "#[unsafe(no_mangle)] // HERE\nfn f(a: u32) -> u32 { a }",
-            "x = f(x);",
+            "#[unsafe(no_mangle)] // HERE\nfn call(a: u32) -> u32 { a }",
+            "x = call(x);",
         ),
         with(
             "cfg",
-            "#[cfg(feature = \"fast\")]\nfn f(a: u32) -> u32 { a }",
-            "x = f(x);",
+            "#[cfg(feature = \"fast\")]\nfn call(a: u32) -> u32 { a }",
+            "x = call(x);",
         ),
         with(
             "cfg",
@@ -329,30 +331,31 @@ fn functions() {
             "x = A;",
         ),
         with("static", "static A: u32 = 1;", "x = A;"),
-        with("f", "mod absent;", "x = absent::f(x);"),
+        with("absent", "mod absent;", "x = absent::call(x);"),
         with(
-            "generic",
-            "trait T<A> { fn t(&self, a: A) -> u32; }\nimpl T<u32> for u32 { fn t(&self, a: u32) -> u32 { a } }",
-            "x = x.t(1);",
+            "ambiguous",
+            "trait T<A> { fn t(&self, a: A) -> u32; }\nimpl T<u32> for u32 { fn t(&self, a: u32) -> u32 { a } }\n\
+             impl T<i32> for u32 { fn t(&self, a: i32) -> u32 { 7 } }",
+            "x = x.t(1i32);",
         ),
     ]);
 }
 
 #[test]
 fn ambiguous_names() {
-    let two = "mod a { pub fn f(a: u32) -> u32 { a } }\nmod b { pub fn f(a: u32) -> u32 { a + 1 } }\nuse a::*;\nuse b::*;";
+    let two = "mod a { pub fn call(a: u32) -> u32 { a } }\nmod b { pub fn call(a: u32) -> u32 { a + 1 } }\nuse a::*;\nuse b::*;";
     let twice = "trait A { fn t(&self) -> u32; }\ntrait B { fn t(&self) -> u32; }\n\
                  impl A for u32 { fn t(&self) -> u32 { 1 } }\nimpl B for u32 { fn t(&self) -> u32 { 2 } }";
     check(vec![
-        with("ambiguous", two, "x = f(x);"),
+        with("ambiguous", two, "x = call(x);"),
         with("ambiguous", twice, "x = x.t();"),
         with(
-            "twice",
-            "fn f(a: u32) -> u32 { a }\nfn f(a: u32) -> u32 { a + 1 }",
-            "x = f(x);",
+            "ambiguous",
+            "fn call(a: u32) -> u32 { a }\nfn call(a: u32) -> u32 { a + 1 }",
+            "x = call(x);",
         ),
-        with("f", "mod a { fn g() {} }", "x = a::f(x);"),
-        with("f", "use other_crate::f;", "x = f(x);"),
+        with("call", "mod a { fn g() {} }", "x = a::call(x);"),
+        with("other_crate", "use other_crate::call;", "x = call(x);"),
     ]);
 }
 
@@ -392,18 +395,6 @@ fn kernels() {
         kernel("Vec3", "", "(id: u32) -> Vec3", "Vec3::X"),
         kernel("nothing", "", "(id: u32)", "let _ = id;"),
         kernel("&mut", "", "(id: u32, a: &mut u32) -> u32", "*a"),
-        kernel(
-            "generic",
-            "",
-            "<const N: usize>(id: u32, a: &[u32; N]) -> u32",
-            "a[0]",
-        ),
-        kernel(
-            "last",
-            "",
-            "(id: u32, chunk: &mut [u32], a: &[u32]) -> u32",
-            "chunk[0] + a[0]",
-        ),
     ]);
 }
 
@@ -453,10 +444,18 @@ fn what_has_no_place_is_still_an_error() {
         kernel,
         workgroup_size: 64,
     };
-    for kernel in ["one::missing", "two::k", "k", "", "one::k::k"] {
+    for (kernel, phrase) in [
+        ("one::missing", "missing"),
+        ("two::k", "two"),
+        ("k", "`k`"),
+        ("", ""),
+        ("one::k::k", "k"),
+    ] {
         let error = program.entry(&desc(kernel)).map(drop).unwrap_err();
-        assert!(error.help.is_some(), "{error}");
-        assert!(error.message.contains(kernel), "{error}");
+        assert!(
+            error.help.is_some() && error.message.contains(phrase),
+            "{kernel}: {error}"
+        );
     }
     assert!(program.entry(&desc("one::k")).is_ok());
     let error = Program::parse(&[krate(), krate()]).map(drop).unwrap_err();

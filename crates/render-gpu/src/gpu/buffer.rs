@@ -1,6 +1,7 @@
 //! Host file: storage buffers, and the ways in and out of them.
 
 use std::sync::mpsc;
+use std::time::{Duration, Instant};
 
 use super::device::GpuContext;
 use super::error::GpuError;
@@ -197,10 +198,15 @@ impl GpuContext {
             what: what(),
             reason,
         };
-        match receiver.try_recv() {
-            Ok(Ok(())) => {}
-            Ok(Err(error)) => return Err(refused(error.to_string())),
-            Err(_) => return Err(refused("the buffer was not mapped".to_owned())),
+        // The copy is done, but another thread's poll may have taken the news of it, and be about to tell.
+        let deadline = Instant::now() + self.options.time_out;
+        loop {
+            match receiver.recv_timeout(Duration::from_millis(1)) {
+                Ok(Ok(())) => break,
+                Ok(Err(error)) => return Err(refused(error.to_string())),
+                Err(_) if Instant::now() < deadline => self.poll(&what)?,
+                Err(_) => return Err(self.timed_out(&what)),
+            }
         }
         {
             let view = staging

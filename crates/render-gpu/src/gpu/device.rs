@@ -352,21 +352,27 @@ impl GpuContext {
         submission: wgpu::SubmissionIndex,
         what: impl Fn() -> String,
     ) -> Result<(), GpuError> {
-        let time_out = self.options.time_out;
-        let poll = wgpu::PollType::Wait {
-            submission_index: Some(submission),
-            timeout: Some(time_out),
-        };
+        self.poll_as(
+            wgpu::PollType::Wait {
+                submission_index: Some(submission),
+                timeout: Some(self.options.time_out),
+            },
+            &what,
+        )
+    }
+
+    /// Hears of what is done, without waiting.
+    pub(super) fn poll(&self, what: &impl Fn() -> String) -> Result<(), GpuError> {
+        self.poll_as(wgpu::PollType::Poll, what)
+    }
+
+    fn poll_as(&self, poll: wgpu::PollType, what: &impl Fn() -> String) -> Result<(), GpuError> {
         // `Device::poll` panics when the driver reports a lost device.
         let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(poll)));
-        self.check(&what)?;
+        self.check(what)?;
         match polled {
             Ok(Ok(_)) => Ok(()),
-            Ok(Err(wgpu::PollError::Timeout)) => Err(GpuError::TimedOut {
-                adapter: self.summary.to_string(),
-                what: what(),
-                after: time_out,
-            }),
+            Ok(Err(wgpu::PollError::Timeout)) => Err(self.timed_out(what)),
             Ok(Err(error)) => Err(GpuError::Refused {
                 adapter: self.summary.to_string(),
                 what: what(),
@@ -376,6 +382,14 @@ impl GpuContext {
                 adapter: self.summary.to_string(),
                 reason: format!("the driver failed during {}", what()),
             }),
+        }
+    }
+
+    pub(super) fn timed_out(&self, what: &impl Fn() -> String) -> GpuError {
+        GpuError::TimedOut {
+            adapter: self.summary.to_string(),
+            what: what(),
+            after: self.options.time_out,
         }
     }
 }
