@@ -1,0 +1,27 @@
+//! Host file: prints one line for each image of the shared code: its name, a hash of its pixels from the CPU, and one of
+//! those from a shader made of the same text.
+
+use glimt_tests::gpu::adapter_or_skip;
+use glimt_tests::shared_image;
+
+fn main() {
+    let Some(context) = adapter_or_skip("shared-image") else {
+        return;
+    };
+    let program = shared_image::program();
+    for image in [shared_image::atlas_pair(&program, &context)] {
+        println!(
+            "{} {:016x} {:016x}",
+            image.name,
+            hash(&image.cpu),
+            hash(&image.gpu)
+        );
+    }
+}
+
+/// FNV-1a over the words.
+fn hash(words: &[u32]) -> u64 {
+    words.iter().fold(0xcbf2_9ce4_8422_2325, |hash, word| {
+        (hash ^ u64::from(*word)).wrapping_mul(0x100_0000_01b3)
+    })
+}
