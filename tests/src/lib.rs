@@ -8,4 +8,5 @@ pub mod gpu;
 )]
 pub mod kernels;
 pub mod quadrature;
+pub mod shared_image;
 pub mod stats;
