@@ -1,9 +1,78 @@
-//! Monte Carlo rendering of objects lit by video environment maps.
+//! Host file: Monte Carlo rendering of objects lit by video environment maps.
 //!
-//! Kernels ([`kernels`], shared files) compute one ray or one pixel each; executors run them over an image: [`gpu`] by
-//! wgpu, from the WGSL that the front end makes of the same files.
+//! [`kernels`] (shared files) compute one ray or one pixel each. Two executors run them over an image, [`cpu`] by rayon
+//! and [`gpu`] by wgpu, the latter from the WGSL that the front end makes of the same files. [`host`] prepares what they
+//! read: buffers of a scene, tables of a light map, numbers of a frame.
+//!
+//! ```
+//! use glam::{Mat4, UVec2, Vec3, Vec4};
+//! use glimt_render_gpu::cpu::CpuRenderer;
+//! use glimt_render_gpu::host::env::EnvMap;
+//! use glimt_render_gpu::host::render::{RenderSettings, Renderer};
+//! use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
+//! use glimt_render_gpu::host::scene_build::SceneBuffers;
+//!
+//! // A grey triangle under a white sky reflects its albedo.
+//! let scene = SceneBuffers::build(&SceneDescription {
+//!     meshes: vec![Mesh {
+//!         positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
+//!         indices: vec![[0, 1, 2]],
+//!         materials: vec![0],
+//!         ..Mesh::default()
+//!     }],
+//!     materials: vec![Material::BlinnPhong { diffuse: Vec3::splat(0.5), specular: Vec3::ZERO, exponent: 0.0 }],
+//!     objects: vec![Object { mesh: 0, transform: Mat4::IDENTITY, material: None }],
+//!     ..SceneDescription::default()
+//! })?;
+//! let sky = EnvMap::new(UVec2::new(2, 1), vec![Vec4::ONE; 2])?.prepare(0.0)?;
+//! let camera = Camera { eye: Vec3::new(0.2, 0.2, 9.0), target: Vec3::new(0.2, 0.2, 0.0), up: Vec3::Y, fov_x: 0.01 };
+//! let settings = RenderSettings { rays_per_pixel: 64, ..RenderSettings::new(UVec2::ONE, camera) };
+//! let image = CpuRenderer::default().render_frame(&scene, &sky, &settings, &|_| ())?;
+//! assert!((image.linear[0].x - 0.5).abs() < 0.02);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Bibliography
+//!
+//! - J. Kronander, J. Dahlin, D. Jönsson, M. Kok, T. B. Schön, J. Unger: *Real-time video based lighting using GPU
+//!   raytracing*, EUSIPCO 2014 (Eqs. 1 and 2; the two passes of § 7).
+//! - E. Veach, L. Guibas: *Optimally combining sampling techniques for Monte Carlo rendering*, SIGGRAPH 1995.
+//! - S. Woop, C. Benthin, I. Wald: *Watertight ray/triangle intersection*, JCGT 2(1), 2013.
+//! - T. Ize: *Robust BVH ray traversal*, JCGT 2(2), 2013.
+//! - A. Kensler: *Correlated multi-jittered sampling*, Pixar technical memo 13-01, 2013.
 
+pub mod cpu;
+pub mod entries;
 pub mod entry;
 pub mod gpu;
 pub mod host;
 pub mod kernels;
+pub mod sequence;
+
+/// The crate's name and its shared files, `(path below src/, text)`, for a front end that lowers them to WGSL.
+#[cfg(feature = "shader-source")]
+pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
+    "glimt_render_gpu",
+    &[
+        ("lib.rs", include_str!("lib.rs")),
+        ("kernels/mod.rs", include_str!("kernels/mod.rs")),
+        ("kernels/bvh.rs", include_str!("kernels/bvh.rs")),
+        ("kernels/camera.rs", include_str!("kernels/camera.rs")),
+        ("kernels/diagnose.rs", include_str!("kernels/diagnose.rs")),
+        (
+            "kernels/environment.rs",
+            include_str!("kernels/environment.rs"),
+        ),
+        ("kernels/estimator.rs", include_str!("kernels/estimator.rs")),
+        ("kernels/film.rs", include_str!("kernels/film.rs")),
+        ("kernels/frame.rs", include_str!("kernels/frame.rs")),
+        ("kernels/material.rs", include_str!("kernels/material.rs")),
+        ("kernels/mis.rs", include_str!("kernels/mis.rs")),
+        ("kernels/pattern.rs", include_str!("kernels/pattern.rs")),
+        ("kernels/ray.rs", include_str!("kernels/ray.rs")),
+        ("kernels/scene.rs", include_str!("kernels/scene.rs")),
+        ("kernels/shade.rs", include_str!("kernels/shade.rs")),
+        ("kernels/texture.rs", include_str!("kernels/texture.rs")),
+        ("kernels/triangle.rs", include_str!("kernels/triangle.rs")),
+    ],
+);

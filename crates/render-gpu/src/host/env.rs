@@ -1,6 +1,12 @@
 //! Host file: light maps and the tables that are made of them.
 
-use glam::{UVec2, Vec4};
+use glam::{UVec2, Vec2, Vec4};
+use glimt_envmap_cdf::{BuildError, EnvCdf, build_marginal_into, build_row_into, required_len};
+use glimt_probe::rotate::cos_sin_degrees;
+use glimt_sampling::luminance;
+use rayon::prelude::*;
+
+use crate::kernels::environment::Environment;
 
 /// Largest radiance that a texel may have. It keeps every product of the estimators finite in f32.
 pub const MAX_RADIANCE: f32 = 1e20;
@@ -13,7 +19,7 @@ pub struct EnvMap {
 }
 
 /// Why a light map was refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum EnvError {
     /// There is no texel, or their number is not width × height.
     #[error("a map of {width} × {height} texels cannot hold {len} of them")]
@@ -33,6 +39,9 @@ pub enum EnvError {
         /// Row of the first such texel.
         row: u32,
     },
+    /// Its tables cannot be built.
+    #[error(transparent)]
+    Table(#[from] BuildError),
 }
 
 impl EnvMap {
@@ -83,6 +92,60 @@ impl EnvMap {
     /// The texels, rows from the top.
     pub fn texels(&self) -> &[Vec4] {
         &self.texels
+    }
+
+    /// Builds the map's tables, on all of rayon's threads, for a map that stands turned by `rotate_z_deg`,
+    /// counter-clockwise seen from above.
+    ///
+    /// # Errors
+    /// [`EnvError::Table`] for a map wider or higher than [`glimt_envmap_cdf::MAX_SIZE`].
+    pub fn prepare(self, rotate_z_deg: f32) -> Result<PreparedEnv, EnvError> {
+        let Self { size, texels } = self;
+        let len = required_len(size.x, size.y)?;
+        let mut marginal = vec![0; len.marginal];
+        let mut conditional = vec![0; len.conditional];
+        let width = size.x as usize;
+        let weight_sums = conditional
+            .par_chunks_mut(width + 1)
+            .zip(texels.par_chunks(width))
+            .map(|(edges, row)| {
+                let weights = row.iter().map(|texel| luminance(texel.truncate()));
+                build_row_into(weights, edges).map(|report| report.weight_sum)
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        build_marginal_into(&weight_sums, &mut marginal)?;
+        Ok(PreparedEnv {
+            size,
+            texels,
+            marginal,
+            conditional,
+            rotation: cos_sin_degrees(rotate_z_deg),
+        })
+    }
+}
+
+/// A light map with its tables, ready for an executor.
+#[derive(Clone, Debug)]
+pub struct PreparedEnv {
+    size: UVec2,
+    texels: Vec<Vec4>,
+    marginal: Vec<u32>,
+    conditional: Vec<u32>,
+    rotation: Vec2,
+}
+
+impl PreparedEnv {
+    /// What kernels see of it.
+    pub fn view(&self) -> Environment<'_> {
+        Environment {
+            texels: &self.texels,
+            cdf: EnvCdf {
+                size: self.size,
+                marginal: &self.marginal,
+                conditional: &self.conditional,
+            },
+            rotation: self.rotation,
+        }
     }
 }
 

@@ -1,5 +1,9 @@
 //! Host file: what is prepared outside the kernels: scene descriptions, light maps, settings.
 
+mod attributes;
 pub mod env;
+mod materials;
 pub mod render;
 pub mod scene;
+pub mod scene_build;
+pub mod scene_error;

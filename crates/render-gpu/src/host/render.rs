@@ -1,7 +1,12 @@
 //! Host file: what an executor is asked for and what it gives back.
 
-use super::scene::Camera;
 use glam::{UVec2, Vec4};
+
+use super::env::PreparedEnv;
+use super::scene::Camera;
+use super::scene_build::SceneBuffers;
+use crate::kernels::camera::CameraView;
+use crate::kernels::frame::{self, FrameParams};
 
 /// All that one frame needs beside the scene and its light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,6 +97,178 @@ pub struct FrameImage {
     pub size: UVec2,
     /// Linear radiance, alpha in w; colours are premultiplied by it.
     pub linear: Vec<Vec4>,
-    /// The same after exposure and tonemapping: red, green, blue, alpha (premultiplied before the curve).
+    /// The same after exposure and tonemapping: red, green, blue and straight alpha.
     pub display: Vec<[u8; 4]>,
+}
+
+/// Something that turns scenes into frames: the CPU or a GPU.
+pub trait Renderer {
+    /// What it is, for messages: the processor's or adapter's name.
+    fn name(&self) -> String;
+
+    /// Renders one frame. `progress` is told, from any thread, the fraction that is done.
+    ///
+    /// # Errors
+    /// A [`RenderError`].
+    fn render_frame(
+        &mut self,
+        scene: &SceneBuffers,
+        env: &PreparedEnv,
+        settings: &RenderSettings,
+        progress: &(dyn Fn(f32) + Sync),
+    ) -> Result<FrameImage, RenderError>;
+}
+
+/// Why no frame was rendered.
+#[derive(Debug, thiserror::Error)]
+pub enum RenderError {
+    /// The settings make no sense.
+    #[error(transparent)]
+    Settings(#[from] SettingsError),
+    /// The device refused or failed.
+    #[error(transparent)]
+    Device(Box<dyn std::error::Error + Send + Sync>),
+}
+
+/// Why settings were refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SettingsError {
+    /// Width, height or rays per pixel is 0.
+    #[error("an image needs a width, a height and at least one ray per pixel")]
+    Empty,
+    /// Both counts of samples are 0.
+    #[error("there must be BRDF samples or environment samples")]
+    NoSamples,
+    /// Rays or samples outgrow 32 bits.
+    #[error(
+        "width × height × rays per pixel, and the samples of a pixel, must each stay below 2^32"
+    )]
+    TooMany,
+    /// The camera looks nowhere.
+    #[error("the camera needs finite eye, target and up, with up not along the line of sight")]
+    Camera,
+    /// The field of view is not in (0, π).
+    #[error("the horizontal field of view must lie between 0 and 180 degrees")]
+    FieldOfView,
+    /// The exposure is not finite.
+    #[error("the exposure must be finite")]
+    Exposure,
+}
+
+impl RenderSettings {
+    /// Settings for an image of `size` pixels with all else at its default: 16 rays a pixel with one sample of each
+    /// kind.
+    pub fn new(size: UVec2, camera: Camera) -> Self {
+        Self {
+            size,
+            camera,
+            rays_per_pixel: 16,
+            brdf_samples: 1,
+            env_samples: 1,
+            method: Method::default(),
+            pattern: Pattern::default(),
+            filter: Filter::default(),
+            background: Background::default(),
+            seed: 1,
+            frame: 0,
+            exposure_ev: 0.0,
+            tonemap: Tonemap::default(),
+        }
+    }
+
+    /// Checks the settings and makes of them what kernels read, with the first tile at pixel 0.
+    ///
+    /// # Errors
+    /// A [`SettingsError`].
+    pub fn frame_params(&self) -> Result<FrameParams, SettingsError> {
+        if self.size.min_element() == 0 || self.rays_per_pixel == 0 {
+            return Err(SettingsError::Empty);
+        }
+        if self.brdf_samples == 0 && self.env_samples == 0 {
+            return Err(SettingsError::NoSamples);
+        }
+        let rays = self
+            .size
+            .x
+            .checked_mul(self.size.y)
+            .and_then(|n| n.checked_mul(self.rays_per_pixel));
+        let samples = self
+            .rays_per_pixel
+            .checked_mul(self.brdf_samples.max(self.env_samples));
+        if rays.is_none() || samples.is_none() {
+            return Err(SettingsError::TooMany);
+        }
+        let exposure = self.exposure_ev.exp2();
+        if !(exposure <= f32::MAX) {
+            return Err(SettingsError::Exposure);
+        }
+        let view = self.camera.view(self.size)?;
+        Ok(FrameParams {
+            eye: view.eye,
+            width: self.size.x,
+            forward: view.forward,
+            height: self.size.y,
+            right: view.right,
+            rays_per_pixel: self.rays_per_pixel,
+            up: view.up,
+            first_pixel: 0,
+            brdf_samples: self.brdf_samples,
+            env_samples: self.env_samples,
+            pattern: match self.pattern {
+                Pattern::OwenSobol => frame::PATTERN_OWEN_SOBOL,
+                Pattern::Independent => frame::PATTERN_INDEPENDENT,
+                Pattern::Stratified => frame::PATTERN_STRATIFIED,
+            },
+            filter: match self.filter {
+                Filter::Box => frame::FILTER_BOX,
+                Filter::Centre => frame::FILTER_CENTRE,
+            },
+            background: match self.background {
+                Background::Environment => frame::BACKGROUND_ENVIRONMENT,
+                Background::Transparent => frame::BACKGROUND_TRANSPARENT,
+            },
+            seed: self.seed,
+            frame: self.frame,
+            tonemap: match self.tonemap {
+                Tonemap::Srgb => frame::TONEMAP_SRGB,
+                Tonemap::Reinhard => frame::TONEMAP_REINHARD,
+            },
+            exposure,
+            unused: [0; 3],
+        })
+    }
+}
+
+impl Camera {
+    /// The camera as kernels see it, for an image of `size` pixels: pixels are square.
+    ///
+    /// # Errors
+    /// [`SettingsError::Camera`] and [`SettingsError::FieldOfView`].
+    pub fn view(&self, size: UVec2) -> Result<CameraView, SettingsError> {
+        if !(self.fov_x > 0.0 && self.fov_x < core::f32::consts::PI) {
+            return Err(SettingsError::FieldOfView);
+        }
+        let eye = self.eye.as_dvec3();
+        let forward = (self.target.as_dvec3() - eye)
+            .try_normalize()
+            .ok_or(SettingsError::Camera)?;
+        let up = self
+            .up
+            .as_dvec3()
+            .try_normalize()
+            .ok_or(SettingsError::Camera)?;
+        let across = forward.cross(up);
+        if !(across.length() > 1e-6 && eye.is_finite()) {
+            return Err(SettingsError::Camera);
+        }
+        let right = across.normalize();
+        let half_width = f64::from(0.5 * self.fov_x).tan();
+        let half_height = half_width * f64::from(size.y) / f64::from(size.x);
+        Ok(CameraView {
+            eye: self.eye,
+            forward: forward.as_vec3(),
+            right: (right * half_width).as_vec3(),
+            up: (right.cross(forward) * half_height).as_vec3(),
+        })
+    }
 }

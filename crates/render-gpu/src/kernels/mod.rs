@@ -6,5 +6,16 @@
 
 pub mod bvh;
 pub mod camera;
+pub mod diagnose;
+pub mod environment;
+pub mod estimator;
+pub mod film;
+pub mod frame;
+pub mod material;
+pub mod mis;
+pub mod pattern;
 pub mod ray;
+pub mod scene;
+pub mod shade;
+pub mod texture;
 pub mod triangle;

@@ -1,0 +1,51 @@
+//! Host file: the kernels that are lowered to entry points, one `generated/NAME.wgsl` for each.
+
+/// An entry point to generate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EntrySpec {
+    /// Name of the entry point and of its files.
+    pub name: &'static str,
+    /// Path of the kernel, from the crate's name on.
+    pub kernel: &'static str,
+    /// Invocations in a workgroup.
+    pub workgroup_size: u32,
+}
+
+const fn entry(name: &'static str, kernel: &'static str) -> EntrySpec {
+    // Two warps, or one wave: a ray's traversal keeps many registers, and more per group would leave cores idle.
+    EntrySpec {
+        name,
+        kernel,
+        workgroup_size: 64,
+    }
+}
+
+/// All entry points: the passes of rendering, then the stages that parity tests compare.
+pub const ENTRIES: &[EntrySpec] = &[
+    entry("shade_mis", "glimt_render_gpu::kernels::shade::shade_mis"),
+    entry(
+        "reconstruct",
+        "glimt_render_gpu::kernels::film::reconstruct",
+    ),
+    entry("tonemap", "glimt_render_gpu::kernels::film::tonemap"),
+    entry(
+        "diagnose_uniforms",
+        "glimt_render_gpu::kernels::diagnose::uniforms",
+    ),
+    entry(
+        "diagnose_env_sample",
+        "glimt_render_gpu::kernels::diagnose::env_sample",
+    ),
+    entry(
+        "diagnose_primary_hit",
+        "glimt_render_gpu::kernels::diagnose::primary_hit",
+    ),
+    entry(
+        "diagnose_surface",
+        "glimt_render_gpu::kernels::diagnose::surface",
+    ),
+    entry(
+        "diagnose_brdf_sample",
+        "glimt_render_gpu::kernels::diagnose::brdf_sample",
+    ),
+];

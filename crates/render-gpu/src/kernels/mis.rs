@@ -1,0 +1,100 @@
+//! Shared file: multiple importance sampling of reflected light (Kronander 2014, Eq. 2).
+
+use glam::Vec3;
+use glimt_sampling::mis::multi_sample_density;
+use glimt_sampling::uniform::unit_vec2;
+
+use super::environment::Environment;
+use super::estimator::{Estimator, LightSample};
+use super::pattern::{BRDF, ENVIRONMENT, PixelPattern};
+use super::scene::{Scene, ShadingPoint};
+
+/// `L̂ = Σ L(ω) ρ(ωo, ω) V(ω) ⟨ω·n⟩ / (N_ρ q_ρ(ω) + N_L q_L(ω))` over N_ρ samples of the BRDF and N_L of the
+/// environment: the balance heuristic of Veach and Guibas 1995.
+///
+/// With one of the counts zero it is importance sampling of the other alone. Impossible samples contribute 0 and count.
+///
+/// Differs from the paper, whose print omits the counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mis {
+    /// N_ρ.
+    pub brdf_samples: u32,
+    /// N_L.
+    pub env_samples: u32,
+}
+
+impl Mis {
+    /// Direction `sample` of the BRDF's strategy.
+    #[inline]
+    #[must_use]
+    pub fn brdf_sample(
+        &self,
+        sample: u32,
+        point: &ShadingPoint,
+        pattern: &PixelPattern,
+        env: Environment<'_>,
+    ) -> LightSample {
+        let u = pattern.uniforms(BRDF, sample, self.brdf_samples);
+        let drawn = point.brdf.sample(point.wo, u.z, unit_vec2(u.truncate()));
+        if !(drawn.pdf_sr > 0.0) {
+            return LightSample::IMPOSSIBLE;
+        }
+        let direction = point.frame.to_world(drawn.wi);
+        let texel = env.texel(direction);
+        let density = self.density(drawn.pdf_sr, env.cdf.texel_pdf_sr(texel));
+        LightSample::new(point, direction, drawn.wi, env.radiance(texel), density)
+    }
+
+    /// Direction `sample` of the environment's strategy.
+    #[inline]
+    #[must_use]
+    pub fn env_sample(
+        &self,
+        sample: u32,
+        point: &ShadingPoint,
+        pattern: &PixelPattern,
+        env: Environment<'_>,
+    ) -> LightSample {
+        let u = pattern.uniforms(ENVIRONMENT, sample, self.env_samples);
+        let drawn = env.sample(u.truncate());
+        if !(drawn.pdf_sr > 0.0) {
+            return LightSample::IMPOSSIBLE;
+        }
+        let wi = point.frame.to_local(drawn.direction);
+        let density = self.density(point.brdf.pdf_sr(point.wo, wi), drawn.pdf_sr);
+        LightSample::new(
+            point,
+            drawn.direction,
+            wi,
+            env.radiance(drawn.texel),
+            density,
+        )
+    }
+
+    #[inline]
+    fn density(&self, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
+        multi_sample_density(self.brdf_samples, brdf_pdf_sr, self.env_samples, env_pdf_sr)
+    }
+}
+
+impl Estimator for Mis {
+    #[inline]
+    fn reflected(
+        &self,
+        point: &ShadingPoint,
+        pattern: &PixelPattern,
+        env: Environment<'_>,
+        scene: Scene<'_>,
+    ) -> Vec3 {
+        let mut sum = Vec3::ZERO;
+        for i in 0..self.brdf_samples {
+            sum += self
+                .brdf_sample(i, point, pattern, env)
+                .traced(point, scene);
+        }
+        for i in 0..self.env_samples {
+            sum += self.env_sample(i, point, pattern, env).traced(point, scene);
+        }
+        sum
+    }
+}

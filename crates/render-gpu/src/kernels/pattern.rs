@@ -1,0 +1,150 @@
+//! Shared file: the uniform numbers of a ray, by one of three sample patterns.
+
+use glam::UVec3;
+use glimt_sampling::hash::{hash_u32, hash2, hash3};
+use glimt_sampling::sobol::OwenSobol;
+use glimt_sampling::uniform::UniformSource;
+use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
+
+use super::frame::{PATTERN_INDEPENDENT, PATTERN_OWEN_SOBOL};
+
+/// What uniforms are for: the ray's place in the pixel.
+pub const FILM: u32 = 1;
+/// What uniforms are for: BRDF samples.
+pub const BRDF: u32 = 2;
+/// What uniforms are for: environment samples.
+pub const ENVIRONMENT: u32 = 3;
+
+/// The pattern of one pixel, as one of its rays sees it.
+///
+/// The n samples that each of R rays takes for one purpose are spread together over all R n; purposes are independent
+/// of each other, and so are pixels, frames and seeds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PixelPattern {
+    /// One of the `PATTERN_…` constants of [`frame`](super::frame).
+    pub kind: u32,
+    /// First key.
+    pub seed: u32,
+    /// Second key.
+    pub frame: u32,
+    /// Third key: the index of the pixel in the image.
+    pub pixel: u32,
+    /// Which of the pixel's rays.
+    pub ray: u32,
+    /// Rays per pixel.
+    pub rays: u32,
+}
+
+impl PixelPattern {
+    /// Three uniform words for sample `sample` of the ray's `samples` for a purpose; the first two belong together.
+    #[inline]
+    #[must_use]
+    pub fn uniforms(&self, purpose: u32, sample: u32, samples: u32) -> UVec3 {
+        let seed = hash2(self.seed, purpose);
+        let index = self.ray * samples + sample;
+        if self.kind == PATTERN_OWEN_SOBOL {
+            let mut point = OwenSobol::new(seed, self.frame, self.pixel, index);
+            let pair = point.next_uvec2();
+            return pair.extend(point.next_u32());
+        }
+        let mut generator = Xoshiro128PlusPlus::stream(hash2(seed, index), self.frame, self.pixel);
+        let pair = generator.next_uvec2();
+        let jitter = pair.extend(generator.next_u32());
+        if self.kind == PATTERN_INDEPENDENT {
+            return jitter;
+        }
+        let key = hash3(seed, self.frame, self.pixel);
+        stratified(index, self.rays * samples, jitter, key)
+    }
+}
+
+/// Point `index` of `count` points, jittered in the cells of a grid that is as square as `count` allows, with the
+/// columns' and rows' own strata shuffled (Kensler 2013, "Correlated multi-jittered sampling", for any `count`). The
+/// third word is stratified by itself.
+#[inline]
+fn stratified(index: u32, count: u32, jitter: UVec3, key: u32) -> UVec3 {
+    let columns = (libm::sqrtf(count as f32) as u32).max(1);
+    let rows = count.div_ceil(columns);
+    let s = permute(index, count, hash2(key, 1));
+    let column = permute(s % columns, columns, hash2(key, 2));
+    let row = permute(s / columns, rows, hash2(key, 3));
+    UVec3::new(
+        stratum(column * rows + row, columns * rows, jitter.x),
+        stratum(s, count, jitter.y),
+        stratum(permute(index, count, hash2(key, 4)), count, jitter.z),
+    )
+}
+
+/// A word in stratum `cell` of `count` equal ones.
+#[inline]
+fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
+    cell * (u32::MAX / count) + jitter / count
+}
+
+/// Where `index` goes in the permutation of `0..length` that `key` picks: a bijection of the next power of two, walked
+/// until it comes back below `length`.
+#[inline]
+fn permute(index: u32, length: u32, key: u32) -> u32 {
+    if length <= 1 {
+        return 0;
+    }
+    let bits = u32::BITS - (length - 1).leading_zeros();
+    let mask = u32::MAX >> (u32::BITS - bits);
+    let mut x = index;
+    loop {
+        let mut round_key = key;
+        for _ in 0..3 {
+            round_key = hash_u32(round_key);
+            // Each step is a bijection of the low bits.
+            x = (x ^ round_key).wrapping_mul(0x9e37_79b1) & mask;
+            x ^= x >> bits.div_ceil(2);
+        }
+        if x < length {
+            return x;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernels::frame::PATTERN_STRATIFIED;
+
+    #[test]
+    fn permutations_are_permutations() {
+        for length in [1, 2, 3, 15, 16, 17, 1000] {
+            for key in 0..8 {
+                let mut seen = [false; 1000];
+                for i in 0..length {
+                    let p = permute(i, length, hash_u32(key)) as usize;
+                    assert!(p < length as usize && !seen[p]);
+                    seen[p] = true;
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_stratum_of_a_pixel_gets_one_point() {
+        let (rays, samples) = (5, 3);
+        let mut seen = [UVec3::ZERO; 15];
+        for ray in 0..rays {
+            let pattern = PixelPattern {
+                kind: PATTERN_STRATIFIED,
+                seed: 7,
+                frame: 1,
+                pixel: 99,
+                ray,
+                rays,
+            };
+            for sample in 0..samples {
+                let u = pattern.uniforms(BRDF, sample, samples) / (u32::MAX / 15);
+                seen[u.y as usize].y += 1;
+                seen[u.z as usize].z += 1;
+                // Three columns of five.
+                seen[u.x as usize].x += 1;
+            }
+        }
+        assert_eq!(seen, [UVec3::ONE; 15]);
+    }
+}

@@ -1,0 +1,140 @@
+//! Shared file: the scene's buffers, and what lies where a ray hits.
+
+use glam::{Vec2, Vec3};
+use glimt_brdf::BlinnPhong;
+use glimt_sampling::math::ShadingFrame;
+
+use super::bvh::{BvhNode, any_hit, closest_hit};
+use super::material::Material;
+use super::ray::{Hit, Ray};
+use super::triangle::Triangle;
+
+/// Bit of [`Triangle::material`] that says that the bitangent is `−n × t`; the rest is the material's index.
+pub const MIRRORED: u32 = 1 << 31;
+
+/// What interpolation needs of one corner of a triangle. 32 bytes, three in a row for each triangle.
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct Corner {
+    /// Unit shading normal.
+    pub normal: Vec3,
+    /// Texture coordinate u.
+    pub u: f32,
+    /// Tangent along growing u; zero where no material needs it.
+    pub tangent: Vec3,
+    /// Texture coordinate v.
+    pub v: f32,
+}
+
+/// A view of the buffers that hold a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<'a> {
+    /// The tree; the root first.
+    pub nodes: &'a [BvhNode],
+    /// Triangles in the order of the leaves.
+    pub triangles: &'a [Triangle],
+    /// Three corners for each triangle.
+    pub corners: &'a [Corner],
+    /// Materials.
+    pub materials: &'a [Material],
+    /// All textures; see [`texture`](super::texture).
+    pub texels: &'a [u32],
+}
+
+/// A point of a surface with all that an estimator of its reflected light needs.
+#[derive(Clone, Copy, Debug)]
+pub struct ShadingPoint {
+    /// Where rays that leave the surface start: moved off it along the geometric normal.
+    pub origin: Vec3,
+    /// Unit normal of the face, on the side of ωo.
+    pub geometric_normal: Vec3,
+    /// Frame about the shading normal, on the side of ωo.
+    pub frame: ShadingFrame,
+    /// ωo in that frame: where the ray came from.
+    pub wo: Vec3,
+    /// The reflection model, in that frame.
+    pub brdf: BlinnPhong,
+}
+
+impl Scene<'_> {
+    /// What the ray hits first.
+    #[inline]
+    #[must_use]
+    pub fn closest_hit(&self, ray: &Ray) -> Option<Hit> {
+        closest_hit(self.nodes, self.triangles, ray, f32::MAX)
+    }
+
+    /// The shading point where a ray of unit direction hits.
+    #[must_use]
+    pub fn shading_point(&self, ray: &Ray, hit: &Hit) -> ShadingPoint {
+        let triangle = &self.triangles[hit.triangle as usize];
+        let first = 3 * hit.triangle as usize;
+        let a = &self.corners[first];
+        let b = &self.corners[first + 1];
+        let c = &self.corners[first + 2];
+        let (u, v) = (hit.barycentrics.x, hit.barycentrics.y);
+        let w = 1.0 - u - v;
+
+        let to_eye = -ray.direction;
+        let face = triangle.area_normal().normalize();
+        let geometric_normal = if face.dot(to_eye) < 0.0 { -face } else { face };
+        let smooth = unit_or(a.normal * w + b.normal * u + c.normal * v, face);
+
+        let uv = Vec2::new(a.u * w + b.u * u + c.u * v, a.v * w + b.v * u + c.v * v);
+        let material = &self.materials[(triangle.material & !MIRRORED) as usize];
+        let tangent = a.tangent * w + b.tangent * u + c.tangent * v;
+        let handedness = if triangle.material & MIRRORED != 0 {
+            -1.0
+        } else {
+            1.0
+        };
+        let bumped = material.bumped_normal(self.texels, uv, smooth, tangent, handedness);
+        let normal = if bumped.dot(to_eye) < 0.0 {
+            -bumped
+        } else {
+            bumped
+        };
+
+        let frame = ShadingFrame::from_normal(normal);
+        let edges = (triangle.v1 - triangle.v0) * u + (triangle.v2 - triangle.v0) * v;
+        ShadingPoint {
+            origin: triangle.v0 + edges + geometric_normal * triangle.ray_offset,
+            geometric_normal,
+            frame,
+            wo: frame.to_local(to_eye),
+            brdf: material.brdf(self.texels, uv),
+        }
+    }
+
+    /// Whether light from `direction` reaches the point.
+    #[inline]
+    #[must_use]
+    pub fn is_lit(&self, point: &ShadingPoint, direction: Vec3) -> bool {
+        let ray = Ray::new(point.origin, direction);
+        !any_hit(self.nodes, self.triangles, &ray, f32::MAX)
+    }
+}
+
+/// `v` at unit length, or `otherwise` where it has none to speak of.
+#[inline]
+pub(super) fn unit_or(v: Vec3, otherwise: Vec3) -> Vec3 {
+    let length_squared = v.length_squared();
+    if length_squared > 1e-12 {
+        v / libm::sqrtf(length_squared)
+    } else {
+        otherwise
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn layout_is_that_of_wgsl() {
+        assert_eq!(core::mem::size_of::<Corner>(), 32);
+        assert_eq!(core::mem::offset_of!(Corner, u), 12);
+        assert_eq!(core::mem::offset_of!(Corner, tangent), 16);
+        assert_eq!(core::mem::offset_of!(Corner, v), 28);
+    }
+}
