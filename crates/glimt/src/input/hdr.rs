@@ -111,7 +111,10 @@ fn read_lines(file: &Path) -> Result<Lines> {
                 }
                 exposure *= factor;
             }
-            Some(("PRIMARIES", value)) => primaries = Some(value.trim().to_owned()),
+            // Some programs write a row of zeros, which says nothing.
+            Some(("PRIMARIES", value)) if value.contains(|c| ('1'..='9').contains(&c)) => {
+                primaries = Some(value.trim().to_owned());
+            }
             Some(("FORMAT", value)) if value.trim() != "32-bit_rle_rgbe" => {
                 return Err(
                     Error::input(file, format!("FORMAT={value} is not supported"))

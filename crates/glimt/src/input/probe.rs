@@ -4,8 +4,8 @@ use super::frames::FrameFiles;
 use super::{HdrImage, read_header, read_image};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
-use crate::shot::Mapping;
 use crate::shot::digest::{Hash, of_file};
+use crate::shot::{self, Mapping};
 use glam::{UVec2, Vec2, Vec4};
 use glimt_probe::{angular, latlong};
 use glimt_render_gpu::host::env::{EnvMap, MAX_RADIANCE};
@@ -84,10 +84,10 @@ impl Probe {
     pub fn open(
         files: FrameFiles,
         frames: &[u32],
-        mapping: Mapping,
-        scale: f32,
+        keys: &shot::Probe,
         notes: &mut Notes,
     ) -> Result<Self> {
+        let mapping = keys.mapping;
         let first = files.path(frames[0]);
         let size = read_header(&first)?.size;
         match mapping {
@@ -120,7 +120,7 @@ impl Probe {
         Ok(Self {
             files,
             mapping,
-            scale,
+            scale: keys.scale,
             size,
         })
     }
@@ -130,12 +130,16 @@ impl Probe {
         self.size
     }
 
-    /// Hash of a frame's file.
+    /// Hash of the file of each of these frames.
     ///
     /// # Errors
-    /// The file cannot be read.
-    pub fn digest(&self, frame: u32) -> Result<Hash> {
-        of_file(&self.files.path(frame))
+    /// A file cannot be read.
+    pub fn digests(&self, frames: &[u32]) -> Result<Vec<Hash>> {
+        if self.files.is_still() {
+            return Ok(vec![of_file(&self.files.path(1))?; frames.len()]);
+        }
+        let paths = frames.par_iter().map(|&frame| self.files.path(frame));
+        paths.map(|path| of_file(&path)).collect()
     }
 
     /// Reads the light of a frame.

@@ -1,0 +1,149 @@
+//! Host file: what an HDR image holds.
+
+use crate::error::Result;
+use crate::input::probe::BadTexels;
+use crate::input::read_image;
+use crate::notes::Notes;
+use glam::{UVec2, Vec4};
+use glimt_probe::latlong;
+use glimt_sampling::math::luminance;
+use serde::Serialize;
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Luminance of an image taken as a lat-long map.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Light {
+    /// Mean over the sphere, weighted by solid angle.
+    mean: f64,
+    /// The largest.
+    max: f32,
+    /// From the first percentile of the positive ones to the largest, in factors of two.
+    stops: f64,
+    /// Column and row of the brightest texel.
+    brightest_texel: [u32; 2],
+    /// The direction that it shows.
+    brightest_direction: [f32; 3],
+}
+
+pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)> {
+    let image = read_image(file, notes)?;
+    let header = &image.header;
+    let bad = BadTexels::count(&image.texels);
+    let light = measure(header.size, &image.texels);
+
+    let mut lines = Vec::new();
+    let mut line = |name: &str, text: String| lines.push(format!("{name:<12}{text}"));
+    line("format", format!("{}, {}", header.format, header.storage));
+    let shape = match header.size.x == 2 * header.size.y {
+        true => " (2:1)",
+        false => "",
+    };
+    line(
+        "size",
+        format!("{} × {}{shape}", header.size.x, header.size.y),
+    );
+    line("channels", header.channels.join(", "));
+    let data_is_display = header.data_origin == header.display_origin
+        && header.size.to_array() == header.display_size;
+    if !data_is_display {
+        line(
+            "windows",
+            format!(
+                "data from {:?}, display {} × {} from {:?}",
+                header.data_origin,
+                header.display_size[0],
+                header.display_size[1],
+                header.display_origin
+            ),
+        );
+    }
+    if header.layers > 1 {
+        line("parts", header.layers.to_string());
+    }
+    for remark in &header.remarks {
+        line("", remark.clone());
+    }
+    let texels = image.texels.len();
+    line(
+        "bad texels",
+        match bad.total() {
+            0 => "none".to_owned(),
+            n => format!("{n} of {texels}: {bad}"),
+        },
+    );
+    match &light {
+        None => line("luminance", "black".to_owned()),
+        Some(light) => {
+            let [x, y, z] = light.brightest_direction;
+            let [column, row] = light.brightest_texel;
+            line(
+                "luminance",
+                format!(
+                    "mean {:.4}, max {:.4}, {:.1} stops",
+                    light.mean, light.max, light.stops
+                ),
+            );
+            line(
+                "brightest",
+                format!(
+                    "texel ({column}, {row}), direction ({x:.3}, {y:.3}, {z:.3}) as a lat-long map"
+                ),
+            );
+        }
+    }
+    let value =
+        json!({"file": file, "kind": "image", "header": header, "bad_texels": bad, "light": light});
+    Ok((value, lines.join("\n")))
+}
+
+/// Bad texels count as black. `None` for a black image.
+fn measure(size: UVec2, texels: &[Vec4]) -> Option<Light> {
+    let mut positive = Vec::new();
+    let (mut sum, mut brightest, mut max) = (0.0, 0, 0.0);
+    for (i, texel) in texels.iter().enumerate() {
+        let value = luminance(texel.truncate());
+        if !(value > 0.0 && value.is_finite()) {
+            continue;
+        }
+        let row = i as u32 / size.x;
+        sum += f64::from(value) * f64::from(latlong::texel_solid_angle_sr(row, size));
+        positive.push(value);
+        if value > max {
+            (max, brightest) = (value, i as u32);
+        }
+    }
+    if positive.is_empty() {
+        return None;
+    }
+    let index = positive.len() / 100;
+    let (_, first_percentile, _) = positive.select_nth_unstable_by(index, f32::total_cmp);
+    let texel = UVec2::new(brightest % size.x, brightest / size.x);
+    Some(Light {
+        mean: sum / (4.0 * std::f64::consts::PI),
+        max,
+        stops: (f64::from(max) / f64::from(*first_percentile)).log2(),
+        brightest_texel: texel.to_array(),
+        brightest_direction: latlong::texel_direction(texel, size).to_array(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lamp_is_found() {
+        let size = UVec2::new(8, 4);
+        let mut texels = vec![Vec4::new(1.0, 1.0, 1.0, 1.0); 32];
+        texels[8 + 3] = Vec4::new(1024.0, 1024.0, 1024.0, 1.0);
+        texels[0] = Vec4::splat(f32::NAN);
+        let light = measure(size, &texels).unwrap();
+        assert_eq!(light.brightest_texel, [3, 1]);
+        assert!((light.stops - 10.0).abs() < 1e-6);
+        // Left of the centre, above the horizon: ahead, toward +y, up.
+        let [x, y, z] = light.brightest_direction;
+        assert!(x > 0.0 && y > 0.0 && z > 0.0);
+        assert_eq!(measure(size, &[Vec4::ZERO; 32]), None);
+    }
+}

@@ -1,0 +1,112 @@
+//! Host file: what a mesh file holds.
+
+use crate::error::Result;
+use crate::mesh::{self, Model};
+use crate::notes::Notes;
+use glam::{Mat4, Vec3};
+use glimt_render_gpu::host::scene::Material;
+use serde_json::{Value, json};
+use std::path::Path;
+
+pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)> {
+    let model = mesh::load(Path::new(""), &file.to_string_lossy(), notes)?;
+    let vertices: usize = model.meshes.iter().map(|m| m.positions.len()).sum();
+    let (low, high) = model.bounds(Mat4::IDENTITY).unwrap_or_default();
+
+    let mut lines = Vec::new();
+    let mut line = |name: &str, text: String| lines.push(format!("{name:<12}{text}"));
+    line("triangles", model.triangles().to_string());
+    line("vertices", vertices.to_string());
+    line(
+        "meshes",
+        format!("{}, placed {} times", model.meshes.len(), model.parts.len()),
+    );
+    line(
+        "bounds",
+        format!("{} to {} (the file's axes)", point(low), point(high)),
+    );
+    line("normals", share(&model, |m| !m.normals.is_empty()));
+    line("uvs", share(&model, |m| !m.uvs.is_empty()));
+    for (material, name) in model.materials.iter().zip(&model.material_names) {
+        line(
+            "material",
+            format!("{name}: {}", describe_material(material)),
+        );
+    }
+    for (i, texture) in model.textures.iter().enumerate() {
+        let kind = if texture.srgb { "colour" } else { "data" };
+        line(
+            "texture",
+            format!("{i}: {} × {}, {kind}", texture.size.x, texture.size.y),
+        );
+    }
+    for camera in &model.cameras {
+        let fov = camera.fov_y.to_degrees();
+        line("camera", format!("{}: {fov:.1}° high", camera.name));
+    }
+    if model.animations > 0 {
+        line("animations", format!("{} (not played)", model.animations));
+    }
+    let cameras: Vec<&str> = model.cameras.iter().map(|c| c.name.as_str()).collect();
+    let files: Vec<&Path> = model.files.iter().map(AsRef::as_ref).collect();
+    let value = json!({
+        "file": file, "kind": "mesh", "triangles": model.triangles(), "vertices": vertices,
+        "meshes": model.meshes.len(), "parts": model.parts.len(),
+        "bounds": [low.to_array(), high.to_array()], "materials": model.material_names,
+        "textures": model.textures.len(), "cameras": cameras, "animations": model.animations,
+        "files": files,
+    });
+    Ok((value, lines.join("\n")))
+}
+
+fn share(model: &Model, has: fn(&glimt_render_gpu::host::scene::Mesh) -> bool) -> String {
+    match model.meshes.iter().filter(|m| has(m)).count() {
+        0 => "none".to_owned(),
+        n if n == model.meshes.len() => "all meshes".to_owned(),
+        n => format!("{n} of {} meshes", model.meshes.len()),
+    }
+}
+
+fn point(p: Vec3) -> String {
+    format!("({}, {}, {})", p.x, p.y, p.z)
+}
+
+fn describe_material(material: &Material) -> String {
+    let colour = |c: Vec3| format!("({:.3}, {:.3}, {:.3})", c.x, c.y, c.z);
+    match material {
+        Material::BlinnPhong {
+            diffuse,
+            specular,
+            exponent,
+        } => format!(
+            "diffuse {}, specular {}, exponent {exponent}",
+            colour(*diffuse),
+            colour(*specular)
+        ),
+        Material::MetallicRoughness {
+            base_color,
+            metallic,
+            roughness,
+            base_color_texture,
+            metallic_roughness_texture,
+            normal_texture,
+            ..
+        } => {
+            let mut text = format!(
+                "base colour {}, metallic {metallic:.2}, roughness {roughness:.2}",
+                colour(*base_color)
+            );
+            let textures = [
+                ("base colour", base_color_texture),
+                ("metallic-roughness", metallic_roughness_texture),
+                ("normal", normal_texture),
+            ];
+            for (name, texture) in textures {
+                if let Some(index) = texture {
+                    text.push_str(&format!(", {name} texture {index}"));
+                }
+            }
+            text
+        }
+    }
+}

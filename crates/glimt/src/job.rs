@@ -1,0 +1,244 @@
+//! Host file: what there is to render: a shot file or the built-in shot, loaded and checked, ready for the pipeline.
+
+use crate::cli::RenderFlags;
+use crate::demo;
+use crate::error::{Error, Result};
+use crate::input::frames::FrameFiles;
+use crate::input::probe::Probe;
+use crate::mesh::place;
+use crate::notes::Notes;
+use crate::shot::digest::{self, Hash};
+use crate::shot::{self, Shot, check, parse, range};
+use glam::UVec2;
+use glimt_render_gpu::host::env::EnvMap;
+use glimt_render_gpu::host::render::{
+    Background, Filter, Method, Pattern, RenderSettings, Tonemap,
+};
+use glimt_render_gpu::host::scene::{Camera, SceneDescription};
+use std::path::{Path, PathBuf};
+
+/// Everything that rendering a shot needs.
+pub struct Job {
+    /// The shot, with all its keys.
+    pub shot: Shot,
+    /// What stands in it.
+    pub scene: SceneDescription,
+    /// Triangles, counting each placing of a mesh.
+    pub triangles: usize,
+    /// Hash of the shot and its meshes.
+    pub digest: Hash,
+    /// The frames to render, in order.
+    pub frames: Vec<u32>,
+    /// Whether these are all frames of the shot.
+    pub whole: bool,
+    /// Folder of the outputs.
+    pub out: PathBuf,
+    light: Light,
+    view: View,
+}
+
+/// Where the light comes from.
+enum Light {
+    Probe(Probe),
+    Demo,
+}
+
+/// Where a frame is seen from.
+enum View {
+    Fixed(Camera),
+    Demo,
+}
+
+impl Job {
+    /// Loads a shot file, with the flags of the command line applied.
+    ///
+    /// # Errors
+    /// The shot is wrong, or something that it names.
+    pub fn from_file(file: &Path, flags: &RenderFlags, notes: &mut Notes) -> Result<Self> {
+        let (shot, source) = parse::read(file, &overrides(flags))?;
+        check::check(&shot, &source)?;
+        let base = file.parent().unwrap_or(Path::new(""));
+
+        let files = FrameFiles::new(base, &shot.probe.frames).map_err(|e| {
+            source
+                .error("probe.frames", e.what)
+                .fix(e.fix.unwrap_or_default())
+        })?;
+        let (frames, whole) = choose_frames(&shot, &files, flags)?;
+        let probe = Probe::open(files, &frames, &shot.probe, notes)?;
+        let placed = place::place(&shot, &source, base, notes)?;
+        Ok(Self {
+            digest: digest::join([&digest::of_shot(&shot), &placed.digest]),
+            triangles: placed.triangles,
+            frames,
+            whole,
+            out: out_folder(flags, base.join(&shot.output.dir)),
+            scene: placed.scene,
+            light: Light::Probe(probe),
+            view: View::Fixed(placed.camera),
+            shot,
+        })
+    }
+
+    /// The built-in shot, with the flags of the command line applied.
+    ///
+    /// # Errors
+    /// The flags are wrong, or change what is built in.
+    pub fn demo(flags: &RenderFlags) -> Result<Self> {
+        let name = Path::new("built-in shot");
+        let (shot, source) = parse::parse(name, demo_shot(), &overrides(flags))?;
+        check::check(&shot, &source)?;
+        let (plain, _) = parse::parse(name, demo_shot(), &[])?;
+        let fixed = |s: &Shot| {
+            let probe = shot::Probe {
+                fps: 1.0,
+                ..s.probe.clone()
+            };
+            (probe, s.objects.clone(), s.camera.clone())
+        };
+        if fixed(&shot) != fixed(&plain) {
+            return Err(
+                Error::usage("the demo's light, objects and camera are built in")
+                    .fix("set keys of image, render and output only, or write a shot file"),
+            );
+        }
+        let all = range::parse(&shot.render.frames)?;
+        let asked = flags
+            .frames
+            .as_deref()
+            .map_or(Ok(all.clone()), range::parse)?;
+        let last = demo::FRAMES;
+        if *asked.start() < 1 || *asked.end() > last {
+            return Err(Error::usage(format!("the demo has the frames 1-{last}"))
+                .fix(format!("choose among them with --frames, as 1-{last}")));
+        }
+        let scene = demo::scene();
+        let triangle_count = |object: &glimt_render_gpu::host::scene::Object| {
+            scene.meshes[object.mesh as usize].indices.len()
+        };
+        Ok(Self {
+            digest: digest::of_shot(&shot),
+            triangles: scene.objects.iter().map(triangle_count).sum(),
+            whole: asked == all,
+            frames: asked.collect(),
+            out: out_folder(flags, PathBuf::from(&shot.output.dir)),
+            scene,
+            light: Light::Demo,
+            view: View::Demo,
+            shot,
+        })
+    }
+
+    /// Settings of a frame.
+    pub fn settings(&self, frame: u32) -> RenderSettings {
+        let (image, render) = (&self.shot.image, &self.shot.render);
+        RenderSettings {
+            size: UVec2::from(image.size),
+            camera: match &self.view {
+                View::Fixed(camera) => *camera,
+                View::Demo => demo::camera(frame - 1),
+            },
+            rays_per_pixel: image.rays_per_pixel,
+            brdf_samples: render.brdf_samples,
+            env_samples: render.env_samples,
+            method: Method::Mis,
+            pattern: match render.pattern {
+                shot::Pattern::OwenSobol => Pattern::OwenSobol,
+                shot::Pattern::Independent => Pattern::Independent,
+                shot::Pattern::Stratified => Pattern::Stratified,
+            },
+            filter: match image.filter {
+                shot::Filter::Box => Filter::Box,
+                shot::Filter::Centre => Filter::Centre,
+            },
+            background: match image.background {
+                shot::Background::Environment => Background::Environment,
+                shot::Background::Transparent => Background::Transparent,
+            },
+            seed: render.seed,
+            frame,
+            exposure_ev: image.exposure_ev,
+            tonemap: match image.tonemap {
+                shot::Tonemap::Srgb => Tonemap::Srgb,
+                shot::Tonemap::Reinhard => Tonemap::Reinhard,
+            },
+        }
+    }
+
+    /// The light of a frame.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub fn light(&self, frame: u32, notes: &mut Notes) -> Result<EnvMap> {
+        match &self.light {
+            Light::Probe(probe) => probe.load(frame, notes),
+            Light::Demo => demo::environment(frame - 1, demo::ENV_SIZE)
+                .map_err(|e| Error::new(crate::error::Kind::Internal, e)),
+        }
+    }
+
+    /// The identity of each frame, in the order of [`Job::frames`].
+    ///
+    /// # Errors
+    /// A file of the light cannot be read.
+    pub fn identities(&self) -> Result<Vec<String>> {
+        let identity = |light: &Hash, frame: u32| digest::of_frame(&self.digest, light, frame);
+        match &self.light {
+            Light::Demo => Ok(self.frames.iter().map(|&f| identity(&[0; 32], f)).collect()),
+            Light::Probe(probe) => {
+                let lights = probe.digests(&self.frames)?;
+                let pairs = lights.iter().zip(&self.frames);
+                Ok(pairs
+                    .map(|(light, &frame)| identity(light, frame))
+                    .collect())
+            }
+        }
+    }
+}
+
+/// The flags that are keys of the shot, before those given by --set.
+fn overrides(flags: &RenderFlags) -> Vec<String> {
+    let method = flags.method.iter().map(|m| format!("render.method={m}"));
+    let seed = flags.seed.iter().map(|s| format!("render.seed={s}"));
+    method
+        .chain(seed)
+        .chain(flags.set.iter().cloned())
+        .collect()
+}
+
+fn out_folder(flags: &RenderFlags, of_shot: PathBuf) -> PathBuf {
+    flags.out.clone().unwrap_or(of_shot)
+}
+
+/// The frames to render, and whether they are all of the shot's.
+fn choose_frames(shot: &Shot, files: &FrameFiles, flags: &RenderFlags) -> Result<(Vec<u32>, bool)> {
+    let of_shot = match shot.render.frames.as_str() {
+        "" => {
+            let there = files.existing()?;
+            there[0]..=there[there.len() - 1]
+        }
+        text => range::parse(text)?,
+    };
+    let asked = match &flags.frames {
+        Some(text) => range::parse(text).map_err(|e| e.at("--frames"))?,
+        None => of_shot.clone(),
+    };
+    let frames = files.require(*asked.start(), *asked.end())?;
+    Ok((frames, asked == of_shot))
+}
+
+/// The keys of the built-in shot; its light, objects and camera are functions.
+fn demo_shot() -> String {
+    let settings = demo::settings(0);
+    let [width, height] = settings.size.to_array();
+    format!(
+        "[image]\nsize = [{width}, {height}]\nexposure_ev = {:?}\n\
+         [probe]\nframes = \"built in\"\nfps = {}\n\
+         [[object]]\nmesh = \"built in\"\n\
+         [render]\nframes = \"1-{}\"\n\
+         [output]\ndir = \"demo\"\nvideo = \"demo.mp4\"\n",
+        settings.exposure_ev,
+        demo::FPS,
+        demo::FRAMES,
+    )
+}

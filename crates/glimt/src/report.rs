@@ -1,0 +1,164 @@
+//! Host file: what the program says while it works: a bar on a terminal, lines elsewhere, JSON lines if asked for.
+
+use crate::cli::Talk;
+use crate::error::Error;
+use crate::notes::{Note, Severity};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::{Value, json};
+use std::io::{IsTerminal, Write};
+use std::path::Path;
+use std::sync::Mutex;
+
+/// Says what happens. It can be shared between threads.
+#[derive(Debug)]
+pub struct Reporter {
+    talk: Talk,
+    bar: Mutex<Option<ProgressBar>>,
+}
+
+/// What became of a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FrameStatus {
+    /// It was there already.
+    Skipped,
+    /// It was rendered, in this many seconds.
+    Rendered(f64),
+}
+
+impl Reporter {
+    /// A reporter that talks as asked.
+    pub fn new(talk: Talk) -> Self {
+        Self {
+            talk,
+            bar: Mutex::new(None),
+        }
+    }
+
+    /// Work on `frames` frames begins.
+    pub fn start(&self, frames: usize, out: &Path, device: &str, triangles: usize) {
+        self.event(&json!({
+            "event": "start", "frames": frames, "out": out, "device": device, "triangles": triangles,
+        }));
+        if self.talk.quiet || self.talk.json {
+            return;
+        }
+        let out = out.display();
+        self.line(&format!(
+            "{frames} frames, {triangles} triangles, on {device}, into {out}"
+        ));
+        if std::io::stderr().is_terminal() {
+            let style = ProgressStyle::with_template(
+                "{bar:32} {pos}/{len} frames, {elapsed} gone, {eta} to go {msg}",
+            )
+            .unwrap_or_else(|_| ProgressStyle::default_bar());
+            let bar =
+                ProgressBar::with_draw_target(Some(frames as u64), ProgressDrawTarget::stderr());
+            *self.lock() = Some(bar.with_style(style));
+        }
+    }
+
+    /// A frame is done, and `done` of `frames` with it.
+    pub fn frame(&self, frame: u32, status: FrameStatus, done: usize, frames: usize) {
+        let (name, seconds) = match status {
+            FrameStatus::Skipped => ("skipped", 0.0),
+            FrameStatus::Rendered(seconds) => ("rendered", seconds),
+        };
+        self.event(&json!({"event": "frame", "frame": frame, "status": name, "seconds": seconds}));
+        if let Some(bar) = self.lock().as_ref() {
+            bar.set_position(done as u64);
+            return;
+        }
+        let text = match status {
+            FrameStatus::Skipped => "was there already".to_owned(),
+            FrameStatus::Rendered(seconds) => format!("{seconds:.2} s"),
+        };
+        self.plain(&format!("frame {frame}: {text} ({done}/{frames})"));
+    }
+
+    /// Remarks on inputs.
+    pub fn notes(&self, notes: Vec<Note>) {
+        for note in notes {
+            let name = match note.severity {
+                Severity::Note => "note",
+                Severity::Warning => "warning",
+            };
+            self.event(&json!({"event": name, "file": note.file, "message": note.text}));
+            let hidden = self.talk.quiet && note.severity == Severity::Note;
+            if !hidden && !self.talk.json {
+                self.line(&format!("{name}: {}: {}", note.file.display(), note.text));
+            }
+        }
+    }
+
+    /// A remark on the run itself.
+    pub fn remark(&self, text: &str) {
+        self.event(&json!({"event": "note", "message": text}));
+        self.plain(&format!("note: {text}"));
+    }
+
+    /// The work is done; `summary` holds its numbers, `text` says them in words.
+    pub fn finish(&self, mut summary: Value, text: &str) {
+        if let Some(bar) = self.lock().take() {
+            bar.finish_and_clear();
+        }
+        summary["event"] = json!("summary");
+        self.event(&summary);
+        self.plain(text);
+    }
+
+    /// The program ends with an error.
+    pub fn error(&self, error: &Error) {
+        if let Some(bar) = self.lock().take() {
+            bar.abandon();
+        }
+        self.event(&json!({
+            "event": "error",
+            "file": error.file,
+            "place": error.place.as_ref().map(ToString::to_string),
+            "message": error.what,
+            "fix": error.fix,
+            "exit": error.kind as u8,
+        }));
+        self.line(&format!("error: {error}"));
+    }
+
+    /// An answer on standard output: `text`, or `value` as JSON.
+    pub fn answer(&self, value: &Value, text: &str) {
+        let mut out = std::io::stdout().lock();
+        // A closed pipe (`glimt info | head`) is no error of ours.
+        let _ = if self.talk.json {
+            writeln!(out, "{value}")
+        } else {
+            writeln!(out, "{}", text.trim_end())
+        };
+    }
+
+    /// A line of progress, which --quiet and --json leave out.
+    fn plain(&self, text: &str) {
+        if !self.talk.quiet && !self.talk.json {
+            self.line(text);
+        }
+    }
+
+    fn line(&self, text: &str) {
+        let print = || {
+            let _ = writeln!(std::io::stderr(), "{text}");
+        };
+        match self.lock().as_ref() {
+            Some(bar) => bar.suspend(print),
+            None => print(),
+        }
+    }
+
+    fn event(&self, value: &Value) {
+        if self.talk.json {
+            let _ = writeln!(std::io::stdout().lock(), "{value}");
+        }
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Option<ProgressBar>> {
+        self.bar
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}
