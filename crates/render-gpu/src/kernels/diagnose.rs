@@ -61,8 +61,8 @@ pub struct SurfaceRecord {
 #[must_use]
 pub fn uniforms(ray: u32, frame: &FrameParams) -> UVec4 {
     let pattern = frame.pattern_of(ray);
-    let film = pattern.uniforms(FILM, 0, 1);
-    let brdf = pattern.uniforms(BRDF, 0, frame.brdf_samples);
+    let film = pattern.pair(FILM, 0, 1);
+    let brdf = pattern.triple(BRDF, 0, frame.brdf_samples);
     UVec4::new(film.x, brdf.x, brdf.y, brdf.z)
 }
 
@@ -70,8 +70,8 @@ pub fn uniforms(ray: u32, frame: &FrameParams) -> UVec4 {
 #[must_use]
 pub fn env_sample(ray: u32, frame: &FrameParams, env: Environment<'_>) -> EnvRecord {
     let pattern = frame.pattern_of(ray);
-    let u = pattern.uniforms(ENVIRONMENT, 0, frame.env_samples);
-    let sample = env.sample(u.truncate());
+    let u = pattern.pair(ENVIRONMENT, 0, frame.env_samples);
+    let sample = env.sample(u);
     EnvRecord {
         direction: sample.direction,
         pdf_sr: sample.pdf_sr,
@@ -136,7 +136,7 @@ pub fn brdf_sample(ray: u32, frame: &FrameParams, scene: Scene<'_>) -> Vec4 {
     let camera_ray = frame.camera_ray(&pattern);
     if let Some(hit) = scene.closest_hit(&camera_ray) {
         let point = scene.shading_point(&camera_ray, &hit);
-        let u = pattern.uniforms(BRDF, 0, frame.brdf_samples);
+        let u = pattern.triple(BRDF, 0, frame.brdf_samples);
         let sample = point.brdf.sample(point.wo, u.z, unit_vec2(u.truncate()));
         return sample.wi.extend(sample.pdf_sr);
     }

@@ -94,7 +94,7 @@ impl FrameParams {
         let place = if self.filter == FILTER_CENTRE {
             Vec2::splat(0.5)
         } else {
-            unit_vec2(pattern.uniforms(FILM, 0, 1).truncate())
+            unit_vec2(pattern.pair(FILM, 0, 1))
         };
         let view = CameraView {
             eye: self.eye,

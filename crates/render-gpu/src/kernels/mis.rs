@@ -34,7 +34,7 @@ impl Mis {
         pattern: &PixelPattern,
         env: Environment<'_>,
     ) -> LightSample {
-        let u = pattern.uniforms(BRDF, sample, self.brdf_samples);
+        let u = pattern.triple(BRDF, sample, self.brdf_samples);
         let drawn = point.brdf.sample(point.wo, u.z, unit_vec2(u.truncate()));
         if !(drawn.pdf_sr > 0.0) {
             return LightSample::IMPOSSIBLE;
@@ -55,8 +55,8 @@ impl Mis {
         pattern: &PixelPattern,
         env: Environment<'_>,
     ) -> LightSample {
-        let u = pattern.uniforms(ENVIRONMENT, sample, self.env_samples);
-        let drawn = env.sample(u.truncate());
+        let u = pattern.pair(ENVIRONMENT, sample, self.env_samples);
+        let drawn = env.sample(u);
         if !(drawn.pdf_sr > 0.0) {
             return LightSample::IMPOSSIBLE;
         }

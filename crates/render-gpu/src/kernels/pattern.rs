@@ -1,6 +1,6 @@
 //! Shared file: the uniform numbers of a ray, by one of three sample patterns.
 
-use glam::UVec3;
+use glam::{UVec2, UVec3};
 use glimt_sampling::hash::{hash_u32, hash2, hash3};
 use glimt_sampling::sobol::OwenSobol;
 use glimt_sampling::uniform::UniformSource;
@@ -36,43 +36,76 @@ pub struct PixelPattern {
 }
 
 impl PixelPattern {
-    /// Three uniform words for sample `sample` of the ray's `samples` for a purpose; the first two belong together.
+    /// Two uniform words for sample `sample` of the ray's `samples` for a purpose.
     #[inline]
     #[must_use]
-    pub fn uniforms(&self, purpose: u32, sample: u32, samples: u32) -> UVec3 {
-        let seed = hash2(self.seed, purpose);
+    pub fn pair(&self, purpose: u32, sample: u32, samples: u32) -> UVec2 {
         let index = self.ray * samples + sample;
         if self.kind == PATTERN_OWEN_SOBOL {
-            let mut point = OwenSobol::new(seed, self.frame, self.pixel, index);
-            let pair = point.next_uvec2();
-            return pair.extend(point.next_u32());
+            return self.sobol_point(purpose, index).next_uvec2();
         }
-        let mut generator = Xoshiro128PlusPlus::stream(hash2(seed, index), self.frame, self.pixel);
-        let pair = generator.next_uvec2();
-        let jitter = pair.extend(generator.next_u32());
+        let jitter = self.generator(purpose, index).next_uvec2();
         if self.kind == PATTERN_INDEPENDENT {
             return jitter;
         }
-        let key = hash3(seed, self.frame, self.pixel);
-        stratified(index, self.rays * samples, jitter, key)
+        jittered_pair(index, self.rays * samples, jitter, self.key(purpose))
+    }
+
+    /// The two words of [`PixelPattern::pair`], and a third one.
+    #[inline]
+    #[must_use]
+    pub fn triple(&self, purpose: u32, sample: u32, samples: u32) -> UVec3 {
+        let index = self.ray * samples + sample;
+        if self.kind == PATTERN_OWEN_SOBOL {
+            let mut point = self.sobol_point(purpose, index);
+            let pair = point.next_uvec2();
+            return pair.extend(point.next_u32());
+        }
+        let mut generator = self.generator(purpose, index);
+        let jitter = generator.next_uvec2();
+        let single = generator.next_u32();
+        if self.kind == PATTERN_INDEPENDENT {
+            return jitter.extend(single);
+        }
+        let (count, key) = (self.rays * samples, self.key(purpose));
+        jittered_pair(index, count, jitter, key).extend(jittered(index, count, single, key))
+    }
+
+    #[inline]
+    fn sobol_point(&self, purpose: u32, index: u32) -> OwenSobol {
+        OwenSobol::new(hash2(self.seed, purpose), self.frame, self.pixel, index)
+    }
+
+    #[inline]
+    fn generator(&self, purpose: u32, index: u32) -> Xoshiro128PlusPlus {
+        Xoshiro128PlusPlus::stream(hash3(self.seed, purpose, index), self.frame, self.pixel)
+    }
+
+    #[inline]
+    fn key(&self, purpose: u32) -> u32 {
+        hash3(hash2(self.seed, purpose), self.frame, self.pixel)
     }
 }
 
 /// Point `index` of `count` points, jittered in the cells of a grid that is as square as `count` allows, with the
-/// columns' and rows' own strata shuffled (Kensler 2013, "Correlated multi-jittered sampling", for any `count`). The
-/// third word is stratified by itself.
+/// columns' and rows' own strata shuffled (Kensler 2013, "Correlated multi-jittered sampling", for any `count`).
 #[inline]
-fn stratified(index: u32, count: u32, jitter: UVec3, key: u32) -> UVec3 {
+fn jittered_pair(index: u32, count: u32, jitter: UVec2, key: u32) -> UVec2 {
     let columns = (libm::sqrtf(count as f32) as u32).max(1);
     let rows = count.div_ceil(columns);
     let s = permute(index, count, hash2(key, 1));
     let column = permute(s % columns, columns, hash2(key, 2));
     let row = permute(s / columns, rows, hash2(key, 3));
-    UVec3::new(
+    UVec2::new(
         stratum(column * rows + row, columns * rows, jitter.x),
         stratum(s, count, jitter.y),
-        stratum(permute(index, count, hash2(key, 4)), count, jitter.z),
     )
+}
+
+/// Word `index` of `count` words, one in each stratum.
+#[inline]
+fn jittered(index: u32, count: u32, jitter: u32, key: u32) -> u32 {
+    stratum(permute(index, count, hash2(key, 4)), count, jitter)
 }
 
 /// A word in stratum `cell` of `count` equal ones.
@@ -138,7 +171,7 @@ mod tests {
                 rays,
             };
             for sample in 0..samples {
-                let u = pattern.uniforms(BRDF, sample, samples) / (u32::MAX / 15);
+                let u = pattern.triple(BRDF, sample, samples) / (u32::MAX / 15);
                 seen[u.y as usize].y += 1;
                 seen[u.z as usize].z += 1;
                 // Three columns of five.

@@ -36,7 +36,7 @@ impl Triangle {
 ///
 /// They are Plücker inner products about the ray's origin (as in Woop, Benthin and Wald 2013, without their shear). Two
 /// triangles that share an edge compute the same number for it up to its sign, so no ray slips between them.
-#[inline]
+#[inline(always)]
 fn edge_functions(a: Vec3, b: Vec3, c: Vec3, direction: Vec3) -> Vec3 {
     Vec3::new(
         (b - c).cross(b + c).dot(direction),
@@ -48,7 +48,7 @@ fn edge_functions(a: Vec3, b: Vec3, c: Vec3, direction: Vec3) -> Vec3 {
 /// Distance in `(0, t_max)` at which the ray hits the triangle, from either side; [`f32::MAX`] where it does not.
 ///
 /// A triangle without area, or seen edge-on, is never hit.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn intersect(triangle: &Triangle, ray: &Ray, t_max: f32) -> f32 {
     let a = triangle.v0 - ray.origin;
