@@ -28,7 +28,7 @@ const LAMPS: [Lamp; 4] = [
         radius: 3.0,
         sway: 1.0,
         swings: 3.0,
-        radiance: vec3(2160.0, 792.0, 144.0),
+        radiance: vec3(1500.0, 550.0, 100.0),
         flicker: 0.6,
     },
     // A lantern that swings, left behind the camera.
@@ -38,7 +38,7 @@ const LAMPS: [Lamp; 4] = [
         radius: 2.2,
         sway: 9.0,
         swings: 1.0,
-        radiance: vec3(144.0, 1008.0, 1488.0),
+        radiance: vec3(100.0, 700.0, 1000.0),
         flicker: 0.1,
     },
     // Magenta, on the right.
@@ -48,7 +48,7 @@ const LAMPS: [Lamp; 4] = [
         radius: 2.6,
         sway: 5.0,
         swings: 1.5,
-        radiance: vec3(1536.0, 144.0, 1008.0),
+        radiance: vec3(1000.0, 100.0, 650.0),
         flicker: 0.25,
     },
     // A small white one, high behind the sculpture on the right.
@@ -58,7 +58,7 @@ const LAMPS: [Lamp; 4] = [
         radius: 1.2,
         sway: 0.0,
         swings: 0.0,
-        radiance: vec3(2160.0, 1968.0, 1680.0),
+        radiance: vec3(1500.0, 1350.0, 1150.0),
         flicker: 0.0,
     },
 ];

@@ -39,11 +39,11 @@ fn shot_time(frame: u32) -> f32 {
 pub fn camera(frame: u32) -> Camera {
     let time = shot_time(frame);
     let azimuth = (192.0 - 20.0 * time).to_radians();
-    let distance = 7.9;
-    let height = 2.1 + 0.3 * time;
+    let distance = 7.5;
+    let height = 1.85 + 0.3 * time;
     Camera {
         eye: vec3(distance * azimuth.cos(), distance * azimuth.sin(), height),
-        target: vec3(0.0, -0.6, 1.16),
+        target: vec3(0.0, -0.6, 1.2),
         up: Vec3::Z,
         fov_x: 40_f32.to_radians(),
     }
