@@ -44,6 +44,8 @@ pub(crate) enum Target {
 pub(crate) struct Module {
     pub(crate) krate: usize,
     pub(crate) parent: Option<ModId>,
+    /// From the crate: `my_crate::module`.
+    pub(crate) path: String,
     pub(crate) names: HashMap<String, Vec<Named>>,
     pub(crate) globs: Vec<Vec<String>>,
     /// Stands for the items at the top of a function body: what it lacks, its parent has.
@@ -217,6 +219,7 @@ impl Items {
         let root = self.modules.len();
         self.modules.push(Module {
             krate: root,
+            path: name.to_string(),
             ..Module::default()
         });
         self.crates.insert(name.to_string(), root);
@@ -253,9 +256,11 @@ impl Items {
 impl Loader<'_> {
     fn child(&mut self, parent: ModId, name: &str) -> ModId {
         let id = self.items.modules.len();
+        let path = format!("{}::{name}", self.items.modules[parent].path);
         self.items.modules.push(Module {
             krate: self.krate,
             parent: Some(parent),
+            path,
             ..Module::default()
         });
         let named = Target::Def(Def::Mod(id));

@@ -169,6 +169,16 @@ impl Lowerer<'_> {
                 }
             }
         }
+        if rules == Rules::Wgsl && item.item.generics.params.is_empty() {
+            let path = format!("{}::{}", items.modules[item.module].path, item.item.ident);
+            let fields = self.field_names(ty).into_iter().zip(own).collect();
+            let known = crate::StructLayout {
+                path: path.clone(),
+                size: layout.0,
+                fields,
+            };
+            self.buffer_structs.insert(path, known);
+        }
         Ok(layout)
     }
 }

@@ -116,6 +116,18 @@ pub struct Buffer {
     pub writable: bool,
 }
 
+/// A `#[repr(C)]` struct that lies in a buffer: the same bytes in Rust and in WGSL, as far as the front end can tell. Hosts assert
+/// it with `size_of` and `offset_of!`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StructLayout {
+    /// Path from the crate: `my_crate::module::Frame`.
+    pub path: String,
+    /// Bytes of the whole.
+    pub size: u32,
+    /// Name of each field, and its bytes from the start.
+    pub fields: Vec<(String, u32)>,
+}
+
 /// A lowered kernel or set of exports.
 #[derive(Clone, Debug)]
 pub struct Shader {
@@ -135,6 +147,8 @@ pub struct Shader {
     pub params_size: u32,
     /// The other buffers, in the order of their bindings.
     pub buffers: Vec<Buffer>,
+    /// The structs that lie in buffers.
+    pub structs: Vec<StructLayout>,
 }
 
 /// Parsed crates, ready to be lowered.
@@ -203,13 +217,14 @@ impl Program {
             let info = wgsl::validate(&plain.module)?;
             Ok(Shader {
                 wgsl,
-                module: plain.module,
                 info,
                 entry_point: name.to_string(),
                 workgroup_size,
                 params: bound.params,
                 params_size: bound.params_size,
                 buffers: bound.buffers,
+                module: plain.module,
+                structs: plain.buffer_structs.into_values().collect(),
             })
         };
         run().map_err(|e| self.diagnose(*e))

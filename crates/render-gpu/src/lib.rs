@@ -44,6 +44,9 @@
 pub mod cpu;
 pub mod entries;
 pub mod entry;
+// As the front end writes it.
+#[rustfmt::skip]
+pub mod generated;
 pub mod gpu;
 pub mod host;
 pub mod kernels;

@@ -145,6 +145,8 @@ pub(crate) struct Lowerer<'p> {
     types: HashMap<Ty, Handle<naga::Type>>,
     fields: HashMap<Ty, Vec<Ty>>,
     layouter: naga::proc::Layouter,
+    /// The structs that lie in buffers.
+    pub(crate) buffer_structs: std::collections::BTreeMap<String, crate::StructLayout>,
 }
 
 impl<'p> Lowerer<'p> {
@@ -163,6 +165,7 @@ impl<'p> Lowerer<'p> {
             types: HashMap::new(),
             fields: HashMap::new(),
             layouter: naga::proc::Layouter::default(),
+            buffer_structs: std::collections::BTreeMap::new(),
         }
     }
 

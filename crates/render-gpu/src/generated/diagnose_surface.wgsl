@@ -1,0 +1,1517 @@
+// Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
+
+struct BvhNode {
+    min: vec3<f32>,
+    count: u32,
+    max: vec3<f32>,
+    first: u32,
+}
+
+struct Triangle {
+    v0_: vec3<f32>,
+    material: u32,
+    v1_: vec3<f32>,
+    object: u32,
+    v2_: vec3<f32>,
+    ray_offset: f32,
+}
+
+struct Corner {
+    normal: vec3<f32>,
+    u: f32,
+    tangent: vec3<f32>,
+    v: f32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
+struct Material {
+    color: vec3<f32>,
+    kind: u32,
+    specular: vec3<f32>,
+    exponent: f32,
+    metallic: f32,
+    roughness: f32,
+    normal_scale: f32,
+    unused: u32,
+    base_color_texture: TextureView,
+    metallic_roughness_texture: TextureView,
+    normal_texture: TextureView,
+}
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    brdf_samples: u32,
+    env_samples: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    unused: array<u32, 3>,
+}
+
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
+}
+
+struct OwenSobol {
+    seed: u32,
+    index: u32,
+    dimension: u32,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+struct CameraView {
+    eye: vec3<f32>,
+    forward: vec3<f32>,
+    right: vec3<f32>,
+    up: vec3<f32>,
+}
+
+struct Ray {
+    origin: vec3<f32>,
+    direction: vec3<f32>,
+    inverse_direction: vec3<f32>,
+}
+
+struct SurfaceRecord {
+    origin: vec3<f32>,
+    exponent: f32,
+    normal: vec3<f32>,
+    facing: f32,
+    diffuse: vec3<f32>,
+    hit: f32,
+    specular: vec3<f32>,
+    unused: f32,
+}
+
+struct Hit {
+    triangle: u32,
+    t: f32,
+    barycentrics: vec2<f32>,
+}
+
+struct Option_Hit {
+    is_some: bool,
+    value: Hit,
+}
+
+struct Tuple_f32_f32_ {
+    fa: f32,
+    fb: f32,
+}
+
+struct ShadingFrame {
+    t: vec3<f32>,
+    b: vec3<f32>,
+    n: vec3<f32>,
+}
+
+struct BlinnPhong {
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    exponent: f32,
+}
+
+struct ShadingPoint {
+    origin: vec3<f32>,
+    geometric_normal: vec3<f32>,
+    frame: ShadingFrame,
+    wo: vec3<f32>,
+    brdf: BlinnPhong,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    frame: FrameParams,
+}
+
+@group(0) @binding(1) 
+var<storage> scene_nodes: array<BvhNode>;
+@group(0) @binding(2) 
+var<storage> scene_triangles: array<Triangle>;
+@group(0) @binding(3) 
+var<storage> scene_corners: array<Corner>;
+@group(0) @binding(4) 
+var<storage> scene_materials: array<Material>;
+@group(0) @binding(5) 
+var<storage> scene_texels: array<u32>;
+@group(0) @binding(6) 
+var<storage, read_write> out: array<SurfaceRecord>;
+@group(0) @binding(0) 
+var<storage> params: Params;
+
+// glimt_render_gpu/src/kernels/frame.rs:78
+fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
+    var self_: FrameParams;
+
+    self_ = this_;
+    // glimt_render_gpu/src/kernels/frame.rs:79
+    let _e6 = self_.pattern;
+    let _e8 = self_.seed;
+    let _e10 = self_.frame;
+    let _e12 = self_.first_pixel;
+    let _e14 = self_.rays_per_pixel;
+    let _e18 = self_.rays_per_pixel;
+    let _e21 = self_.rays_per_pixel;
+    return PixelPattern(_e6, _e8, _e10, (_e12 + (ray / _e14)), (ray % _e18), _e21);
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x;
+    let _e11 = x;
+    x = (_e11 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e14 = x;
+    x = (_e14 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e18 = x;
+    let _e22 = x;
+    x = (_e22 ^ (_e18 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e25 = x;
+    x = (_e25 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e29 = x;
+    let _e30 = x;
+    return (_e29 ^ (_e30 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:171
+fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+
+    // glimt_sampling/src/sobol.rs:172
+    let _e6 = hash3_(seed, frame, pixel);
+    let _e10 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e10, (sample_index & 65535u), 0u);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:75
+fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:76
+    let _e6 = hash2_(this_1.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
+    return _e9;
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+    var x_1: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_1 = (n_1 ^ (n_1 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_1;
+    x_1 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_1;
+    x_1 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e20 = x_1;
+    let _e23 = x_1;
+    x_1 = (_e23 ^ (_e20 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e26 = x_1;
+    let _e27 = x_1;
+    return (_e26 ^ (_e27 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index_1: u32, seed_1: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_1 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_2: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_2 = index_2;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_2;
+    let _e11 = x_2;
+    x_2 = (_e11 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e14 = x_2;
+    let _e20 = x_2;
+    x_2 = (_e20 ^ ((_e14 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e23 = x_2;
+    let _e29 = x_2;
+    x_2 = (_e29 ^ ((_e23 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e32 = x_2;
+    let _e33 = x_2;
+    return (_e32 ^ ((_e33 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_3: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_3;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum;
+        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e38 = v1_;
+        v0_ = _e38;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e42 = bits;
+        bits = (_e42 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e46 = sum;
+    return _e46;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_4: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_4;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_1;
+        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e41 = v1_1;
+        v0_1 = _e41;
+        // glimt_sampling/src/sobol.rs:93
+        let _e43 = v2_;
+        v1_1 = _e43;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e47 = bits_1;
+        bits_1 = (_e47 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e51 = sum_1;
+    return _e51;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
+    var chosen: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_11 = (index_5 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen = index_11;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_11);
+            chosen = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_11);
+                chosen = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_11);
+                chosen = _e22;
+            }
+        }
+    }
+    let _e23 = chosen;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_1 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_1 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_1 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_1 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_1;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_2).dimension;
+    let dimension_2 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_2).dimension = (dimension_2 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_2).seed;
+    let _e19 = hash2_(_e15, (dimension_2 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e22 = (*this_2).index;
+    let _e23 = shuffle(_e22, _e19);
+    // glimt_sampling/src/sobol.rs:195
+    let _e25 = sobol_reversed(_e23, dimension_2);
+    let _e26 = scramble_1(_e25, dimension_2, _e19);
+    let _e29 = sobol_reversed(_e23, (dimension_2 + 1u));
+    let _e32 = scramble_1(_e29, (dimension_2 + 1u), _e19);
+    return vec2<u32>(_e26, _e32);
+}
+
+// glimt_sampling/src/hash.rs:49
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:50
+    x_3 = ((v.x * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:51
+    y = ((v.y * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:52
+    z = ((v.z * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:53
+    w = ((v.w * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:55
+    let _e31 = x_3;
+    let _e32 = y;
+    let _e33 = w;
+    x_3 = (_e31 + (_e32 * _e33));
+    // glimt_sampling/src/hash.rs:56
+    let _e37 = y;
+    let _e38 = z;
+    let _e39 = x_3;
+    y = (_e37 + (_e38 * _e39));
+    // glimt_sampling/src/hash.rs:57
+    let _e43 = z;
+    let _e44 = x_3;
+    let _e45 = y;
+    z = (_e43 + (_e44 * _e45));
+    // glimt_sampling/src/hash.rs:58
+    let _e49 = w;
+    let _e50 = y;
+    let _e51 = z;
+    w = (_e49 + (_e50 * _e51));
+    // glimt_sampling/src/hash.rs:59
+    let _e55 = x_3;
+    let _e59 = x_3;
+    x_3 = (_e59 ^ (_e55 >> 16u));
+    // glimt_sampling/src/hash.rs:60
+    let _e62 = y;
+    let _e66 = y;
+    y = (_e66 ^ (_e62 >> 16u));
+    // glimt_sampling/src/hash.rs:61
+    let _e69 = z;
+    let _e73 = z;
+    z = (_e73 ^ (_e69 >> 16u));
+    // glimt_sampling/src/hash.rs:62
+    let _e76 = w;
+    let _e80 = w;
+    w = (_e80 ^ (_e76 >> 16u));
+    // glimt_sampling/src/hash.rs:63
+    let _e83 = x_3;
+    let _e84 = y;
+    let _e85 = w;
+    x_3 = (_e83 + (_e84 * _e85));
+    // glimt_sampling/src/hash.rs:64
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_3;
+    y = (_e89 + (_e90 * _e91));
+    // glimt_sampling/src/hash.rs:65
+    let _e95 = z;
+    let _e96 = x_3;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
+    // glimt_sampling/src/hash.rs:66
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
+    // glimt_sampling/src/hash.rs:67
+    let _e107 = x_3;
+    let _e108 = x_3;
+    let _e113 = y;
+    let _e114 = y;
+    let _e119 = z;
+    let _e120 = z;
+    let _e125 = w;
+    let _e126 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e113 ^ (_e114 >> 16u)), (_e119 ^ (_e120 >> 16u)), (_e125 ^ (_e126 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_1 = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_1 == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:80
+fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:81
+    let _e6 = hash3_(this_3.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
+    return _e9;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s = (*this_4).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s.x + s.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_1 = (s.z ^ s.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s.w ^ s.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:85
+fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:86
+    let _e5 = hash2_(this_6.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:120
+fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
+    var x_4: u32;
+    var round_key: u32;
+    var counter: i32;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:121
+    if (length_ <= 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:122
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:124
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
+    // glimt_render_gpu/src/kernels/pattern.rs:125
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:126
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:127
+    loop {
+        // glimt_render_gpu/src/kernels/pattern.rs:128
+        round_key = key;
+        // glimt_render_gpu/src/kernels/pattern.rs:129
+        counter = 0i;
+        loop {
+            let _e31 = counter;
+            if (_e31 >= 3i) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pattern.rs:130
+            let _e34 = round_key;
+            let _e35 = hash_u32_(_e34);
+            round_key = _e35;
+            // glimt_render_gpu/src/kernels/pattern.rs:132
+            let _e37 = x_4;
+            let _e38 = round_key;
+            x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:133
+            let _e44 = x_4;
+            let _e46 = (bits_2 / 2u);
+            let _e56 = x_4;
+            x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            continuing {
+                let _e58 = counter;
+                counter = (_e58 + 1i);
+            }
+        }
+        // glimt_render_gpu/src/kernels/pattern.rs:135
+        let _e62 = x_4;
+        if (_e62 < length_) {
+            // glimt_render_gpu/src/kernels/pattern.rs:136
+            let _e65 = x_4;
+            return _e65;
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:113
+fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:114
+    return ((cell * (4294967295u / count)) + (jitter / count));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:93
+fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:94
+    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    // glimt_render_gpu/src/kernels/pattern.rs:95
+    let _e12 = (count_1 / columns);
+    let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    // glimt_render_gpu/src/kernels/pattern.rs:96
+    let _e21 = hash2_(key_1, 1u);
+    let _e22 = permute(index_8, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:97
+    let _e26 = hash2_(key_1, 2u);
+    let _e27 = permute((_e22 % columns), columns, _e26);
+    // glimt_render_gpu/src/kernels/pattern.rs:98
+    let _e31 = hash2_(key_1, 3u);
+    let _e32 = permute((_e22 / columns), rows, _e31);
+    // glimt_render_gpu/src/kernels/pattern.rs:99
+    let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
+    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    return vec2<u32>(_e38, _e40);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:42
+fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed: OwenSobol;
+    var borrowed_1: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:43
+    let index_12 = ((this_7.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:44
+    if (this_7.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:45
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_12);
+        borrowed = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed));
+        return _e16;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:47
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_12);
+    borrowed_1 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
+    // glimt_render_gpu/src/kernels/pattern.rs:48
+    if (this_7.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:49
+        return _e20;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:51
+    let _e29 = PixelPattern_key(this_7, purpose_3);
+    let _e30 = jittered_pair(index_12, (this_7.rays * samples), _e20, _e29);
+    return _e30;
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_sampling/src/uniform.rs:22
+fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+
+    // glimt_sampling/src/uniform.rs:23
+    let _e4 = unit_f32_(u_1.x);
+    let _e6 = unit_f32_(u_1.y);
+    return vec2<f32>(_e4, _e6);
+}
+
+// glimt_render_gpu/src/kernels/camera.rs:23
+fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/camera.rs:24
+    let x_7 = (((2f * p.x) / f32(size.x)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:25
+    let y_1 = (((2f * p.y) / f32(size.y)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:26
+    return normalize(((this_8.forward + (this_8.right * x_7)) - (this_8.up * y_1)));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:48
+fn inverse(x_5: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/ray.rs:49
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_5), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_5) & 2147483648u))));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:34
+fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
+
+    // glimt_render_gpu/src/kernels/ray.rs:35
+    let _e5 = inverse(direction.x);
+    let _e7 = inverse(direction.y);
+    let _e9 = inverse(direction.z);
+    return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:92
+fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
+    var self_1: FrameParams;
+    var chosen_2: vec2<f32>;
+
+    self_1 = this_9;
+    // glimt_render_gpu/src/kernels/frame.rs:93
+    let _e7 = self_1.width;
+    let _e11 = self_1.width;
+    let corner = vec2<f32>(vec2<u32>((pattern.pixel % _e7), (pattern.pixel / _e11)));
+    // glimt_render_gpu/src/kernels/frame.rs:94
+    let _e18 = self_1.filter_;
+    if (_e18 == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:95
+        chosen_2 = vec2(0.5f);
+    } else {
+        // glimt_render_gpu/src/kernels/frame.rs:97
+        let _e28 = PixelPattern_pair(pattern, 1u, 0u, 1u);
+        let _e29 = unit_vec2_(_e28);
+        chosen_2 = _e29;
+    }
+    let place = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:99
+    let _e33 = self_1.eye;
+    let _e35 = self_1.forward;
+    let _e37 = self_1.right;
+    let _e39 = self_1.up;
+    let view = CameraView(_e33, _e35, _e37, _e39);
+    // glimt_render_gpu/src/kernels/frame.rs:105
+    let _e43 = self_1.eye;
+    let _e46 = self_1.width;
+    let _e48 = self_1.height;
+    let _e50 = CameraView_direction(view, (corner + place), vec2<u32>(_e46, _e48));
+    let _e51 = Ray_new(_e43, _e50);
+    return _e51;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:29
+fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
+    var chosen_3: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:30
+    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:31
+    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:32
+    let _e16 = min(to_min, to_max);
+    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
+    let _e23 = max(to_min, to_max);
+    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:34
+    if ((far_1 >= near_1) && (far_1 >= 0f)) {
+        // glimt_render_gpu/src/kernels/bvh.rs:35
+        chosen_3 = near_1;
+    } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:37
+        chosen_3 = 340282350000000000000000000000000000000f;
+    }
+    let _e40 = chosen_3;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:40
+fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:41
+    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:53
+fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
+    var chosen_4: f32;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:54
+    let a_3 = (triangle.v0_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:55
+    let b_3 = (triangle.v1_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:56
+    let c_2 = (triangle.v2_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:57
+    let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:58
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:59
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:61
+    let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:62
+    let slope = dot(normal_1, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:63
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:64
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:66
+    let t_1 = (dot(a_3, normal_1) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:67
+    if ((t_1 > 0f) && (t_1 < t_max)) {
+        chosen_4 = t_1;
+    } else {
+        chosen_4 = 340282350000000000000000000000000000000f;
+    }
+    let _e59 = chosen_4;
+    return _e59;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:144
+fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32) -> u32 {
+    var nearest: u32;
+    var counter_1: u32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:151
+    nearest = best;
+    // glimt_render_gpu/src/kernels/bvh.rs:152
+    counter_1 = leaf.first;
+    loop {
+        let i = counter_1;
+        if (i >= (leaf.first + leaf.count)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:153
+        let _e18 = scene_triangles[i];
+        let _e19 = (*reach);
+        let _e20 = intersect(_e18, ray_3, _e19);
+        // glimt_render_gpu/src/kernels/bvh.rs:154
+        let _e22 = (*reach);
+        if (_e20 < _e22) {
+            // glimt_render_gpu/src/kernels/bvh.rs:155
+            (*reach) = _e20;
+            // glimt_render_gpu/src/kernels/bvh.rs:156
+            nearest = i;
+        }
+        continuing {
+            let _e26 = counter_1;
+            counter_1 = (_e26 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:159
+    let _e30 = nearest;
+    return _e30;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:77
+fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+    var either: bool;
+    var best_1: u32;
+    var stack: array<u32, 64>;
+    var height: u32;
+    var pair: u32;
+    var near: BvhNode;
+    var far: BvhNode;
+    var t_near: f32;
+    var t_far: f32;
+    var into_near: bool;
+    var into_far: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:84
+    let _e8 = (arrayLength((&scene_nodes)) == 0u);
+    either = _e8;
+    if _e8 {
+    } else {
+        let _e13 = scene_nodes[0u];
+        let _e14 = box_distance(_e13, ray_4);
+        let _e15 = (*reach_1);
+        either = (_e14 >= _e15);
+    }
+    let _e17 = either;
+    if _e17 {
+        // glimt_render_gpu/src/kernels/bvh.rs:85
+        return 4294967295u;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:87
+    let root = scene_nodes[0u];
+    // glimt_render_gpu/src/kernels/bvh.rs:88
+    if (root.count > 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:89
+        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u);
+        return _e31;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:91
+    best_1 = 4294967295u;
+    // glimt_render_gpu/src/kernels/bvh.rs:92
+    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:93
+    height = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:94
+    pair = root.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:95
+    loop {
+        // glimt_render_gpu/src/kernels/bvh.rs:96
+        let _e47 = pair;
+        let _e50 = scene_nodes[_e47];
+        near = _e50;
+        // glimt_render_gpu/src/kernels/bvh.rs:97
+        let _e53 = pair;
+        let _e58 = scene_nodes[(_e53 + 1u)];
+        far = _e58;
+        // glimt_render_gpu/src/kernels/bvh.rs:98
+        let _e61 = near;
+        let _e62 = box_distance(_e61, ray_4);
+        t_near = _e62;
+        // glimt_render_gpu/src/kernels/bvh.rs:99
+        let _e65 = far;
+        let _e66 = box_distance(_e65, ray_4);
+        t_far = _e66;
+        // glimt_render_gpu/src/kernels/bvh.rs:101
+        let _e69 = t_near;
+        let _e70 = t_far;
+        if (_e69 > _e70) {
+            // glimt_render_gpu/src/kernels/bvh.rs:102
+            let node_1 = near;
+            // glimt_render_gpu/src/kernels/bvh.rs:103
+            let _e75 = far;
+            near = _e75;
+            // glimt_render_gpu/src/kernels/bvh.rs:104
+            far = node_1;
+            // glimt_render_gpu/src/kernels/bvh.rs:105
+            let t_2 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:106
+            let _e80 = t_far;
+            t_near = _e80;
+            // glimt_render_gpu/src/kernels/bvh.rs:107
+            t_far = t_2;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:109
+        let _e83 = t_near;
+        let _e84 = (*reach_1);
+        into_near = (_e83 < _e84);
+        // glimt_render_gpu/src/kernels/bvh.rs:110
+        let _e88 = into_near;
+        let _e90 = near.count;
+        if (_e88 && (_e90 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:111
+            let _e95 = near;
+            let _e96 = best_1;
+            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96);
+            best_1 = _e97;
+            // glimt_render_gpu/src/kernels/bvh.rs:112
+            let _e99 = best_1;
+            if (any_ && (_e99 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:113
+                let _e104 = best_1;
+                return _e104;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:115
+            into_near = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:117
+        let _e108 = t_far;
+        let _e109 = (*reach_1);
+        into_far = (_e108 < _e109);
+        // glimt_render_gpu/src/kernels/bvh.rs:118
+        let _e113 = into_far;
+        let _e115 = far.count;
+        if (_e113 && (_e115 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:119
+            let _e120 = far;
+            let _e121 = best_1;
+            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121);
+            best_1 = _e122;
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let _e124 = best_1;
+            if (any_ && (_e124 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:121
+                let _e129 = best_1;
+                return _e129;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:123
+            into_far = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:125
+        let _e133 = into_near;
+        if _e133 {
+            // glimt_render_gpu/src/kernels/bvh.rs:126
+            let _e136 = near.first;
+            pair = _e136;
+            // glimt_render_gpu/src/kernels/bvh.rs:127
+            let _e138 = into_far;
+            if _e138 {
+                // glimt_render_gpu/src/kernels/bvh.rs:128
+                let _e141 = far.first;
+                let _e142 = height;
+                stack[_e142] = _e141;
+                // glimt_render_gpu/src/kernels/bvh.rs:129
+                let _e146 = height;
+                height = (_e146 + 1u);
+            }
+        } else {
+            let _e148 = into_far;
+            if _e148 {
+                // glimt_render_gpu/src/kernels/bvh.rs:132
+                let _e151 = far.first;
+                pair = _e151;
+            } else {
+                let _e152 = height;
+                if (_e152 > 0u) {
+                    // glimt_render_gpu/src/kernels/bvh.rs:134
+                    let _e157 = height;
+                    height = (_e157 - 1u);
+                    // glimt_render_gpu/src/kernels/bvh.rs:135
+                    let _e160 = height;
+                    let _e162 = stack[_e160];
+                    pair = _e162;
+                } else {
+                    // glimt_render_gpu/src/kernels/bvh.rs:137
+                    let _e164 = best_1;
+                    return _e164;
+                }
+            }
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:73
+fn barycentrics(triangle_1: Triangle, ray_5: Ray) -> vec2<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:74
+    let _e14 = edge_functions((triangle_1.v0_ - ray_5.origin), (triangle_1.v1_ - ray_5.origin), (triangle_1.v2_ - ray_5.origin), ray_5.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:80
+    let sum_2 = ((_e14.x + _e14.y) + _e14.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:81
+    if (sum_2 == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:83
+        return vec2((1f / 3f));
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:85
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_2));
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:45
+fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
+    var t: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:51
+    t = t_max_1;
+    // glimt_render_gpu/src/kernels/bvh.rs:52
+    let _e7 = traverse(ray_6, (&t), false);
+    // glimt_render_gpu/src/kernels/bvh.rs:53
+    if (_e7 == 4294967295u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:54
+        return Option_Hit();
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    let _e14 = t;
+    let _e17 = scene_triangles[_e7];
+    let _e18 = barycentrics(_e17, ray_6);
+    return Option_Hit(true, Hit(_e7, _e14, _e18));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:63
+fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
+
+    // glimt_render_gpu/src/kernels/scene.rs:64
+    let _e4 = closest_hit(ray_7, 340282350000000000000000000000000000000f);
+    return _e4;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:29
+fn Triangle_area_normal(this_10: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:30
+    return cross((this_10.v1_ - this_10.v0_), (this_10.v2_ - this_10.v0_));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:120
+fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
+    var chosen_5: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:121
+    let length_squared = dot(v_1, v_1);
+    // glimt_render_gpu/src/kernels/scene.rs:122
+    if (length_squared > 0.000000000001f) {
+        // glimt_render_gpu/src/kernels/scene.rs:123
+        chosen_5 = (v_1 / vec3(sqrt(length_squared)));
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:125
+        chosen_5 = otherwise;
+    }
+    let _e14 = chosen_5;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:40
+fn TextureView_exists(this_11: TextureView) -> bool {
+
+    // glimt_render_gpu/src/kernels/texture.rs:41
+    return (this_11.width > 0u);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:90
+fn wrap(x_6: f32, mode: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:91
+    if (mode == 2u) {
+        // glimt_render_gpu/src/kernels/texture.rs:92
+        return clamp(x_6, 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:94
+    if (mode == 1u) {
+        // glimt_render_gpu/src/kernels/texture.rs:95
+        let folded = (x_6 - (2f * floor((0.5f * x_6))));
+        // glimt_render_gpu/src/kernels/texture.rs:96
+        return clamp(min(folded, (2f - folded)), 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:98
+    return clamp((x_6 - floor(x_6)), 0f, 1f);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:103
+fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:104
+    let last = (i32(size_1) - 1i);
+    // glimt_render_gpu/src/kernels/texture.rs:105
+    if (mode_1 == 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:106
+        if (index_9 < 0i) {
+            // glimt_render_gpu/src/kernels/texture.rs:107
+            return u32(last);
+        }
+        // glimt_render_gpu/src/kernels/texture.rs:109
+        if (index_9 > last) {
+            // glimt_render_gpu/src/kernels/texture.rs:110
+            return 0u;
+        }
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:113
+    return u32(clamp(index_9, 0i, last));
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:69
+fn TextureView_texel(this_12: TextureView, index_10: u32) -> vec4<f32> {
+    var chosen_6: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/texture.rs:70
+    let word = scene_texels[(this_12.first + index_10)];
+    // glimt_render_gpu/src/kernels/texture.rs:71
+    let r = (word & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:72
+    let g = ((word >> 8u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:73
+    let b_4 = ((word >> 16u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:74
+    let alpha = (f32((word >> 24u)) / 255f);
+    // glimt_render_gpu/src/kernels/texture.rs:75
+    if ((this_12.flags & 1u) != 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:76
+        let _e41 = scene_texels[r];
+        let _e45 = scene_texels[g];
+        let _e49 = scene_texels[b_4];
+        chosen_6 = vec4<f32>(bitcast<f32>(_e41), bitcast<f32>(_e45), bitcast<f32>(_e49), alpha);
+    } else {
+        // glimt_render_gpu/src/kernels/texture.rs:83
+        chosen_6 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha);
+    }
+    let _e63 = chosen_6;
+    return _e63;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:49
+fn TextureView_sample(this_13: TextureView, uv: vec2<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/texture.rs:50
+    let wrap_u = ((this_13.flags >> 1u) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:51
+    let wrap_v = ((this_13.flags >> ((1u + 2u) & 31u)) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:52
+    let _e22 = wrap(uv.x, wrap_u);
+    let x_8 = ((_e22 * f32(this_13.width)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:53
+    let _e30 = wrap(uv.y, wrap_v);
+    let y_2 = ((_e30 * f32(this_13.height)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:54
+    let _e39 = Tuple_f32_f32_(floor(x_8), floor(y_2));
+    let left = _e39.fa;
+    let top = _e39.fb;
+    // glimt_render_gpu/src/kernels/texture.rs:55
+    let _e45 = neighbour(i32(left), this_13.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:56
+    let _e51 = neighbour((i32(left) + 1i), this_13.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:57
+    let _e55 = neighbour(i32(top), this_13.height, wrap_v);
+    let row0_ = (_e55 * this_13.width);
+    // glimt_render_gpu/src/kernels/texture.rs:58
+    let _e63 = neighbour((i32(top) + 1i), this_13.height, wrap_v);
+    let row1_ = (_e63 * this_13.width);
+    // glimt_render_gpu/src/kernels/texture.rs:59
+    let _e68 = TextureView_texel(this_13, (row0_ + _e45));
+    let _e70 = TextureView_texel(this_13, (row0_ + _e51));
+    let _e71 = (x_8 - left);
+    let upper = ((_e68 * (1f - _e71)) + (_e70 * _e71));
+    // glimt_render_gpu/src/kernels/texture.rs:62
+    let _e79 = TextureView_texel(this_13, (row1_ + _e45));
+    let _e81 = TextureView_texel(this_13, (row1_ + _e51));
+    let _e82 = (x_8 - left);
+    let lower = ((_e79 * (1f - _e82)) + (_e81 * _e82));
+    // glimt_render_gpu/src/kernels/texture.rs:65
+    let _e89 = (y_2 - top);
+    return ((upper * (1f - _e89)) + (lower * _e89));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:73
+fn Material_bumped_normal(this_14: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:81
+    let across = (tangent - (normal * dot(normal, tangent)));
+    // glimt_render_gpu/src/kernels/material.rs:82
+    let _e12 = TextureView_exists(this_14.normal_texture);
+    if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:83
+        return normal;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:85
+    let t_3 = normalize(across);
+    // glimt_render_gpu/src/kernels/material.rs:86
+    let b_5 = (cross(normal, t_3) * handedness);
+    // glimt_render_gpu/src/kernels/material.rs:87
+    let _e27 = TextureView_sample(this_14.normal_texture, uv_1);
+    let map = ((_e27.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:88
+    let tilt = (((t_3 * map.x) + (b_5 * map.y)) * this_14.normal_scale);
+    // glimt_render_gpu/src/kernels/material.rs:89
+    let _e46 = unit_or((tilt + (normal * map.z)), normal);
+    return _e46;
+}
+
+// glimt_sampling/src/math.rs:45
+fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
+
+    // glimt_sampling/src/math.rs:46
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
+    // glimt_sampling/src/math.rs:47
+    let a_4 = (-1f / (sign_ + n_2.z));
+    // glimt_sampling/src/math.rs:48
+    let c_3 = ((n_2.x * n_2.y) * a_4);
+    // glimt_sampling/src/math.rs:49
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_4)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_4)), -(n_2.y)), n_2);
+}
+
+// glimt_sampling/src/math.rs:66
+fn ShadingFrame_to_local(this_15: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:67
+    return vec3<f32>(dot(v_2, this_15.t), dot(v_2, this_15.b), dot(v_2, this_15.n));
+}
+
+// glimt_brdf/src/metallic_roughness.rs:31
+fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness: f32) -> BlinnPhong {
+
+    // glimt_brdf/src/metallic_roughness.rs:32
+    let base_1 = clamp(base, vec3(0f), vec3(1f));
+    // glimt_brdf/src/metallic_roughness.rs:33
+    let metallic_2 = clamp(metallic, 0f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:34
+    let roughness_2 = clamp(roughness, 0.12f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:35
+    let alpha_1 = (roughness_2 * roughness_2);
+    // glimt_brdf/src/metallic_roughness.rs:36
+    let dielectric = (1f - metallic_2);
+    // glimt_brdf/src/metallic_roughness.rs:37
+    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:46
+fn Material_brdf(this_16: Material, uv_2: vec2<f32>) -> BlinnPhong {
+    var color: vec3<f32>;
+    var metallic_1: f32;
+    var roughness_1: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:47
+    if (this_16.kind == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:48
+        return BlinnPhong(this_16.color, this_16.specular, this_16.exponent);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:54
+    color = this_16.color;
+    // glimt_render_gpu/src/kernels/material.rs:55
+    let _e17 = TextureView_exists(this_16.base_color_texture);
+    if _e17 {
+        // glimt_render_gpu/src/kernels/material.rs:56
+        let _e20 = TextureView_sample(this_16.base_color_texture, uv_2);
+        let _e22 = color;
+        color = (_e22 * _e20.xyz);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:58
+    metallic_1 = this_16.metallic;
+    // glimt_render_gpu/src/kernels/material.rs:59
+    roughness_1 = this_16.roughness;
+    // glimt_render_gpu/src/kernels/material.rs:60
+    let _e32 = TextureView_exists(this_16.metallic_roughness_texture);
+    if _e32 {
+        // glimt_render_gpu/src/kernels/material.rs:61
+        let _e35 = TextureView_sample(this_16.metallic_roughness_texture, uv_2);
+        // glimt_render_gpu/src/kernels/material.rs:62
+        let _e38 = roughness_1;
+        roughness_1 = (_e38 * _e35.y);
+        // glimt_render_gpu/src/kernels/material.rs:63
+        let _e42 = metallic_1;
+        metallic_1 = (_e42 * _e35.z);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:65
+    let _e45 = color;
+    let _e46 = metallic_1;
+    let _e47 = roughness_1;
+    let _e48 = BlinnPhong_from_metallic_roughness(_e45, _e46, _e47);
+    return _e48;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:69
+fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
+    var chosen_7: vec3<f32>;
+    var chosen_8: f32;
+    var chosen_9: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let triangle_2 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:71
+    let first = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:72
+    let a_5 = scene_corners[first];
+    // glimt_render_gpu/src/kernels/scene.rs:73
+    let b_6 = scene_corners[(first + 1u)];
+    // glimt_render_gpu/src/kernels/scene.rs:74
+    let c_4 = scene_corners[(first + 2u)];
+    // glimt_render_gpu/src/kernels/scene.rs:75
+    let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
+    let u_2 = _e33.fa;
+    let v_3 = _e33.fb;
+    // glimt_render_gpu/src/kernels/scene.rs:76
+    let w_2 = ((1f - u_2) - v_3);
+    // glimt_render_gpu/src/kernels/scene.rs:78
+    let to_eye = -(ray_8.direction);
+    // glimt_render_gpu/src/kernels/scene.rs:79
+    let _e44 = Triangle_area_normal(triangle_2);
+    let face = normalize(_e44);
+    // glimt_render_gpu/src/kernels/scene.rs:80
+    if (dot(face, to_eye) < 0f) {
+        chosen_7 = -(face);
+    } else {
+        chosen_7 = face;
+    }
+    let geometric_normal = chosen_7;
+    // glimt_render_gpu/src/kernels/scene.rs:81
+    let _e62 = unit_or((((a_5.normal * w_2) + (b_6.normal * u_2)) + (c_4.normal * v_3)), face);
+    // glimt_render_gpu/src/kernels/scene.rs:83
+    let uv_3 = vec2<f32>((((a_5.u * w_2) + (b_6.u * u_2)) + (c_4.u * v_3)), (((a_5.v * w_2) + (b_6.v * u_2)) + (c_4.v * v_3)));
+    // glimt_render_gpu/src/kernels/scene.rs:84
+    let material = scene_materials[(triangle_2.material & 2147483647u)];
+    // glimt_render_gpu/src/kernels/scene.rs:85
+    let tangent_1 = (((a_5.tangent * w_2) + (b_6.tangent * u_2)) + (c_4.tangent * v_3));
+    // glimt_render_gpu/src/kernels/scene.rs:86
+    if ((triangle_2.material & 2147483648u) != 0u) {
+        // glimt_render_gpu/src/kernels/scene.rs:87
+        chosen_8 = -1f;
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:89
+        chosen_8 = 1f;
+    }
+    let handedness_1 = chosen_8;
+    // glimt_render_gpu/src/kernels/scene.rs:91
+    let _e110 = Material_bumped_normal(material, uv_3, _e62, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:92
+    if (dot(_e110, to_eye) < 0f) {
+        // glimt_render_gpu/src/kernels/scene.rs:93
+        chosen_9 = -(_e110);
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:95
+        chosen_9 = _e110;
+    }
+    let normal_2 = chosen_9;
+    // glimt_render_gpu/src/kernels/scene.rs:98
+    let _e121 = ShadingFrame_from_normal(normal_2);
+    // glimt_render_gpu/src/kernels/scene.rs:99
+    let edges = (((triangle_2.v1_ - triangle_2.v0_) * u_2) + ((triangle_2.v2_ - triangle_2.v0_) * v_3));
+    // glimt_render_gpu/src/kernels/scene.rs:100
+    let _e138 = ShadingFrame_to_local(_e121, to_eye);
+    let _e139 = Material_brdf(material, uv_3);
+    return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
+}
+
+// glimt_render_gpu/src/kernels/diagnose.rs:104
+fn surface(ray_9: u32, frame_2: FrameParams) -> SurfaceRecord {
+    var frame_3: FrameParams;
+    var chosen_10: SurfaceRecord;
+
+    frame_3 = frame_2;
+    // glimt_render_gpu/src/kernels/diagnose.rs:105
+    let _e5 = frame_3;
+    let _e6 = frame_3;
+    let _e7 = FrameParams_pattern_of(_e6, ray_9);
+    let _e8 = FrameParams_camera_ray(_e5, _e7);
+    // glimt_render_gpu/src/kernels/diagnose.rs:106
+    let _e11 = Scene_closest_hit(_e8);
+    let hit_1 = _e11.value;
+    if _e11.is_some {
+        // glimt_render_gpu/src/kernels/diagnose.rs:107
+        let _e16 = Scene_shading_point(_e8, hit_1);
+        // glimt_render_gpu/src/kernels/diagnose.rs:108
+        chosen_10 = SurfaceRecord(_e16.origin, _e16.brdf.exponent, _e16.frame.n, -(dot(_e16.geometric_normal, _e8.direction)), _e16.brdf.diffuse, 1f, _e16.brdf.specular, 0f);
+    } else {
+        // glimt_render_gpu/src/kernels/diagnose.rs:119
+        chosen_10 = SurfaceRecord(vec3(0f), 0f, vec3(0f), 0f, vec3(0f), 0f, vec3(0f), 0f);
+    }
+    let _e48 = chosen_10;
+    return _e48;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn diagnose_surface(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e18 = surface((_e14 + local), _e17);
+    out[local] = _e18;
+}

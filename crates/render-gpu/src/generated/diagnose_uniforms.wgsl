@@ -1,0 +1,747 @@
+// Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    brdf_samples: u32,
+    env_samples: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    unused: array<u32, 3>,
+}
+
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
+}
+
+struct OwenSobol {
+    seed: u32,
+    index: u32,
+    dimension: u32,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    frame: FrameParams,
+}
+
+@group(0) @binding(1) 
+var<storage, read_write> out: array<vec4<u32>>;
+@group(0) @binding(0) 
+var<storage> params: Params;
+
+// glimt_render_gpu/src/kernels/frame.rs:78
+fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
+    var self_: FrameParams;
+
+    self_ = this_;
+    // glimt_render_gpu/src/kernels/frame.rs:79
+    let _e6 = self_.pattern;
+    let _e8 = self_.seed;
+    let _e10 = self_.frame;
+    let _e12 = self_.first_pixel;
+    let _e14 = self_.rays_per_pixel;
+    let _e18 = self_.rays_per_pixel;
+    let _e21 = self_.rays_per_pixel;
+    return PixelPattern(_e6, _e8, _e10, (_e12 + (ray / _e14)), (ray % _e18), _e21);
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x;
+    let _e11 = x;
+    x = (_e11 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e14 = x;
+    x = (_e14 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e18 = x;
+    let _e22 = x;
+    x = (_e22 ^ (_e18 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e25 = x;
+    x = (_e25 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e29 = x;
+    let _e30 = x;
+    return (_e29 ^ (_e30 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:171
+fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+
+    // glimt_sampling/src/sobol.rs:172
+    let _e6 = hash3_(seed, frame, pixel);
+    let _e10 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e10, (sample_index & 65535u), 0u);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:75
+fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:76
+    let _e6 = hash2_(this_1.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
+    return _e9;
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+    var x_1: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_1 = (n_1 ^ (n_1 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_1;
+    x_1 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_1;
+    x_1 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e20 = x_1;
+    let _e23 = x_1;
+    x_1 = (_e23 ^ (_e20 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e26 = x_1;
+    let _e27 = x_1;
+    return (_e26 ^ (_e27 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index_1: u32, seed_1: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_1 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_2: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_2 = index_2;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_2;
+    let _e11 = x_2;
+    x_2 = (_e11 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e14 = x_2;
+    let _e20 = x_2;
+    x_2 = (_e20 ^ ((_e14 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e23 = x_2;
+    let _e29 = x_2;
+    x_2 = (_e29 ^ ((_e23 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e32 = x_2;
+    let _e33 = x_2;
+    return (_e32 ^ ((_e33 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_3: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_3;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum;
+        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e38 = v1_;
+        v0_ = _e38;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e42 = bits;
+        bits = (_e42 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e46 = sum;
+    return _e46;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_4: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_4;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_1;
+        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e41 = v1_1;
+        v0_1 = _e41;
+        // glimt_sampling/src/sobol.rs:93
+        let _e43 = v2_;
+        v1_1 = _e43;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e47 = bits_1;
+        bits_1 = (_e47 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e51 = sum_1;
+    return _e51;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
+    var chosen: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_11 = (index_5 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen = index_11;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_11);
+            chosen = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_11);
+                chosen = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_11);
+                chosen = _e22;
+            }
+        }
+    }
+    let _e23 = chosen;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_1 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_1 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_1 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_1 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_1;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_2).dimension;
+    let dimension_3 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_2).dimension = (dimension_3 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_2).seed;
+    let _e19 = hash2_(_e15, (dimension_3 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e22 = (*this_2).index;
+    let _e23 = shuffle(_e22, _e19);
+    // glimt_sampling/src/sobol.rs:195
+    let _e25 = sobol_reversed(_e23, dimension_3);
+    let _e26 = scramble_1(_e25, dimension_3, _e19);
+    let _e29 = sobol_reversed(_e23, (dimension_3 + 1u));
+    let _e32 = scramble_1(_e29, (dimension_3 + 1u), _e19);
+    return vec2<u32>(_e26, _e32);
+}
+
+// glimt_sampling/src/hash.rs:49
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:50
+    x_3 = ((v.x * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:51
+    y = ((v.y * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:52
+    z = ((v.z * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:53
+    w = ((v.w * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:55
+    let _e31 = x_3;
+    let _e32 = y;
+    let _e33 = w;
+    x_3 = (_e31 + (_e32 * _e33));
+    // glimt_sampling/src/hash.rs:56
+    let _e37 = y;
+    let _e38 = z;
+    let _e39 = x_3;
+    y = (_e37 + (_e38 * _e39));
+    // glimt_sampling/src/hash.rs:57
+    let _e43 = z;
+    let _e44 = x_3;
+    let _e45 = y;
+    z = (_e43 + (_e44 * _e45));
+    // glimt_sampling/src/hash.rs:58
+    let _e49 = w;
+    let _e50 = y;
+    let _e51 = z;
+    w = (_e49 + (_e50 * _e51));
+    // glimt_sampling/src/hash.rs:59
+    let _e55 = x_3;
+    let _e59 = x_3;
+    x_3 = (_e59 ^ (_e55 >> 16u));
+    // glimt_sampling/src/hash.rs:60
+    let _e62 = y;
+    let _e66 = y;
+    y = (_e66 ^ (_e62 >> 16u));
+    // glimt_sampling/src/hash.rs:61
+    let _e69 = z;
+    let _e73 = z;
+    z = (_e73 ^ (_e69 >> 16u));
+    // glimt_sampling/src/hash.rs:62
+    let _e76 = w;
+    let _e80 = w;
+    w = (_e80 ^ (_e76 >> 16u));
+    // glimt_sampling/src/hash.rs:63
+    let _e83 = x_3;
+    let _e84 = y;
+    let _e85 = w;
+    x_3 = (_e83 + (_e84 * _e85));
+    // glimt_sampling/src/hash.rs:64
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_3;
+    y = (_e89 + (_e90 * _e91));
+    // glimt_sampling/src/hash.rs:65
+    let _e95 = z;
+    let _e96 = x_3;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
+    // glimt_sampling/src/hash.rs:66
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
+    // glimt_sampling/src/hash.rs:67
+    let _e107 = x_3;
+    let _e108 = x_3;
+    let _e113 = y;
+    let _e114 = y;
+    let _e119 = z;
+    let _e120 = z;
+    let _e125 = w;
+    let _e126 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e113 ^ (_e114 >> 16u)), (_e119 ^ (_e120 >> 16u)), (_e125 ^ (_e126 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_ = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_ == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:80
+fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:81
+    let _e6 = hash3_(this_3.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
+    return _e9;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s = (*this_4).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s.x + s.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_1 = (s.z ^ s.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s.w ^ s.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:85
+fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:86
+    let _e5 = hash2_(this_6.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:120
+fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
+    var x_4: u32;
+    var round_key: u32;
+    var counter: i32;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:121
+    if (length_ <= 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:122
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:124
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
+    // glimt_render_gpu/src/kernels/pattern.rs:125
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:126
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:127
+    loop {
+        // glimt_render_gpu/src/kernels/pattern.rs:128
+        round_key = key;
+        // glimt_render_gpu/src/kernels/pattern.rs:129
+        counter = 0i;
+        loop {
+            let _e31 = counter;
+            if (_e31 >= 3i) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pattern.rs:130
+            let _e34 = round_key;
+            let _e35 = hash_u32_(_e34);
+            round_key = _e35;
+            // glimt_render_gpu/src/kernels/pattern.rs:132
+            let _e37 = x_4;
+            let _e38 = round_key;
+            x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:133
+            let _e44 = x_4;
+            let _e46 = (bits_2 / 2u);
+            let _e56 = x_4;
+            x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            continuing {
+                let _e58 = counter;
+                counter = (_e58 + 1i);
+            }
+        }
+        // glimt_render_gpu/src/kernels/pattern.rs:135
+        let _e62 = x_4;
+        if (_e62 < length_) {
+            // glimt_render_gpu/src/kernels/pattern.rs:136
+            let _e65 = x_4;
+            return _e65;
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:113
+fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:114
+    return ((cell * (4294967295u / count)) + (jitter / count));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:93
+fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:94
+    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    // glimt_render_gpu/src/kernels/pattern.rs:95
+    let _e12 = (count_1 / columns);
+    let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    // glimt_render_gpu/src/kernels/pattern.rs:96
+    let _e21 = hash2_(key_1, 1u);
+    let _e22 = permute(index_8, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:97
+    let _e26 = hash2_(key_1, 2u);
+    let _e27 = permute((_e22 % columns), columns, _e26);
+    // glimt_render_gpu/src/kernels/pattern.rs:98
+    let _e31 = hash2_(key_1, 3u);
+    let _e32 = permute((_e22 / columns), rows, _e31);
+    // glimt_render_gpu/src/kernels/pattern.rs:99
+    let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
+    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    return vec2<u32>(_e38, _e40);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:42
+fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed: OwenSobol;
+    var borrowed_1: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:43
+    let index_12 = ((this_7.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:44
+    if (this_7.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:45
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_12);
+        borrowed = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed));
+        return _e16;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:47
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_12);
+    borrowed_1 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
+    // glimt_render_gpu/src/kernels/pattern.rs:48
+    if (this_7.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:49
+        return _e20;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:51
+    let _e29 = PixelPattern_key(this_7, purpose_3);
+    let _e30 = jittered_pair(index_12, (this_7.rays * samples), _e20, _e29);
+    return _e30;
+}
+
+// glimt_sampling/src/sobol.rs:135
+fn owen_sobol(index_9: u32, dimension_2: u32, seed_4: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:136
+    let _e5 = shuffle(index_9, seed_4);
+    let _e6 = sobol_reversed(_e5, dimension_2);
+    let _e7 = scramble_1(_e6, dimension_2, seed_4);
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:182
+fn OwenSobol_next_u32_(this_8: ptr<function, OwenSobol>) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:183
+    let dimension_4 = (*this_8).dimension;
+    // glimt_sampling/src/sobol.rs:184
+    (*this_8).dimension = (dimension_4 + 1u);
+    // glimt_sampling/src/sobol.rs:185
+    let _e11 = (*this_8).index;
+    let _e13 = (*this_8).seed;
+    let _e17 = hash2_(_e13, (dimension_4 >> 2u));
+    let _e18 = owen_sobol(_e11, dimension_4, _e17);
+    return _e18;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:107
+fn jittered(index_10: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:108
+    let _e7 = hash2_(key_2, 4u);
+    let _e8 = permute(index_10, count_2, _e7);
+    let _e9 = stratum(_e8, count_2, jitter_2);
+    return _e9;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:57
+fn PixelPattern_triple(this_9: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+    var point: OwenSobol;
+    var generator: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:58
+    let index_13 = ((this_9.ray * samples_1) + sample_1);
+    // glimt_render_gpu/src/kernels/pattern.rs:59
+    if (this_9.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:60
+        let _e14 = PixelPattern_sobol_point(this_9, purpose_4, index_13);
+        point = _e14;
+        // glimt_render_gpu/src/kernels/pattern.rs:61
+        let _e17 = OwenSobol_next_uvec2_((&point));
+        // glimt_render_gpu/src/kernels/pattern.rs:62
+        let _e19 = OwenSobol_next_u32_((&point));
+        return vec3<u32>(_e17, _e19);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:64
+    let _e22 = PixelPattern_generator(this_9, purpose_4, index_13);
+    generator = _e22;
+    // glimt_render_gpu/src/kernels/pattern.rs:65
+    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:66
+    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    if (this_9.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:68
+        return vec3<u32>(_e25, _e27);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:70
+    let _e37 = PixelPattern_key(this_9, purpose_4);
+    let _e38 = Tuple_u32_u32_((this_9.rays * samples_1), _e37);
+    let count_3 = _e38.fa;
+    let key_3 = _e38.fb;
+    // glimt_render_gpu/src/kernels/pattern.rs:71
+    let _e42 = jittered_pair(index_13, count_3, _e25, key_3);
+    let _e43 = jittered(index_13, count_3, _e27, key_3);
+    return vec3<u32>(_e42, _e43);
+}
+
+// glimt_render_gpu/src/kernels/diagnose.rs:62
+fn uniforms(ray_1: u32, frame_2: FrameParams) -> vec4<u32> {
+    var frame_3: FrameParams;
+
+    frame_3 = frame_2;
+    // glimt_render_gpu/src/kernels/diagnose.rs:63
+    let _e5 = frame_3;
+    let _e6 = FrameParams_pattern_of(_e5, ray_1);
+    // glimt_render_gpu/src/kernels/diagnose.rs:64
+    let _e11 = PixelPattern_pair(_e6, 1u, 0u, 1u);
+    // glimt_render_gpu/src/kernels/diagnose.rs:65
+    let _e16 = frame_3.brdf_samples;
+    let _e17 = PixelPattern_triple(_e6, 2u, 0u, _e16);
+    // glimt_render_gpu/src/kernels/diagnose.rs:66
+    return vec4<u32>(_e11.x, _e17.x, _e17.y, _e17.z);
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn diagnose_uniforms(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e18 = uniforms((_e14 + local), _e17);
+    out[local] = _e18;
+}

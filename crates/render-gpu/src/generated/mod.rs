@@ -1,0 +1,262 @@
+//! Host file: the renderer's entry points, made from Rust by naga-front-rust. Do not edit; to make it anew:
+//! `cargo run --release -p glimt-tests --bin regenerate`
+
+use core::mem::{offset_of, size_of};
+
+use crate::entry::{BufferSlot, Entry, ParamField};
+
+const fn param(path: &'static str, offset: u32, size: u32) -> ParamField {
+    ParamField { path, offset, size }
+}
+
+const fn slot(path: &'static str, binding: u32, stride: u32, writable: bool) -> BufferSlot {
+    BufferSlot {
+        path,
+        binding,
+        stride,
+        writable,
+    }
+}
+
+/// [`shade_mis`](crate::kernels::shade::shade_mis) as a compute entry point.
+pub const SHADE_MIS: Entry = Entry {
+    name: "shade_mis",
+    kernel: "glimt_render_gpu::kernels::shade::shade_mis",
+    wgsl: include_str!("shade_mis.wgsl"),
+    workgroup_size: 64,
+    params_size: 144,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("env.cdf.size", 128, 8),
+        param("env.rotation", 136, 8),
+    ],
+    buffers: &[
+        slot("env.texels", 1, 16, false),
+        slot("env.cdf.marginal", 2, 4, false),
+        slot("env.cdf.conditional", 3, 4, false),
+        slot("scene.nodes", 4, 32, false),
+        slot("scene.triangles", 5, 48, false),
+        slot("scene.corners", 6, 32, false),
+        slot("scene.materials", 7, 96, false),
+        slot("scene.texels", 8, 4, false),
+        slot("out", 9, 16, true),
+    ],
+};
+
+/// [`reconstruct`](crate::kernels::film::reconstruct) as a compute entry point.
+pub const RECONSTRUCT: Entry = Entry {
+    name: "reconstruct",
+    kernel: "glimt_render_gpu::kernels::film::reconstruct",
+    wgsl: include_str!("reconstruct.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("samples", 1, 16, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
+/// [`tonemap`](crate::kernels::film::tonemap) as a compute entry point.
+pub const TONEMAP: Entry = Entry {
+    name: "tonemap",
+    kernel: "glimt_render_gpu::kernels::film::tonemap",
+    wgsl: include_str!("tonemap.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("linear", 1, 16, false),
+        slot("out", 2, 4, true),
+    ],
+};
+
+/// [`uniforms`](crate::kernels::diagnose::uniforms) as a compute entry point.
+pub const DIAGNOSE_UNIFORMS: Entry = Entry {
+    name: "diagnose_uniforms",
+    kernel: "glimt_render_gpu::kernels::diagnose::uniforms",
+    wgsl: include_str!("diagnose_uniforms.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("out", 1, 16, true),
+    ],
+};
+
+/// [`env_sample`](crate::kernels::diagnose::env_sample) as a compute entry point.
+pub const DIAGNOSE_ENV_SAMPLE: Entry = Entry {
+    name: "diagnose_env_sample",
+    kernel: "glimt_render_gpu::kernels::diagnose::env_sample",
+    wgsl: include_str!("diagnose_env_sample.wgsl"),
+    workgroup_size: 64,
+    params_size: 144,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("env.cdf.size", 128, 8),
+        param("env.rotation", 136, 8),
+    ],
+    buffers: &[
+        slot("env.texels", 1, 16, false),
+        slot("env.cdf.marginal", 2, 4, false),
+        slot("env.cdf.conditional", 3, 4, false),
+        slot("out", 4, 32, true),
+    ],
+};
+
+/// [`primary_hit`](crate::kernels::diagnose::primary_hit) as a compute entry point.
+pub const DIAGNOSE_PRIMARY_HIT: Entry = Entry {
+    name: "diagnose_primary_hit",
+    kernel: "glimt_render_gpu::kernels::diagnose::primary_hit",
+    wgsl: include_str!("diagnose_primary_hit.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("scene.nodes", 1, 32, false),
+        slot("scene.triangles", 2, 48, false),
+        slot("scene.corners", 3, 32, false),
+        slot("scene.materials", 4, 96, false),
+        slot("scene.texels", 5, 4, false),
+        slot("out", 6, 16, true),
+    ],
+};
+
+/// [`surface`](crate::kernels::diagnose::surface) as a compute entry point.
+pub const DIAGNOSE_SURFACE: Entry = Entry {
+    name: "diagnose_surface",
+    kernel: "glimt_render_gpu::kernels::diagnose::surface",
+    wgsl: include_str!("diagnose_surface.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("scene.nodes", 1, 32, false),
+        slot("scene.triangles", 2, 48, false),
+        slot("scene.corners", 3, 32, false),
+        slot("scene.materials", 4, 96, false),
+        slot("scene.texels", 5, 4, false),
+        slot("out", 6, 64, true),
+    ],
+};
+
+/// [`brdf_sample`](crate::kernels::diagnose::brdf_sample) as a compute entry point.
+pub const DIAGNOSE_BRDF_SAMPLE: Entry = Entry {
+    name: "diagnose_brdf_sample",
+    kernel: "glimt_render_gpu::kernels::diagnose::brdf_sample",
+    wgsl: include_str!("diagnose_brdf_sample.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("scene.nodes", 1, 32, false),
+        slot("scene.triangles", 2, 48, false),
+        slot("scene.corners", 3, 32, false),
+        slot("scene.materials", 4, 96, false),
+        slot("scene.texels", 5, 4, false),
+        slot("out", 6, 16, true),
+    ],
+};
+
+// The same bytes in Rust and in WGSL.
+const _: () = {
+    assert!(size_of::<crate::kernels::bvh::BvhNode>() == 32);
+    assert!(offset_of!(crate::kernels::bvh::BvhNode, min) == 0);
+    assert!(offset_of!(crate::kernels::bvh::BvhNode, count) == 12);
+    assert!(offset_of!(crate::kernels::bvh::BvhNode, max) == 16);
+    assert!(offset_of!(crate::kernels::bvh::BvhNode, first) == 28);
+    assert!(size_of::<crate::kernels::diagnose::EnvRecord>() == 32);
+    assert!(offset_of!(crate::kernels::diagnose::EnvRecord, direction) == 0);
+    assert!(offset_of!(crate::kernels::diagnose::EnvRecord, pdf_sr) == 12);
+    assert!(offset_of!(crate::kernels::diagnose::EnvRecord, texel) == 16);
+    assert!(offset_of!(crate::kernels::diagnose::EnvRecord, looked_up) == 24);
+    assert!(size_of::<crate::kernels::diagnose::HitRecord>() == 16);
+    assert!(offset_of!(crate::kernels::diagnose::HitRecord, barycentrics) == 0);
+    assert!(offset_of!(crate::kernels::diagnose::HitRecord, t) == 8);
+    assert!(offset_of!(crate::kernels::diagnose::HitRecord, triangle) == 12);
+    assert!(size_of::<crate::kernels::diagnose::SurfaceRecord>() == 64);
+    assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, origin) == 0);
+    assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, exponent) == 12);
+    assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, normal) == 16);
+    assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, facing) == 28);
+    assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, diffuse) == 32);
+    assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, hit) == 44);
+    assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, specular) == 48);
+    assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, unused) == 60);
+    assert!(size_of::<crate::kernels::frame::FrameParams>() == 112);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, eye) == 0);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, width) == 12);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, forward) == 16);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, height) == 28);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, right) == 32);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, rays_per_pixel) == 44);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, up) == 48);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, first_pixel) == 60);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, brdf_samples) == 64);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, env_samples) == 68);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, pattern) == 72);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, filter) == 76);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, background) == 80);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, seed) == 84);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, frame) == 88);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, tonemap) == 92);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, exposure) == 96);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, unused) == 100);
+    assert!(size_of::<crate::kernels::material::Material>() == 96);
+    assert!(offset_of!(crate::kernels::material::Material, color) == 0);
+    assert!(offset_of!(crate::kernels::material::Material, kind) == 12);
+    assert!(offset_of!(crate::kernels::material::Material, specular) == 16);
+    assert!(offset_of!(crate::kernels::material::Material, exponent) == 28);
+    assert!(offset_of!(crate::kernels::material::Material, metallic) == 32);
+    assert!(offset_of!(crate::kernels::material::Material, roughness) == 36);
+    assert!(offset_of!(crate::kernels::material::Material, normal_scale) == 40);
+    assert!(offset_of!(crate::kernels::material::Material, unused) == 44);
+    assert!(offset_of!(crate::kernels::material::Material, base_color_texture) == 48);
+    assert!(offset_of!(crate::kernels::material::Material, metallic_roughness_texture) == 64);
+    assert!(offset_of!(crate::kernels::material::Material, normal_texture) == 80);
+    assert!(size_of::<crate::kernels::scene::Corner>() == 32);
+    assert!(offset_of!(crate::kernels::scene::Corner, normal) == 0);
+    assert!(offset_of!(crate::kernels::scene::Corner, u) == 12);
+    assert!(offset_of!(crate::kernels::scene::Corner, tangent) == 16);
+    assert!(offset_of!(crate::kernels::scene::Corner, v) == 28);
+    assert!(size_of::<crate::kernels::texture::TextureView>() == 16);
+    assert!(offset_of!(crate::kernels::texture::TextureView, first) == 0);
+    assert!(offset_of!(crate::kernels::texture::TextureView, width) == 4);
+    assert!(offset_of!(crate::kernels::texture::TextureView, height) == 8);
+    assert!(offset_of!(crate::kernels::texture::TextureView, flags) == 12);
+    assert!(size_of::<crate::kernels::triangle::Triangle>() == 48);
+    assert!(offset_of!(crate::kernels::triangle::Triangle, v0) == 0);
+    assert!(offset_of!(crate::kernels::triangle::Triangle, material) == 12);
+    assert!(offset_of!(crate::kernels::triangle::Triangle, v1) == 16);
+    assert!(offset_of!(crate::kernels::triangle::Triangle, object) == 28);
+    assert!(offset_of!(crate::kernels::triangle::Triangle, v2) == 32);
+    assert!(offset_of!(crate::kernels::triangle::Triangle, ray_offset) == 44);
+};

@@ -1,0 +1,83 @@
+// Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    brdf_samples: u32,
+    env_samples: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    unused: array<u32, 3>,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    frame: FrameParams,
+}
+
+@group(0) @binding(1) 
+var<storage> samples: array<vec4<f32>>;
+@group(0) @binding(2) 
+var<storage, read_write> out: array<vec4<f32>>;
+@group(0) @binding(0) 
+var<storage> params: Params;
+
+// glimt_render_gpu/src/kernels/film.rs:10
+fn reconstruct_1(pixel: u32, frame: FrameParams) -> vec4<f32> {
+    var frame_1: FrameParams;
+    var sum: vec4<f32>;
+    var counter: u32;
+
+    frame_1 = frame;
+    // glimt_render_gpu/src/kernels/film.rs:11
+    let _e6 = frame_1.rays_per_pixel;
+    let first = (pixel * _e6);
+    // glimt_render_gpu/src/kernels/film.rs:12
+    sum = vec4(0f);
+    // glimt_render_gpu/src/kernels/film.rs:13
+    let _e14 = frame_1.rays_per_pixel;
+    counter = first;
+    loop {
+        let i = counter;
+        if (i >= (first + _e14)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/film.rs:14
+        let _e22 = samples[i];
+        let _e23 = sum;
+        sum = (_e23 + _e22);
+        continuing {
+            let _e25 = counter;
+            counter = (_e25 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/film.rs:16
+    let _e29 = sum;
+    let _e31 = frame_1.rays_per_pixel;
+    return (_e29 / vec4(f32(_e31)));
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn reconstruct(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e18 = reconstruct_1((_e14 + local), _e17);
+    out[local] = _e18;
+}

@@ -1,0 +1,503 @@
+// Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
+
+struct ShadingFrame {
+    t: vec3<f32>,
+    b: vec3<f32>,
+    n: vec3<f32>,
+}
+
+struct OwenSobol {
+    seed: u32,
+    index: u32,
+    dimension: u32,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_float(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_sampling/src/uniform.rs:22
+fn unit_pair(u_1: vec2<u32>) -> vec2<f32> {
+
+    // glimt_sampling/src/uniform.rs:23
+    let _e4 = unit_float(u_1.x);
+    let _e6 = unit_float(u_1.y);
+    return vec2<f32>(_e4, _e6);
+}
+
+// glimt_sampling/src/mis.rs:17
+fn balance_heuristic(n_f: u32, pdf_f: f32, n_g: u32, pdf_g: f32) -> f32 {
+    var chosen: f32;
+
+    // glimt_sampling/src/mis.rs:18
+    let f = (f32(n_f) * pdf_f);
+    // glimt_sampling/src/mis.rs:19
+    let sum_2 = (f + (f32(n_g) * pdf_g));
+    // glimt_sampling/src/mis.rs:20
+    if (sum_2 > 0f) {
+        chosen = (f / sum_2);
+    } else {
+        chosen = 0f;
+    }
+    let _e18 = chosen;
+    return _e18;
+}
+
+// glimt_sampling/src/mis.rs:34
+fn power_heuristic(n_f_1: u32, pdf_f_1: f32, n_g_1: u32, pdf_g_1: f32) -> f32 {
+
+    // glimt_sampling/src/mis.rs:35
+    let f_1 = (f32(n_f_1) * pdf_f_1);
+    // glimt_sampling/src/mis.rs:36
+    let g = (f32(n_g_1) * pdf_g_1);
+    // glimt_sampling/src/mis.rs:37
+    if (f_1 > g) {
+        // glimt_sampling/src/mis.rs:38
+        let ratio = (g / f_1);
+        // glimt_sampling/src/mis.rs:39
+        return (1f / (1f + (ratio * ratio)));
+    }
+    // glimt_sampling/src/mis.rs:41
+    if (g > 0f) {
+        // glimt_sampling/src/mis.rs:42
+        let ratio_1 = (f_1 / g);
+        // glimt_sampling/src/mis.rs:43
+        return ((ratio_1 * ratio_1) / (1f + (ratio_1 * ratio_1)));
+    }
+    // glimt_sampling/src/mis.rs:45
+    return 0f;
+}
+
+// glimt_sampling/src/math.rs:45
+fn shading_frame(n: vec3<f32>) -> ShadingFrame {
+
+    // glimt_sampling/src/math.rs:46
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n.z) & 2147483648u)));
+    // glimt_sampling/src/math.rs:47
+    let a_2 = (-1f / (sign_ + n.z));
+    // glimt_sampling/src/math.rs:48
+    let c_1 = ((n.x * n.y) * a_2);
+    // glimt_sampling/src/math.rs:49
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n.x) * n.x) * a_2)), (sign_ * c_1), (-(sign_) * n.x)), vec3<f32>(c_1, (sign_ + ((n.y * n.y) * a_2)), -(n.y)), n);
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n_1: u32) -> u32 {
+    var x: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x = (n_1 ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x;
+    let _e11 = x;
+    x = (_e11 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e14 = x;
+    x = (_e14 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e18 = x;
+    let _e22 = x;
+    x = (_e22 ^ (_e18 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e25 = x;
+    x = (_e25 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e29 = x;
+    let _e30 = x;
+    return (_e29 ^ (_e30 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:171
+fn owen_sobol(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+
+    // glimt_sampling/src/sobol.rs:172
+    let _e6 = hash3_(seed, frame, pixel);
+    let _e10 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e10, (sample_index & 65535u), 0u);
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_2: u32, scramble: u32) -> u32 {
+    var x_1: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_1 = (n_2 ^ (n_2 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_1;
+    x_1 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_1;
+    x_1 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e20 = x_1;
+    let _e23 = x_1;
+    x_1 = (_e23 ^ (_e20 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e26 = x_1;
+    let _e27 = x_1;
+    return (_e26 ^ (_e27 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index: u32, seed_1: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_1 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_1: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_2 = index_1;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_2;
+    let _e11 = x_2;
+    x_2 = (_e11 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e14 = x_2;
+    let _e20 = x_2;
+    x_2 = (_e20 ^ ((_e14 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e23 = x_2;
+    let _e29 = x_2;
+    x_2 = (_e29 ^ ((_e23 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e32 = x_2;
+    let _e33 = x_2;
+    return (_e32 ^ ((_e33 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_2: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_2;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum;
+        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e38 = v1_;
+        v0_ = _e38;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e42 = bits;
+        bits = (_e42 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e46 = sum;
+    return _e46;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_3: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_3;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_1;
+        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e41 = v1_1;
+        v0_1 = _e41;
+        // glimt_sampling/src/sobol.rs:93
+        let _e43 = v2_;
+        v1_1 = _e43;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e47 = bits_1;
+        bits_1 = (_e47 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e51 = sum_1;
+    return _e51;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_4: u32, dimension: u32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_5 = (index_4 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen_1 = index_5;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_5);
+            chosen_1 = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_5);
+                chosen_1 = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_5);
+                chosen_1 = _e22;
+            }
+        }
+    }
+    let _e23 = chosen_1;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
+    var chosen_2: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_2 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_2 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_2 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_2 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_2;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn owen_sobol_next(this_: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_).dimension;
+    let dimension_2 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_).dimension = (dimension_2 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_).seed;
+    let _e19 = hash2_(_e15, (dimension_2 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e22 = (*this_).index;
+    let _e23 = shuffle(_e22, _e19);
+    // glimt_sampling/src/sobol.rs:195
+    let _e25 = sobol_reversed(_e23, dimension_2);
+    let _e26 = scramble_1(_e25, dimension_2, _e19);
+    let _e29 = sobol_reversed(_e23, (dimension_2 + 1u));
+    let _e32 = scramble_1(_e29, (dimension_2 + 1u), _e19);
+    return vec2<u32>(_e26, _e32);
+}
+
+// glimt_sampling/src/hash.rs:49
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:50
+    x_3 = ((v.x * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:51
+    y = ((v.y * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:52
+    z = ((v.z * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:53
+    w = ((v.w * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:55
+    let _e31 = x_3;
+    let _e32 = y;
+    let _e33 = w;
+    x_3 = (_e31 + (_e32 * _e33));
+    // glimt_sampling/src/hash.rs:56
+    let _e37 = y;
+    let _e38 = z;
+    let _e39 = x_3;
+    y = (_e37 + (_e38 * _e39));
+    // glimt_sampling/src/hash.rs:57
+    let _e43 = z;
+    let _e44 = x_3;
+    let _e45 = y;
+    z = (_e43 + (_e44 * _e45));
+    // glimt_sampling/src/hash.rs:58
+    let _e49 = w;
+    let _e50 = y;
+    let _e51 = z;
+    w = (_e49 + (_e50 * _e51));
+    // glimt_sampling/src/hash.rs:59
+    let _e55 = x_3;
+    let _e59 = x_3;
+    x_3 = (_e59 ^ (_e55 >> 16u));
+    // glimt_sampling/src/hash.rs:60
+    let _e62 = y;
+    let _e66 = y;
+    y = (_e66 ^ (_e62 >> 16u));
+    // glimt_sampling/src/hash.rs:61
+    let _e69 = z;
+    let _e73 = z;
+    z = (_e73 ^ (_e69 >> 16u));
+    // glimt_sampling/src/hash.rs:62
+    let _e76 = w;
+    let _e80 = w;
+    w = (_e80 ^ (_e76 >> 16u));
+    // glimt_sampling/src/hash.rs:63
+    let _e83 = x_3;
+    let _e84 = y;
+    let _e85 = w;
+    x_3 = (_e83 + (_e84 * _e85));
+    // glimt_sampling/src/hash.rs:64
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_3;
+    y = (_e89 + (_e90 * _e91));
+    // glimt_sampling/src/hash.rs:65
+    let _e95 = z;
+    let _e96 = x_3;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
+    // glimt_sampling/src/hash.rs:66
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
+    // glimt_sampling/src/hash.rs:67
+    let _e107 = x_3;
+    let _e108 = x_3;
+    let _e113 = y;
+    let _e114 = y;
+    let _e119 = z;
+    let _e120 = z;
+    let _e125 = w;
+    let _e126 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e113 ^ (_e114 >> 16u)), (_e119 ^ (_e120 >> 16u)), (_e125 ^ (_e126 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_ = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_ == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn xoshiro_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn xoshiro_next(this_1: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s = (*this_1).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s.x + s.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_1 = (s.z ^ s.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s.w ^ s.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_1).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
