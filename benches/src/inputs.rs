@@ -3,7 +3,8 @@
 //! Real files are read from the folder that `GLIMT_BENCH_DATA` names, `../shared/data` by default; where one is missing a
 //! procedural stand-in takes its place, and the benchmark says so.
 
-use glam::{UVec2, Vec3, vec3};
+use glam::{UVec2, Vec3, Vec4, vec3};
+use glimt_render_gpu::host::env::EnvMap;
 use std::path::PathBuf;
 
 /// Where the real inputs are looked for.
@@ -49,35 +50,81 @@ pub struct TriangleMesh {
 
 /// The scanned statue `happy_buddha_100k.obj` where it is at hand, else a knotted tube of as many triangles.
 pub fn statue() -> TriangleMesh {
-    let path = data_dir().join("models/happy_buddha_100k.obj");
+    load("happy_buddha_100k.obj").unwrap_or_else(|| knot(500, 100))
+}
+
+/// The scanned rabbit `stanford-bunny.obj` where it is at hand, else a knotted tube.
+pub fn bunny() -> TriangleMesh {
+    load("stanford-bunny.obj").unwrap_or_else(|| knot(350, 100))
+}
+
+fn load(name: &str) -> Option<TriangleMesh> {
+    let path = data_dir().join("models").join(name);
     let options = tobj::LoadOptions {
         triangulate: true,
         single_index: true,
         ..tobj::LoadOptions::default()
     };
-    match tobj::load_obj(&path, &options) {
-        Ok((models, _)) => {
-            let mut mesh = TriangleMesh {
-                name: "happy_buddha_100k.obj".to_owned(),
-                positions: Vec::new(),
-                triangles: Vec::new(),
-            };
-            for model in models {
-                let first = mesh.positions.len() as u32;
-                let points = model.mesh.positions.chunks_exact(3);
-                mesh.positions
-                    .extend(points.map(|p| vec3(p[0], p[1], p[2])));
-                let corners = model.mesh.indices.chunks_exact(3);
-                mesh.triangles
-                    .extend(corners.map(|t| [t[0], t[1], t[2]].map(|i| first + i)));
-            }
-            mesh
-        }
+    let models = match tobj::load_obj(&path, &options) {
+        Ok((models, _)) => models,
         Err(error) => {
             println!("{}: {error}; a procedural mesh stands in", path.display());
-            knot(500, 100)
+            return None;
+        }
+    };
+    let mut mesh = TriangleMesh {
+        name: name.to_owned(),
+        positions: Vec::new(),
+        triangles: Vec::new(),
+    };
+    for model in models {
+        let first = mesh.positions.len() as u32;
+        let points = model.mesh.positions.chunks_exact(3);
+        mesh.positions
+            .extend(points.map(|p| vec3(p[0], p[1], p[2])));
+        let corners = model.mesh.indices.chunks_exact(3);
+        mesh.triangles
+            .extend(corners.map(|t| [t[0], t[1], t[2]].map(|i| first + i)));
+    }
+    Some(mesh)
+}
+
+/// Three photographed light maps where they are at hand, else the procedural one.
+pub fn light_maps() -> Vec<(String, EnvMap)> {
+    let names = [
+        "studio_small_03_1k",
+        "spruit_sunrise_1k",
+        "st_fagans_interior_1k",
+    ];
+    let mut maps = Vec::new();
+    for name in names {
+        let path = data_dir().join("hdri").join(name).with_extension("hdr");
+        match image::open(&path) {
+            Ok(picture) => {
+                let picture = picture.into_rgba32f();
+                let size = UVec2::new(picture.width(), picture.height());
+                let mut texels: Vec<Vec4> =
+                    picture.pixels().map(|p| Vec4::from_array(p.0)).collect();
+                EnvMap::repair(&mut texels);
+                maps.push((
+                    name.to_owned(),
+                    EnvMap::new(size, texels).expect("repaired texels"),
+                ));
+            }
+            Err(error) => println!("{}: {error}", path.display()),
         }
     }
+    if maps.is_empty() {
+        let size = UVec2::new(1024, 512);
+        let map = procedural_map(size);
+        let texels = map
+            .iter()
+            .map(|p| Vec3::from_array(*p).extend(1.0))
+            .collect();
+        let map = EnvMap::new(size, texels).expect("procedural texels");
+        maps.push(("a procedural map".to_owned(), map));
+    }
+    maps
 }
 
 /// A tube along a trefoil knot, of `2 · along · around` triangles.
