@@ -1,6 +1,7 @@
 //! Host file: running an entry over many elements in dispatches that fit the adapter and stay short.
 
 use std::collections::VecDeque;
+use std::ops::AddAssign;
 use std::sync::{Arc, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -31,6 +32,18 @@ pub struct LaunchReport {
     pub wall: Duration,
     /// Time the GPU spent in them; `None` where the adapter offers no timestamps.
     pub gpu: Option<Duration>,
+}
+
+impl AddAssign for LaunchReport {
+    /// Adds a launch that came after.
+    fn add_assign(&mut self, later: Self) {
+        self.dispatches += later.dispatches;
+        self.wall += later.wall;
+        self.gpu = match (self.gpu, later.gpu) {
+            (Some(a), Some(b)) => Some(a + b),
+            (a, b) => a.or(b),
+        };
+    }
 }
 
 /// Elements in the first dispatch of a kernel of unknown pace: short on the slowest adapter, cheap on the fastest.
@@ -74,6 +87,22 @@ impl GpuContext {
         first: u32,
         count: u32,
     ) -> Result<LaunchReport, GpuError> {
+        self.launch_telling(entry, args, first, count, &|_| ())
+    }
+
+    /// As [`Self::launch`]; `progress` is told, after each dispatch, how many elements are done.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::launch`].
+    pub fn launch_telling(
+        &self,
+        entry: &Entry,
+        args: &[(&str, Arg<'_>)],
+        first: u32,
+        count: u32,
+        progress: &dyn Fn(u32),
+    ) -> Result<LaunchReport, GpuError> {
         if first.checked_add(count).is_none() {
             let problem = format!("elements {first} and {count} more are beyond u32");
             return Err(GpuError::Argument {
@@ -96,7 +125,7 @@ impl GpuContext {
         };
         let mut flights = VecDeque::new();
         let mut last_done = started;
-        let mut done = 0;
+        let (mut done, mut landed) = (0, 0);
         while done < count {
             let pace = *kernel.pace.lock().unwrap_or_else(PoisonError::into_inner);
             let elements = tiles
@@ -110,11 +139,24 @@ impl GpuContext {
                 let Some(flight) = flights.pop_front() else {
                     break;
                 };
+                landed += flight.elements;
                 self.land(&kernel, flight, &mut last_done, &mut report)?;
+                progress(landed);
             }
         }
         report.wall = started.elapsed();
         Ok(report)
+    }
+
+    /// Forgets how fast `entry` ran, where its next elements may be far slower: its dispatches begin small again.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::prepare`].
+    pub fn forget_pace(&self, entry: &Entry) -> Result<(), GpuError> {
+        let kernel = self.kernel(entry)?;
+        *kernel.pace.lock().unwrap_or_else(PoisonError::into_inner) = None;
+        Ok(())
     }
 
     /// What bounds the dispatches of a launch.

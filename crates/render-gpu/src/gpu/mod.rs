@@ -2,16 +2,20 @@
 //!
 //! [`GpuContext`] opens an adapter with the adapter's own limits; [`GpuContext::launch`] runs a generated
 //! [`Entry`](crate::entry::Entry) over any number of elements, cut into dispatches that fit the adapter's limits and
-//! stay short. Everything that can go wrong is a [`GpuError`] that names the adapter and the limit.
+//! stay short; [`GpuRenderer`] renders frames by it. Everything that can go wrong is a [`GpuError`] that names the adapter and the limit.
 
 mod buffer;
 mod device;
 mod error;
 mod kernel;
 mod launch;
+mod renderer;
 mod timing;
+mod upload;
 
 pub use buffer::GpuBuffer;
 pub use device::{AdapterPreference, AdapterSummary, GpuContext, GpuOptions, enumerate};
 pub use error::GpuError;
 pub use launch::{Arg, LaunchReport};
+pub use renderer::{FrameTimes, GpuRenderer};
+pub use upload::{GpuEnv, GpuScene};

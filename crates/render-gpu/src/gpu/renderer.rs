@@ -1,0 +1,301 @@
+//! Host file: frames by wgpu. Pass 1 traces the rays of a tile, pass 2 makes its pixels of them (Kronander 2014, § 7).
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use glam::Vec4;
+
+use super::device::{AdapterPreference, GpuContext};
+use super::error::GpuError;
+use super::launch::{Arg, LaunchReport};
+use super::upload::{GpuEnv, GpuScene};
+use super::{GpuBuffer, GpuOptions};
+use crate::entry::Entry;
+use crate::generated::{RECONSTRUCT, SHADE_MIS, TONEMAP};
+use crate::host::env::PreparedEnv;
+use crate::host::render::{FrameImage, Method, RenderError, RenderSettings, Renderer};
+use crate::host::scene_build::SceneBuffers;
+use crate::kernels::frame::FrameParams;
+
+/// Bytes of a tile's rays: enough to fill any GPU, few enough for any memory.
+const SAMPLE_BYTES: u64 = 64 << 20;
+
+/// Where a frame's time went.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FrameTimes {
+    /// Handing over the light, and the scene where it was new.
+    pub upload: Duration,
+    /// Pass 1: rays and shading.
+    pub shade: LaunchReport,
+    /// Pass 2: reconstruction and tonemap.
+    pub film: LaunchReport,
+    /// Copies back to the host.
+    pub read_back: Duration,
+}
+
+/// Renders on a GPU.
+#[derive(Debug)]
+pub struct GpuRenderer {
+    context: Arc<GpuContext>,
+    scene: Option<GpuScene>,
+    /// Two, so that a frame's light is never written over that of the frame before.
+    envs: [Option<GpuEnv>; 2],
+    tile: Option<TileBuffers>,
+    /// What the cost of a ray hung on in the last frame: scene, samples of both kinds.
+    cost: Option<(u64, u32, u32)>,
+    times: FrameTimes,
+}
+
+/// What one tile is computed in.
+#[derive(Debug)]
+struct TileBuffers {
+    pixels: u32,
+    rays_per_pixel: u32,
+    samples: GpuBuffer,
+    linear: GpuBuffer,
+    display: GpuBuffer,
+}
+
+impl GpuRenderer {
+    /// A renderer on the adapter of choice.
+    ///
+    /// # Errors
+    ///
+    /// As [`GpuContext::new`]; also where the adapter cannot run the kernels.
+    pub fn new(preference: AdapterPreference<'_>) -> Result<Self, GpuError> {
+        Self::with_options(preference, GpuOptions::default())
+    }
+
+    /// As [`Self::new`], with options.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::new`].
+    pub fn with_options(
+        preference: AdapterPreference<'_>,
+        options: GpuOptions,
+    ) -> Result<Self, GpuError> {
+        let context = Arc::new(GpuContext::with_options(preference, options)?);
+        for entry in [&SHADE_MIS, &RECONSTRUCT, &TONEMAP] {
+            context.prepare(entry)?;
+        }
+        Ok(Self {
+            context,
+            scene: None,
+            envs: [None, None],
+            tile: None,
+            cost: None,
+            times: FrameTimes::default(),
+        })
+    }
+
+    /// The GPU, to be cloned for uploads from other threads.
+    #[must_use]
+    pub fn context(&self) -> &Arc<GpuContext> {
+        &self.context
+    }
+
+    /// Where the last frame's time went.
+    #[must_use]
+    pub fn times(&self) -> &FrameTimes {
+        &self.times
+    }
+
+    /// Renders a frame under a light that is on the GPU already.
+    ///
+    /// # Errors
+    ///
+    /// As [`Renderer::render_frame`].
+    pub fn render(
+        &mut self,
+        scene: &SceneBuffers,
+        env: &GpuEnv,
+        settings: &RenderSettings,
+        progress: &(dyn Fn(f32) + Sync),
+    ) -> Result<FrameImage, RenderError> {
+        self.times = FrameTimes::default();
+        let whole = settings.frame_params()?;
+        self.keep_scene(scene).map_err(device)?;
+        self.keep_tile(&whole).map_err(device)?;
+        let (Some(scene), Some(tile)) = (&self.scene, &self.tile) else {
+            unreachable!("both were just made");
+        };
+        let shade = match settings.method {
+            Method::Mis => &SHADE_MIS,
+        };
+        let cost = Some((scene.id(), whole.brdf_samples, whole.env_samples));
+        if self.cost != cost {
+            self.context.forget_pace(shade).map_err(device)?;
+            self.cost = cost;
+        }
+        let pixels = whole.width * whole.height;
+        let mut image = FrameImage {
+            size: settings.size,
+            linear: Vec::with_capacity(pixels as usize),
+            display: Vec::with_capacity(pixels as usize),
+        };
+        let mut first = 0;
+        while first < pixels {
+            let frame = FrameParams {
+                first_pixel: first,
+                ..whole
+            };
+            let count = tile.pixels.min(pixels - first);
+            let rays = f64::from(pixels) * f64::from(whole.rays_per_pixel);
+            let before = f64::from(first) * f64::from(whole.rays_per_pixel);
+            let tell = |done: u32| progress(((before + f64::from(done)) / rays) as f32);
+            let work = Work {
+                context: &self.context,
+                scene,
+                env,
+                tile,
+                frame: &frame,
+                count,
+            };
+            work.render(shade, &tell, &mut self.times, &mut image)
+                .map_err(device)?;
+            first += count;
+        }
+        Ok(image)
+    }
+
+    fn keep_scene(&mut self, scene: &SceneBuffers) -> Result<(), GpuError> {
+        if self
+            .scene
+            .as_ref()
+            .is_none_or(|known| known.id() != scene.id())
+        {
+            let started = Instant::now();
+            // The old one goes first: there may not be room for two.
+            self.scene = None;
+            self.scene = Some(GpuScene::new(&self.context, scene)?);
+            self.times.upload += started.elapsed();
+        }
+        Ok(())
+    }
+
+    fn keep_tile(&mut self, frame: &FrameParams) -> Result<(), GpuError> {
+        let pixels = frame.width * frame.height;
+        let fits = |tile: &TileBuffers| {
+            tile.rays_per_pixel == frame.rays_per_pixel
+                && (tile.pixels == pixels || tile.pixels == self.largest_tile(frame))
+        };
+        if !self.tile.as_ref().is_some_and(fits) {
+            self.tile = None;
+            self.tile = Some(TileBuffers::new(
+                &self.context,
+                self.largest_tile(frame),
+                frame.rays_per_pixel,
+            )?);
+        }
+        Ok(())
+    }
+
+    /// Pixels whose rays fit a binding, and no more than there are.
+    fn largest_tile(&self, frame: &FrameParams) -> u32 {
+        let ray_bytes = size_of::<Vec4>() as u64;
+        let bytes = self.context.max_binding_bytes().min(SAMPLE_BYTES);
+        let fitting = bytes / (ray_bytes * u64::from(frame.rays_per_pixel));
+        // One pixel at least; where its rays do not fit, the launch says so.
+        fitting.clamp(1, u64::from(frame.width * frame.height)) as u32
+    }
+}
+
+impl Renderer for GpuRenderer {
+    fn name(&self) -> String {
+        format!("GPU, {}", self.context.adapter())
+    }
+
+    fn render_frame(
+        &mut self,
+        scene: &SceneBuffers,
+        env: &PreparedEnv,
+        settings: &RenderSettings,
+        progress: &(dyn Fn(f32) + Sync),
+    ) -> Result<FrameImage, RenderError> {
+        let started = Instant::now();
+        self.envs.swap(0, 1);
+        let current = match self.envs[0].take() {
+            Some(mut old) => old.update(&self.context, env).map(|()| old),
+            None => GpuEnv::new(&self.context, env),
+        };
+        let current = current.map_err(device)?;
+        let upload = started.elapsed();
+        let image = self.render(scene, &current, settings, progress);
+        self.envs[0] = Some(current);
+        self.times.upload += upload;
+        image
+    }
+}
+
+fn device(error: GpuError) -> RenderError {
+    RenderError::Device(Box::new(error))
+}
+
+impl TileBuffers {
+    fn new(context: &GpuContext, pixels: u32, rays_per_pixel: u32) -> Result<Self, GpuError> {
+        let bytes = u64::from(pixels) * size_of::<Vec4>() as u64;
+        Ok(Self {
+            pixels,
+            rays_per_pixel,
+            samples: context.buffer("samples", bytes * u64::from(rays_per_pixel))?,
+            linear: context.buffer("linear", bytes)?,
+            display: context.buffer("display", u64::from(pixels) * 4)?,
+        })
+    }
+}
+
+/// One tile to render.
+struct Work<'a> {
+    context: &'a GpuContext,
+    scene: &'a GpuScene,
+    env: &'a GpuEnv,
+    tile: &'a TileBuffers,
+    frame: &'a FrameParams,
+    count: u32,
+}
+
+impl Work<'_> {
+    fn render(
+        &self,
+        shade: &Entry,
+        progress: &dyn Fn(u32),
+        times: &mut FrameTimes,
+        image: &mut FrameImage,
+    ) -> Result<(), GpuError> {
+        let tile = self.tile;
+        let frame = ("frame", Arg::Value(bytemuck::bytes_of(self.frame)));
+        let mut args = vec![frame, ("out", Arg::Buffer(&tile.samples))];
+        args.extend(self.scene.args());
+        args.extend(self.env.args());
+        let rays = self.count * tile.rays_per_pixel;
+        times.shade += self
+            .context
+            .launch_telling(shade, &args, 0, rays, progress)?;
+
+        let args = [
+            frame,
+            ("samples", Arg::Buffer(&tile.samples)),
+            ("out", Arg::Buffer(&tile.linear)),
+        ];
+        times.film += self.context.launch(&RECONSTRUCT, &args, 0, self.count)?;
+        let args = [
+            frame,
+            ("linear", Arg::Buffer(&tile.linear)),
+            ("out", Arg::Buffer(&tile.display)),
+        ];
+        times.film += self.context.launch(&TONEMAP, &args, 0, self.count)?;
+
+        let started = Instant::now();
+        image.linear.extend(
+            self.context
+                .read::<Vec4>(&tile.linear, self.count as usize)?,
+        );
+        image.display.extend(
+            self.context
+                .read::<[u8; 4]>(&tile.display, self.count as usize)?,
+        );
+        times.read_back += started.elapsed();
+        Ok(())
+    }
+}

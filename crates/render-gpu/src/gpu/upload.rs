@@ -1,0 +1,136 @@
+//! Host file: scenes and lights on the GPU, bound by the paths that kernels know them by.
+
+use bytemuck::NoUninit;
+use glam::{UVec2, Vec2};
+
+use super::buffer::GpuBuffer;
+use super::device::GpuContext;
+use super::error::GpuError;
+use super::launch::Arg;
+use crate::host::env::PreparedEnv;
+use crate::host::scene_build::SceneBuffers;
+
+/// A scene's buffers.
+#[derive(Debug)]
+pub struct GpuScene {
+    id: u64,
+    nodes: GpuBuffer,
+    triangles: GpuBuffer,
+    corners: GpuBuffer,
+    materials: GpuBuffer,
+    texels: GpuBuffer,
+}
+
+impl GpuScene {
+    /// Uploads a scene.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Limit`] where a buffer is larger than a binding may be, and [`GpuError::OutOfMemory`].
+    pub fn new(context: &GpuContext, scene: &SceneBuffers) -> Result<Self, GpuError> {
+        let view = scene.view();
+        Ok(Self {
+            id: scene.id(),
+            nodes: bindable(context, "scene.nodes", view.nodes)?,
+            triangles: bindable(context, "scene.triangles", view.triangles)?,
+            corners: bindable(context, "scene.corners", view.corners)?,
+            materials: bindable(context, "scene.materials", view.materials)?,
+            texels: bindable(context, "scene.texels", view.texels)?,
+        })
+    }
+
+    /// Which scene it is: [`SceneBuffers::id`].
+    #[must_use]
+    pub fn id(&self) -> u64 {
+        self.id
+    }
+
+    /// The arguments of a kernel that takes `scene`.
+    #[must_use]
+    pub fn args(&self) -> [(&'static str, Arg<'_>); 5] {
+        [
+            ("scene.nodes", Arg::Buffer(&self.nodes)),
+            ("scene.triangles", Arg::Buffer(&self.triangles)),
+            ("scene.corners", Arg::Buffer(&self.corners)),
+            ("scene.materials", Arg::Buffer(&self.materials)),
+            ("scene.texels", Arg::Buffer(&self.texels)),
+        ]
+    }
+}
+
+/// A light map with its tables.
+///
+/// While one lights the frame that renders, the next frame's may be made or updated on another thread.
+#[derive(Debug)]
+pub struct GpuEnv {
+    size: UVec2,
+    rotation: Vec2,
+    texels: GpuBuffer,
+    marginal: GpuBuffer,
+    conditional: GpuBuffer,
+}
+
+impl GpuEnv {
+    /// Uploads a light map.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Limit`] where it is larger than a binding may be, and [`GpuError::OutOfMemory`].
+    pub fn new(context: &GpuContext, env: &PreparedEnv) -> Result<Self, GpuError> {
+        let view = env.view();
+        Ok(Self {
+            size: view.cdf.size,
+            rotation: view.rotation,
+            texels: bindable(context, "env.texels", view.texels)?,
+            marginal: bindable(context, "env.cdf.marginal", view.cdf.marginal)?,
+            conditional: bindable(context, "env.cdf.conditional", view.cdf.conditional)?,
+        })
+    }
+
+    /// Puts another light map in its place, into the same buffers where the size is the same.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::new`].
+    pub fn update(&mut self, context: &GpuContext, env: &PreparedEnv) -> Result<(), GpuError> {
+        let view = env.view();
+        if view.cdf.size != self.size {
+            *self = Self::new(context, env)?;
+            return Ok(());
+        }
+        context.write(&self.texels, view.texels)?;
+        context.write(&self.marginal, view.cdf.marginal)?;
+        context.write(&self.conditional, view.cdf.conditional)?;
+        self.rotation = view.rotation;
+        Ok(())
+    }
+
+    /// The arguments of a kernel that takes `env`.
+    #[must_use]
+    pub fn args(&self) -> [(&'static str, Arg<'_>); 5] {
+        [
+            ("env.cdf.size", Arg::Value(bytemuck::bytes_of(&self.size))),
+            (
+                "env.rotation",
+                Arg::Value(bytemuck::bytes_of(&self.rotation)),
+            ),
+            ("env.texels", Arg::Buffer(&self.texels)),
+            ("env.cdf.marginal", Arg::Buffer(&self.marginal)),
+            ("env.cdf.conditional", Arg::Buffer(&self.conditional)),
+        ]
+    }
+}
+
+/// A buffer that is checked now to fit a binding, before the frames that would find out.
+fn bindable<T: NoUninit>(
+    context: &GpuContext,
+    path: &str,
+    values: &[T],
+) -> Result<GpuBuffer, GpuError> {
+    let (needed, allowed) = (size_of_val(values) as u64, context.max_binding_bytes());
+    if needed > allowed {
+        let limit = "max_storage_buffer_binding_size";
+        return Err(context.limit_error(path.to_owned(), needed, limit, allowed));
+    }
+    context.buffer_of(path, values)
+}
