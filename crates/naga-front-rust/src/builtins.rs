@@ -376,3 +376,49 @@ pub(crate) fn refused_method(name: &str) -> Option<&'static str> {
         _ => return None,
     })
 }
+
+/// Whether glam or core has a method of this name on some built-in type. rustc prefers it to any trait's, so a trait's
+/// method of that name is not what a plain call on a built-in type means.
+pub(crate) fn is_inherent(name: &str) -> bool {
+    INHERENT.split_whitespace().any(|n| n == name)
+        || (2..=4).contains(&name.len()) && name.chars().all(|c| "xyzw".contains(c))
+}
+
+const INHERENT: &str = "
+    abs abs_diff abs_diff_eq abs_sub acos acosh add_mat2 add_mat3 add_mat4 algebraic_add algebraic_div
+    algebraic_mul algebraic_rem algebraic_sub angle_between angle_to any_orthogonal_vector any_orthonormal_pair
+    any_orthonormal_vector as_dmat2 as_dmat3 as_dmat4 as_dvec2 as_dvec3 as_dvec4 as_i16vec2 as_i16vec3 as_i16vec4
+    as_i64vec2 as_i64vec3 as_i64vec4 as_i8vec2 as_i8vec3 as_i8vec4 as_isizevec2 as_isizevec3 as_isizevec4 as_ivec2
+    as_ivec3 as_ivec4 as_u16vec2 as_u16vec3 as_u16vec4 as_u64vec2 as_u64vec3 as_u64vec4 as_u8vec2 as_u8vec3
+    as_u8vec4 as_usizevec2 as_usizevec3 as_usizevec4 as_uvec2 as_uvec3 as_uvec4 as_vec2 as_vec3 as_vec3a as_vec4
+    asin asinh atan atan2 atanh cast_signed cast_unsigned cbrt ceil chebyshev_distance checked_abs checked_add
+    checked_add_signed checked_add_unsigned checked_div checked_div_euclid checked_ilog checked_ilog10
+    checked_ilog2 checked_isqrt checked_manhattan_distance checked_mul checked_neg checked_next_multiple_of
+    checked_next_power_of_two checked_pow checked_rem checked_rem_euclid checked_shl checked_shr
+    checked_signed_diff checked_sub checked_sub_signed checked_sub_unsigned clamp clamp_length clamp_length_max
+    clamp_length_min classify clone cmp cmpeq cmpge cmpgt cmple cmplt cmpne col col_mut copysign cos cosh
+    count_ones count_zeros cross determinant diagonal distance distance_squared div_ceil div_euclid div_scalar dot
+    dot_into_vec element_product element_sum eq erf exp exp2 exp_m1 extend floor fract fract_gl ge gt hypot ilog
+    ilog10 ilog2 inverse inverse_or_zero is_finite is_finite_mask is_infinite is_multiple_of is_nan is_nan_mask
+    is_negative is_negative_bitmask is_negative_mask is_none is_normal is_normalized is_positive is_power_of_two
+    is_sign_negative is_sign_positive is_some is_subnormal isqrt le leading_ones leading_zeros length length_recip
+    length_squared lerp lerp_monotonic ln ln_1p log log10 log2 lt manhattan_distance max max_element max_position
+    maximum midpoint min min_element min_position minimum move_towards mul_add mul_diagonal_scale mul_mat2
+    mul_mat3 mul_mat4 mul_scalar mul_transpose_vec2 mul_transpose_vec3 mul_transpose_vec4 mul_vec2 mul_vec3
+    mul_vec3a mul_vec4 ne neg next_down next_multiple_of next_power_of_two next_up normalize normalize_and_length
+    normalize_or normalize_or_zero not overflowing_abs overflowing_add overflowing_mul overflowing_neg
+    overflowing_pow overflowing_shl overflowing_shr overflowing_sub partial_cmp perp perp_dot pow powf powi
+    project project_onto project_onto_normalized project_point3 project_point3a recip reflect refract reject_from
+    reject_from_normalized rem_euclid reverse_bits rotate rotate_angle rotate_axis rotate_left rotate_right
+    rotate_towards rotate_x rotate_y rotate_z round round_ties_even row saturate saturating_abs saturating_add
+    saturating_add_signed saturating_add_unsigned saturating_div saturating_mul saturating_neg saturating_pow
+    saturating_sub saturating_sub_unsigned set_row signum sin sin_cos sinh slerp smoothstep sqrt step sub_mat2
+    sub_mat3 sub_mat4 swap_bytes tan tanh then then_some to_angle to_array to_be to_be_bytes to_bits to_cols_array
+    to_cols_array_2d to_degrees to_euler to_homogeneous to_int_unchecked to_le to_le_bytes to_ne_bytes to_radians
+    to_rows_array to_scale_rotation_translation to_vec3a total_cmp trailing_ones trailing_zeros transform_point2
+    transform_point3 transform_point3a transform_vector2 transform_vector3 transform_vector3a transpose
+    transpose_mul_vec2 transpose_mul_vec3 transpose_mul_vec4 trunc truncate try_inverse try_normalize unsigned_abs
+    unwrap_or with_w with_x with_y with_z wrapping_abs wrapping_add wrapping_add_signed wrapping_add_unsigned
+    wrapping_div wrapping_mul wrapping_neg wrapping_pow wrapping_rem wrapping_shl wrapping_shr wrapping_sub
+    wrapping_sub_unsigned write_cols_to_slice write_to_slice
+";

@@ -161,7 +161,7 @@ impl Lowerer<'_> {
             .iter()
             .map(|(n, t)| (n.clone(), c.table.zonk(t)))
             .collect();
-        if let Some((name, _)) = substs.iter().find(|(_, t)| matches!(t, Ty::Var(_))) {
+        if let Some((name, _)) = substs.iter().find(|(_, t)| t.is_open()) {
             return Err(bad(format!(
                 "the generic argument `{name}` of `{path}` is not given"
             )));

@@ -102,6 +102,8 @@ pub(crate) struct TraitItem {
 
 #[derive(Debug)]
 pub(crate) struct ImplItem {
+    /// The `cfg` that it stands behind: whether it is there, rustc alone knows.
+    pub(crate) gate: Option<String>,
     pub(crate) module: ModId,
     pub(crate) file: usize,
     pub(crate) generics: syn::Generics,
@@ -374,6 +376,8 @@ impl Loader<'_> {
             syn::Item::Mod(m) => {
                 let name = m.ident.to_string();
                 let below = format!("{dir}{name}/");
+                let moved = m.attrs.iter().any(|a| a.path().is_ident("path"));
+                let gate = gate.or(moved.then(|| "#[path]".to_string()));
                 if let Some(gate) = gate {
                     it.name(module, name, Target::Absent, Some(gate));
                 } else if let Some((_, list)) = m.content {
@@ -436,12 +440,9 @@ impl Loader<'_> {
                 }
             }
             syn::Item::Impl(i) => {
-                // An impl behind a cfg may or may not be there: rustc alone knows. It is host code.
-                if gate.is_some() {
-                    return Ok(());
-                }
                 let id = it.impls.len();
                 it.impls.push(ImplItem {
+                    gate,
                     module,
                     file,
                     generics: i.generics,

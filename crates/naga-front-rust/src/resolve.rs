@@ -110,6 +110,18 @@ impl Items {
         Ok(at)
     }
 
+    /// The path by which `module` imports `name`, whether it leads anywhere or not.
+    pub(crate) fn import_of(&self, module: ModId, name: &str) -> Option<String> {
+        self.modules[module]
+            .names
+            .get(name)?
+            .iter()
+            .find_map(|n| match &n.target {
+                Target::Use(path) => Some(path.join("::")),
+                _ => None,
+            })
+    }
+
     /// The module that is written in the source around a function body's items.
     fn written(&self, mut module: ModId) -> ModId {
         while let (true, Some(parent)) = (self.modules[module].block, self.modules[module].parent) {
@@ -154,19 +166,14 @@ impl Items {
         let mut refused = None;
         for named in self.modules[module].names.get(name).into_iter().flatten() {
             match self.target(module, named, ns, span, busy)? {
-                Some(_) if named.gate.is_some() => refused = named.gate.clone(),
+                _ if named.gate.is_some() => refused = named.gate.clone(),
                 Some(def) if !found.contains(&def) => found.push(def),
                 Some(_) => {}
-                None => match (&named.target, &named.gate) {
-                    (Target::Absent, None) if ns == Ns::Type => {
-                        refused = Some(format!("mod {name}; (no such file given)"))
+                None => match &named.target {
+                    Target::Absent if ns == Ns::Type => {
+                        refused = Some(format!("mod {name}; (no such file given)"));
                     }
-                    (Target::Absent | Target::Unsupported(_), Some(gate)) => {
-                        refused = Some(gate.clone())
-                    }
-                    (Target::Unsupported(what), None) => {
-                        refused = Some((*what).to_string());
-                    }
+                    Target::Unsupported(what) => refused = Some((*what).to_string()),
                     _ => {}
                 },
             }

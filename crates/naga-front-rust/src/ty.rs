@@ -70,6 +70,17 @@ impl Ty {
         }
     }
 
+    /// Whether something in it is still to be inferred.
+    pub(crate) fn is_open(&self) -> bool {
+        match self {
+            Ty::Var(_) | Ty::IntVar(_) => true,
+            Ty::Array(t, n) => t.is_open() || n.is_open(),
+            Ty::Slice(t) | Ty::RefMut(t) | Ty::Option(t) => t.is_open(),
+            Ty::Tuple(list) | Ty::Struct(_, list) => list.iter().any(Ty::is_open),
+            _ => false,
+        }
+    }
+
     /// Behind `&mut`, if it is one.
     pub(crate) fn behind(&self) -> &Ty {
         match self {

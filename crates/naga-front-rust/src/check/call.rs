@@ -408,6 +408,7 @@ impl Checker<'_> {
                 crate::items::check_attrs(item.file, &item.item.attrs)?;
                 let field = item.item.fields.iter().nth(index);
                 let field = field.ok_or_else(|| err(span, "no such field", "check the struct"))?;
+                crate::items::check_attrs(item.file, &field.attrs)?;
                 let names = item.item.generics.params.iter().filter_map(|p| match p {
                     syn::GenericParam::Lifetime(_) => None,
                     syn::GenericParam::Type(t) => Some(t.ident.to_string()),
@@ -614,6 +615,7 @@ impl Checker<'_> {
         };
         let mut fields = Vec::new();
         for f in &s.fields {
+            crate::items::check_attrs(self.scope.file, &f.attrs)?;
             let Some(index) = self.member_index(&ty, &f.member) else {
                 return Err(err(self.span(f), "no such field", "check the struct"));
             };

@@ -34,6 +34,7 @@ pub(super) enum Callable {
 impl Checker<'_> {
     pub(crate) fn expr(&mut self, e: &syn::Expr, expect: Option<&Ty>) -> R<Expr> {
         let span = self.span(e);
+        crate::items::check_attrs(self.scope.file, attributes(e))?;
         let refuse =
             |what: &str, help: &str| Err(err(span, format!("{what} cannot be lowered"), help));
         match e {
@@ -462,7 +463,12 @@ impl Checker<'_> {
                 }
                 _ => Err(err(
                     span,
-                    format!("cannot find `{name}` here"),
+                    match self.items.import_of(self.scope.module, name) {
+                        Some(path) => {
+                            format!("cannot find `{name}`: `use {path}` leads to no file given")
+                        }
+                        None => format!("cannot find `{name}` here"),
+                    },
                     "hand its file to the front end, or import it by name",
                 )),
             };
@@ -470,11 +476,19 @@ impl Checker<'_> {
         // `Type::name`: everything before the last name is a type, or a trait.
         let (head, name) = (&path[..path.len() - 1], last.ident.to_string());
         let mut busy = std::collections::HashSet::new();
-        if let Some(Def::Trait(t)) =
-            self.items
-                .find(self.scope.module, head, Ns::Type, span, &mut busy)?
+        match self
+            .items
+            .find(self.scope.module, head, Ns::Type, span, &mut busy)?
         {
-            return Ok(PathValue::Callable(Callable::OfTrait(t, name)));
+            Some(Def::Trait(t)) => return Ok(PathValue::Callable(Callable::OfTrait(t, name))),
+            Some(Def::Mod(_)) => {
+                return Err(err(
+                    span,
+                    format!("cannot find `{name}` in `{}`", head.join("::")),
+                    "check the name, or hand its file to the front end",
+                ));
+            }
+            _ => {}
         }
         let owner = syn::Path {
             leading_colon: p.path.leading_colon,
@@ -700,4 +714,49 @@ pub(super) fn enum_with_fields(span: crate::diag::Span) -> Box<crate::diag::Erro
         "an enum with fields cannot be lowered",
         "use a fieldless enum beside a struct, or `Option`",
     )
+}
+
+/// The attributes of an expression: a `cfg` on one could change what the code means.
+fn attributes(e: &syn::Expr) -> &[syn::Attribute] {
+    match e {
+        syn::Expr::Array(e) => &e.attrs,
+        syn::Expr::Assign(e) => &e.attrs,
+        syn::Expr::Async(e) => &e.attrs,
+        syn::Expr::Await(e) => &e.attrs,
+        syn::Expr::Binary(e) => &e.attrs,
+        syn::Expr::Block(e) => &e.attrs,
+        syn::Expr::Break(e) => &e.attrs,
+        syn::Expr::Call(e) => &e.attrs,
+        syn::Expr::Cast(e) => &e.attrs,
+        syn::Expr::Closure(e) => &e.attrs,
+        syn::Expr::Const(e) => &e.attrs,
+        syn::Expr::Continue(e) => &e.attrs,
+        syn::Expr::Field(e) => &e.attrs,
+        syn::Expr::ForLoop(e) => &e.attrs,
+        syn::Expr::Group(e) => &e.attrs,
+        syn::Expr::If(e) => &e.attrs,
+        syn::Expr::Index(e) => &e.attrs,
+        syn::Expr::Infer(e) => &e.attrs,
+        syn::Expr::Let(e) => &e.attrs,
+        syn::Expr::Lit(e) => &e.attrs,
+        syn::Expr::Loop(e) => &e.attrs,
+        syn::Expr::Macro(e) => &e.attrs,
+        syn::Expr::Match(e) => &e.attrs,
+        syn::Expr::MethodCall(e) => &e.attrs,
+        syn::Expr::Paren(e) => &e.attrs,
+        syn::Expr::Path(e) => &e.attrs,
+        syn::Expr::Range(e) => &e.attrs,
+        syn::Expr::RawAddr(e) => &e.attrs,
+        syn::Expr::Reference(e) => &e.attrs,
+        syn::Expr::Repeat(e) => &e.attrs,
+        syn::Expr::Return(e) => &e.attrs,
+        syn::Expr::Struct(e) => &e.attrs,
+        syn::Expr::Try(e) => &e.attrs,
+        syn::Expr::Tuple(e) => &e.attrs,
+        syn::Expr::Unary(e) => &e.attrs,
+        syn::Expr::Unsafe(e) => &e.attrs,
+        syn::Expr::While(e) => &e.attrs,
+        syn::Expr::Yield(e) => &e.attrs,
+        _ => &[],
+    }
 }

@@ -128,9 +128,10 @@ impl Checker<'_> {
         what: What,
         only: Option<usize>,
         span: Span,
-    ) -> (Vec<Member>, Vec<Member>) {
+    ) -> R<(Vec<Member>, Vec<Member>)> {
         let mut inherent = Vec::new();
         let mut of_traits: Vec<Member> = Vec::new();
+        let mut of_others = 0;
         for i in 0..self.items.impls.len() {
             let item = &self.items.impls[i];
             let own = match what {
@@ -138,6 +139,15 @@ impl Checker<'_> {
                 What::Const => item.consts.get(name),
             }
             .copied();
+            if let (Some(gate), Some(_)) = (&item.gate, own)
+                && self.impl_matches(i, ty, span).is_some()
+            {
+                return Err(err(
+                    span,
+                    format!("`{name}` is host code here: an impl that has it stands behind {gate}"),
+                    "shared code carries no `cfg`: rename one of them",
+                ));
+            }
             match &item.trait_ {
                 None => {
                     if let (Some(id), None) = (own, only)
@@ -148,6 +158,8 @@ impl Checker<'_> {
                 }
                 Some(path) => {
                     let Some(t) = self.trait_of(item.module, path, span) else {
+                        of_others +=
+                            usize::from(own.is_some() && self.impl_matches(i, ty, span).is_some());
                         continue;
                     };
                     if only.is_some_and(|only| only != t) {
@@ -170,7 +182,16 @@ impl Checker<'_> {
                 }
             }
         }
-        (inherent, of_traits)
+        if inherent.is_empty() && !of_traits.is_empty() && of_others > 0 && only.is_none() {
+            return Err(err(
+                span,
+                format!(
+                    "`{name}` is ambiguous: a trait that was not handed to the front end has it too"
+                ),
+                "call it by its trait, as `Trait::name(value)`",
+            ));
+        }
+        Ok((inherent, of_traits))
     }
 
     /// The one member called `name` of `ty`. `builtin` says that the language has one of that name too.
@@ -183,7 +204,7 @@ impl Checker<'_> {
         builtin: bool,
         span: Span,
     ) -> R<Option<Member>> {
-        let (mut inherent, mut of_traits) = self.members(ty, name, what, only, span);
+        let (mut inherent, mut of_traits) = self.members(ty, name, what, only, span)?;
         let ambiguous = |c: &Self, between: &str| {
             Err(err(
                 span,
@@ -201,6 +222,20 @@ impl Checker<'_> {
             return ambiguous(
                 self,
                 "the type itself has it, and so has a trait, and this code is generic",
+            );
+        }
+        let own = matches!(ty, Ty::Struct(..) | Ty::Enum(_));
+        if !self.scope.generic
+            && !own
+            && only.is_none()
+            && what == What::Fn
+            && !of_traits.is_empty()
+            && !builtin
+            && crate::builtins::is_inherent(name)
+        {
+            return ambiguous(
+                self,
+                "the type itself has it, though not in the subset, and so has a trait",
             );
         }
         if builtin && inherent.is_empty() {

@@ -198,6 +198,9 @@ pub(crate) fn check_fn(items: &Items, instance: &Instance) -> R<Body> {
     let mut params = Vec::new();
     let mut unpack = Vec::new();
     for (arg, ty) in f.sig.inputs.iter().zip(signature.params) {
+        let (syn::FnArg::Receiver(syn::Receiver { attrs, .. })
+        | syn::FnArg::Typed(syn::PatType { attrs, .. })) = arg;
+        check_attrs(f.file, attrs)?;
         match arg {
             syn::FnArg::Receiver(r) => params.push(c.declare("self", ty, r.mutability.is_some())),
             syn::FnArg::Typed(p) => match &*p.pat {
@@ -271,6 +274,18 @@ pub(crate) fn check_const(items: &Items, key: &ConstKey) -> R<Body> {
     };
     let mut c = Checker::new(items, scope);
     let span = c.span(&item.ty);
+    let open = key.substs.iter().any(|(_, t)| t.is_open())
+        || key.self_ty.as_ref().is_some_and(Ty::is_open);
+    if open {
+        return Err(err(
+            span,
+            format!(
+                "the types that `{}` belongs to are not known where it is used",
+                item.name
+            ),
+            "write them: `Type::<Argument>::NAME`",
+        ));
+    }
     let Some(value) = &item.value else {
         return Err(err(
             span,

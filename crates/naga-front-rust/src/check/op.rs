@@ -146,7 +146,7 @@ impl Checker<'_> {
             );
         }
         let help = match op {
-            BinOp::Eq | BinOp::Ne => {
+            BinOp::Eq | BinOp::Ne | BinOp::Lt | BinOp::Le | BinOp::Gt | BinOp::Ge => {
                 "compare numbers, bools and fieldless enums; write out the others"
             }
             _ => "use numbers, glam vectors and matrices, or implement the operator's trait",
@@ -154,7 +154,8 @@ impl Checker<'_> {
         err(
             span,
             format!(
-                "`{op:?}` is not known for `{}` and `{}`",
+                "`{}` is not known for `{}` and `{}`",
+                op.symbol(),
                 self.show(l),
                 self.show(r)
             ),
@@ -362,8 +363,8 @@ impl Checker<'_> {
         let target = self.ty(&c.ty)?;
         let e = self.expr(&c.expr, None)?;
         let e = self.value(e);
-        // `1 as f32`: the literal is an i32, as in Rust. `1 as u32` takes the target's type, as in Rust.
-        if let (Ty::IntVar(_), true) = (self.zonk(&e.ty), target.is_int()) {
+        // `1 as u32` is a u32, as in Rust; a variable whose type is open stays so, and may become i32.
+        if let (Ty::IntVar(_), true, true) = (self.zonk(&e.ty), target.is_int(), is_literal(&e)) {
             self.unify(&e.ty.clone(), &target, span)?;
         }
         let from = self.zonk(&e.ty);
@@ -396,5 +397,13 @@ impl Checker<'_> {
             ty,
             span,
         }
+    }
+}
+
+fn is_literal(e: &Expr) -> bool {
+    match &e.kind {
+        Kind::Int(_) => true,
+        Kind::Unary(_, inner) => is_literal(inner),
+        _ => false,
     }
 }

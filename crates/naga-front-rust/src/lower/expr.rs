@@ -371,7 +371,7 @@ impl FnLowerer<'_, '_> {
                 .collect(),
             self_ty: instance.self_ty.as_ref().map(|t| self.body.ty(t)),
         };
-        if let Some((name, _)) = zonked.substs.iter().find(|(_, t)| matches!(t, Ty::Var(_))) {
+        if let Some((name, _)) = zonked.substs.iter().find(|(_, t)| t.is_open()) {
             return Err(err(
                 span,
                 format!("the generic argument `{name}` is not known here"),

@@ -235,6 +235,7 @@ impl Lowerer<'_> {
         crate::items::check_attrs(item.file, &item.item.attrs)?;
         for (i, v) in item.item.variants.iter().enumerate() {
             let at = Span::of(item.file, v);
+            crate::items::check_attrs(item.file, &v.attrs)?;
             if !matches!(v.fields, syn::Fields::Unit) {
                 return Err(err(
                     at,
