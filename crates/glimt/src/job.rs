@@ -2,7 +2,7 @@
 
 use crate::cli::RenderFlags;
 use crate::demo;
-use crate::error::{Error, Result};
+use crate::error::{Error, Kind, Result};
 use crate::input::frames::FrameFiles;
 use crate::input::probe::Probe;
 use crate::mesh::place;
@@ -10,7 +10,7 @@ use crate::notes::Notes;
 use crate::shot::digest::{self, Hash};
 use crate::shot::{self, Shot, check, parse, range};
 use glam::UVec2;
-use glimt_render_gpu::host::env::EnvMap;
+use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::render::{
     Background, Filter, Method, Pattern, RenderSettings, Tonemap,
 };
@@ -165,16 +165,23 @@ impl Job {
         }
     }
 
-    /// The light of a frame.
+    /// The light of a frame, with its tables.
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn light(&self, frame: u32, notes: &mut Notes) -> Result<EnvMap> {
-        match &self.light {
-            Light::Probe(probe) => probe.load(frame, notes),
+    pub fn light(&self, frame: u32, notes: &mut Notes) -> Result<PreparedEnv> {
+        let map = match &self.light {
+            Light::Probe(probe) => probe.load(frame, notes)?,
             Light::Demo => demo::environment(frame - 1, demo::ENV_SIZE)
-                .map_err(|e| Error::new(crate::error::Kind::Internal, e)),
-        }
+                .map_err(|e| Error::new(Kind::Internal, e))?,
+        };
+        map.prepare(self.shot.probe.rotate_z_deg).map_err(|e| {
+            let error = Error::new(Kind::Input, e);
+            match &self.light {
+                Light::Probe(probe) => error.file(&probe.file(frame)),
+                Light::Demo => error,
+            }
+        })
     }
 
     /// The identity of each frame, in the order of [`Job::frames`].

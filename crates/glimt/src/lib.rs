@@ -3,10 +3,16 @@
 //! `glimt` turns a shot (a TOML file: light, objects, camera) into frames. See [`shot`] for its keys, [`input`] and
 //! [`mesh`] for what is read, [`output`] for what is written, and [`render`] for the pipeline between them.
 
+pub mod cli;
 pub mod demo;
+pub mod device;
 pub mod error;
+pub mod info;
 pub mod input;
+pub mod job;
 pub mod mesh;
 pub mod notes;
 pub mod output;
+pub mod render;
+pub mod report;
 pub mod shot;

@@ -1,2 +1,69 @@
-//! stub
-fn main() {}
+//! Host file: the command line, from arguments to an exit status.
+
+use clap::Parser;
+use glimt::cli::{Cli, Command};
+use glimt::error::{Error, Kind, Result};
+use glimt::job::Job;
+use glimt::notes::Notes;
+use glimt::report::Reporter;
+use glimt::{info, render};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::process::ExitCode;
+use tracing_subscriber::EnvFilter;
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    start_log(cli.talk.verbose);
+    let reporter = Reporter::new(cli.talk);
+    let outcome =
+        catch_unwind(AssertUnwindSafe(|| run(cli.command, &reporter))).unwrap_or_else(|_| {
+            Err(Error::new(
+                Kind::Internal,
+                "this is a fault of glimt; please report it",
+            ))
+        });
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            reporter.error(&error);
+            ExitCode::from(error.kind as u8)
+        }
+    }
+}
+
+fn run(command: Command, reporter: &Reporter) -> Result<()> {
+    match command {
+        Command::Demo { flags } => {
+            let job = Job::demo(&flags)?;
+            render::render(job, flags.device, flags.strict, reporter)
+        }
+        Command::Render { shot, flags } => {
+            let mut notes = Notes::new(flags.strict);
+            let job = Job::from_file(&shot, &flags, &mut notes);
+            reporter.notes(notes.take());
+            render::render(job?, flags.device, flags.strict, reporter)
+        }
+        Command::Info { file: None, .. } => {
+            info::devices(reporter);
+            Ok(())
+        }
+        Command::Info {
+            file: Some(file),
+            set,
+        } => info::file(&file, &set, reporter),
+    }
+}
+
+/// Log lines go to standard error: errors alone, more with -v, or as the variable RUST_LOG says.
+fn start_log(verbose: u8) {
+    let default = match verbose {
+        0 => "error",
+        1 => "warn,glimt=info,glimt_render_gpu=info",
+        _ => "info,glimt=debug,glimt_render_gpu=debug",
+    };
+    let filter = EnvFilter::try_from_default_env().unwrap_or_else(|_| EnvFilter::new(default));
+    tracing_subscriber::fmt()
+        .with_env_filter(filter)
+        .with_writer(std::io::stderr)
+        .init();
+}

@@ -1,19 +1,23 @@
 //! Host file: the pipeline. While a frame renders, the light of the next one is read, and the one before is written.
 
-use crate::device::{self, Renderer};
-use crate::error::Result;
+use crate::cli::Device;
+use crate::device;
+use crate::error::{Error, Kind, Result};
 use crate::job::Job;
-use crate::notes::Notes;
+use crate::notes::{Note, Notes};
 use crate::output::video::{self, Video};
-use crate::output::{Stamp, atomic, exr, png};
-use crate::report::{FrameStatus, Reporter};
+use crate::output::{Stamp, atomic, exr, png, rgb_over_black};
+use crate::report::{FrameStatus, Reporter, count};
 use crate::shot::digest;
 use glam::UVec2;
-use glimt_render_gpu::host::env::EnvMap;
-use glimt_render_gpu::host::render::FrameImage;
+use glimt_render_gpu::host::env::PreparedEnv;
+use glimt_render_gpu::host::render::{FrameImage, Renderer};
+use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::sequence::Prefetch;
 use serde_json::json;
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::time::Instant;
 
@@ -25,12 +29,6 @@ enum Finished {
     Rendered(Stamp, FrameImage, f64),
     /// There is nothing more to come.
     End,
-}
-
-/// A frame that is to be rendered, or is there already.
-enum Next {
-    Skip(u32),
-    Render(Stamp, EnvMap),
 }
 
 /// What a run is asked to write.
@@ -48,31 +46,31 @@ struct Plan<'a> {
 ///
 /// # Errors
 /// The first thing that fails; all frames written before it stay, whole.
-pub fn render(
-    job: &Job,
-    device: crate::cli::Device,
-    strict: bool,
-    reporter: &Reporter,
-) -> Result<()> {
+pub fn render(job: Job, device: Device, strict: bool, reporter: &Reporter) -> Result<()> {
     let began = Instant::now();
+    let job = Arc::new(job);
     atomic::prepare_folder(&job.out)?;
-    let plan = Plan::new(job, reporter)?;
-    let all_current = plan.current.iter().all(|c| *c);
-    let renderer = match all_current {
+    let plan = Plan::new(&job, reporter)?;
+    let mut stage = match plan.current.iter().all(|c| *c) {
         true => None,
-        false => Some(device::open(device, &job.scene)?),
+        false => Some(Stage {
+            scene: SceneBuffers::build(&job.scene).map_err(|e| Error::new(Kind::Input, e))?,
+            renderer: device::open(device)?,
+        }),
     };
-    let name = renderer.as_ref().map_or("no device", |r| r.name());
-    reporter.start(job.frames.len(), &job.out, name, job.triangles);
+    let name = match &stage {
+        Some(stage) => stage.renderer.name(),
+        None => "no device".to_owned(),
+    };
+    reporter.start(job.frames.len(), &job.out, &name, job.triangles);
 
+    let lights = read_lights(&job, &plan, strict)?;
     let rendered = std::thread::scope(|scope| {
-        let (load, loaded) = sync_channel(1);
         let (finish, finished) = sync_channel(1);
-        scope.spawn(|| read_lights(&plan, strict, reporter, load));
         let writer = scope.spawn(|| write_frames(&plan, reporter, finished));
-        let rendered = render_frames(job, renderer, &loaded, &finish);
-        // Both ends must go, or a thread that still sends or waits would never end.
-        drop((loaded, finish));
+        let rendered = render_frames(&plan, stage.as_mut(), lights, &finish, reporter);
+        // The writer waits for more as long as there is a sender.
+        drop(finish);
         let written = writer
             .join()
             .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
@@ -87,11 +85,18 @@ pub fn render(
     });
     let also = video.map_or(String::new(), |v| format!(" and {}", v.display()));
     let text = format!(
-        "{rendered} frames rendered, {skipped} there already, in {seconds:.1} s: {}{also}",
+        "{} rendered, {skipped} there already, in {seconds:.1} s: {}{also}",
+        count(rendered, "frame"),
         job.out.display()
     );
     reporter.finish(summary, &text);
     Ok(())
+}
+
+/// What renders, and what is rendered.
+struct Stage {
+    renderer: Box<dyn Renderer>,
+    scene: SceneBuffers,
 }
 
 impl<'a> Plan<'a> {
@@ -157,50 +162,60 @@ fn frame_file(job: &Job, frame: u32, extension: &str) -> PathBuf {
     job.out.join(format!("frame.{frame:04}.{extension}"))
 }
 
-/// Reads the light of each frame that is to be rendered, one ahead of the renderer.
-fn read_lights(plan: &Plan<'_>, strict: bool, reporter: &Reporter, load: SyncSender<Result<Next>>) {
-    for (stamp, &current) in plan.stamps.iter().zip(&plan.current) {
-        let next = if current {
-            Ok(Next::Skip(stamp.frame))
-        } else {
-            let mut notes = Notes::new(strict);
-            let light = plan.job.light(stamp.frame, &mut notes);
-            reporter.notes(notes.take());
-            light.map(|light| Next::Render(stamp.clone(), light))
-        };
-        let failed = next.is_err();
-        if load.send(next).is_err() || failed {
-            return;
-        }
-    }
+/// The light of a frame, and what there is to say about it.
+type Light = (Result<PreparedEnv>, Vec<Note>);
+
+/// Reads the light of each frame that is to be rendered and builds its tables, one frame ahead of the renderer.
+fn read_lights(job: &Arc<Job>, plan: &Plan<'_>, strict: bool) -> Result<Prefetch<Light>> {
+    let pairs = plan.stamps.iter().zip(&plan.current);
+    let missing: Vec<u32> = pairs
+        .filter(|(_, current)| !**current)
+        .map(|(s, _)| s.frame)
+        .collect();
+    let job = Arc::clone(job);
+    let read = move |frame| {
+        let mut notes = Notes::new(strict);
+        let light = job.light(frame, &mut notes);
+        (light, notes.take())
+    };
+    Prefetch::new(missing, 1, read).map_err(|e| Error::new(Kind::Internal, e))
 }
 
-/// Renders what comes and passes it on; says how many frames were rendered.
+/// Renders what is not there and passes it on; says how many frames were rendered.
 fn render_frames(
-    job: &Job,
-    mut renderer: Option<Box<dyn Renderer>>,
-    loaded: &Receiver<Result<Next>>,
+    plan: &Plan<'_>,
+    mut stage: Option<&mut Stage>,
+    mut lights: Prefetch<Light>,
     finish: &SyncSender<Finished>,
+    reporter: &Reporter,
 ) -> Result<usize> {
     let mut rendered = 0;
-    for next in loaded {
-        let done = match (next?, &mut renderer) {
-            (Next::Render(stamp, light), Some(renderer)) => {
+    for (done, (stamp, &current)) in plan.stamps.iter().zip(&plan.current).enumerate() {
+        let frame = match (&mut stage, current) {
+            (Some(stage), false) => {
+                let Some((light, notes)) = lights.next() else {
+                    break;
+                };
+                reporter.notes(notes);
+                let light = light?;
                 let began = Instant::now();
-                let image = renderer.render(&light, &job.settings(stamp.frame))?;
+                let settings = plan.job.settings(stamp.frame);
+                let part = |fraction| reporter.part(done, fraction);
+                let image = stage
+                    .renderer
+                    .render_frame(&stage.scene, &light, &settings, &part)
+                    .map_err(device::failure)?;
                 rendered += 1;
-                Finished::Rendered(stamp, image, began.elapsed().as_secs_f64())
+                Finished::Rendered(stamp.clone(), image, began.elapsed().as_secs_f64())
             }
-            (Next::Skip(frame), _) => Finished::Skipped(frame),
-            (Next::Render(..), None) => {
-                unreachable!("a device is open where a frame is to be rendered")
-            }
+            _ => Finished::Skipped(stamp.frame),
         };
-        // The writer has failed; its error is told when it is joined.
-        if finish.send(done).is_err() {
+        // A writer that has failed takes no more; its error is told when it is joined.
+        if finish.send(frame).is_err() {
             return Ok(rendered);
         }
     }
+    // The same holds here.
     let _ = finish.send(Finished::End);
     Ok(rendered)
 }
@@ -233,11 +248,7 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
                     png::write(&frame_file(job, stamp.frame, "png"), &image, &stamp)?;
                 }
                 if let Some(video) = &mut video {
-                    let rgb: Vec<u8> = image
-                        .display
-                        .iter()
-                        .flat_map(|p| [p[0], p[1], p[2]])
-                        .collect();
+                    let rgb = rgb_over_black(&image.display);
                     video.push(&rgb)?;
                 }
                 (stamp.frame, FrameStatus::Rendered(seconds))

@@ -9,11 +9,22 @@ use std::io::{IsTerminal, Write};
 use std::path::Path;
 use std::sync::Mutex;
 
+/// Steps of the bar for each frame.
+const STEPS: u64 = 1000;
+
 /// Says what happens. It can be shared between threads.
 #[derive(Debug)]
 pub struct Reporter {
     talk: Talk,
     bar: Mutex<Option<ProgressBar>>,
+}
+
+/// `1 frame`, `2 frames`.
+pub fn count(n: usize, noun: &str) -> String {
+    match n {
+        1 => format!("1 {noun}"),
+        n => format!("{n} {noun}s"),
+    }
 }
 
 /// What became of a frame.
@@ -44,15 +55,16 @@ impl Reporter {
         }
         let out = out.display();
         self.line(&format!(
-            "{frames} frames, {triangles} triangles, on {device}, into {out}"
+            "{}, {triangles} triangles, on {device}, into {out}",
+            count(frames, "frame")
         ));
         if std::io::stderr().is_terminal() {
-            let style = ProgressStyle::with_template(
-                "{bar:32} {pos}/{len} frames, {elapsed} gone, {eta} to go {msg}",
-            )
-            .unwrap_or_else(|_| ProgressStyle::default_bar());
-            let bar =
-                ProgressBar::with_draw_target(Some(frames as u64), ProgressDrawTarget::stderr());
+            let style = ProgressStyle::with_template("{bar:32} {msg}, {elapsed} gone, {eta} to go")
+                .unwrap_or_else(|_| ProgressStyle::default_bar());
+            let bar = ProgressBar::with_draw_target(
+                Some(frames as u64 * STEPS),
+                ProgressDrawTarget::stderr(),
+            );
             *self.lock() = Some(bar.with_style(style));
         }
     }
@@ -65,7 +77,8 @@ impl Reporter {
         };
         self.event(&json!({"event": "frame", "frame": frame, "status": name, "seconds": seconds}));
         if let Some(bar) = self.lock().as_ref() {
-            bar.set_position(done as u64);
+            bar.set_position(done as u64 * STEPS);
+            bar.set_message(format!("{done}/{frames} frames"));
             return;
         }
         let text = match status {
@@ -73,6 +86,14 @@ impl Reporter {
             FrameStatus::Rendered(seconds) => format!("{seconds:.2} s"),
         };
         self.plain(&format!("frame {frame}: {text} ({done}/{frames})"));
+    }
+
+    /// A part of the frame after the first `done` is rendered.
+    pub fn part(&self, done: usize, fraction: f32) {
+        if let Some(bar) = self.lock().as_ref() {
+            let part = (f64::from(fraction) * STEPS as f64) as u64;
+            bar.set_position(done as u64 * STEPS + part.min(STEPS));
+        }
     }
 
     /// Remarks on inputs.

@@ -159,6 +159,9 @@ fn broken(file: &Path, error: &::exr::error::Error) -> Error {
     }
 }
 
+/// Finds a colour among the names of a part's channels.
+type Rule = fn(&[String]) -> Option<Colour>;
+
 /// The part and the channels to read: plain R, G, B before Y, before those of a layer, before a lone channel.
 fn choose(file: &Path, meta: &MetaData) -> Result<(usize, Colour)> {
     let names = |part: &Part| -> Vec<String> {
@@ -172,7 +175,7 @@ fn choose(file: &Path, meta: &MetaData) -> Result<(usize, Colour)> {
         .filter(|(_, part)| !part.deep)
         .map(|(i, part)| (i, names(part)))
         .collect();
-    let rules: [fn(&[String]) -> Option<Colour>; 4] = [plain_rgb, luminance, layer_rgb, lone];
+    let rules: [Rule; 4] = [plain_rgb, luminance, layer_rgb, lone];
     rules
         .iter()
         .find_map(|rule| parts.iter().find_map(|(i, n)| rule(n).map(|c| (*i, c))))

@@ -10,7 +10,7 @@ use glam::{UVec2, Vec2, Vec4};
 use glimt_probe::{angular, latlong};
 use glimt_render_gpu::host::env::{EnvMap, MAX_RADIANCE};
 use rayon::prelude::*;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Texels that are no radiance, by what is wrong with them. A texel counts once, for the first of these.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
@@ -128,6 +128,11 @@ impl Probe {
     /// Size of its images.
     pub fn size(&self) -> UVec2 {
         self.size
+    }
+
+    /// The file of a frame.
+    pub fn file(&self, frame: u32) -> PathBuf {
+        self.files.path(frame)
     }
 
     /// Hash of the file of each of these frames.

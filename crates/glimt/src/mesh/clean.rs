@@ -7,16 +7,16 @@ use glam::{DVec3, Vec3};
 use glimt_render_gpu::host::scene::{Material, Mesh};
 use std::path::Path;
 
-/// Checks and mends a model: indices must be in range and positions finite; triangles without area are dropped, normals
+/// Checks and mends a model: indices must be in range and coordinates finite; triangles without area are dropped, normals
 /// without length replaced, materials that reflect more than they receive scaled down.
 ///
 /// # Errors
-/// An index out of range, a position that is not finite, no triangle at all; with strict `notes` also triangles without
+/// An index out of range, a coordinate that is not finite, no triangle at all; with strict `notes` also triangles without
 /// area.
 pub fn clean(model: &mut Model, file: &Path, notes: &mut Notes) -> Result<()> {
     let mut degenerate = 0;
     for mesh in &mut model.meshes {
-        check_positions(mesh, file)?;
+        check_vertices(mesh, file)?;
         check_indices(mesh, file)?;
         degenerate += drop_degenerate(mesh);
         mend_normals(mesh, file, notes);
@@ -55,13 +55,26 @@ fn named(mesh: &Mesh, what: &str, index: usize) -> String {
     format!("mesh `{}`, {what} {index}", mesh.name)
 }
 
-fn check_positions(mesh: &Mesh, file: &Path) -> Result<()> {
-    match mesh.positions.iter().position(|p| !p.is_finite()) {
-        None => Ok(()),
-        Some(index) => Err(Error::input(file, "its position is not finite")
-            .at(named(mesh, "vertex", index))
-            .fix("mend it in the program that it comes from")),
+fn check_vertices(mesh: &Mesh, file: &Path) -> Result<()> {
+    let found = [
+        (
+            "position",
+            mesh.positions.iter().position(|p| !p.is_finite()),
+        ),
+        (
+            "texture coordinate",
+            mesh.uvs.iter().position(|p| !p.is_finite()),
+        ),
+        ("tangent", mesh.tangents.iter().position(|p| !p.is_finite())),
+    ];
+    for (what, index) in found {
+        if let Some(index) = index {
+            return Err(Error::input(file, format!("its {what} is not finite"))
+                .at(named(mesh, "vertex", index))
+                .fix("mend it in the program that it comes from"));
+        }
     }
+    Ok(())
 }
 
 fn check_indices(mesh: &Mesh, file: &Path) -> Result<()> {

@@ -74,10 +74,8 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
         }
     }
     let bounds = subject.or(all).unwrap_or((Vec3::NEG_ONE, Vec3::ONE));
-    let mut camera = camera(shot, source, bounds, &cameras)?;
-    turn(&mut scene, &mut camera, -shot.probe.rotate_z_deg);
     Ok(Placed {
-        camera,
+        camera: camera(shot, source, bounds, &cameras)?,
         scene,
         digest: join(&digests),
         triangles,
@@ -127,21 +125,6 @@ impl Loaded {
             }));
         Self { model, first_mesh }
     }
-}
-
-/// Turns everything about the vertical. Turning the light is turning all else the other way round: the light's texels
-/// stay as they are, and no ray needs to be turned.
-fn turn(scene: &mut SceneDescription, camera: &mut Camera, degrees: f32) {
-    if degrees == 0.0 {
-        return;
-    }
-    let rotation = Mat3::from_rotation_z(degrees.to_radians());
-    for object in &mut scene.objects {
-        object.transform = Mat4::from_mat3(rotation) * object.transform;
-    }
-    camera.eye = rotation * camera.eye;
-    camera.target = rotation * camera.target;
-    camera.up = rotation * camera.up;
 }
 
 fn grow(bounds: &mut Option<(Vec3, Vec3)>, (low, high): (Vec3, Vec3)) {

@@ -22,17 +22,21 @@ pub struct Stamp {
 /// The program and its version, for the files it writes.
 pub const SOFTWARE: &str = concat!("glimt ", env!("CARGO_PKG_VERSION"));
 
-/// Rows of the display image as bytes: RGB where every pixel is opaque, else RGBA with straight (not premultiplied)
-/// alpha. The second value is whether there is alpha.
+/// Rows of the display image as bytes: RGB where every pixel is opaque, else RGBA. The second value is whether there is
+/// alpha.
 pub fn display_bytes(image: &FrameImage) -> (Vec<u8>, bool) {
     let opaque = image.display.iter().all(|pixel| pixel[3] == 255);
-    let bytes = match opaque {
-        true => image
-            .display
-            .iter()
-            .flat_map(|p| [p[0], p[1], p[2]])
-            .collect(),
-        false => image.display.iter().flat_map(|p| *p).collect(),
-    };
-    (bytes, !opaque)
+    if opaque {
+        return (rgb_over_black(&image.display), false);
+    }
+    (image.display.as_flattened().to_vec(), true)
+}
+
+/// Pixels with straight alpha laid over black.
+pub fn rgb_over_black(pixels: &[[u8; 4]]) -> Vec<u8> {
+    let over = |c: u8, a: u8| ((u32::from(c) * u32::from(a) + 127) / 255) as u8;
+    pixels
+        .iter()
+        .flat_map(|&[r, g, b, a]| [over(r, a), over(g, a), over(b, a)])
+        .collect()
 }

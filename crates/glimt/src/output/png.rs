@@ -1,6 +1,6 @@
 //! Host file: display frames as PNG, 8 bits, sRGB.
 
-use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending, display_bytes};
+use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending, display_bytes, rgb_over_black};
 use crate::error::{Error, Result};
 use ::png::{
     BitDepth, ColorType, Compression, Decoder, Encoder, EncodingError, SrgbRenderingIntent,
@@ -63,10 +63,7 @@ pub fn read_rgb(file: &Path) -> Result<(UVec2, Vec<u8>)> {
     let image = image::open(file)
         .map_err(|e| Error::input(file, e).fix("remove it, and render it again"))?;
     let image = image.to_rgba8();
-    let over_black = |c: u8, a: u8| ((u32::from(c) * u32::from(a) + 127) / 255) as u8;
-    let rgb = image
-        .pixels()
-        .flat_map(|p| [p[0], p[1], p[2]].map(|c| over_black(c, p[3])))
-        .collect();
+    let (pixels, _) = image.as_raw().as_chunks::<4>();
+    let rgb = rgb_over_black(pixels);
     Ok((UVec2::new(image.width(), image.height()), rgb))
 }

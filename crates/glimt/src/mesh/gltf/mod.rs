@@ -12,6 +12,7 @@ use ::gltf::{Document, Gltf, Semantic};
 use glam::Mat4;
 use glimt_render_gpu::host::scene::Mesh;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::path::{Path, PathBuf};
 
 /// Reads a glTF file and all that it refers to.
@@ -172,19 +173,17 @@ impl Reader<'_> {
                 return Err(self.error("its nodes contain each other"));
             }
             if let Some(mesh) = node.mesh() {
-                if !meshes.contains_key(&mesh.index()) {
-                    let list = self.read_mesh(&mesh)?;
-                    meshes.insert(mesh.index(), list);
-                }
-                if !(transform.is_finite() && transform.determinant() != 0.0) {
+                let list = match meshes.entry(mesh.index()) {
+                    Entry::Occupied(known) => known.into_mut(),
+                    Entry::Vacant(new) => new.insert(self.read_mesh(&mesh)?),
+                };
+                if transform.is_finite() && transform.determinant() != 0.0 {
+                    let parts = list.iter().map(|&mesh| Part { mesh, transform });
+                    self.model.parts.extend(parts);
+                } else {
                     let name = node.name().unwrap_or("without a name");
                     let what = format!("node `{name}` is scaled to nothing; left out");
                     self.notes.warn(self.file, what);
-                } else {
-                    let parts = meshes[&mesh.index()]
-                        .iter()
-                        .map(|&mesh| Part { mesh, transform });
-                    self.model.parts.extend(parts);
                 }
             }
             if let Some(camera) = node.camera() {

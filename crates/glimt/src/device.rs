@@ -1,0 +1,63 @@
+//! Host file: the devices that render: the CPU by rayon, the GPU by wgpu.
+
+use crate::cli::Device;
+use crate::error::{Error, Kind, Result};
+use glimt_render_gpu::cpu::CpuRenderer;
+use glimt_render_gpu::gpu::{self, AdapterPreference, GpuError, GpuRenderer};
+use glimt_render_gpu::host::render::{RenderError, Renderer};
+
+/// Opens a device. `auto` takes a GPU where a real one is found that works: a software one is slower than the CPU
+/// renderer.
+///
+/// # Errors
+/// A GPU is asked for, and there is none that can be used.
+pub fn open(device: Device) -> Result<Box<dyn Renderer>> {
+    let open_gpu = || GpuRenderer::new(AdapterPreference::Fastest);
+    match device {
+        Device::Cpu => Ok(Box::new(CpuRenderer::default())),
+        Device::Gpu => match open_gpu() {
+            Ok(gpu) => Ok(Box::new(gpu)),
+            Err(e) => Err(gpu_failure(&e)),
+        },
+        Device::Auto => {
+            // Adapters come the fastest first.
+            let real = gpu::enumerate().first().is_some_and(|a| !a.is_software());
+            match real.then(open_gpu) {
+                Some(Ok(gpu)) => return Ok(Box::new(gpu)),
+                Some(Err(e)) => tracing::warn!("the GPU is not used: {e}"),
+                None => {}
+            }
+            Ok(Box::new(CpuRenderer::default()))
+        }
+    }
+}
+
+/// What a renderer says, as an error of the program.
+pub fn failure(error: RenderError) -> Error {
+    match error {
+        RenderError::Settings(e) => Error::new(Kind::Usage, e),
+        RenderError::Device(e) => match e.downcast_ref::<GpuError>() {
+            Some(e) => gpu_failure(e),
+            None => Error::device(e),
+        },
+    }
+}
+
+fn gpu_failure(error: &GpuError) -> Error {
+    let (what, fix) = match error {
+        GpuError::NoAdapter => (
+            "there is no GPU that runs compute shaders".to_owned(),
+            "install its Vulkan, Metal or Direct3D 12 driver, or use --device cpu",
+        ),
+        GpuError::Limit { .. } | GpuError::OutOfMemory { .. } => (
+            error.to_string(),
+            "use a smaller scene or light, or --device cpu",
+        ),
+        GpuError::Lost { .. } | GpuError::TimedOut { .. } => (
+            error.to_string(),
+            "run it again: frames that are done are kept; or use --device cpu",
+        ),
+        _ => (error.to_string(), "use --device cpu"),
+    };
+    Error::device(what).fix(fix)
+}

@@ -1,0 +1,216 @@
+//! Host file: images in and out: channels, primaries, mappings, round trips.
+
+mod common;
+
+use common::{Scratch, read_exr, shared_data};
+use exr::prelude::{Compression, FlatSamples};
+use serde_json::Value;
+
+fn info(t: &Scratch, name: &str) -> Value {
+    let ran = t.run(&["info", "--json", name]).ok();
+    serde_json::from_str(ran.out.lines().last().unwrap()).unwrap()
+}
+
+#[test]
+fn any_channels() {
+    let t = Scratch::new("channels");
+    let flat = |v: f32| FlatSamples::F32(vec![v; 8]);
+    let mean = |name: &str| info(&t, name)["light"]["mean"].as_f64().unwrap();
+    let check = |channels: &[(&str, FlatSamples)], expected: f64| {
+        t.exr_channels("a.exr", 4, 2, Compression::PIZ, channels);
+        let got = mean("a.exr");
+        assert!(
+            !((got - expected).abs() > 1e-4),
+            "{channels:?}: {got} is not {expected}"
+        );
+    };
+    check(&[("Y", flat(2.0))], 2.0);
+    check(
+        &[
+            ("R", flat(1.0)),
+            ("G", flat(0.0)),
+            ("B", flat(0.0)),
+            ("A", flat(0.5)),
+        ],
+        0.2126,
+    );
+    check(
+        &[
+            ("sky.R", flat(0.0)),
+            ("sky.G", flat(1.0)),
+            ("sky.B", flat(0.0)),
+        ],
+        0.7152,
+    );
+    // R = (RY + 1) Y, B = (BY + 1) Y, and the luminance is Y.
+    check(
+        &[("Y", flat(3.0)), ("RY", flat(0.5)), ("BY", flat(-0.5))],
+        3.0,
+    );
+    check(&[("Y", FlatSamples::U32(vec![7; 8]))], 7.0);
+}
+
+/// What is written is what was rendered: the linear frame of the demo of light alone, read back as light.
+#[test]
+fn exr_round_trip() {
+    let t = Scratch::new("round");
+    t.lights(1);
+    t.shot("light.0001.exr", "");
+    t.run(&["render", "shot.toml"]).ok();
+    let planes = read_exr(&t.file("out/frame.0001.exr"));
+    assert_eq!(planes.len(), 4, "A, B, G, R");
+    assert!(planes.iter().all(|p| p.len() == 16 * 12));
+    let value = info(&t, "out/frame.0001.exr");
+    assert_eq!(value["header"]["size"], serde_json::json!([16, 12]));
+    let remarks = value["header"]["remarks"].to_string();
+    assert!(remarks.contains("written by glimt"), "{remarks}");
+    assert!(
+        !remarks.contains("primaries"),
+        "Rec. 709 needs no conversion: {remarks}"
+    );
+}
+
+/// The middle of the image looks along +x, the middle of the map; +y is to the left, +z up.
+#[test]
+fn the_light_is_seen_the_right_way_round() {
+    let t = Scratch::new("orientation");
+    // Red to the left of the middle, green above, blue to the right.
+    t.exr("light.exr", 64, 32, |x, y, c| {
+        let hit = match c {
+            0 => (26..30).contains(&x) && (14..18).contains(&y),
+            1 => (30..34).contains(&x) && (10..13).contains(&y),
+            _ => (34..38).contains(&x) && (14..18).contains(&y),
+        };
+        f32::from(u8::from(hit))
+    });
+    // The sphere stands behind the camera.
+    let more =
+        "translate = [-9, 0, 0]\n[camera]\neye = [0, 0, 0]\ntarget = [1, 0, 0]\nfov_x_deg = 100\n";
+    t.shot("light.exr", more);
+    let centroid = |turn: &str| {
+        let turn = format!("probe.rotate_z_deg={turn}");
+        t.run(&[
+            "render",
+            "shot.toml",
+            "--set",
+            "image.size=[60,60]",
+            "--set",
+            &turn,
+        ])
+        .ok();
+        let planes = read_exr(&t.file("out/frame.0001.exr"));
+        // B, G, R after A.
+        [3, 2, 1].map(|c: usize| {
+            let mut sums = [0.0_f32; 3];
+            for (i, v) in planes[c].iter().enumerate() {
+                sums[0] += v;
+                sums[1] += v * (i % 60) as f32;
+                sums[2] += v * (i / 60) as f32;
+            }
+            (sums[1] / sums[0], sums[2] / sums[0])
+        })
+    };
+    let [red, green, blue] = centroid("0");
+    assert!(red.0 < 26.0 && blue.0 > 33.0, "{red:?} {blue:?}");
+    assert!(green.1 < 24.0 && (green.0 - 29.5).abs() < 3.0, "{green:?}");
+    // Counter-clockwise seen from above: toward +y, to the left.
+    let [turned, ..] = centroid("5");
+    assert!((red.0 - turned.0 - 2.6).abs() < 0.6, "{turned:?} {red:?}");
+}
+
+#[test]
+fn an_angular_map_shows_the_same() {
+    let t = Scratch::new("angular");
+    t.exr("light.exr", 64, 64, |x, y, c| {
+        let (dx, dy) = (x as f32 - 31.5, y as f32 - 31.5);
+        let ahead = dx.hypot(dy) < 8.0;
+        f32::from(u8::from(ahead && c == 0))
+    });
+    let more =
+        "translate = [-9, 0, 0]\n[camera]\neye = [0, 0, 0]\ntarget = [1, 0, 0]\nfov_x_deg = 120\n";
+    t.shot("light.exr", more);
+    t.run(&[
+        "render",
+        "shot.toml",
+        "--set",
+        "probe.mapping=angular",
+        "--set",
+        "image.size=[61,61]",
+    ])
+    .ok();
+    let planes = read_exr(&t.file("out/frame.0001.exr"));
+    let red = &planes[3];
+    // 8 of 32 pixels are 45°, and tan 45° / tan 60° of half the image.
+    assert!(red[30 * 61 + 30] > 0.99);
+    assert!(red[30 * 61 + 30 + 15] > 0.9 && red[30 * 61 + 30 + 20] < 0.1);
+    t.exr("light.exr", 8, 4, |_, _, _| 1.0);
+    t.run(&["render", "shot.toml", "--set", "probe.mapping=angular"])
+        .fails(3, &["an angular map is square", "8 × 4"]);
+}
+
+#[test]
+fn exposure_of_a_radiance_file_is_divided_out() {
+    let t = Scratch::new("exposure");
+    let texels = [128, 128, 128, 129].repeat(8);
+    let file = |header: &str| {
+        [
+            format!("#?RADIANCE\n{header}FORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n").as_bytes(),
+            &texels,
+        ]
+        .concat()
+    };
+    t.put("a.hdr", file(""));
+    t.put("b.hdr", file("EXPOSURE=4\nEXPOSURE=0.5\n"));
+    let mean = |name: &str| info(&t, name)["light"]["mean"].as_f64().unwrap();
+    assert!((mean("a.hdr") / mean("b.hdr") - 2.0).abs() < 1e-5);
+    t.put(
+        "c.hdr",
+        String::from_utf8_lossy(&file("")).replace("rgbe", "xyze"),
+    );
+    t.run(&["info", "c.hdr"])
+        .fails(3, &["c.hdr", "xyze", "OpenEXR"]);
+}
+
+#[test]
+fn real_files_are_read() {
+    let Some(data) = shared_data() else {
+        return;
+    };
+    let t = Scratch::new("real");
+    let path = |name: &str| data.join(name).to_string_lossy().into_owned();
+    // Lossy files with negative texels; the counts are stable for a decoder.
+    for (name, least) in [("hdri_dwab/forest.exr", 500), ("hdri_dwab/park.exr", 50)] {
+        let value = info(&t, &path(name));
+        let bad = value["bad_texels"]["negative"].as_u64().unwrap();
+        assert!(bad > least, "{name}: {bad}");
+        assert!(
+            value["header"]["storage"]
+                .as_str()
+                .unwrap()
+                .contains("dwab")
+        );
+        t.shot(&path(name), "");
+        t.run(&["render", "shot.toml", "--strict"])
+            .fails(3, &["negative"]);
+        t.run(&["render", "shot.toml"])
+            .ok()
+            .says(&["warning:", "negative"]);
+    }
+    for (name, size, max) in [
+        ("hdri/KernerEnvLatLong.exr", [1024, 512], 1678.0),
+        ("hdri/StageEnvLatLong.exr", [1000, 500], 4096.0),
+        ("hdri/spruit_sunrise_1k.hdr", [1024, 512], 1.61e5),
+    ] {
+        let value = info(&t, &path(name));
+        assert_eq!(value["header"]["size"], serde_json::json!(size), "{name}");
+        let got = value["light"]["max"].as_f64().unwrap();
+        assert!((got / max - 1.0).abs() < 0.01, "{name}: {got}");
+    }
+    for (name, triangles) in [
+        ("models/Ingenuity.glb", 9060),
+        ("models/stanford-bunny.obj", 69_451),
+        ("models/dragon_vrip_res3.ply.gz", 47_794),
+    ] {
+        assert_eq!(info(&t, &path(name))["triangles"], triangles, "{name}");
+    }
+}

@@ -1,0 +1,313 @@
+//! Host file: shot files, overrides, resuming, and what a run leaves behind.
+
+mod common;
+
+use common::Scratch;
+use std::fs;
+use std::time::{Duration, SystemTime};
+
+fn modified(t: &Scratch, name: &str) -> SystemTime {
+    fs::metadata(t.file(name)).unwrap().modified().unwrap()
+}
+
+#[test]
+fn keys_are_suggested_and_placed() {
+    let t = Scratch::new("keys");
+    t.lights(1);
+    t.shot("light.0001.exr", "[render]\nseeed = 3\n");
+    t.run(&["render", "shot.toml"]).fails(
+        2,
+        &["shot.toml:9:1: unknown key `seeed`; did you mean `seed`?"],
+    );
+    t.shot("light.0001.exr", "[render]\nmethod = \"miss\"\n");
+    t.run(&["render", "shot.toml"])
+        .fails(2, &["shot.toml:9:10", "did you mean `mis`?"]);
+    t.shot("light.0001.exr", "");
+    let set = |item: &str, words: &[&str]| {
+        t.run(&["render", "shot.toml", "--set", item])
+            .fails(2, words);
+    };
+    set(
+        "image.rays=4",
+        &["--set image.rays=4", "did you mean `rays_per_pixel`?"],
+    );
+    set(
+        "image.size=[0,4]",
+        &["--set image.size=[0,4]", "image.size", "as [1280, 720]"],
+    );
+    set(
+        "object.0.material.diffuse=[1,1,2]",
+        &["object.0.material.diffuse", "between 0 and 1"],
+    );
+    set("render.frames=9-3", &["render.frames", "3-9"]);
+    t.run(&["render", "shot.toml", "--frames", "x"])
+        .fails(2, &["--frames", "1-96"]);
+    t.run(&["render", "gone.toml"])
+        .fails(3, &["gone.toml", "no such file"]);
+    t.put("broken.toml", "[image\n");
+    t.run(&["render", "broken.toml"])
+        .fails(2, &["broken.toml:1:"]);
+}
+
+#[test]
+fn what_is_not_there_yet_is_refused() {
+    let t = Scratch::new("later");
+    t.lights(1);
+    let refused = |more: &str, words: &[&str]| {
+        t.shot("light.0001.exr", more);
+        t.run(&["render", "shot.toml"]).fails(2, words);
+    };
+    refused(
+        "catcher = true\n",
+        &["shot.toml:8:1", "catchers are not supported yet"],
+    );
+    refused(
+        "[backplate]\nframes = \"a.png\"\n",
+        &["shot.toml:8", "backplates are not supported yet"],
+    );
+    refused(
+        "[render]\nmethod = \"smc\"\n",
+        &["render.method", "\"mis\""],
+    );
+    refused("[output]\naovs = [\"depth\"]\n", &["depth"]);
+    t.shot("light.0001.exr", "");
+    t.run(&["render", "shot.toml", "--set", "probe.mapping=mirror-ball"])
+        .fails(
+            2,
+            &["mirror-ball", "supported are \"lat-long\" and \"angular\""],
+        );
+    t.run(&["render", "shot.toml", "--method", "bis"])
+        .fails(2, &["render.method"]);
+}
+
+#[test]
+fn materials_conserve_energy() {
+    let t = Scratch::new("energy");
+    t.lights(1);
+    let material = "material = { diffuse = [0.8, 0.2, 0.2], specular = [0.3, 0.3, 0.3] }\n";
+    t.shot("light.0001.exr", material);
+    t.run(&["render", "shot.toml"])
+        .fails(2, &["shot.toml:8:14", "diffuse + specular is 1.100"]);
+    // A file's own material is scaled down instead.
+    t.put(
+        "a.mtl",
+        "newmtl shiny\nKd 0.8 0.8 0.8\nKs 0.8 0.8 0.8\nNs 100\n",
+    );
+    t.put(
+        "a.obj",
+        "mtllib a.mtl\nusemtl shiny\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+    );
+    t.run(&["info", "a.obj"])
+        .ok()
+        .says(&["note:", "`shiny` reflects 1.60", "scaled down"]);
+}
+
+#[test]
+fn frames_are_skipped_if_nothing_changed() {
+    let t = Scratch::new("resume");
+    t.lights(3);
+    t.shot("light.####.exr", "[output]\nvideo = \"\"\n");
+    let render = |more: &[&str]| {
+        let mut args = vec!["render", "shot.toml", "--json"];
+        args.extend(more);
+        let ran = t.run(&args).ok();
+        let last = ran.out.lines().last().unwrap().to_owned();
+        let summary: serde_json::Value = serde_json::from_str(&last).unwrap();
+        assert_eq!(summary["event"], "summary");
+        (
+            summary["rendered"].as_u64().unwrap(),
+            summary["skipped"].as_u64().unwrap(),
+        )
+    };
+    assert_eq!(render(&[]), (3, 0));
+    let first = modified(&t, "out/frame.0001.exr");
+    assert_eq!(render(&[]), (0, 3));
+    assert_eq!(modified(&t, "out/frame.0001.exr"), first);
+
+    // A lost output, another light, another seed, another key.
+    fs::remove_file(t.file("out/frame.0002.png")).unwrap();
+    assert_eq!(render(&[]), (1, 2));
+    t.exr("light.0003.exr", 8, 4, |_, _, _| 9.0);
+    assert_eq!(render(&[]), (1, 2));
+    assert_eq!(render(&["--seed", "2"]), (3, 0));
+    assert_eq!(render(&["--seed", "2", "--frames", "2-3"]), (0, 2));
+    assert_eq!(
+        render(&["--seed", "2", "--set", "image.exposure_ev=1"]),
+        (3, 0)
+    );
+    // Where it is written, and from which path it is read, change nothing.
+    fs::rename(t.file("light.0001.exr"), t.file("moved.0001.exr")).unwrap();
+    let moved = [
+        "--seed",
+        "2",
+        "--set",
+        "image.exposure_ev=1",
+        "--frames",
+        "1-1",
+        "--set",
+        "probe.frames=moved.####.exr",
+    ];
+    assert_eq!(render(&moved), (0, 1));
+}
+
+#[test]
+fn a_mesh_is_part_of_a_frame() {
+    let t = Scratch::new("mesh");
+    t.lights(1);
+    t.put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    t.shot("light.0001.exr", "[[object]]\nmesh = \"a.obj\"\n");
+    t.run(&["render", "shot.toml"])
+        .ok()
+        .says(&["1 frame rendered"]);
+    t.run(&["render", "shot.toml"])
+        .ok()
+        .says(&["0 frames rendered"]);
+    t.put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+    t.run(&["render", "shot.toml"])
+        .ok()
+        .says(&["1 frame rendered"]);
+}
+
+#[test]
+fn a_killed_run_is_continued() {
+    let t = Scratch::new("killed");
+    t.lights(12);
+    t.shot("light.####.exr", "");
+    let slow = [
+        "--set",
+        "image.size=[320,180]",
+        "--set",
+        "image.rays_per_pixel=4",
+    ];
+    let args: Vec<&str> = ["render", "shot.toml"].into_iter().chain(slow).collect();
+    let mut child = t
+        .command(&args)
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    let began = SystemTime::now();
+    while !t.file("out/frame.0003.png").exists() {
+        assert!(began.elapsed().unwrap() < Duration::from_secs(120));
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(
+        !t.file("out/shot.mp4").exists(),
+        "a video of some frames only"
+    );
+    let whole: Vec<String> = t
+        .list("out")
+        .into_iter()
+        .filter(|n| !n.starts_with('.'))
+        .collect();
+    assert!(whole.len() < 24, "it was not killed in time");
+    for name in whole.iter().filter(|n| n.ends_with(".exr")) {
+        assert_eq!(
+            common::read_exr(&t.file("out").join(name))[0].len(),
+            320 * 180
+        );
+    }
+    for name in whole.iter().filter(|n| n.ends_with(".png")) {
+        image::open(t.file("out").join(name)).unwrap();
+    }
+
+    let ran = t.run(&args).ok();
+    assert!(!ran.err.contains(" 0 there already"), "{}", ran.err);
+    let names = t.list("out");
+    assert_eq!(names.len(), 25, "{names:?}");
+    assert!(names.contains(&"shot.mp4".to_owned()));
+}
+
+#[test]
+fn the_video_is_of_the_whole_shot() {
+    let t = Scratch::new("video");
+    t.lights(3);
+    t.shot("light.####.exr", "[output]\ncodec = \"av1\"\n");
+    let video = |more: &[&str]| {
+        let mut args = vec!["render", "shot.toml"];
+        args.extend(more);
+        t.run(&args).ok()
+    };
+    // The image is too small for a video.
+    t.run(&["render", "shot.toml"])
+        .fails(4, &["shot.mp4", "16 × 16"]);
+    let size = ["--set", "image.size=[33,17]"];
+    video(&[size[0], size[1], "--frames", "1-2"]).says(&["video", "all frames"]);
+    assert!(!t.file("out/shot.mp4").exists());
+    video(&size).says(&["1 frame rendered, 2 there already", "shot.mp4"]);
+    let bytes = fs::read(t.file("out/shot.mp4")).unwrap();
+    assert_eq!(&bytes[4..8], b"ftyp");
+    let made = modified(&t, "out/shot.mp4");
+    video(&size).says(&["0 frames rendered, 3 there already"]);
+    assert_eq!(modified(&t, "out/shot.mp4"), made);
+    fs::remove_file(t.file("out/shot.mp4")).unwrap();
+    video(&size).says(&["0 frames rendered, 3 there already", "shot.mp4"]);
+    assert_eq!(fs::read(t.file("out/shot.mp4")).unwrap().len(), bytes.len());
+}
+
+#[test]
+fn events_are_json_lines() {
+    let t = Scratch::new("json");
+    t.lights(2);
+    t.shot("light.####.exr", "[output]\nvideo = \"\"\n");
+    let ran = t.run(&["render", "shot.toml", "--json"]).ok();
+    let events: Vec<serde_json::Value> = ran
+        .out
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let names: Vec<&str> = events
+        .iter()
+        .map(|e| e["event"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["start", "frame", "frame", "summary"]);
+    assert_eq!(ran.err, "");
+    let ran = t.run(&["render", "gone.toml", "--json"]);
+    let event: serde_json::Value = serde_json::from_str(ran.out.trim()).unwrap();
+    assert_eq!(
+        (&event["event"], &event["exit"]),
+        (&"error".into(), &3.into())
+    );
+    assert_eq!(event["file"], "gone.toml");
+    let ran = t
+        .run(&["render", "shot.toml", "--quiet", "--seed", "5"])
+        .ok();
+    assert_eq!((ran.out.as_str(), ran.err.as_str()), ("", ""));
+}
+
+#[test]
+fn info_of_everything() {
+    let t = Scratch::new("info");
+    t.exr("light.exr", 8, 4, |x, y, _| {
+        if (x, y) == (2, 1) { 100.0 } else { 1.0 }
+    });
+    t.shot("light.exr", "");
+    let ran = t.run(&["info", "light.exr"]).ok();
+    for word in [
+        "8 × 4 (2:1)",
+        "B f32, G f32, R f32",
+        "max 100",
+        "texel (2, 1)",
+        "none",
+    ] {
+        assert!(ran.out.contains(word), "{word}: {}", ran.out);
+    }
+    let ran = t.run(&["info", "shot.toml", "--set", "render.seed=7"]).ok();
+    for word in [
+        "rays_per_pixel = 1",
+        "env_samples = 1",
+        "seed = 7",
+        "fps = 25.0",
+        "mesh = \"sphere\"",
+    ] {
+        assert!(ran.out.contains(word), "{word}: {}", ran.out);
+    }
+    // What it prints is a shot again.
+    t.put("again.toml", &ran.out);
+    assert_eq!(t.run(&["info", "again.toml"]).ok().out, ran.out);
+    let ran = t.run(&["info", "--json"]).ok();
+    let value: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(value["version"], env!("CARGO_PKG_VERSION"));
+}
