@@ -58,6 +58,17 @@ pub(crate) fn eval(items: &Items, table: &Table, e: &Expr) -> Option<Lit> {
                 (Lit::Bool(v), _) => Lit::U32(v.into()),
             })
         }
+        Kind::AndAnd(l, r) | Kind::OrOr(l, r) => {
+            let Lit::Bool(left) = eval(items, table, l)? else {
+                return None;
+            };
+            let and = matches!(e.kind, Kind::AndAnd(..));
+            if left == and {
+                eval(items, table, r)
+            } else {
+                Some(Lit::Bool(left))
+            }
+        }
         Kind::Binary(op, l, r) => binary(*op, eval(items, table, l)?, eval(items, table, r)?),
         _ => None,
     }
@@ -76,6 +87,25 @@ fn binary(op: BinOp, l: Lit, r: Lit) -> Option<Lit> {
         } else {
             v.wrapping_shr(by)
         }));
+    }
+    let order = match (l, r) {
+        (Lit::F32(a), Lit::F32(b)) => a.partial_cmp(&b),
+        (Lit::U32(a), Lit::U32(b)) => Some(a.cmp(&b)),
+        (Lit::I32(a), Lit::I32(b)) => Some(a.cmp(&b)),
+        (Lit::Bool(a), Lit::Bool(b)) => Some(a.cmp(&b)),
+        _ => None,
+    };
+    let compared = match op {
+        O::Eq => Some(order?.is_eq()),
+        O::Ne => Some(order?.is_ne()),
+        O::Lt => Some(order?.is_lt()),
+        O::Le => Some(order?.is_le()),
+        O::Gt => Some(order?.is_gt()),
+        O::Ge => Some(order?.is_ge()),
+        _ => None,
+    };
+    if let Some(v) = compared {
+        return Some(Lit::Bool(v));
     }
     Some(match (l, r) {
         (Lit::F32(a), Lit::F32(b)) => Lit::F32(match op {
