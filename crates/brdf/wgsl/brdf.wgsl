@@ -132,123 +132,123 @@ fn BlinnPhong_pmf_specular(this_2: BlinnPhong) -> f32 {
     return _e15;
 }
 
-// glimt_sampling/src/warp.rs:185
+// glimt_sampling/src/warp.rs:190
 fn height_of(direction: vec3<f32>) -> f32 {
     var chosen_2: f32;
 
-    // glimt_sampling/src/warp.rs:186
+    // glimt_sampling/src/warp.rs:191
     if (direction.z > 0f) {
-        // glimt_sampling/src/warp.rs:187
+        // glimt_sampling/src/warp.rs:192
         chosen_2 = (((direction.x * direction.x) + (direction.y * direction.y)) / (1f + direction.z));
     } else {
-        // glimt_sampling/src/warp.rs:189
+        // glimt_sampling/src/warp.rs:194
         chosen_2 = (1f - direction.z);
     }
     let _e23 = chosen_2;
     return _e23;
 }
 
-// glimt_sampling/src/warp.rs:196
+// glimt_sampling/src/warp.rs:201
 fn ln_cos_theta(direction_1: vec3<f32>) -> f32 {
 
-    // glimt_sampling/src/warp.rs:197
+    // glimt_sampling/src/warp.rs:202
     let _e3 = height_of(direction_1);
-    // glimt_sampling/src/warp.rs:198
+    // glimt_sampling/src/warp.rs:203
     if (_e3 < 0.1f) {
-        // glimt_sampling/src/warp.rs:199
+        // glimt_sampling/src/warp.rs:204
         let tail_1 = ((1f / 3f) + (_e3 * (0.25f + (_e3 * (0.2f + (_e3 * ((1f / 6f) + (_e3 / 7f))))))));
-        // glimt_sampling/src/warp.rs:200
+        // glimt_sampling/src/warp.rs:205
         return (0f - (_e3 * (1f + (_e3 * (0.5f + (_e3 * tail_1))))));
     }
-    // glimt_sampling/src/warp.rs:202
+    // glimt_sampling/src/warp.rs:207
     return log(direction_1.z);
 }
 
-// glimt_sampling/src/warp.rs:284
+// glimt_sampling/src/warp.rs:289
 fn pdf_power_cosine_sr(direction_2: vec3<f32>, exponent_3: f32) -> f32 {
     var chosen_3: f32;
 
-    // glimt_sampling/src/warp.rs:285
+    // glimt_sampling/src/warp.rs:290
     let normalisation_1 = ((exponent_3 + 1f) * (0.5f * 0.31830987f));
-    // glimt_sampling/src/warp.rs:286
+    // glimt_sampling/src/warp.rs:291
     if (exponent_3 <= 0f) {
-        // glimt_sampling/src/warp.rs:287
+        // glimt_sampling/src/warp.rs:292
         if (direction_2.z >= 0f) {
-            // glimt_sampling/src/warp.rs:288
+            // glimt_sampling/src/warp.rs:293
             chosen_3 = normalisation_1;
         } else {
-            // glimt_sampling/src/warp.rs:290
+            // glimt_sampling/src/warp.rs:295
             chosen_3 = 0f;
         }
         let _e21 = chosen_3;
         return _e21;
     }
-    // glimt_sampling/src/warp.rs:293
+    // glimt_sampling/src/warp.rs:298
     if (direction_2.z <= 0f) {
-        // glimt_sampling/src/warp.rs:294
+        // glimt_sampling/src/warp.rs:299
         return 0f;
     }
-    // glimt_sampling/src/warp.rs:296
+    // glimt_sampling/src/warp.rs:301
     let _e29 = ln_cos_theta(direction_2);
     return (normalisation_1 * exp((exponent_3 * _e29)));
 }
 
-// glimt_sampling/src/warp.rs:177
+// glimt_sampling/src/warp.rs:182
 fn cos_sin_turns(turns: f32) -> vec2<f32> {
     var chosen_4: f32;
 
-    // glimt_sampling/src/warp.rs:178
+    // glimt_sampling/src/warp.rs:183
     if (turns < 0.5f) {
         chosen_4 = turns;
     } else {
         chosen_4 = (turns - 1f);
     }
     let signed = chosen_4;
-    // glimt_sampling/src/warp.rs:179
+    // glimt_sampling/src/warp.rs:184
     let phi = (6.2831855f * signed);
-    // glimt_sampling/src/warp.rs:180
+    // glimt_sampling/src/warp.rs:185
     return vec2<f32>(cos(phi), sin(phi));
 }
 
-// glimt_sampling/src/warp.rs:252
+// glimt_sampling/src/warp.rs:257
 fn sample_power_cosine(u_1: vec2<f32>, exponent_4: f32) -> DirectionSample {
     var sin2_theta_1: f32;
     var cos_theta: f32;
 
-    // glimt_sampling/src/warp.rs:253
+    // glimt_sampling/src/warp.rs:258
     if (u_1.x <= 0f) {
-        // glimt_sampling/src/warp.rs:254
+        // glimt_sampling/src/warp.rs:259
         let _e16 = pdf_power_cosine_sr(vec3<f32>(1f, 0f, 0f), exponent_4);
         return DirectionSample(vec3<f32>(1f, 0f, 0f), _e16);
     }
-    // glimt_sampling/src/warp.rs:261
+    // glimt_sampling/src/warp.rs:266
     let t_1 = ((2f / (exponent_4 + 1f)) * (0f - log(u_1.x)));
-    // glimt_sampling/src/warp.rs:264
+    // glimt_sampling/src/warp.rs:269
     if (t_1 < 0.25f) {
-        // glimt_sampling/src/warp.rs:265
+        // glimt_sampling/src/warp.rs:270
         let tail_2 = ((1f / 6f) - (t_1 * ((1f / 24f) - (t_1 * ((1f / 120f) - (t_1 / 720f))))));
-        // glimt_sampling/src/warp.rs:266
+        // glimt_sampling/src/warp.rs:271
         sin2_theta_1 = max((t_1 * (1f - (t_1 * (0.5f - (t_1 * tail_2))))), 0f);
-        // glimt_sampling/src/warp.rs:267
+        // glimt_sampling/src/warp.rs:272
         let _e62 = sin2_theta_1;
         cos_theta = sqrt((1f - _e62));
     } else {
-        // glimt_sampling/src/warp.rs:269
+        // glimt_sampling/src/warp.rs:274
         cos_theta = exp((-0.5f * t_1));
-        // glimt_sampling/src/warp.rs:270
+        // glimt_sampling/src/warp.rs:275
         let _e71 = cos_theta;
         let _e72 = cos_theta;
         sin2_theta_1 = (1f - (_e71 * _e72));
     }
-    // glimt_sampling/src/warp.rs:272
+    // glimt_sampling/src/warp.rs:277
     let _e76 = sin2_theta_1;
     let sin_theta = sqrt(_e76);
-    // glimt_sampling/src/warp.rs:273
+    // glimt_sampling/src/warp.rs:278
     let _e80 = cos_sin_turns(u_1.y);
-    // glimt_sampling/src/warp.rs:274
+    // glimt_sampling/src/warp.rs:279
     let _e86 = cos_theta;
     let direction_4 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
-    // glimt_sampling/src/warp.rs:275
+    // glimt_sampling/src/warp.rs:280
     let _e89 = pdf_power_cosine_sr(direction_4, exponent_4);
     return DirectionSample(direction_4, _e89);
 }
@@ -278,14 +278,17 @@ fn sample_concentric_disk(u_2: vec2<f32>) -> vec2<f32> {
     return vec2<f32>((b * sin(phi_2)), (b * cos(phi_2)));
 }
 
-// glimt_sampling/src/warp.rs:86
+// glimt_sampling/src/warp.rs:88
 fn sample_cosine_hemisphere(u_3: vec2<f32>) -> DirectionSample {
 
-    // glimt_sampling/src/warp.rs:87
-    let _e3 = sample_concentric_disk(u_3);
-    // glimt_sampling/src/warp.rs:88
-    let z = sqrt(max((1f - dot(_e3, _e3)), 0f));
     // glimt_sampling/src/warp.rs:89
+    let _e3 = sample_concentric_disk(u_3);
+    // glimt_sampling/src/warp.rs:92
+    let _e10 = abs(((2f * u_3) - vec2(1f)));
+    let r = max(_e10.x, _e10.y);
+    // glimt_sampling/src/warp.rs:93
+    let z = sqrt(((1f - r) * (1f + r)));
+    // glimt_sampling/src/warp.rs:94
     return DirectionSample(vec3<f32>(_e3, z), (z * 0.31830987f));
 }
 
@@ -297,10 +300,10 @@ fn HalfVector_pdf_sr(this_3: HalfVector, exponent_5: f32) -> f32 {
     return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_3.wo_dot_h));
 }
 
-// glimt_sampling/src/warp.rs:98
+// glimt_sampling/src/warp.rs:103
 fn pdf_cosine_hemisphere_sr(direction_3: vec3<f32>) -> f32 {
 
-    // glimt_sampling/src/warp.rs:99
+    // glimt_sampling/src/warp.rs:104
     return (max(direction_3.z, 0f) * 0.31830987f);
 }
 

@@ -37,6 +37,9 @@ pub fn hash3(a: u32, b: u32, c: u32) -> u32 {
 
 /// A bijection of four words in which each depends on all: PCG4D (Jarzynski and Olano 2020).
 ///
+/// Differs from the paper in that each word first goes through [`hash_u32`] and at the end through one more xorshift:
+/// without, the highest bits of the input hardly reach the lowest ones of the output, which are those of one product.
+///
 /// ```
 /// use glam::UVec4;
 /// use glimt_sampling::hash::hash_uvec4;
@@ -45,10 +48,18 @@ pub fn hash3(a: u32, b: u32, c: u32) -> u32 {
 #[inline]
 #[must_use]
 pub fn hash_uvec4(v: UVec4) -> UVec4 {
-    let mut x = v.x.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-    let mut y = v.y.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-    let mut z = v.z.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-    let mut w = v.w.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+    let mut x = hash_u32(v.x)
+        .wrapping_mul(1_664_525)
+        .wrapping_add(1_013_904_223);
+    let mut y = hash_u32(v.y)
+        .wrapping_mul(1_664_525)
+        .wrapping_add(1_013_904_223);
+    let mut z = hash_u32(v.z)
+        .wrapping_mul(1_664_525)
+        .wrapping_add(1_013_904_223);
+    let mut w = hash_u32(v.w)
+        .wrapping_mul(1_664_525)
+        .wrapping_add(1_013_904_223);
     // Each line is a bijection of the four: a word changes by a function of the others.
     x = x.wrapping_add(y.wrapping_mul(w));
     y = y.wrapping_add(z.wrapping_mul(x));
@@ -62,5 +73,5 @@ pub fn hash_uvec4(v: UVec4) -> UVec4 {
     y = y.wrapping_add(z.wrapping_mul(x));
     z = z.wrapping_add(x.wrapping_mul(y));
     w = w.wrapping_add(y.wrapping_mul(z));
-    UVec4::new(x, y, z, w)
+    UVec4::new(x ^ (x >> 16), y ^ (y >> 16), z ^ (z >> 16), w ^ (w >> 16))
 }

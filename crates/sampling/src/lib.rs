@@ -66,6 +66,7 @@
 //! - S. Laine, T. Karras: *Stratified sampling for stochastic transparency*, EGSR 2011.
 //! - P. Shirley, K. Chiu: *A low distortion map between disk and square*, JGT 2(3), 1997.
 //! - E. Veach, L. Guibas: *Optimally combining sampling techniques for Monte Carlo rendering*, SIGGRAPH 1995.
+//! - G. Steele, D. Lea, C. Flood: *Fast splittable pseudorandom number generators*, OOPSLA 2014.
 //! - N. Vegdahl: *Building a better LK hash*, 2021 (the constants of the scrambling).
 //! - C. Wellons: *Prospecting for hash functions*, 2018 (`lowbias32`).
 

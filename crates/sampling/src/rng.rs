@@ -33,12 +33,31 @@ impl TryRng for Xoshiro128PlusPlus {
     }
 }
 
-/// The seed's sixteen bytes are the state, little-endian. All zeros give a fixed other state.
+/// The seed's sixteen bytes are the state, little-endian; a single `u64` is drawn out to them by SplitMix64 (Steele, Lea,
+/// Flood 2014), as its authors advise for this generator. Both as the crate `rand_xoshiro` has it.
 impl SeedableRng for Xoshiro128PlusPlus {
     type Seed = [u8; 16];
 
     fn from_seed(seed: [u8; 16]) -> Self {
         let words: [u32; 4] = utils::read_words(&seed);
         Xoshiro128PlusPlus::from_state(UVec4::from_array(words))
+    }
+
+    fn seed_from_u64(seed: u64) -> Self {
+        let mut counter = seed;
+        let mut split = || {
+            counter = counter.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut z = counter;
+            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            z ^ (z >> 31)
+        };
+        let (xy, zw) = (split(), split());
+        Xoshiro128PlusPlus::from_state(UVec4::new(
+            xy as u32,
+            (xy >> 32) as u32,
+            zw as u32,
+            (zw >> 32) as u32,
+        ))
     }
 }

@@ -74,6 +74,8 @@ pub fn invert_concentric_disk(p: Vec2) -> Vec2 {
 
 /// A direction of the upper hemisphere, distributed as its cosine: the concentric disc lifted up (Malley's method).
 ///
+/// Where a coordinate of `u` is 0 the direction is horizontal and its density 0.
+///
 /// ```
 /// use glam::{Vec2, Vec3};
 /// use glimt_sampling::warp::sample_cosine_hemisphere;
@@ -85,7 +87,10 @@ pub fn invert_concentric_disk(p: Vec2) -> Vec2 {
 #[must_use]
 pub fn sample_cosine_hemisphere(u: Vec2) -> DirectionSample {
     let p = sample_concentric_disk(u);
-    let z = libm::sqrtf((1.0 - p.length_squared()).max(0.0));
+    // The radius on the disc is that on the square, which is exact; the point's own length is not, and near the horizon
+    // z would be made of its rounding.
+    let r = (2.0 * u - Vec2::ONE).abs().max_element();
+    let z = libm::sqrtf((1.0 - r) * (1.0 + r));
     DirectionSample {
         direction: p.extend(z),
         pdf_sr: z * FRAC_1_PI,
@@ -190,6 +195,18 @@ fn height_of(direction: Vec3) -> f32 {
     }
 }
 
+/// `ln cos θ` of a unit vector above the horizon, precise near the pole too, where the rounding of `z` would be raised
+/// to a large power.
+#[inline]
+fn ln_cos_theta(direction: Vec3) -> f32 {
+    let h = height_of(direction);
+    if h < 0.1 {
+        let tail = 1.0 / 3.0 + h * (0.25 + h * (0.2 + h * (1.0 / 6.0 + h / 7.0)));
+        return 0.0 - h * (1.0 + h * (0.5 + h * tail));
+    }
+    libm::logf(direction.z)
+}
+
 /// Density of [`sample_cap`], in 1/sr: `1/(2π height)` inside the cap, 0 outside.
 #[inline]
 #[must_use]
@@ -238,35 +255,35 @@ pub fn invert_cap(direction: Vec3, height: f32) -> Vec2 {
 #[inline]
 #[must_use]
 pub fn sample_power_cosine(u: Vec2, exponent: f32) -> DirectionSample {
-    // sin²θ = 1 − exp(−t) with t = −2 ln u/(e + 1). For a narrow lobe t is small, and the difference from 1 is taken by
-    // its series: f32 cosines near 1 are too coarse to place a highlight.
-    let t = 2.0 / (exponent + 1.0) * (0.0 - libm::logf(u.x.max(f32::MIN_POSITIVE)));
-    let sin2_theta = if t < 0.25 {
-        t * (1.0
-            - t * (1.0 / 2.0 - t * (1.0 / 6.0 - t * (1.0 / 24.0 - t * (1.0 / 120.0 - t / 720.0)))))
+    if u.x <= 0.0 {
+        return DirectionSample {
+            direction: Vec3::X,
+            pdf_sr: pdf_power_cosine_sr(Vec3::X, exponent),
+        };
+    }
+    // cos²θ = exp(−t) with t = −2 ln u/(e + 1). For a narrow lobe t is small, and sin²θ = 1 − exp(−t) is taken by its
+    // series: f32 cosines near 1 are too coarse to place a highlight. Near the horizon it is the cosine that is small.
+    let t = 2.0 / (exponent + 1.0) * (0.0 - libm::logf(u.x));
+    let sin2_theta;
+    let cos_theta;
+    if t < 0.25 {
+        let tail = 1.0 / 6.0 - t * (1.0 / 24.0 - t * (1.0 / 120.0 - t / 720.0));
+        sin2_theta = (t * (1.0 - t * (0.5 - t * tail))).max(0.0);
+        cos_theta = libm::sqrtf(1.0 - sin2_theta);
     } else {
-        1.0 - libm::expf(0.0 - t)
-    };
-    let sin2_theta = if u.x > 0.0 {
-        sin2_theta.clamp(0.0, 1.0)
-    } else {
-        1.0
-    };
+        cos_theta = libm::expf(-0.5 * t);
+        sin2_theta = 1.0 - cos_theta * cos_theta;
+    }
     let sin_theta = libm::sqrtf(sin2_theta);
     let around = cos_sin_turns(u.y);
-    let direction = Vec3::new(
-        sin_theta * around.x,
-        sin_theta * around.y,
-        libm::sqrtf(1.0 - sin2_theta),
-    );
+    let direction = Vec3::new(sin_theta * around.x, sin_theta * around.y, cos_theta);
     DirectionSample {
         direction,
         pdf_sr: pdf_power_cosine_sr(direction, exponent),
     }
 }
 
-/// Density of [`sample_power_cosine`], in 1/sr: `(e + 1)/2π · cosᵉ θ`, 0 below the horizon. The rounding of `cos θ`
-/// makes a relative error of `e · 6·10⁻⁸`.
+/// Density of [`sample_power_cosine`], in 1/sr: `(e + 1)/2π · cosᵉ θ`, 0 below the horizon.
 #[inline]
 #[must_use]
 pub fn pdf_power_cosine_sr(direction: Vec3, exponent: f32) -> f32 {
@@ -281,19 +298,18 @@ pub fn pdf_power_cosine_sr(direction: Vec3, exponent: f32) -> f32 {
     if direction.z <= 0.0 {
         return 0.0;
     }
-    normalisation * libm::powf(direction.z.min(1.0), exponent)
+    normalisation * libm::expf(exponent * ln_cos_theta(direction))
 }
 
 /// The point of `[0, 1]²` that [`sample_power_cosine`] maps to `direction`, which must not be below the horizon:
-/// `u.x = cosᵉ⁺¹ θ`, to about `e · 6·10⁻⁸`.
+/// `u.x = cosᵉ⁺¹ θ`.
 #[inline]
 #[must_use]
 pub fn invert_power_cosine(direction: Vec3, exponent: f32) -> Vec2 {
-    let z = direction.z.clamp(0.0, 1.0);
-    let u = if z > 0.0 {
-        libm::powf(z, exponent + 1.0)
+    let u = if direction.z > 0.0 {
+        libm::expf((exponent + 1.0) * ln_cos_theta(direction)).min(1.0)
     } else {
         0.0
     };
-    Vec2::new(u.min(1.0), turns_of(direction))
+    Vec2::new(u, turns_of(direction))
 }

@@ -21,14 +21,18 @@ pub struct Xoshiro128PlusPlus {
 }
 
 impl Xoshiro128PlusPlus {
-    /// A generator in the given state. All zeros, the one state that leads nowhere, gives a fixed other state.
+    /// A generator in the given state. All zeros, the one state that leads nowhere, counts as what `seed_from_u64(0)`
+    /// gives.
     #[inline]
     #[must_use]
     pub fn from_state(state: UVec4) -> Xoshiro128PlusPlus {
         let any = state.x | state.y | state.z | state.w;
-        Xoshiro128PlusPlus {
-            state: if any == 0 { UVec4::ONE } else { state },
+        if any == 0 {
+            return Xoshiro128PlusPlus {
+                state: UVec4::new(0x7b1d_cdaf, 0xe220_a839, 0xa1b9_65f4, 0x6e78_9e6a),
+            };
         }
+        Xoshiro128PlusPlus { state }
     }
 
     /// The stream of one pixel of one frame under one seed.

@@ -449,87 +449,91 @@ fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
     return vec2<u32>(_e26, _e32);
 }
 
-// glimt_sampling/src/hash.rs:49
+// glimt_sampling/src/hash.rs:50
 fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
     var x_3: u32;
     var y: u32;
     var z: u32;
     var w: u32;
 
-    // glimt_sampling/src/hash.rs:50
-    x_3 = ((v.x * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:51
-    y = ((v.y * 1664525u) + 1013904223u);
-    // glimt_sampling/src/hash.rs:52
-    z = ((v.z * 1664525u) + 1013904223u);
-    // glimt_sampling/src/hash.rs:53
-    w = ((v.w * 1664525u) + 1013904223u);
-    // glimt_sampling/src/hash.rs:55
-    let _e31 = x_3;
-    let _e32 = y;
-    let _e33 = w;
-    x_3 = (_e31 + (_e32 * _e33));
-    // glimt_sampling/src/hash.rs:56
-    let _e37 = y;
-    let _e38 = z;
-    let _e39 = x_3;
-    y = (_e37 + (_e38 * _e39));
+    let _e4 = hash_u32_(v.x);
+    x_3 = ((_e4 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:54
+    let _e12 = hash_u32_(v.y);
+    y = ((_e12 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:57
-    let _e43 = z;
-    let _e44 = x_3;
-    let _e45 = y;
-    z = (_e43 + (_e44 * _e45));
-    // glimt_sampling/src/hash.rs:58
-    let _e49 = w;
-    let _e50 = y;
-    let _e51 = z;
-    w = (_e49 + (_e50 * _e51));
-    // glimt_sampling/src/hash.rs:59
-    let _e55 = x_3;
-    let _e59 = x_3;
-    x_3 = (_e59 ^ (_e55 >> 16u));
+    let _e20 = hash_u32_(v.z);
+    z = ((_e20 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:60
-    let _e62 = y;
-    let _e66 = y;
-    y = (_e66 ^ (_e62 >> 16u));
-    // glimt_sampling/src/hash.rs:61
-    let _e69 = z;
-    let _e73 = z;
-    z = (_e73 ^ (_e69 >> 16u));
-    // glimt_sampling/src/hash.rs:62
-    let _e76 = w;
-    let _e80 = w;
-    w = (_e80 ^ (_e76 >> 16u));
-    // glimt_sampling/src/hash.rs:63
-    let _e83 = x_3;
-    let _e84 = y;
-    let _e85 = w;
-    x_3 = (_e83 + (_e84 * _e85));
+    let _e28 = hash_u32_(v.w);
+    w = ((_e28 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:64
-    let _e89 = y;
-    let _e90 = z;
-    let _e91 = x_3;
-    y = (_e89 + (_e90 * _e91));
+    let _e35 = x_3;
+    let _e36 = y;
+    let _e37 = w;
+    x_3 = (_e35 + (_e36 * _e37));
     // glimt_sampling/src/hash.rs:65
-    let _e95 = z;
-    let _e96 = x_3;
-    let _e97 = y;
-    z = (_e95 + (_e96 * _e97));
+    let _e41 = y;
+    let _e42 = z;
+    let _e43 = x_3;
+    y = (_e41 + (_e42 * _e43));
     // glimt_sampling/src/hash.rs:66
-    let _e101 = w;
-    let _e102 = y;
-    let _e103 = z;
-    w = (_e101 + (_e102 * _e103));
+    let _e47 = z;
+    let _e48 = x_3;
+    let _e49 = y;
+    z = (_e47 + (_e48 * _e49));
     // glimt_sampling/src/hash.rs:67
-    let _e107 = x_3;
-    let _e108 = x_3;
-    let _e113 = y;
-    let _e114 = y;
-    let _e119 = z;
-    let _e120 = z;
-    let _e125 = w;
-    let _e126 = w;
-    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e113 ^ (_e114 >> 16u)), (_e119 ^ (_e120 >> 16u)), (_e125 ^ (_e126 >> 16u)));
+    let _e53 = w;
+    let _e54 = y;
+    let _e55 = z;
+    w = (_e53 + (_e54 * _e55));
+    // glimt_sampling/src/hash.rs:68
+    let _e59 = x_3;
+    let _e63 = x_3;
+    x_3 = (_e63 ^ (_e59 >> 16u));
+    // glimt_sampling/src/hash.rs:69
+    let _e66 = y;
+    let _e70 = y;
+    y = (_e70 ^ (_e66 >> 16u));
+    // glimt_sampling/src/hash.rs:70
+    let _e73 = z;
+    let _e77 = z;
+    z = (_e77 ^ (_e73 >> 16u));
+    // glimt_sampling/src/hash.rs:71
+    let _e80 = w;
+    let _e84 = w;
+    w = (_e84 ^ (_e80 >> 16u));
+    // glimt_sampling/src/hash.rs:72
+    let _e87 = x_3;
+    let _e88 = y;
+    let _e89 = w;
+    x_3 = (_e87 + (_e88 * _e89));
+    // glimt_sampling/src/hash.rs:73
+    let _e93 = y;
+    let _e94 = z;
+    let _e95 = x_3;
+    y = (_e93 + (_e94 * _e95));
+    // glimt_sampling/src/hash.rs:74
+    let _e99 = z;
+    let _e100 = x_3;
+    let _e101 = y;
+    z = (_e99 + (_e100 * _e101));
+    // glimt_sampling/src/hash.rs:75
+    let _e105 = w;
+    let _e106 = y;
+    let _e107 = z;
+    w = (_e105 + (_e106 * _e107));
+    // glimt_sampling/src/hash.rs:76
+    let _e111 = x_3;
+    let _e112 = x_3;
+    let _e117 = y;
+    let _e118 = y;
+    let _e123 = z;
+    let _e124 = z;
+    let _e129 = w;
+    let _e130 = w;
+    return vec4<u32>((_e111 ^ (_e112 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e123 ^ (_e124 >> 16u)), (_e129 ^ (_e130 >> 16u)));
 }
 
 // glimt_sampling/src/xoshiro.rs:28

@@ -519,87 +519,91 @@ fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
     return vec2<u32>(_e26, _e32);
 }
 
-// glimt_sampling/src/hash.rs:49
+// glimt_sampling/src/hash.rs:50
 fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
     var x_3: u32;
     var y: u32;
     var z: u32;
     var w: u32;
 
-    // glimt_sampling/src/hash.rs:50
-    x_3 = ((v.x * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:51
-    y = ((v.y * 1664525u) + 1013904223u);
-    // glimt_sampling/src/hash.rs:52
-    z = ((v.z * 1664525u) + 1013904223u);
-    // glimt_sampling/src/hash.rs:53
-    w = ((v.w * 1664525u) + 1013904223u);
-    // glimt_sampling/src/hash.rs:55
-    let _e31 = x_3;
-    let _e32 = y;
-    let _e33 = w;
-    x_3 = (_e31 + (_e32 * _e33));
-    // glimt_sampling/src/hash.rs:56
-    let _e37 = y;
-    let _e38 = z;
-    let _e39 = x_3;
-    y = (_e37 + (_e38 * _e39));
+    let _e4 = hash_u32_(v.x);
+    x_3 = ((_e4 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:54
+    let _e12 = hash_u32_(v.y);
+    y = ((_e12 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:57
-    let _e43 = z;
-    let _e44 = x_3;
-    let _e45 = y;
-    z = (_e43 + (_e44 * _e45));
-    // glimt_sampling/src/hash.rs:58
-    let _e49 = w;
-    let _e50 = y;
-    let _e51 = z;
-    w = (_e49 + (_e50 * _e51));
-    // glimt_sampling/src/hash.rs:59
-    let _e55 = x_3;
-    let _e59 = x_3;
-    x_3 = (_e59 ^ (_e55 >> 16u));
+    let _e20 = hash_u32_(v.z);
+    z = ((_e20 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:60
-    let _e62 = y;
-    let _e66 = y;
-    y = (_e66 ^ (_e62 >> 16u));
-    // glimt_sampling/src/hash.rs:61
-    let _e69 = z;
-    let _e73 = z;
-    z = (_e73 ^ (_e69 >> 16u));
-    // glimt_sampling/src/hash.rs:62
-    let _e76 = w;
-    let _e80 = w;
-    w = (_e80 ^ (_e76 >> 16u));
-    // glimt_sampling/src/hash.rs:63
-    let _e83 = x_3;
-    let _e84 = y;
-    let _e85 = w;
-    x_3 = (_e83 + (_e84 * _e85));
+    let _e28 = hash_u32_(v.w);
+    w = ((_e28 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:64
-    let _e89 = y;
-    let _e90 = z;
-    let _e91 = x_3;
-    y = (_e89 + (_e90 * _e91));
+    let _e35 = x_3;
+    let _e36 = y;
+    let _e37 = w;
+    x_3 = (_e35 + (_e36 * _e37));
     // glimt_sampling/src/hash.rs:65
-    let _e95 = z;
-    let _e96 = x_3;
-    let _e97 = y;
-    z = (_e95 + (_e96 * _e97));
+    let _e41 = y;
+    let _e42 = z;
+    let _e43 = x_3;
+    y = (_e41 + (_e42 * _e43));
     // glimt_sampling/src/hash.rs:66
-    let _e101 = w;
-    let _e102 = y;
-    let _e103 = z;
-    w = (_e101 + (_e102 * _e103));
+    let _e47 = z;
+    let _e48 = x_3;
+    let _e49 = y;
+    z = (_e47 + (_e48 * _e49));
     // glimt_sampling/src/hash.rs:67
-    let _e107 = x_3;
-    let _e108 = x_3;
-    let _e113 = y;
-    let _e114 = y;
-    let _e119 = z;
-    let _e120 = z;
-    let _e125 = w;
-    let _e126 = w;
-    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e113 ^ (_e114 >> 16u)), (_e119 ^ (_e120 >> 16u)), (_e125 ^ (_e126 >> 16u)));
+    let _e53 = w;
+    let _e54 = y;
+    let _e55 = z;
+    w = (_e53 + (_e54 * _e55));
+    // glimt_sampling/src/hash.rs:68
+    let _e59 = x_3;
+    let _e63 = x_3;
+    x_3 = (_e63 ^ (_e59 >> 16u));
+    // glimt_sampling/src/hash.rs:69
+    let _e66 = y;
+    let _e70 = y;
+    y = (_e70 ^ (_e66 >> 16u));
+    // glimt_sampling/src/hash.rs:70
+    let _e73 = z;
+    let _e77 = z;
+    z = (_e77 ^ (_e73 >> 16u));
+    // glimt_sampling/src/hash.rs:71
+    let _e80 = w;
+    let _e84 = w;
+    w = (_e84 ^ (_e80 >> 16u));
+    // glimt_sampling/src/hash.rs:72
+    let _e87 = x_3;
+    let _e88 = y;
+    let _e89 = w;
+    x_3 = (_e87 + (_e88 * _e89));
+    // glimt_sampling/src/hash.rs:73
+    let _e93 = y;
+    let _e94 = z;
+    let _e95 = x_3;
+    y = (_e93 + (_e94 * _e95));
+    // glimt_sampling/src/hash.rs:74
+    let _e99 = z;
+    let _e100 = x_3;
+    let _e101 = y;
+    z = (_e99 + (_e100 * _e101));
+    // glimt_sampling/src/hash.rs:75
+    let _e105 = w;
+    let _e106 = y;
+    let _e107 = z;
+    w = (_e105 + (_e106 * _e107));
+    // glimt_sampling/src/hash.rs:76
+    let _e111 = x_3;
+    let _e112 = x_3;
+    let _e117 = y;
+    let _e118 = y;
+    let _e123 = z;
+    let _e124 = z;
+    let _e129 = w;
+    let _e130 = w;
+    return vec4<u32>((_e111 ^ (_e112 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e123 ^ (_e124 >> 16u)), (_e129 ^ (_e130 >> 16u)));
 }
 
 // glimt_sampling/src/xoshiro.rs:28
@@ -1618,123 +1622,123 @@ fn BlinnPhong_pmf_specular(this_19: BlinnPhong) -> f32 {
     return _e15;
 }
 
-// glimt_sampling/src/warp.rs:185
+// glimt_sampling/src/warp.rs:190
 fn height_of(direction_2: vec3<f32>) -> f32 {
     var chosen_11: f32;
 
-    // glimt_sampling/src/warp.rs:186
+    // glimt_sampling/src/warp.rs:191
     if (direction_2.z > 0f) {
-        // glimt_sampling/src/warp.rs:187
+        // glimt_sampling/src/warp.rs:192
         chosen_11 = (((direction_2.x * direction_2.x) + (direction_2.y * direction_2.y)) / (1f + direction_2.z));
     } else {
-        // glimt_sampling/src/warp.rs:189
+        // glimt_sampling/src/warp.rs:194
         chosen_11 = (1f - direction_2.z);
     }
     let _e23 = chosen_11;
     return _e23;
 }
 
-// glimt_sampling/src/warp.rs:196
+// glimt_sampling/src/warp.rs:201
 fn ln_cos_theta(direction_3: vec3<f32>) -> f32 {
 
-    // glimt_sampling/src/warp.rs:197
+    // glimt_sampling/src/warp.rs:202
     let _e3 = height_of(direction_3);
-    // glimt_sampling/src/warp.rs:198
+    // glimt_sampling/src/warp.rs:203
     if (_e3 < 0.1f) {
-        // glimt_sampling/src/warp.rs:199
+        // glimt_sampling/src/warp.rs:204
         let tail = ((1f / 3f) + (_e3 * (0.25f + (_e3 * (0.2f + (_e3 * ((1f / 6f) + (_e3 / 7f))))))));
-        // glimt_sampling/src/warp.rs:200
+        // glimt_sampling/src/warp.rs:205
         return (0f - (_e3 * (1f + (_e3 * (0.5f + (_e3 * tail))))));
     }
-    // glimt_sampling/src/warp.rs:202
+    // glimt_sampling/src/warp.rs:207
     return log(direction_3.z);
 }
 
-// glimt_sampling/src/warp.rs:284
+// glimt_sampling/src/warp.rs:289
 fn pdf_power_cosine_sr(direction_4: vec3<f32>, exponent: f32) -> f32 {
     var chosen_12: f32;
 
-    // glimt_sampling/src/warp.rs:285
+    // glimt_sampling/src/warp.rs:290
     let normalisation_1 = ((exponent + 1f) * (0.5f * 0.31830987f));
-    // glimt_sampling/src/warp.rs:286
+    // glimt_sampling/src/warp.rs:291
     if (exponent <= 0f) {
-        // glimt_sampling/src/warp.rs:287
+        // glimt_sampling/src/warp.rs:292
         if (direction_4.z >= 0f) {
-            // glimt_sampling/src/warp.rs:288
+            // glimt_sampling/src/warp.rs:293
             chosen_12 = normalisation_1;
         } else {
-            // glimt_sampling/src/warp.rs:290
+            // glimt_sampling/src/warp.rs:295
             chosen_12 = 0f;
         }
         let _e21 = chosen_12;
         return _e21;
     }
-    // glimt_sampling/src/warp.rs:293
+    // glimt_sampling/src/warp.rs:298
     if (direction_4.z <= 0f) {
-        // glimt_sampling/src/warp.rs:294
+        // glimt_sampling/src/warp.rs:299
         return 0f;
     }
-    // glimt_sampling/src/warp.rs:296
+    // glimt_sampling/src/warp.rs:301
     let _e29 = ln_cos_theta(direction_4);
     return (normalisation_1 * exp((exponent * _e29)));
 }
 
-// glimt_sampling/src/warp.rs:177
+// glimt_sampling/src/warp.rs:182
 fn cos_sin_turns(turns: f32) -> vec2<f32> {
     var chosen_13: f32;
 
-    // glimt_sampling/src/warp.rs:178
+    // glimt_sampling/src/warp.rs:183
     if (turns < 0.5f) {
         chosen_13 = turns;
     } else {
         chosen_13 = (turns - 1f);
     }
     let signed = chosen_13;
-    // glimt_sampling/src/warp.rs:179
+    // glimt_sampling/src/warp.rs:184
     let phi = (6.2831855f * signed);
-    // glimt_sampling/src/warp.rs:180
+    // glimt_sampling/src/warp.rs:185
     return vec2<f32>(cos(phi), sin(phi));
 }
 
-// glimt_sampling/src/warp.rs:252
+// glimt_sampling/src/warp.rs:257
 fn sample_power_cosine(u_2: vec2<f32>, exponent_1: f32) -> DirectionSample {
     var sin2_theta: f32;
     var cos_theta: f32;
 
-    // glimt_sampling/src/warp.rs:253
+    // glimt_sampling/src/warp.rs:258
     if (u_2.x <= 0f) {
-        // glimt_sampling/src/warp.rs:254
+        // glimt_sampling/src/warp.rs:259
         let _e16 = pdf_power_cosine_sr(vec3<f32>(1f, 0f, 0f), exponent_1);
         return DirectionSample(vec3<f32>(1f, 0f, 0f), _e16);
     }
-    // glimt_sampling/src/warp.rs:261
+    // glimt_sampling/src/warp.rs:266
     let t_5 = ((2f / (exponent_1 + 1f)) * (0f - log(u_2.x)));
-    // glimt_sampling/src/warp.rs:264
+    // glimt_sampling/src/warp.rs:269
     if (t_5 < 0.25f) {
-        // glimt_sampling/src/warp.rs:265
+        // glimt_sampling/src/warp.rs:270
         let tail_1 = ((1f / 6f) - (t_5 * ((1f / 24f) - (t_5 * ((1f / 120f) - (t_5 / 720f))))));
-        // glimt_sampling/src/warp.rs:266
+        // glimt_sampling/src/warp.rs:271
         sin2_theta = max((t_5 * (1f - (t_5 * (0.5f - (t_5 * tail_1))))), 0f);
-        // glimt_sampling/src/warp.rs:267
+        // glimt_sampling/src/warp.rs:272
         let _e62 = sin2_theta;
         cos_theta = sqrt((1f - _e62));
     } else {
-        // glimt_sampling/src/warp.rs:269
+        // glimt_sampling/src/warp.rs:274
         cos_theta = exp((-0.5f * t_5));
-        // glimt_sampling/src/warp.rs:270
+        // glimt_sampling/src/warp.rs:275
         let _e71 = cos_theta;
         let _e72 = cos_theta;
         sin2_theta = (1f - (_e71 * _e72));
     }
-    // glimt_sampling/src/warp.rs:272
+    // glimt_sampling/src/warp.rs:277
     let _e76 = sin2_theta;
     let sin_theta = sqrt(_e76);
-    // glimt_sampling/src/warp.rs:273
+    // glimt_sampling/src/warp.rs:278
     let _e80 = cos_sin_turns(u_2.y);
-    // glimt_sampling/src/warp.rs:274
+    // glimt_sampling/src/warp.rs:279
     let _e86 = cos_theta;
     let direction_11 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
-    // glimt_sampling/src/warp.rs:275
+    // glimt_sampling/src/warp.rs:280
     let _e89 = pdf_power_cosine_sr(direction_11, exponent_1);
     return DirectionSample(direction_11, _e89);
 }
@@ -1764,14 +1768,17 @@ fn sample_concentric_disk(u_3: vec2<f32>) -> vec2<f32> {
     return vec2<f32>((b_7 * sin(phi_2)), (b_7 * cos(phi_2)));
 }
 
-// glimt_sampling/src/warp.rs:86
+// glimt_sampling/src/warp.rs:88
 fn sample_cosine_hemisphere(u_4: vec2<f32>) -> DirectionSample {
 
-    // glimt_sampling/src/warp.rs:87
-    let _e3 = sample_concentric_disk(u_4);
-    // glimt_sampling/src/warp.rs:88
-    let z_2 = sqrt(max((1f - dot(_e3, _e3)), 0f));
     // glimt_sampling/src/warp.rs:89
+    let _e3 = sample_concentric_disk(u_4);
+    // glimt_sampling/src/warp.rs:92
+    let _e10 = abs(((2f * u_4) - vec2(1f)));
+    let r_2 = max(_e10.x, _e10.y);
+    // glimt_sampling/src/warp.rs:93
+    let z_2 = sqrt(((1f - r_2) * (1f + r_2)));
+    // glimt_sampling/src/warp.rs:94
     return DirectionSample(vec3<f32>(_e3, z_2), (z_2 * 0.31830987f));
 }
 
@@ -1830,10 +1837,10 @@ fn HalfVector_pdf_sr(this_21: HalfVector, exponent_4: f32) -> f32 {
     return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_21.wo_dot_h));
 }
 
-// glimt_sampling/src/warp.rs:98
+// glimt_sampling/src/warp.rs:103
 fn pdf_cosine_hemisphere_sr(direction_5: vec3<f32>) -> f32 {
 
-    // glimt_sampling/src/warp.rs:99
+    // glimt_sampling/src/warp.rs:104
     return (max(direction_5.z, 0f) * 0.31830987f);
 }
 
