@@ -304,6 +304,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         "chunks.rs",
         "consts.rs",
         "control.rs",
+        "corners.rs",
         "deep/mod.rs",
         "deep/constants.rs",
         "deep/names.rs",

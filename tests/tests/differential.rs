@@ -216,6 +216,43 @@ fn consts_and_modules() {
     ]);
 }
 
+#[test]
+fn corners() {
+    check(cases![
+        corners::reads_between: EXACT,
+        corners::assignments: EXACT,
+        corners::fresh_in_loops: EXACT,
+        corners::leaving: EXACT,
+        corners::names: EXACT,
+        corners::type_names: EXACT,
+        corners::hidden_methods: ARITHMETIC,
+        corners::folded: EXACT,
+        corners::exact_literals: EXACT,
+        corners::deep_places: ARITHMETIC,
+        corners::copies: ARITHMETIC,
+        corners::guards: EXACT,
+    ]);
+}
+
+#[test]
+fn one_function_over_several_buffers() {
+    let (a, b) = (Inputs::new(10, 4).ints, Inputs::new(3, 5).ints);
+    let cpu: Vec<u32> = (0..COUNT)
+        .flat_map(|id| kernels::corners::two_buffers(id, &a, &b))
+        .collect();
+    entry("corners::two_buffers").unwrap_or_else(|error| panic!("{error}"));
+    let Some(context) = context() else { return };
+    let buffers = [&a, &b].map(|values| context.buffer_of("slice", values).unwrap());
+    let out = context.buffer("out", u64::from(COUNT) * 16).unwrap();
+    let args = [
+        ("a", Arg::Buffer(&buffers[0])),
+        ("b", Arg::Buffer(&buffers[1])),
+        ("out", Arg::Buffer(&out)),
+    ];
+    launch("corners::two_buffers", &args, COUNT);
+    assert!(context.read::<u32>(&out, cpu.len()).unwrap() == cpu);
+}
+
 /// A kernel with arguments of its own on both processors.
 fn launch(kernel: &str, args: &[(&str, Arg<'_>)], count: u32) -> Option<()> {
     let entry = entry(kernel).unwrap_or_else(|error| panic!("{error}"));

@@ -220,6 +220,13 @@ impl Lowerer<'_> {
         for (i, ty) in types.iter().enumerate().skip(1) {
             let at = Span::of(f.file, &f.sig.inputs[i]);
             let name = body.locals[body.params[i]].name.clone();
+            if name == "out" || bound.members.iter().any(|(path, _)| *path == name) {
+                return Err(err(
+                    at,
+                    format!("the entry point has an argument `{name}` of its own"),
+                    "give the kernel's argument another name",
+                ));
+            }
             sources.push(self.source(ty, &name, &mut bound, chunks[i], at)?);
         }
         let mut shapes = vec![Shape::Plain];

@@ -5,6 +5,7 @@
 pub mod chunks;
 pub mod consts;
 pub mod control;
+pub mod corners;
 pub mod deep;
 pub mod enums;
 pub mod floats;
