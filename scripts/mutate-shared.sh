@@ -13,7 +13,7 @@ cd "$(dirname "$0")/.."
 
 root=$PWD
 copy=$root/target/mutated
-export CARGO_TARGET_DIR=$root/target
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$root/target}
 export CARGO_INCREMENTAL=1
 export REQUIRE_GPU=1
 pattern=${1:-}
@@ -66,7 +66,7 @@ while IFS= read -r line; do
     rest=${line#* | }
     from=${rest% | *}
     to=${rest##* | }
-    text=$(cat "$file" && printf x)
+    text=$(cat "$copy/$file" && printf x)
     text=${text%x}
     if [[ $text != *"$from"* ]]; then
         fail "$file: there is no '$from'"
@@ -83,8 +83,7 @@ while IFS= read -r line; do
     else
         fail "$file: does not build or run with '$to'"
     fi
-    cp -p "$root/$file" "$copy/$file"
-    touch "$copy/$file"
+    printf %s "$text" >"$copy/$file"
 done <scripts/mutations.txt
 
 [ "$failures" = 0 ] || {

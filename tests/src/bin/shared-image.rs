@@ -9,13 +9,11 @@ fn main() {
         return;
     };
     let program = shared_image::program();
-    for image in [shared_image::atlas_pair(&program, &context)] {
-        println!(
-            "{} {:016x} {:016x}",
-            image.name,
-            hash(&image.cpu),
-            hash(&image.gpu)
-        );
+    let mut images = vec![shared_image::atlas_pair(&program, &context)];
+    images.extend(shared_image::frame_pairs(&program, &context));
+    for image in images {
+        let (cpu, gpu) = (hash(&image.cpu), hash(&image.gpu));
+        println!("{} {cpu:016x} {gpu:016x}", image.name);
     }
 }
 

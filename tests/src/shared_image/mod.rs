@@ -3,20 +3,24 @@
 //! `scripts/mutate-shared.sh` builds them from sources in which one constant is changed.
 
 pub mod atlas;
+mod frame;
 
+use bytemuck::NoUninit;
 use glam::{UVec2, Vec4};
 use glimt_envmap_cdf::{CompensatedCdf, build_compensated_into, required_len};
-use glimt_render_gpu::entry::Entry;
-use glimt_render_gpu::gpu::{Arg, GpuContext};
-use naga_front_rust::{CrateSource, EntryDesc, Program};
+use glimt_render_gpu::gpu::{Arg, GpuBuffer, GpuContext};
+use naga_front_rust::{EntryDesc, Program};
 
+use crate::golden;
 use crate::gpu::entry_of;
+
+pub use frame::frame_pairs;
 
 /// One image on both processors, as words.
 #[derive(Clone, Debug)]
 pub struct Pair {
     /// What it shows.
-    pub name: &'static str,
+    pub name: String,
     /// From the functions that rustc compiled.
     pub cpu: Vec<u32>,
     /// From the shader that was made of the same text, just now.
@@ -29,28 +33,62 @@ pub struct Pair {
 /// Where the front end refuses it.
 #[must_use]
 pub fn program() -> Program {
-    let crates = [
-        glimt_probe::SHADER_SOURCE,
-        glimt_sampling::SHADER_SOURCE,
-        glimt_envmap_cdf::SHADER_SOURCE,
-        glimt_brdf::SHADER_SOURCE,
-        // glimt_render_gpu::SHADER_SOURCE,
-        ("atlas", &[("lib.rs", include_str!("atlas.rs"))]),
-    ];
-    Program::parse(&crates.map(CrateSource::from)).unwrap_or_else(|error| panic!("{error}"))
+    let atlas: (&str, &[(&str, &str)]) = ("atlas", &[("lib.rs", include_str!("atlas.rs"))]);
+    let sources = [&golden::SOURCES[..], &[atlas]].concat();
+    golden::program(&sources).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn entry(program: &Program, kernel: &str) -> Entry {
+/// Runs a kernel for elements `0..count` by a shader made of its text, and keeps what it returns in `out`. Arguments that
+/// the kernel does not have are left out.
+fn launch(
+    context: &GpuContext,
+    program: &Program,
+    kernel: &str,
+    args: &[(&str, Arg<'_>)],
+    out: &GpuBuffer,
+    count: u32,
+) {
     let desc = EntryDesc {
         name: "entry",
         kernel,
         workgroup_size: 64,
     };
-    entry_of(
-        &program
-            .entry(&desc)
-            .unwrap_or_else(|error| panic!("{error}")),
-    )
+    let shader = program.entry(&desc);
+    let entry = entry_of(&shader.unwrap_or_else(|error| panic!("{error}")));
+    let known = |path: &str| {
+        entry.params.iter().any(|param| param.path == path)
+            || entry.buffers.iter().any(|slot| slot.path == path)
+    };
+    let mut args: Vec<_> = args.iter().copied().filter(|arg| known(arg.0)).collect();
+    args.push(("out", Arg::Buffer(out)));
+    let result = context.launch(&entry, &args, 0, count);
+    result.unwrap_or_else(|error| panic!("{kernel}: {error}"));
+}
+
+/// A buffer for `count` values, and what is in it.
+struct Output {
+    buffer: GpuBuffer,
+    words: usize,
+}
+
+impl Output {
+    fn new<T>(context: &GpuContext, count: u32) -> Self {
+        let bytes = size_of::<T>() * count as usize;
+        let buffer = context.buffer("out", bytes as u64);
+        Self {
+            buffer: buffer.unwrap_or_else(|error| panic!("{error}")),
+            words: bytes / 4,
+        }
+    }
+
+    fn read(&self, context: &GpuContext) -> Vec<u32> {
+        let words = context.read(&self.buffer, self.words);
+        words.unwrap_or_else(|error| panic!("{error}"))
+    }
+}
+
+fn words<T: NoUninit>(values: &[T]) -> Vec<u32> {
+    bytemuck::pod_collect_to_vec(values)
 }
 
 /// The shared functions that no frame shows.
@@ -68,22 +106,18 @@ pub fn atlas_pair(program: &Program, context: &GpuContext) -> Pair {
     let count = atlas::PAGES * atlas::PAGE_SIZE * atlas::PAGE_SIZE;
     let cpu: Vec<Vec4> = (0..count).map(|id| atlas::atlas(id, env)).collect();
 
-    let run = || {
-        let marginal = context.buffer_of("marginal", &marginal)?;
-        let conditional = context.buffer_of("conditional", &conditional)?;
-        let out = context.buffer("out", 16 * u64::from(count))?;
-        let args = [
-            ("env.env.size", Arg::Value(bytemuck::bytes_of(&size))),
-            ("env.env.marginal", Arg::Buffer(&marginal)),
-            ("env.env.conditional", Arg::Buffer(&conditional)),
-            ("out", Arg::Buffer(&out)),
-        ];
-        context.launch(&entry(program, "atlas::atlas"), &args, 0, count)?;
-        context.read(&out, 4 * count as usize)
-    };
+    let upload = |edges: &[u32]| context.buffer_of("table", edges).expect("a small buffer");
+    let (marginal, conditional) = (upload(&marginal), upload(&conditional));
+    let args = [
+        ("env.env.size", Arg::Value(bytemuck::bytes_of(&size))),
+        ("env.env.marginal", Arg::Buffer(&marginal)),
+        ("env.env.conditional", Arg::Buffer(&conditional)),
+    ];
+    let out = Output::new::<Vec4>(context, count);
+    launch(context, program, "atlas::atlas", &args, &out.buffer, count);
     Pair {
-        name: "atlas",
-        cpu: bytemuck::cast_slice(&cpu).to_vec(),
-        gpu: run().unwrap_or_else(|error| panic!("atlas: {error}")),
+        name: "atlas".to_owned(),
+        cpu: words(&cpu),
+        gpu: out.read(context),
     }
 }

@@ -1,0 +1,279 @@
+//! Host file: small frames of a scene that has every kind of material and texture, and the stages of their making.
+
+use bytemuck::NoUninit;
+use glam::{Mat4, UVec2, Vec2, Vec3, Vec4, vec2, vec3};
+use glimt_render_gpu::gpu::{Arg, GpuContext, GpuEnv, GpuScene};
+use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::host::render::{Pattern, RenderSettings, Tonemap};
+use glimt_render_gpu::host::scene::{
+    Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
+};
+use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::kernels::environment::Environment;
+use glimt_render_gpu::kernels::frame::FrameParams;
+use glimt_render_gpu::kernels::scene::Scene;
+use glimt_render_gpu::kernels::{diagnose, film, shade};
+use naga_front_rust::Program;
+
+use super::{Output, Pair, launch, words};
+
+const SIZE: UVec2 = UVec2::new(40, 30);
+const RAYS: u32 = 4;
+
+/// A frame by each sample pattern, then the stages of the first.
+///
+/// # Panics
+/// Where the GPU or the front end fails.
+#[must_use]
+pub fn frame_pairs(program: &Program, context: &GpuContext) -> Vec<Pair> {
+    let stage = Stage {
+        program,
+        context,
+        scene: scene(),
+        env: environment(),
+    };
+    let mut pairs = vec![
+        stage.frame("Owen-Sobol", Pattern::OwenSobol, Tonemap::Srgb),
+        stage.frame("independent", Pattern::Independent, Tonemap::Reinhard),
+        stage.frame("stratified", Pattern::Stratified, Tonemap::Srgb),
+    ];
+    pairs.extend([
+        stage.diagnose("uniforms", |ray, frame, _, _| {
+            diagnose::uniforms(ray, frame)
+        }),
+        stage.diagnose("env_sample", |ray, frame, env, _| {
+            diagnose::env_sample(ray, frame, env)
+        }),
+        stage.diagnose("primary_hit", |ray, frame, _, scene| {
+            diagnose::primary_hit(ray, frame, scene)
+        }),
+        stage.diagnose("surface", |ray, frame, _, scene| {
+            diagnose::surface(ray, frame, scene)
+        }),
+        stage.diagnose("brdf_sample", |ray, frame, _, scene| {
+            diagnose::brdf_sample(ray, frame, scene)
+        }),
+    ]);
+    pairs
+}
+
+struct Stage<'a> {
+    program: &'a Program,
+    context: &'a GpuContext,
+    scene: SceneBuffers,
+    env: PreparedEnv,
+}
+
+impl Stage<'_> {
+    /// Linear and display values.
+    fn frame(&self, name: &str, pattern: Pattern, tonemap: Tonemap) -> Pair {
+        let frame = params(pattern, tonemap);
+        let (pixels, rays) = (SIZE.x * SIZE.y, SIZE.x * SIZE.y * RAYS);
+        let (env, scene) = (self.env.view(), self.scene.view());
+        let samples: Vec<Vec4> = (0..rays)
+            .map(|ray| shade::shade_mis(ray, &frame, env, scene))
+            .collect();
+        let linear: Vec<Vec4> = (0..pixels)
+            .map(|pixel| film::reconstruct(pixel, &frame, &samples))
+            .collect();
+        let display: Vec<u32> = (0..pixels)
+            .map(|pixel| film::tonemap(pixel, &frame, &linear))
+            .collect();
+
+        let out = [
+            Output::new::<Vec4>(self.context, rays),
+            Output::new::<Vec4>(self.context, pixels),
+            Output::new::<u32>(self.context, pixels),
+        ];
+        let film_args = [
+            ("frame", Arg::Value(bytemuck::bytes_of(&frame))),
+            ("samples", Arg::Buffer(&out[0].buffer)),
+            ("linear", Arg::Buffer(&out[1].buffer)),
+        ];
+        self.shade("shade::shade_mis", &frame, &out[0], rays);
+        for (kernel, out) in [("reconstruct", &out[1]), ("tonemap", &out[2])] {
+            let kernel = format!("glimt_render_gpu::kernels::film::{kernel}");
+            launch(
+                self.context,
+                self.program,
+                &kernel,
+                &film_args,
+                &out.buffer,
+                pixels,
+            );
+        }
+        Pair {
+            name: name.to_owned(),
+            cpu: [words(&linear), display].concat(),
+            gpu: [out[1].read(self.context), out[2].read(self.context)].concat(),
+        }
+    }
+
+    /// What a kernel of [`diagnose`] says of each ray.
+    fn diagnose<T: NoUninit>(
+        &self,
+        kernel: &str,
+        cpu: impl Fn(u32, &FrameParams, Environment<'_>, Scene<'_>) -> T,
+    ) -> Pair {
+        let frame = params(Pattern::OwenSobol, Tonemap::Srgb);
+        let rays = SIZE.x * SIZE.y * RAYS;
+        let values: Vec<T> = (0..rays)
+            .map(|ray| cpu(ray, &frame, self.env.view(), self.scene.view()))
+            .collect();
+        let out = Output::new::<T>(self.context, rays);
+        self.shade(&format!("diagnose::{kernel}"), &frame, &out, rays);
+        Pair {
+            name: kernel.to_owned(),
+            cpu: words(&values),
+            gpu: out.read(self.context),
+        }
+    }
+
+    fn shade(&self, kernel: &str, frame: &FrameParams, out: &Output, rays: u32) {
+        let scene = GpuScene::new(self.context, &self.scene).expect("a small scene");
+        let env = GpuEnv::new(self.context, &self.env).expect("a small map");
+        let mut args = vec![("frame", Arg::Value(bytemuck::bytes_of(frame)))];
+        args.extend(scene.args());
+        args.extend(env.args());
+        let kernel = format!("glimt_render_gpu::kernels::{kernel}");
+        launch(
+            self.context,
+            self.program,
+            &kernel,
+            &args,
+            &out.buffer,
+            rays,
+        );
+    }
+}
+
+fn params(pattern: Pattern, tonemap: Tonemap) -> FrameParams {
+    let camera = Camera {
+        eye: vec3(0.3, -4.0, 1.6),
+        target: vec3(0.0, 0.0, 0.6),
+        up: Vec3::Z,
+        fov_x: 0.9,
+    };
+    let settings = RenderSettings {
+        rays_per_pixel: RAYS,
+        pattern,
+        tonemap,
+        exposure_ev: -1.0,
+        ..RenderSettings::new(SIZE, camera)
+    };
+    settings.frame_params().expect("settings that are right")
+}
+
+/// A sky that grows brighter to one side, with a small sun; turned, so that the rotation counts.
+fn environment() -> PreparedEnv {
+    let size = UVec2::new(32, 16);
+    let texel = |i: u32| {
+        let (x, y) = (i % size.x, i / size.x);
+        if (x, y) == (10, 4) {
+            return vec3(300.0, 280.0, 240.0).extend(1.0);
+        }
+        let level = if y < 8 { 0.4 + x as f32 / 32.0 } else { 0.1 };
+        (level * vec3(0.7, 0.8, 1.0)).extend(1.0)
+    };
+    let map = EnvMap::new(size, (0..size.x * size.y).map(texel).collect());
+    map.expect("a map").prepare(30.0).expect("tables")
+}
+
+/// A glossy tetrahedron and a metal one before a textured, bumpy wall, on a matte floor.
+fn scene() -> SceneBuffers {
+    let tetrahedron = Mesh {
+        name: "tetrahedron".to_owned(),
+        positions: vec![
+            vec3(-0.7, -0.5, 0.0),
+            vec3(0.7, -0.5, 0.0),
+            vec3(0.0, 0.7, 0.0),
+            vec3(0.0, 0.0, 1.2),
+        ],
+        indices: vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]],
+        materials: vec![1],
+        ..Mesh::default()
+    };
+    let object = |mesh, place: Vec3, material| Object {
+        mesh,
+        transform: Mat4::from_translation(place),
+        material,
+    };
+    let description = SceneDescription {
+        meshes: vec![
+            rectangle("floor", vec3(12.0, 0.0, 0.0), vec3(0.0, 12.0, 0.0), 0),
+            tetrahedron,
+            rectangle("wall", vec3(4.0, 0.0, 0.0), vec3(0.0, 0.0, 2.5), 3),
+        ],
+        materials: materials(),
+        textures: vec![
+            texture(true, [Wrap::Repeat, Wrap::Mirror]),
+            texture(false, [Wrap::Mirror, Wrap::Clamp]),
+            texture(false, [Wrap::Repeat, Wrap::Repeat]),
+        ],
+        objects: vec![
+            object(0, Vec3::ZERO, None),
+            object(1, vec3(-0.8, 0.0, 0.0), None),
+            object(1, vec3(0.9, 0.2, 0.0), Some(2)),
+            object(2, vec3(0.0, 1.5, 1.2), None),
+        ],
+    };
+    SceneBuffers::build(&description).expect("a scene")
+}
+
+fn materials() -> Vec<Material> {
+    vec![
+        Material::BlinnPhong {
+            diffuse: Vec3::splat(0.5),
+            specular: Vec3::ZERO,
+            exponent: 0.0,
+        },
+        Material::BlinnPhong {
+            diffuse: vec3(0.4, 0.2, 0.1),
+            specular: Vec3::splat(0.4),
+            exponent: 60.0,
+        },
+        Material::MetallicRoughness {
+            base_color: vec3(0.9, 0.7, 0.4),
+            metallic: 0.8,
+            roughness: 0.4,
+            base_color_texture: None,
+            metallic_roughness_texture: None,
+            normal_texture: None,
+            normal_scale: 1.0,
+        },
+        Material::MetallicRoughness {
+            base_color: Vec3::ONE,
+            metallic: 0.5,
+            roughness: 0.9,
+            base_color_texture: Some(0),
+            metallic_roughness_texture: Some(1),
+            normal_texture: Some(2),
+            normal_scale: 0.5,
+        },
+    ]
+}
+
+/// A rectangle about the origin, its texture three times across.
+fn rectangle(name: &str, across: Vec3, up: Vec3, material: u32) -> Mesh {
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+    let uv = |(x, y): (f32, f32)| -> Vec2 { vec2(1.5 * x, -1.5 * y) };
+    Mesh {
+        name: name.to_owned(),
+        positions: corners.map(|(x, y)| 0.5 * (x * across + y * up)).to_vec(),
+        uvs: corners.map(uv).to_vec(),
+        indices: vec![[0, 1, 2], [0, 2, 3]],
+        materials: vec![material],
+        ..Mesh::default()
+    }
+}
+
+/// Four by four texels, no two alike.
+fn texture(srgb: bool, wrap: [Wrap; 2]) -> Texture {
+    let texel = |i: u8| [90 + 10 * i, 230 - 9 * i, 128 + 7 * i, 255];
+    Texture {
+        size: UVec2::splat(4),
+        texels: (0..16).map(texel).collect(),
+        srgb,
+        wrap,
+    }
+}
