@@ -16,6 +16,7 @@ use glimt_render_gpu::host::render::{
 };
 use glimt_render_gpu::host::scene::{Camera, SceneDescription};
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 /// Everything that rendering a shot needs.
 pub struct Job {
@@ -170,18 +171,23 @@ impl Job {
     /// # Errors
     /// It cannot be read.
     pub fn light(&self, frame: u32, notes: &mut Notes) -> Result<PreparedEnv> {
+        let began = Instant::now();
         let map = match &self.light {
             Light::Probe(probe) => probe.load(frame, notes)?,
             Light::Demo => demo::environment(frame - 1, demo::ENV_SIZE)
                 .map_err(|e| Error::new(Kind::Internal, e))?,
         };
-        map.prepare(self.shot.probe.rotate_z_deg).map_err(|e| {
+        let read = began.elapsed();
+        let prepared = map.prepare(self.shot.probe.rotate_z_deg).map_err(|e| {
             let error = Error::new(Kind::Input, e);
             match &self.light {
                 Light::Probe(probe) => error.file(&probe.file(frame)),
                 Light::Demo => error,
             }
-        })
+        });
+        let tables = began.elapsed() - read;
+        tracing::info!("light of frame {frame}: read in {read:.2?}, tables in {tables:.2?}");
+        prepared
     }
 
     /// The identity of each frame, in the order of [`Job::frames`].
@@ -243,7 +249,7 @@ fn demo_shot() -> String {
          [probe]\nframes = \"built in\"\nfps = {}\n\
          [[object]]\nmesh = \"built in\"\n\
          [render]\nframes = \"1-{}\"\n\
-         [output]\ndir = \"demo\"\nvideo = \"demo.mp4\"\n",
+         [output]\ndir = \"out\"\nvideo = \"demo.mp4\"\n",
         settings.exposure_ev,
         demo::FPS,
         demo::FRAMES,

@@ -13,6 +13,7 @@ use glam::UVec2;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::render::{FrameImage, Renderer};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::kernels::film::tonemap;
 use glimt_render_gpu::sequence::Prefetch;
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -58,6 +59,7 @@ pub fn render(job: Job, device: Device, strict: bool, reporter: &Reporter) -> Re
             renderer: device::open(device)?,
         }),
     };
+    tracing::info!("scene and device are ready after {:.2?}", began.elapsed());
     let name = match &stage {
         Some(stage) => stage.renderer.name(),
         None => "no device".to_owned(),
@@ -140,10 +142,6 @@ impl<'a> Plan<'a> {
             return Ok(plan);
         }
         plan.video = Some((file, hash));
-        // Frames that are skipped are fetched from their PNG.
-        if !output.png {
-            plan.current.fill(false);
-        }
         Ok(plan)
     }
 
@@ -248,15 +246,13 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
                     png::write(&frame_file(job, stamp.frame, "png"), &image, &stamp)?;
                 }
                 if let Some(video) = &mut video {
-                    let rgb = rgb_over_black(&image.display);
-                    video.push(&rgb)?;
+                    video.push(&rgb_over_black(&image.display))?;
                 }
                 (stamp.frame, FrameStatus::Rendered(seconds))
             }
             Finished::Skipped(number) => {
                 if let Some(video) = &mut video {
-                    let (_, rgb) = png::read_rgb(&frame_file(job, number, "png"))?;
-                    video.push(&rgb)?;
+                    video.push(&rgb_over_black(&fetch_display(job, number)?))?;
                 }
                 (number, FrameStatus::Skipped)
             }
@@ -265,4 +261,18 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
         reporter.frame(number, status, done, job.frames.len());
     }
     Ok(())
+}
+
+/// The display image of a frame that is there already: its PNG, or else its EXR once more exposed and tonemapped.
+fn fetch_display(job: &Job, frame: u32) -> Result<Vec<[u8; 4]>> {
+    if job.shot.output.png {
+        return png::read_pixels(&frame_file(job, frame, "png"));
+    }
+    let linear = exr::read_pixels(&frame_file(job, frame, "exr"))?;
+    let settings = job.settings(frame).frame_params();
+    let params = settings.map_err(|e| Error::new(Kind::Usage, e))?;
+    let pixels = 0..linear.len() as u32;
+    Ok(pixels
+        .map(|i| tonemap(i, &params, &linear).to_le_bytes())
+        .collect())
 }

@@ -247,6 +247,91 @@ fn the_video_is_of_the_whole_shot() {
     assert_eq!(fs::read(t.file("out/shot.mp4")).unwrap().len(), bytes.len());
 }
 
+/// Frames that were there already come into the video the same from their PNG and from their EXR.
+#[test]
+fn the_video_takes_frames_from_either_file() {
+    let t = Scratch::new("either");
+    t.lights(3);
+    t.shot("light.####.exr", "[output]\ncodec = \"av1\"\n");
+    let video = |out: &str, more: &[&str]| {
+        let mut args = vec![
+            "render",
+            "shot.toml",
+            "--out",
+            out,
+            "--set",
+            "image.size=[32,32]",
+        ];
+        args.extend(more);
+        t.run(&args).ok();
+        fs::remove_file(t.file(out).join("shot.mp4")).unwrap();
+        t.run(&args)
+            .ok()
+            .says(&["0 frames rendered, 3 there already"]);
+        fs::read(t.file(out).join("shot.mp4")).unwrap()
+    };
+    let from_png = video("a", &[]);
+    let from_exr = video("b", &["--set", "output.png=false"]);
+    assert!(!t.file("b/frame.0001.png").exists());
+    assert_eq!(from_png, from_exr);
+}
+
+/// A program of that name on the path takes the frames by its standard input.
+#[cfg(unix)]
+#[test]
+fn ffmpeg_is_used_where_it_is_found() {
+    use std::os::unix::fs::PermissionsExt;
+    let t = Scratch::new("ffmpeg");
+    t.lights(3);
+    t.shot("light.####.exr", "");
+    fs::create_dir_all(t.file("bin")).unwrap();
+    let install = |script: &str| {
+        let script = t.put("script", script);
+        fs::set_permissions(&script, fs::Permissions::from_mode(0o755)).unwrap();
+        // Copied by another process: a program that is open for writing here, or in a child of another test, does not
+        // start.
+        let copy = std::process::Command::new("cp")
+            .arg(script)
+            .arg(t.file("bin/ffmpeg"))
+            .status();
+        assert!(copy.unwrap().success());
+    };
+    let path = format!("{}:/usr/bin:/bin", t.file("bin").display());
+    let run = |more: &[&str]| {
+        let mut args = vec!["render", "shot.toml", "--set", "image.size=[20,18]"];
+        args.extend(more);
+        let output = t.command(&args).env("PATH", &path).output().unwrap();
+        common::Ran {
+            status: output.status.code().unwrap_or(-1),
+            out: String::new(),
+            err: String::from_utf8_lossy(&output.stderr).into_owned(),
+        }
+    };
+    // Keeps what it is given; its last argument is the file to write.
+    install("#!/bin/sh\n[ \"$1\" = -version ] && exit 0\nfor last; do :; done\ncat > \"$last\"\n");
+    run(&[]).ok();
+    let bytes = fs::read(t.file("out/shot.mp4")).unwrap();
+    assert_eq!(bytes.len(), 3 * 20 * 18 * 3);
+
+    install("#!/bin/sh\n[ \"$1\" = -version ] && exit 0\necho 'Unknown encoder' >&2\nexit 1\n");
+    run(&["--seed", "2"]).fails(
+        4,
+        &[
+            "shot.mp4",
+            "ffmpeg failed: Unknown encoder",
+            "output.codec=av1",
+        ],
+    );
+    assert_eq!(
+        fs::read(t.file("out/shot.mp4")).unwrap(),
+        bytes,
+        "the earlier video stays"
+    );
+    run(&["--seed", "2", "--set", "output.codec=av1"]).ok();
+    fs::remove_file(t.file("bin/ffmpeg")).unwrap();
+    run(&["--seed", "3", "--set", "output.codec=h264"]).fails(4, &["ffmpeg cannot be started"]);
+}
+
 #[test]
 fn events_are_json_lines() {
     let t = Scratch::new("json");

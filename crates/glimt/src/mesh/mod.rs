@@ -13,6 +13,7 @@ use crate::shot::digest::{self, Hash};
 use glam::{Mat4, Vec3};
 use glimt_render_gpu::host::scene::{Material, Mesh, Texture};
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 /// What a mesh file holds. Indices are into its own lists.
 #[derive(Clone, Debug, Default)]
@@ -74,6 +75,7 @@ pub fn load(base: &Path, name: &str, notes: &mut Notes) -> Result<Model> {
     if let Some(model) = builtin::load(name) {
         return Ok(model);
     }
+    let began = Instant::now();
     let file = base.join(name);
     let lower = name.to_ascii_lowercase();
     let lower = lower.strip_suffix(".gz").unwrap_or(&lower);
@@ -90,6 +92,11 @@ pub fn load(base: &Path, name: &str, notes: &mut Notes) -> Result<Model> {
         }
     };
     clean::clean(&mut model, &file, notes)?;
+    let (triangles, time) = (model.triangles(), began.elapsed());
+    tracing::info!(
+        "{}: {triangles} triangles, read in {time:.2?}",
+        file.display()
+    );
     Ok(model)
 }
 

@@ -73,3 +73,19 @@ pub fn read_hash(file: &Path) -> Option<String> {
         _ => None,
     }
 }
+
+/// Reads back the pixels of a frame that [`write`] stored.
+///
+/// # Errors
+/// The file cannot be read.
+pub fn read_pixels(file: &Path) -> Result<Vec<Vec4>> {
+    let image = ::exr::prelude::read_first_rgba_layer_from_file(
+        file,
+        |size, _| (vec![Vec4::ZERO; size.x() * size.y()], size.x()),
+        |(pixels, width): &mut (Vec<Vec4>, usize), at, (r, g, b, a): (f32, f32, f32, f32)| {
+            pixels[at.y() * *width + at.x()] = Vec4::new(r, g, b, a);
+        },
+    );
+    let broken = |e| Error::input(file, e).fix("remove it, and render it again");
+    Ok(image.map_err(broken)?.layer_data.channel_data.pixels.0)
+}

@@ -1,11 +1,10 @@
 //! Host file: display frames as PNG, 8 bits, sRGB.
 
-use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending, display_bytes, rgb_over_black};
+use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending, display_bytes};
 use crate::error::{Error, Result};
 use ::png::{
     BitDepth, ColorType, Compression, Decoder, Encoder, EncodingError, SrgbRenderingIntent,
 };
-use glam::UVec2;
 use glimt_render_gpu::host::render::FrameImage;
 use std::fs::File;
 use std::io::BufReader;
@@ -55,15 +54,12 @@ pub fn read_hash(file: &Path) -> Option<String> {
     Some(text.text.clone())
 }
 
-/// Reads a frame that [`write`] stored, as RGB; alpha is laid over black.
+/// Reads back the pixels of a frame that [`write`] stored.
 ///
 /// # Errors
 /// The file cannot be read.
-pub fn read_rgb(file: &Path) -> Result<(UVec2, Vec<u8>)> {
+pub fn read_pixels(file: &Path) -> Result<Vec<[u8; 4]>> {
     let image = image::open(file)
         .map_err(|e| Error::input(file, e).fix("remove it, and render it again"))?;
-    let image = image.to_rgba8();
-    let (pixels, _) = image.as_raw().as_chunks::<4>();
-    let rgb = rgb_over_black(pixels);
-    Ok((UVec2::new(image.width(), image.height()), rgb))
+    Ok(image.to_rgba8().into_raw().as_chunks::<4>().0.to_vec())
 }
