@@ -1,4 +1,4 @@
-//! Shared file: reflection models: Lambert and normalised Blinn-Phong. `no_std`, no alloc; glam types.
+//! Host file: reflection models: Lambert and normalised Blinn-Phong. `no_std`, no alloc; glam types.
 //!
 //! Each model can be evaluated, sampled, and asked for the density of its samples, so that the estimator
 //! `L = Σ ρ(wo, wi) L_i cos θ / pdf / N` is at hand:

@@ -165,17 +165,28 @@ pub fn build_row_into(
     }
     // The weights' bits wait in the row itself until the sum is known.
     let bad_texels = store_weights(weights, &mut conditional_row[1..]);
-    let weight_sum = sum_of_bits(&conditional_row[1..]);
+    let (weight_sum, least) = sum_and_least(&conditional_row[1..]);
     conditional_row[0] = 0;
     let mut raised = 0;
     if weight_sum > 0.0 {
         let mut edges = Edges::new(weight_sum);
-        let (chunks, rest) = conditional_row[1..].as_chunks_mut::<LANES>();
-        for chunk in chunks {
-            *chunk = edges.push_lanes(&chunk.map(weight_of_bits));
+        // Most rows have no texel that must be raised, and need not look for any.
+        let least = if least > 0.0 {
+            least
+        } else {
+            least_positive(&conditional_row[1..])
+        };
+        let fast = if edges.has_unit(least) {
+            width - width % LANES
+        } else {
+            0
+        };
+        let (fast, careful) = conditional_row[1..].split_at_mut(fast);
+        for chunk in fast.as_chunks_mut::<LANES>().0 {
+            *chunk = edges.push_lanes(chunk.map(f32::from_bits));
         }
-        for bin in rest {
-            *bin = edges.push(weight_of_bits(*bin));
+        for bin in careful {
+            *bin = edges.push(f64::from(f32::from_bits(*bin)));
         }
         raised = edges.finish(conditional_row);
     }
@@ -190,9 +201,11 @@ pub fn build_row_into(
 fn store_weights(weights: impl Iterator<Item = f32>, bits: &mut [u32]) -> u32 {
     let mut bad = 0;
     for (bits, weight) in bits.iter_mut().zip(weights) {
-        // A negative zero becomes a positive one on the way.
-        *bits = (weight_or_zero(weight) + 0.0).to_bits();
-        bad += u32::from(!is_weight(weight));
+        // A negative zero becomes a positive one; the bits of positive numbers are in their order, all others beyond.
+        let number = (weight + 0.0).to_bits();
+        let good = number <= f32::MAX.to_bits();
+        *bits = if good { number } else { 0 };
+        bad += u32::from(!good);
     }
     bad
 }
@@ -207,20 +220,39 @@ pub(crate) fn weight_or_zero(x: f32) -> f32 {
     if is_weight(x) { x } else { 0.0 }
 }
 
-fn weight_of_bits(bits: u32) -> f64 {
-    f64::from(f32::from_bits(bits))
-}
-
-fn sum_of_bits(bits: &[u32]) -> f64 {
+/// Sum of the weights, and the least of them.
+fn sum_and_least(bits: &[u32]) -> (f64, f32) {
+    let mut sums = [0.0; LANES];
+    let mut least = [f32::MAX; LANES];
+    let mut add = |lane: usize, weight: f32| {
+        sums[lane] += f64::from(weight);
+        least[lane] = if weight < least[lane] {
+            weight
+        } else {
+            least[lane]
+        };
+    };
     let (chunks, rest) = bits.as_chunks::<LANES>();
-    let mut lanes = [0.0; LANES];
     for chunk in chunks {
-        for (lane, &bits) in lanes.iter_mut().zip(chunk) {
-            *lane += weight_of_bits(bits);
+        for (lane, weight) in chunk.map(f32::from_bits).into_iter().enumerate() {
+            add(lane, weight);
         }
     }
-    let rest: f64 = rest.iter().map(|&bits| weight_of_bits(bits)).sum();
-    lanes.iter().sum::<f64>() + rest
+    for (lane, bits) in rest.iter().enumerate() {
+        add(lane, f32::from_bits(*bits));
+    }
+    (
+        sums.iter().sum(),
+        least.into_iter().fold(f32::MAX, f32::min),
+    )
+}
+
+/// The least positive weight of those that have one: the bits of zero, less one, are beyond those of all others.
+fn least_positive(bits: &[u32]) -> f32 {
+    let before = bits
+        .iter()
+        .fold(u32::MAX, |least, bits| least.min(bits.wrapping_sub(1)));
+    f32::from_bits(before.wrapping_add(1))
 }
 
 /// Builds the edges of the rows from the sums of their weights ([`RowReport::weight_sum`], from row 0 at +z), each

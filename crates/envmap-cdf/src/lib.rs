@@ -1,4 +1,4 @@
-//! Shared file: importance sampling of a lat-long environment map by inversion. `no_std`, no alloc; glam types.
+//! Host file: importance sampling of a lat-long environment map by inversion. `no_std`, no alloc; glam types.
 //!
 //! A table of row probabilities and one of column probabilities per row turn two uniform words into a direction whose
 //! density is proportional to the map's radiance, texel by texel.
