@@ -506,3 +506,50 @@ fn what_has_no_place_is_still_an_error() {
         "{error}"
     );
 }
+
+/// WGSL would rename the entry point, and whoever asks for it by its name would not find it.
+#[test]
+fn entry_points_that_wgsl_would_rename() {
+    let files = [("lib.rs", "pub fn k(id: u32) -> u32 { id }")];
+    let program = Program::parse(&[CrateSource {
+        name: "one",
+        files: &files,
+    }])
+    .unwrap();
+    let entry = |name| {
+        program.entry(&EntryDesc {
+            name,
+            kernel: "one::k",
+            workgroup_size: 64,
+        })
+    };
+    for name in [
+        "step",
+        "fn",
+        "pass1",
+        "1st",
+        "two words",
+        "a-b",
+        "",
+        "_",
+        "__a",
+        "array",
+        "Params",
+    ] {
+        let Err(error) = entry(name) else {
+            panic!("'{name}' was taken")
+        };
+        assert!(
+            error.message.contains(name) && error.help.is_some(),
+            "{error}"
+        );
+    }
+    for name in ["main", "k", "shade_mis", "Shade", "pass_1_a"] {
+        let shader = entry(name).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(
+            shader.wgsl.contains(&format!("fn {name}(")),
+            "{}",
+            shader.wgsl
+        );
+    }
+}

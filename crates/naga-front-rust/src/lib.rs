@@ -190,7 +190,7 @@ impl Program {
                 notes: Vec::new(),
             }));
         }
-        self.shader(desc.name, desc.workgroup_size, |l| l.entry(desc))
+        self.shader(&[desc.name], desc.workgroup_size, |l| l.entry(desc))
     }
 
     /// Lowers functions to be called from a shader of one's own.
@@ -199,12 +199,13 @@ impl Program {
     ///
     /// As [`Program::entry`]; also a slice whose buffer has no binding, and a name that WGSL would not keep.
     pub fn exports(&self, desc: &ExportDesc<'_>) -> Result<Shader, Diagnostic> {
-        self.shader("", 0, |l| l.exports(desc))
+        let names: Vec<&str> = desc.functions.iter().map(|(name, _)| *name).collect();
+        self.shader(&names, 0, |l| l.exports(desc))
     }
 
     fn shader(
         &self,
-        name: &str,
+        names: &[&str],
         workgroup_size: u32,
         make: impl Fn(&mut Lowerer<'_>) -> R<entry::Bound>,
     ) -> Result<Shader, Diagnostic> {
@@ -212,13 +213,17 @@ impl Program {
             let mut marked = Lowerer::new(&self.items, true);
             make(&mut marked)?;
             let wgsl = wgsl::write(&marked)?;
+            check_names(names, &wgsl)?;
             let mut plain = Lowerer::new(&self.items, false);
             let bound = make(&mut plain)?;
             let info = wgsl::validate(&plain.module)?;
             Ok(Shader {
                 wgsl,
                 info,
-                entry_point: name.to_string(),
+                entry_point: match names {
+                    [name] if workgroup_size > 0 => (*name).to_string(),
+                    _ => String::new(),
+                },
                 workgroup_size,
                 params: bound.params,
                 params_size: bound.params_size,
@@ -252,5 +257,24 @@ impl Program {
             help: e.help,
             notes: e.notes,
         }
+    }
+}
+
+/// Whoever asks for a function by its name must find it: WGSL has reserved words, and naga renames what ends in a digit.
+fn check_names(names: &[&str], wgsl: &str) -> R<()> {
+    match names
+        .iter()
+        .find(|name| !wgsl.contains(&format!("fn {name}(")))
+    {
+        None => Ok(()),
+        Some(name) => Err(Box::new(Error {
+            message: format!("the name `{name}` would be another in WGSL"),
+            span: None,
+            help: Some(
+                "choose a plain name that is no word of WGSL and does not end in a digit or `_`"
+                    .into(),
+            ),
+            notes: Vec::new(),
+        })),
     }
 }
