@@ -145,11 +145,13 @@ impl MirrorFrame {
 const RINGS: usize = 16;
 const SECTORS: usize = 12;
 
-/// Cells of rings and sectors about the mirror direction, and a last one for impossible samples.
+/// Cells of rings and sectors about the mirror direction, and a last one for impossible samples. Rings are drawn in where
+/// the horizon is near, so that it cuts no sliver off a cell that the quadrature's points would miss.
 fn cell(frame: &MirrorFrame, edges: &[f64], d: Option<Vec3>) -> usize {
     let Some(d) = d else { return RINGS * SECTORS };
     let (alpha, beta) = frame.coordinates(d);
-    let ring = edges[1..RINGS].partition_point(|edge| *edge <= alpha);
+    let drawn_out = alpha * PI / frame.horizon(beta);
+    let ring = edges[1..RINGS].partition_point(|edge| *edge <= drawn_out);
     let sector = ((beta / TAU * SECTORS as f64) as usize).min(SECTORS - 1);
     ring * SECTORS + sector
 }
@@ -172,10 +174,11 @@ fn cell_masses(frame: &MirrorFrame, pdf_sr: impl Fn(Vec3) -> f64, impossible: f6
                 let width = TAU / (2 * SECTORS) as f64;
                 for (x, weight_b) in &rule {
                     let beta = width * ((2 * sector + half) as f64 + 0.5 + 0.5 * x);
-                    let upper = edges[ring + 1].min(frame.horizon(beta));
-                    let width_a = (upper - edges[ring]).max(0.0);
+                    let scale = frame.horizon(beta) / PI;
+                    let (inner, outer) = (scale * edges[ring], scale * edges[ring + 1]);
+                    let width_a = outer - inner;
                     for (y, weight_a) in &rule {
-                        let alpha = edges[ring] + width_a * (0.5 + 0.5 * y);
+                        let alpha = inner + width_a * (0.5 + 0.5 * y);
                         let area = 0.25 * width * width_a * weight_a * weight_b * alpha.sin();
                         masses[ring * SECTORS + sector] +=
                             area * pdf_sr(frame.direction(alpha, beta));
