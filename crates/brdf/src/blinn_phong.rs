@@ -60,8 +60,13 @@ impl BlinnPhong {
         if wo.z <= 0.0 || wi.z <= 0.0 {
             return Vec3::ZERO;
         }
+        let diffuse = self.diffuse * FRAC_1_PI;
+        // Most surfaces of most scenes have no lobe, and it is the dear part.
+        if self.specular.max_element() <= 0.0 {
+            return diffuse;
+        }
         let lobe = normalisation(self.exponent) * HalfVector::new(wo, wi).lobe(self.exponent);
-        self.diffuse * FRAC_1_PI + self.specular * lobe
+        diffuse + self.specular * lobe
     }
 
     /// Draws `wi`: from the specular lobe with probability [`BlinnPhong::pmf_specular`], else in proportion to its
@@ -95,9 +100,13 @@ impl BlinnPhong {
         if wo.z <= 0.0 || wi.z <= 0.0 {
             return 0.0;
         }
+        let diffuse = pdf_cosine_hemisphere_sr(wi);
         let pmf_specular = self.pmf_specular();
+        if pmf_specular <= 0.0 {
+            return diffuse;
+        }
         let specular = HalfVector::new(wo, wi).pdf_sr(self.exponent);
-        pmf_specular * specular + (1.0 - pmf_specular) * pdf_cosine_hemisphere_sr(wi)
+        pmf_specular * specular + (1.0 - pmf_specular) * diffuse
     }
 
     /// Probability that [`BlinnPhong::sample`] chooses the specular lobe: its share of the albedo's luminance; 0 for a

@@ -91,12 +91,19 @@ fn blinn_phong_eval(this_1: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let _e17 = normalisation(this_1.exponent);
-    let _e18 = HalfVector_new(wo_1, wi_1);
-    let _e20 = HalfVector_lobe(_e18, this_1.exponent);
-    let lobe = (_e17 * _e20);
-    // glimt_brdf/src/blinn_phong.rs:64
-    return ((this_1.diffuse * 0.31830987f) + (this_1.specular * lobe));
+    let diffuse = (this_1.diffuse * 0.31830987f);
+    // glimt_brdf/src/blinn_phong.rs:65
+    if (max(max(this_1.specular.x, this_1.specular.y), this_1.specular.z) <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:66
+        return diffuse;
+    }
+    // glimt_brdf/src/blinn_phong.rs:68
+    let _e31 = normalisation(this_1.exponent);
+    let _e32 = HalfVector_new(wo_1, wi_1);
+    let _e34 = HalfVector_lobe(_e32, this_1.exponent);
+    let lobe = (_e31 * _e34);
+    // glimt_brdf/src/blinn_phong.rs:69
+    return (diffuse + (this_1.specular * lobe));
 }
 
 // glimt_sampling/src/uniform.rs:15
@@ -113,16 +120,16 @@ fn luminance(rgb: vec3<f32>) -> f32 {
     return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
 }
 
-// glimt_brdf/src/blinn_phong.rs:107
+// glimt_brdf/src/blinn_phong.rs:116
 fn BlinnPhong_pmf_specular(this_2: BlinnPhong) -> f32 {
     var chosen_1: f32;
 
-    // glimt_brdf/src/blinn_phong.rs:108
+    // glimt_brdf/src/blinn_phong.rs:117
     let _e4 = luminance(this_2.specular);
-    // glimt_brdf/src/blinn_phong.rs:109
+    // glimt_brdf/src/blinn_phong.rs:118
     let _e7 = luminance(this_2.diffuse);
     let both = (_e7 + _e4);
-    // glimt_brdf/src/blinn_phong.rs:110
+    // glimt_brdf/src/blinn_phong.rs:119
     if (both > 0f) {
         chosen_1 = (_e4 / both);
     } else {
@@ -292,6 +299,13 @@ fn sample_cosine_hemisphere(u_3: vec2<f32>) -> DirectionSample {
     return DirectionSample(vec3<f32>(_e3, z), (z * 0.31830987f));
 }
 
+// glimt_sampling/src/warp.rs:103
+fn pdf_cosine_hemisphere_sr(direction_3: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:104
+    return (max(direction_3.z, 0f) * 0.31830987f);
+}
+
 // glimt_brdf/src/lobe.rs:37
 fn HalfVector_pdf_sr(this_3: HalfVector, exponent_5: f32) -> f32 {
 
@@ -300,52 +314,51 @@ fn HalfVector_pdf_sr(this_3: HalfVector, exponent_5: f32) -> f32 {
     return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_3.wo_dot_h));
 }
 
-// glimt_sampling/src/warp.rs:103
-fn pdf_cosine_hemisphere_sr(direction_3: vec3<f32>) -> f32 {
+// glimt_brdf/src/blinn_phong.rs:99
+fn blinn_phong_pdf_sr(this_4: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
 
-    // glimt_sampling/src/warp.rs:104
-    return (max(direction_3.z, 0f) * 0.31830987f);
-}
-
-// glimt_brdf/src/blinn_phong.rs:94
-fn BlinnPhong_pdf_sr(this_4: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
-
-    // glimt_brdf/src/blinn_phong.rs:95
+    // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_2.z <= 0f) || (wi_2.z <= 0f)) {
-        // glimt_brdf/src/blinn_phong.rs:96
+        // glimt_brdf/src/blinn_phong.rs:101
         return 0f;
     }
-    // glimt_brdf/src/blinn_phong.rs:98
-    let _e15 = BlinnPhong_pmf_specular(this_4);
-    // glimt_brdf/src/blinn_phong.rs:99
-    let _e17 = HalfVector_new(wo_2, wi_2);
-    let _e19 = HalfVector_pdf_sr(_e17, this_4.exponent);
-    // glimt_brdf/src/blinn_phong.rs:100
-    let _e24 = pdf_cosine_hemisphere_sr(wi_2);
-    return ((_e15 * _e19) + ((1f - _e15) * _e24));
+    // glimt_brdf/src/blinn_phong.rs:103
+    let _e15 = pdf_cosine_hemisphere_sr(wi_2);
+    // glimt_brdf/src/blinn_phong.rs:104
+    let _e17 = BlinnPhong_pmf_specular(this_4);
+    // glimt_brdf/src/blinn_phong.rs:105
+    if (_e17 <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:106
+        return _e15;
+    }
+    // glimt_brdf/src/blinn_phong.rs:108
+    let _e23 = HalfVector_new(wo_2, wi_2);
+    let _e25 = HalfVector_pdf_sr(_e23, this_4.exponent);
+    // glimt_brdf/src/blinn_phong.rs:109
+    return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
-// glimt_brdf/src/blinn_phong.rs:75
+// glimt_brdf/src/blinn_phong.rs:80
 fn blinn_phong_sample(this_5: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_4: vec2<f32>) -> BrdfSample {
     var chosen_5: vec3<f32>;
 
-    // glimt_brdf/src/blinn_phong.rs:76
+    // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
     let _e8 = BlinnPhong_pmf_specular(this_5);
     if (_e7 < _e8) {
-        // glimt_brdf/src/blinn_phong.rs:77
+        // glimt_brdf/src/blinn_phong.rs:82
         let _e12 = sample_power_cosine(u_4, this_5.exponent);
         let h = _e12.direction;
-        // glimt_brdf/src/blinn_phong.rs:78
+        // glimt_brdf/src/blinn_phong.rs:83
         chosen_5 = (((2f * dot(wo_3, h)) * h) - wo_3);
     } else {
-        // glimt_brdf/src/blinn_phong.rs:80
+        // glimt_brdf/src/blinn_phong.rs:85
         let _e21 = sample_cosine_hemisphere(u_4);
         chosen_5 = _e21.direction;
     }
     let wi_5 = chosen_5;
-    // glimt_brdf/src/blinn_phong.rs:82
-    let _e25 = BlinnPhong_pdf_sr(this_5, wo_3, wi_5);
+    // glimt_brdf/src/blinn_phong.rs:87
+    let _e25 = blinn_phong_pdf_sr(this_5, wo_3, wi_5);
     return BrdfSample(wi_5, _e25);
 }
 
@@ -366,7 +379,7 @@ fn lambert_eval(this_6: Lambert, wo_4: vec3<f32>, wi_3: vec3<f32>) -> vec3<f32> 
 }
 
 // glimt_brdf/src/lambert.rs:52
-fn Lambert_pdf_sr(this_7: Lambert, wo_5: vec3<f32>, wi_4: vec3<f32>) -> f32 {
+fn lambert_pdf_sr(this_7: Lambert, wo_5: vec3<f32>, wi_4: vec3<f32>) -> f32 {
     var chosen_7: f32;
 
     // glimt_brdf/src/lambert.rs:53
@@ -389,7 +402,7 @@ fn lambert_sample(this_8: Lambert, wo_6: vec3<f32>, u_5: vec2<f32>) -> BrdfSampl
     let _e5 = sample_cosine_hemisphere(u_5);
     let wi_6 = _e5.direction;
     // glimt_brdf/src/lambert.rs:43
-    let _e8 = Lambert_pdf_sr(this_8, wo_6, wi_6);
+    let _e8 = lambert_pdf_sr(this_8, wo_6, wi_6);
     return BrdfSample(wi_6, _e8);
 }
 
