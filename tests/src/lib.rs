@@ -1,10 +1,12 @@
 //! Host file: helpers of the tests.
 
+pub mod analytic;
 pub mod differential;
 pub mod golden;
 pub mod gpu;
 #[allow(
     clippy::all,
+    non_camel_case_types,
     reason = "each form of the language is there to be lowered, the unusual ones above all"
 )]
 pub mod kernels;

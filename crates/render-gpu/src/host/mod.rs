@@ -7,3 +7,4 @@ pub mod render;
 pub mod scene;
 pub mod scene_build;
 pub mod scene_error;
+mod tree;

@@ -234,7 +234,9 @@ impl RenderSettings {
                 Tonemap::Reinhard => frame::TONEMAP_REINHARD,
             },
             exposure,
-            unused: [0; 3],
+            unused_a: 0,
+            unused_b: 0,
+            unused_c: 0,
         })
     }
 }

@@ -1,17 +1,15 @@
 //! Host file: from a scene's description to the kernels' buffers.
 
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Duration;
 
 use glam::{DMat3, Mat3, Vec2, Vec3, Vec4};
-use obvhs::BvhBuildParams;
-use obvhs::bvh2::builder::build_bvh2_from_tris;
 
 use super::attributes::{area_weighted_normals, uv_tangents};
 use super::materials::{pack_material, pack_textures};
 use super::scene::{Mesh, Object, SceneDescription};
 use super::scene_error::SceneError;
-use crate::kernels::bvh::{BvhNode, STACK_SIZE};
+use super::tree::build_tree;
+use crate::kernels::bvh::BvhNode;
 use crate::kernels::material::Material;
 use crate::kernels::scene::{Corner, MIRRORED, Scene};
 use crate::kernels::triangle::Triangle;
@@ -77,7 +75,7 @@ impl SceneBuffers {
         if triangles.len() > (u32::MAX / 4) as usize {
             return Err(SceneError::TooLarge { what: "triangles" });
         }
-        let (nodes, order) = build_tree(&triangles)?;
+        let (nodes, order) = build_tree(&triangles);
         static NEXT_ID: AtomicU64 = AtomicU64::new(0);
         Ok(Self {
             id: NEXT_ID.fetch_add(1, Ordering::Relaxed),
@@ -116,36 +114,6 @@ impl SceneBuffers {
     pub fn bounds(&self) -> (Vec3, Vec3) {
         (self.nodes[0].min, self.nodes[0].max)
     }
-}
-
-/// The tree over the triangles, and the order in which its leaves want them.
-fn build_tree(triangles: &[Triangle]) -> Result<(Vec<BvhNode>, Vec<u32>), SceneError> {
-    let boxed: Vec<_> = triangles
-        .iter()
-        .map(|t| obvhs::triangle::Triangle {
-            v0: t.v0.into(),
-            v1: t.v1.into(),
-            v2: t.v2.into(),
-        })
-        .collect();
-    // Without spatial splits, so that every triangle is stored once.
-    let params = BvhBuildParams {
-        pre_split: false,
-        ..BvhBuildParams::slow_build()
-    };
-    let mut tree = build_bvh2_from_tris(&boxed, params, &mut Duration::default());
-    tree.reorder_in_stack_traversal_order();
-    let depth = tree.depth(0);
-    if depth > STACK_SIZE {
-        return Err(SceneError::TooDeep {
-            depth,
-            max: STACK_SIZE,
-        });
-    }
-    Ok((
-        bytemuck::cast_slice(&tree.nodes).to_vec(),
-        tree.primitive_indices,
-    ))
 }
 
 /// Triangles of all objects, in the world, in the order of the description.

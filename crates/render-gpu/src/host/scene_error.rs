@@ -116,12 +116,4 @@ pub enum SceneError {
         /// Of what.
         what: &'static str,
     },
-    /// The tree is deeper than the traversal's stack.
-    #[error("the scene's tree is {depth} levels deep, and {max} is the most that can be traversed")]
-    TooDeep {
-        /// Levels of the tree.
-        depth: usize,
-        /// Levels that the stack allows.
-        max: usize,
-    },
 }

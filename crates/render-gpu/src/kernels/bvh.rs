@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::ray::{Hit, Ray};
 use super::triangle::{Triangle, barycentrics, intersect};
 
-/// Entries of the traversal's stack. A tree that is deeper is refused when it is built.
+/// Entries of the traversal's stack. No tree is built deeper.
 pub const STACK_SIZE: usize = 64;
 
 /// A node of the tree: an inner node with two children side by side, or a leaf with a run of triangles. 32 bytes.

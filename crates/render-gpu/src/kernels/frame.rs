@@ -68,7 +68,11 @@ pub struct FrameParams {
     /// Factor on linear values before the tonemap.
     pub exposure: f32,
     /// Fills the last 16 bytes.
-    pub unused: [u32; 3],
+    pub unused_a: u32,
+    /// Fills 16 bytes.
+    pub unused_b: u32,
+    /// Fills 16 bytes.
+    pub unused_c: u32,
 }
 
 impl FrameParams {
@@ -122,6 +126,6 @@ mod tests {
         assert_eq!(core::mem::offset_of!(FrameParams, brdf_samples), 64);
         assert_eq!(core::mem::offset_of!(FrameParams, background), 80);
         assert_eq!(core::mem::offset_of!(FrameParams, exposure), 96);
-        assert_eq!(core::mem::offset_of!(FrameParams, unused), 100);
+        assert_eq!(core::mem::offset_of!(FrameParams, unused_a), 100);
     }
 }

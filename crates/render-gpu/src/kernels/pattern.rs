@@ -115,7 +115,9 @@ fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 }
 
 /// Where `index` goes in the permutation of `0..length` that `key` picks: a bijection of the next power of two, walked
-/// until it comes back below `length`.
+/// until it comes back below `length`, and then a rotation.
+///
+/// The rotation makes every place equally likely for every index, which the bijections of a few bits do not.
 #[inline]
 fn permute(index: u32, length: u32, key: u32) -> u32 {
     if length <= 1 {
@@ -133,7 +135,7 @@ fn permute(index: u32, length: u32, key: u32) -> u32 {
             x ^= x >> bits.div_ceil(2);
         }
         if x < length {
-            return x;
+            return (x + hash_u32(!key) % length) % length;
         }
     }
 }
