@@ -46,9 +46,7 @@ fn entry(kernel: &str) -> Result<Entry, String> {
         kernel: &path,
         workgroup_size: 64,
     };
-    let shader = PROGRAM
-        .with(|program| program.entry(&desc))
-        .map_err(|error| error.to_string())?;
+    let shader = PROGRAM.with(|program| program.entry(&desc).map_err(|error| error.to_string()))?;
     Ok(entry_of(&shader))
 }
 

@@ -46,7 +46,10 @@ fn check(list: Vec<Refused>) {
             kernel: "refused::k",
             workgroup_size: 64,
         };
-        let result = Program::parse(&[krate]).and_then(|program| program.entry(&desc));
+        let result = match Program::parse(&[krate]) {
+            Ok(program) => program.entry(&desc),
+            Err(error) => Err(error),
+        };
         let Err(error) = result else {
             failures.push(format!(
                 "was lowered, in silence (wanted '{phrase}'):\n{source}"
@@ -516,12 +519,10 @@ fn entry_points_that_wgsl_would_rename() {
         files: &files,
     }])
     .unwrap();
-    let entry = |name| {
-        program.entry(&EntryDesc {
-            name,
-            kernel: "one::k",
-            workgroup_size: 64,
-        })
+    let desc = |name| EntryDesc {
+        name,
+        kernel: "one::k",
+        workgroup_size: 64,
     };
     for name in [
         "step",
@@ -536,7 +537,7 @@ fn entry_points_that_wgsl_would_rename() {
         "array",
         "Params",
     ] {
-        let Err(error) = entry(name) else {
+        let Err(error) = program.entry(&desc(name)) else {
             panic!("'{name}' was taken")
         };
         assert!(
@@ -545,7 +546,9 @@ fn entry_points_that_wgsl_would_rename() {
         );
     }
     for name in ["main", "k", "shade_mis", "Shade", "pass_1_a"] {
-        let shader = entry(name).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let shader = program
+            .entry(&desc(name))
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!(
             shader.wgsl.contains(&format!("fn {name}(")),
             "{}",
