@@ -8,6 +8,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 pub mod inputs;
+pub mod scene;
 
 /// Contestants that are measured against each other.
 pub struct Contest<'a> {
