@@ -40,7 +40,7 @@ const EXPORTS: &[Export] = &[
             ("env_invert", "glimt_envmap_cdf::EnvCdf::invert"),
             ("env_is_black", "glimt_envmap_cdf::EnvCdf::is_black"),
         ],
-        buffers: &[("marginal", 1, 0), ("conditional", 1, 1)],
+        buffers: &[("marginal", 0, 1), ("conditional", 0, 2)],
     },
     Export {
         file: "crates/brdf/wgsl/brdf.wgsl",
@@ -199,10 +199,12 @@ fn entry_const(out: &mut String, spec: &EntrySpec, shader: &Shader) {
 
 fn module(consts: &str, structs: &[StructLayout]) -> String {
     let mut out = format!(
-        "//! Host file: the renderer's entry points, made from Rust by naga-front-rust. Do not edit; to make it anew:\n//! `{COMMAND}`\n\nuse core::mem::{{offset_of, size_of}};\n\nuse crate::entry::{{BufferSlot, Entry, ParamField}};\n\nconst fn param(path: &'static str, offset: u32, size: u32) -> ParamField {{\n    ParamField {{ path, offset, size }}\n}}\n\nconst fn slot(path: &'static str, binding: u32, stride: u32, writable: bool) -> BufferSlot {{\n    BufferSlot {{\n        path,\n        binding,\n        stride,\n        writable,\n    }}\n}}\n"
+        "//! Host file: the renderer's entry points, made from Rust by naga-front-rust. Do not edit; to make it anew:\n//! `{COMMAND}`\n\n#[cfg(test)]\nuse core::mem::{{offset_of, size_of}};\n\nuse crate::entry::{{BufferSlot, Entry, ParamField}};\n\nconst fn param(path: &'static str, offset: u32, size: u32) -> ParamField {{\n    ParamField {{ path, offset, size }}\n}}\n\nconst fn slot(path: &'static str, binding: u32, stride: u32, writable: bool) -> BufferSlot {{\n    BufferSlot {{\n        path,\n        binding,\n        stride,\n        writable,\n    }}\n}}\n"
     );
     out.push_str(consts);
-    out.push_str("\n// The same bytes in Rust and in WGSL.\nconst _: () = {\n");
+    out.push_str(
+        "\n// The same bytes in Rust and in WGSL. Checked where tests are built, since a struct that has just changed must not\n// keep this file from being made anew.\n#[cfg(test)]\nconst _: () = {\n",
+    );
     let mut sorted: Vec<&StructLayout> = structs.iter().collect();
     sorted.sort_by(|a, b| a.path.cmp(&b.path));
     for s in sorted {

@@ -97,3 +97,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("search.rs", include_str!("search.rs")),
     ],
 );
+
+/// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own.
+#[cfg(feature = "shader-source")]
+pub const WGSL: &str = include_str!("../wgsl/envmap_cdf.wgsl");

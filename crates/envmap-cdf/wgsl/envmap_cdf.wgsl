@@ -12,16 +12,16 @@ struct Bin {
     units: u32,
 }
 
-@group(1) @binding(0) 
+@group(0) @binding(1) 
 var<storage> marginal: array<u32>;
-@group(1) @binding(1) 
+@group(0) @binding(2) 
 var<storage> conditional: array<u32>;
 
 // glimt_envmap_cdf/src/env_cdf.rs:47
-fn EnvCdf_is_black(this_size: vec2<u32>) -> bool {
+fn env_is_black(size: vec2<u32>) -> bool {
 
     // glimt_envmap_cdf/src/env_cdf.rs:48
-    let _e6 = marginal[this_size.y];
+    let _e6 = marginal[size.y];
     return (_e6 == 0u);
 }
 
@@ -187,33 +187,33 @@ fn cos_sin_pi(x_1: f32) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel: vec2<u32>, size: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+fn direction_in_texel(texel: vec2<u32>, size_1: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
     var chosen_1: u32;
     var chosen_2: u32;
     var chosen_3: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_4 = max(size, vec2(1u));
+    let size_11 = max(size_1, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_3 = min(texel.y, (size_4.y - 1u));
+    let row_3 = min(texel.y, (size_11.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_3) >= size_4.y);
+    let southern = ((2u * row_3) >= size_11.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_1 = (size_4.y - row_3);
+        chosen_1 = (size_11.y - row_3);
     } else {
         chosen_1 = row_3;
     }
     let upper = chosen_1;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_2 = ((size_4.y - row_3) - 1u);
+        chosen_2 = ((size_11.y - row_3) - 1u);
     } else {
         chosen_2 = (row_3 + 1u);
     }
     let lower = chosen_2;
     // glimt_probe/src/latlong.rs:149
-    let half_2 = (0.5f / f32(size_4.y));
+    let half_2 = (0.5f / f32(size_11.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper) * half_2));
     let sin_upper = _e41.y;
@@ -236,45 +236,45 @@ fn direction_in_texel(texel: vec2<u32>, size: vec2<u32>, r: vec2<f32>) -> vec3<f
     }
     let cos_theta = chosen_3;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel.x) + r.x)) / f32(size_4.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel.x) + r.x)) / f32(size_11.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta * _e90.x), (sin_theta * _e90.y), cos_theta);
 }
 
 // glimt_probe/src/latlong.rs:121
-fn texel_solid_angle_sr(row: u32, size_1: vec2<u32>) -> f32 {
+fn texel_solid_angle_sr(row: u32, size_2: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_5 = max(size_1, vec2(1u));
+    let size_12 = max(size_2, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_4 = min(row, (size_5.y - 1u));
+    let row_4 = min(row, (size_12.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_4, ((size_5.y - 1u) - row_4));
+    let from_pole = min(row_4, ((size_12.y - 1u) - row_4));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_5.y));
+    let half_row = (0.5f / f32(size_12.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_5.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_12.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:162
-fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_2: vec2<u32>) -> f32 {
+fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_3: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:163
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
     // glimt_envmap_cdf/src/env_cdf.rs:164
-    let _e14 = texel_solid_angle_sr(row_1, size_2);
+    let _e14 = texel_solid_angle_sr(row_1, size_3);
     return (pmf / _e14);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:60
-fn env_sample(this_size_1: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
+fn env_sample(size_4: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
 
     // glimt_envmap_cdf/src/env_cdf.rs:61
-    let _e4 = EnvCdf_is_black(this_size_1);
+    let _e4 = env_is_black(size_4);
     if _e4 {
         // glimt_envmap_cdf/src/env_cdf.rs:62
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
@@ -282,9 +282,9 @@ fn env_sample(this_size_1: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
     // glimt_envmap_cdf/src/env_cdf.rs:68
     let _e19 = find_bin((u_3.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let row_start = (_e19.index * (this_size_1.x + 1u));
+    let row_start = (_e19.index * (size_4.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_end = ((row_start + this_size_1.x) + 1u);
+    let row_end = ((row_start + size_4.x) + 1u);
     // glimt_envmap_cdf/src/env_cdf.rs:71
     let _e37 = find_bin_1(row_start, (row_end - row_start), (u_3.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
@@ -296,8 +296,8 @@ fn env_sample(this_size_1: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
     let _e61 = place_in_bin(_e19, (u_3.y >> 1u), (_e45 >> 16u));
     let place_1 = vec2<f32>(_e53, _e61);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e64 = direction_in_texel(texel_4, this_size_1, place_1);
-    let _e68 = density_sr(_e19.units, _e37.units, _e19.index, this_size_1);
+    let _e64 = direction_in_texel(texel_4, size_4, place_1);
+    let _e68 = density_sr(_e19.units, _e37.units, _e19.index, size_4);
     return EnvSample(texel_4, _e64, _e68);
 }
 
@@ -335,19 +335,19 @@ fn direction_to_uv(d: vec3<f32>) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:68
-fn direction_to_texel(d_1: vec3<f32>, size_3: vec2<u32>) -> vec2<u32> {
+fn direction_to_texel(d_1: vec3<f32>, size_5: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_6 = max(size_3, vec2(1u));
+    let size_13 = max(size_5, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_1);
-    let position = (_e8 * vec2<f32>(size_6));
+    let position = (_e8 * vec2<f32>(size_13));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_6 - vec2(1u)));
+    return min(vec2<u32>(position), (size_13 - vec2(1u)));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:142
-fn EnvCdf_row(this_size_2: vec2<u32>, texel_1: vec2<u32>) -> Bin {
+fn EnvCdf_row(size_6: vec2<u32>, texel_1: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:143
     let y_1 = texel_1.y;
@@ -359,10 +359,10 @@ fn EnvCdf_row(this_size_2: vec2<u32>, texel_1: vec2<u32>) -> Bin {
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:151
-fn EnvCdf_column(this_size_3: vec2<u32>, texel_2: vec2<u32>) -> Bin {
+fn EnvCdf_column(size_7: vec2<u32>, texel_2: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:152
-    let x_2 = ((texel_2.y * (this_size_3.x + 1u)) + texel_2.x);
+    let x_2 = ((texel_2.y * (size_7.x + 1u)) + texel_2.x);
     // glimt_envmap_cdf/src/env_cdf.rs:153
     let _e15 = conditional[x_2];
     let _e20 = conditional[(x_2 + 1u)];
@@ -371,23 +371,23 @@ fn EnvCdf_column(this_size_3: vec2<u32>, texel_2: vec2<u32>) -> Bin {
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:119
-fn EnvCdf_texel_pdf_sr(this_size_4: vec2<u32>, texel_3: vec2<u32>) -> f32 {
+fn env_texel_pdf_sr(size_8: vec2<u32>, texel_3: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:120
-    let _e4 = EnvCdf_row(this_size_4, texel_3);
+    let _e4 = EnvCdf_row(size_8, texel_3);
     // glimt_envmap_cdf/src/env_cdf.rs:121
-    let _e6 = EnvCdf_column(this_size_4, texel_3);
+    let _e6 = EnvCdf_column(size_8, texel_3);
     // glimt_envmap_cdf/src/env_cdf.rs:122
-    let _e11 = density_sr(_e4.units, _e6.units, texel_3.y, this_size_4);
+    let _e11 = density_sr(_e4.units, _e6.units, texel_3.y, size_8);
     return _e11;
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:111
-fn env_pdf_sr(this_size_5: vec2<u32>, d_2: vec3<f32>) -> f32 {
+fn env_pdf_sr(size_9: vec2<u32>, d_2: vec3<f32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:112
-    let _e4 = direction_to_texel(d_2, this_size_5);
-    let _e5 = EnvCdf_texel_pdf_sr(this_size_5, _e4);
+    let _e4 = direction_to_texel(d_2, size_9);
+    let _e5 = env_texel_pdf_sr(size_9, _e4);
     return _e5;
 }
 
@@ -449,20 +449,20 @@ fn area_above(row_2: u32, height: u32, v: f32) -> f32 {
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:132
-fn env_invert(this_size_6: vec2<u32>, d_3: vec3<f32>) -> vec2<u32> {
+fn env_invert(size_10: vec2<u32>, d_3: vec3<f32>) -> vec2<u32> {
 
     // glimt_envmap_cdf/src/env_cdf.rs:133
-    let _e4 = direction_to_texel(d_3, this_size_6);
+    let _e4 = direction_to_texel(d_3, size_10);
     // glimt_envmap_cdf/src/env_cdf.rs:134
     let _e6 = direction_to_uv(d_3);
-    let position_1 = ((_e6 * vec2<f32>(this_size_6)) - vec2<f32>(_e4));
+    let position_1 = ((_e6 * vec2<f32>(size_10)) - vec2<f32>(_e4));
     // glimt_envmap_cdf/src/env_cdf.rs:135
     let place_2 = clamp(position_1, vec2(0f), vec2(1f));
     // glimt_envmap_cdf/src/env_cdf.rs:136
-    let _e18 = EnvCdf_column(this_size_6, _e4);
+    let _e18 = EnvCdf_column(size_10, _e4);
     let _e20 = word_in_bin(_e18, place_2.x);
-    let _e21 = EnvCdf_row(this_size_6, _e4);
-    let _e25 = area_above(_e4.y, this_size_6.y, place_2.y);
+    let _e21 = EnvCdf_row(size_10, _e4);
+    let _e25 = area_above(_e4.y, size_10.y, place_2.y);
     let _e26 = word_in_bin(_e21, _e25);
     return vec2<u32>(_e20, _e26);
 }

@@ -456,6 +456,16 @@ impl Lowerer<'_> {
                 shapes.push(self.export_shape(&ty, &path, desc, &mut made, &mut bound, span)?);
             }
             let lowered = self.function(&instance, &shapes, Some(name), span)?;
+            // It may have been lowered before, as something that another export calls.
+            let taken = desc
+                .functions
+                .iter()
+                .take_while(|(n, _)| n != name)
+                .any(|(n, _)| self.module.functions[lowered.handle].name.as_deref() == Some(*n));
+            if taken {
+                return plain("is another export's function", "export each function once");
+            }
+            self.module.functions.get_mut(lowered.handle).name = Some((*name).to_string());
             if !matches!(lowered.ret, Shape::Plain | Shape::Unit) {
                 return Err(err(
                     span,

@@ -60,3 +60,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("trig.rs", include_str!("trig.rs")),
     ],
 );
+
+/// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own.
+#[cfg(feature = "shader-source")]
+pub const WGSL: &str = include_str!("../wgsl/probe.wgsl");

@@ -185,7 +185,12 @@ impl<'l, 'p> FnLowerer<'l, 'p> {
                 let names = self.l.field_names(ty);
                 let types = self.l.field_types(ty, span)?;
                 for ((field, ty), shape) in names.iter().zip(&types).zip(shapes) {
-                    self.argument_types(ty, shape, &format!("{name}_{field}"), span, out)?;
+                    let below = if name == "this" {
+                        field.clone()
+                    } else {
+                        format!("{name}_{field}")
+                    };
+                    self.argument_types(ty, shape, &below, span, out)?;
                 }
             }
         }

@@ -62,7 +62,9 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused: array<u32, 3>,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
 }
 
 struct PixelPattern {
@@ -175,20 +177,11 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:78
+// glimt_render_gpu/src/kernels/frame.rs:82
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
-    var self_: FrameParams;
 
-    self_ = this_;
-    // glimt_render_gpu/src/kernels/frame.rs:79
-    let _e6 = self_.pattern;
-    let _e8 = self_.seed;
-    let _e10 = self_.frame;
-    let _e12 = self_.first_pixel;
-    let _e14 = self_.rays_per_pixel;
-    let _e18 = self_.rays_per_pixel;
-    let _e21 = self_.rays_per_pixel;
-    return PixelPattern(_e6, _e8, _e10, (_e12 + (ray / _e14)), (ray % _e18), _e21);
+    // glimt_render_gpu/src/kernels/frame.rs:83
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -646,43 +639,43 @@ fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:120
+// glimt_render_gpu/src/kernels/pattern.rs:122
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:121
+    // glimt_render_gpu/src/kernels/pattern.rs:123
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:122
+        // glimt_render_gpu/src/kernels/pattern.rs:124
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:124
-    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:125
-    let mask = (4294967295u >> ((32u - bits_2) & 31u));
     // glimt_render_gpu/src/kernels/pattern.rs:126
-    x_4 = index_7;
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
     // glimt_render_gpu/src/kernels/pattern.rs:127
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:128
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:129
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:128
+        // glimt_render_gpu/src/kernels/pattern.rs:130
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:129
+        // glimt_render_gpu/src/kernels/pattern.rs:131
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:130
+            // glimt_render_gpu/src/kernels/pattern.rs:132
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:132
+            // glimt_render_gpu/src/kernels/pattern.rs:134
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:133
+            // glimt_render_gpu/src/kernels/pattern.rs:135
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -692,12 +685,13 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:135
+        // glimt_render_gpu/src/kernels/pattern.rs:137
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:136
+            // glimt_render_gpu/src/kernels/pattern.rs:138
             let _e65 = x_4;
-            return _e65;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
         }
     }
     return u32();
@@ -807,41 +801,29 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:92
+// glimt_render_gpu/src/kernels/frame.rs:96
 fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
-    var self_1: FrameParams;
     var chosen_2: vec2<f32>;
 
-    self_1 = this_9;
-    // glimt_render_gpu/src/kernels/frame.rs:93
-    let _e7 = self_1.width;
-    let _e11 = self_1.width;
-    let corner = vec2<f32>(vec2<u32>((pattern.pixel % _e7), (pattern.pixel / _e11)));
-    // glimt_render_gpu/src/kernels/frame.rs:94
-    let _e18 = self_1.filter_;
-    if (_e18 == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:95
+    // glimt_render_gpu/src/kernels/frame.rs:97
+    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:98
+    if (this_9.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:99
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:97
-        let _e28 = PixelPattern_pair(pattern, 1u, 0u, 1u);
-        let _e29 = unit_vec2_(_e28);
-        chosen_2 = _e29;
+        // glimt_render_gpu/src/kernels/frame.rs:101
+        let _e24 = PixelPattern_pair(pattern, 1u, 0u, 1u);
+        let _e25 = unit_vec2_(_e24);
+        chosen_2 = _e25;
     }
     let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:99
-    let _e33 = self_1.eye;
-    let _e35 = self_1.forward;
-    let _e37 = self_1.right;
-    let _e39 = self_1.up;
-    let view = CameraView(_e33, _e35, _e37, _e39);
-    // glimt_render_gpu/src/kernels/frame.rs:105
-    let _e43 = self_1.eye;
-    let _e46 = self_1.width;
-    let _e48 = self_1.height;
-    let _e50 = CameraView_direction(view, (corner + place), vec2<u32>(_e46, _e48));
-    let _e51 = Ray_new(_e43, _e50);
-    return _e51;
+    // glimt_render_gpu/src/kernels/frame.rs:103
+    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:109
+    let _e39 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    let _e40 = Ray_new(this_9.eye, _e39);
+    return _e40;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:29
@@ -1573,16 +1555,16 @@ fn luminance(rgb: vec3<f32>) -> f32 {
     return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
 }
 
-// glimt_brdf/src/blinn_phong.rs:107
+// glimt_brdf/src/blinn_phong.rs:116
 fn BlinnPhong_pmf_specular(this_19: BlinnPhong) -> f32 {
     var chosen_10: f32;
 
-    // glimt_brdf/src/blinn_phong.rs:108
+    // glimt_brdf/src/blinn_phong.rs:117
     let _e4 = luminance(this_19.specular);
-    // glimt_brdf/src/blinn_phong.rs:109
+    // glimt_brdf/src/blinn_phong.rs:118
     let _e7 = luminance(this_19.diffuse);
     let both = (_e7 + _e4);
-    // glimt_brdf/src/blinn_phong.rs:110
+    // glimt_brdf/src/blinn_phong.rs:119
     if (both > 0f) {
         chosen_10 = (_e4 / both);
     } else {
@@ -1752,6 +1734,13 @@ fn sample_cosine_hemisphere(u_4: vec2<f32>) -> DirectionSample {
     return DirectionSample(vec3<f32>(_e3, z_2), (z_2 * 0.31830987f));
 }
 
+// glimt_sampling/src/warp.rs:103
+fn pdf_cosine_hemisphere_sr(direction_5: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:104
+    return (max(direction_5.z, 0f) * 0.31830987f);
+}
+
 // glimt_brdf/src/lobe.rs:20
 fn HalfVector_new(wo: vec3<f32>, wi: vec3<f32>) -> HalfVector {
 
@@ -1807,80 +1796,74 @@ fn HalfVector_pdf_sr(this_21: HalfVector, exponent_4: f32) -> f32 {
     return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_21.wo_dot_h));
 }
 
-// glimt_sampling/src/warp.rs:103
-fn pdf_cosine_hemisphere_sr(direction_5: vec3<f32>) -> f32 {
-
-    // glimt_sampling/src/warp.rs:104
-    return (max(direction_5.z, 0f) * 0.31830987f);
-}
-
-// glimt_brdf/src/blinn_phong.rs:94
+// glimt_brdf/src/blinn_phong.rs:99
 fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
-    // glimt_brdf/src/blinn_phong.rs:95
+    // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
-        // glimt_brdf/src/blinn_phong.rs:96
+        // glimt_brdf/src/blinn_phong.rs:101
         return 0f;
     }
-    // glimt_brdf/src/blinn_phong.rs:98
-    let _e15 = BlinnPhong_pmf_specular(this_22);
-    // glimt_brdf/src/blinn_phong.rs:99
-    let _e17 = HalfVector_new(wo_1, wi_1);
-    let _e19 = HalfVector_pdf_sr(_e17, this_22.exponent);
-    // glimt_brdf/src/blinn_phong.rs:100
-    let _e24 = pdf_cosine_hemisphere_sr(wi_1);
-    return ((_e15 * _e19) + ((1f - _e15) * _e24));
+    // glimt_brdf/src/blinn_phong.rs:103
+    let _e15 = pdf_cosine_hemisphere_sr(wi_1);
+    // glimt_brdf/src/blinn_phong.rs:104
+    let _e17 = BlinnPhong_pmf_specular(this_22);
+    // glimt_brdf/src/blinn_phong.rs:105
+    if (_e17 <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:106
+        return _e15;
+    }
+    // glimt_brdf/src/blinn_phong.rs:108
+    let _e23 = HalfVector_new(wo_1, wi_1);
+    let _e25 = HalfVector_pdf_sr(_e23, this_22.exponent);
+    // glimt_brdf/src/blinn_phong.rs:109
+    return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
-// glimt_brdf/src/blinn_phong.rs:75
+// glimt_brdf/src/blinn_phong.rs:80
 fn BlinnPhong_sample(this_23: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_15: vec3<f32>;
 
-    // glimt_brdf/src/blinn_phong.rs:76
+    // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
     let _e8 = BlinnPhong_pmf_specular(this_23);
     if (_e7 < _e8) {
-        // glimt_brdf/src/blinn_phong.rs:77
+        // glimt_brdf/src/blinn_phong.rs:82
         let _e12 = sample_power_cosine(u_5, this_23.exponent);
         let h = _e12.direction;
-        // glimt_brdf/src/blinn_phong.rs:78
+        // glimt_brdf/src/blinn_phong.rs:83
         chosen_15 = (((2f * dot(wo_2, h)) * h) - wo_2);
     } else {
-        // glimt_brdf/src/blinn_phong.rs:80
+        // glimt_brdf/src/blinn_phong.rs:85
         let _e21 = sample_cosine_hemisphere(u_5);
         chosen_15 = _e21.direction;
     }
     let wi_2 = chosen_15;
-    // glimt_brdf/src/blinn_phong.rs:82
+    // glimt_brdf/src/blinn_phong.rs:87
     let _e25 = BlinnPhong_pdf_sr(this_23, wo_2, wi_2);
     return BrdfSample(wi_2, _e25);
 }
 
 // glimt_render_gpu/src/kernels/diagnose.rs:134
 fn brdf_sample(ray_9: u32, frame_2: FrameParams) -> vec4<f32> {
-    var frame_3: FrameParams;
 
-    frame_3 = frame_2;
     // glimt_render_gpu/src/kernels/diagnose.rs:135
-    let _e5 = frame_3;
-    let _e6 = FrameParams_pattern_of(_e5, ray_9);
+    let _e4 = FrameParams_pattern_of(frame_2, ray_9);
     // glimt_render_gpu/src/kernels/diagnose.rs:136
-    let _e8 = frame_3;
-    let _e9 = FrameParams_camera_ray(_e8, _e6);
+    let _e6 = FrameParams_camera_ray(frame_2, _e4);
     // glimt_render_gpu/src/kernels/diagnose.rs:137
-    let _e11 = Scene_closest_hit(_e9);
-    let hit_1 = _e11.value;
-    if _e11.is_some {
+    let _e8 = Scene_closest_hit(_e6);
+    let hit_1 = _e8.value;
+    if _e8.is_some {
         // glimt_render_gpu/src/kernels/diagnose.rs:138
-        let _e16 = Scene_shading_point(_e9, hit_1);
+        let _e13 = Scene_shading_point(_e6, hit_1);
         // glimt_render_gpu/src/kernels/diagnose.rs:139
-        let _e21 = frame_3.brdf_samples;
-        let _e22 = PixelPattern_triple(_e6, 2u, 0u, _e21);
+        let _e18 = PixelPattern_triple(_e4, 2u, 0u, frame_2.brdf_samples);
         // glimt_render_gpu/src/kernels/diagnose.rs:140
-        let _e28 = unit_vec2_(_e22.xy);
-        let _e29 = BlinnPhong_sample(_e16.brdf, _e16.wo, _e22.z, _e28);
+        let _e24 = unit_vec2_(_e18.xy);
+        let _e25 = BlinnPhong_sample(_e13.brdf, _e13.wo, _e18.z, _e24);
         // glimt_render_gpu/src/kernels/diagnose.rs:141
-        return vec4<f32>(_e29.wi, _e29.pdf_sr);
+        return vec4<f32>(_e25.wi, _e25.pdf_sr);
     }
     // glimt_render_gpu/src/kernels/diagnose.rs:143
     return vec4(0f);

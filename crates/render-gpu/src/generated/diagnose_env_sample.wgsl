@@ -18,7 +18,9 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused: array<u32, 3>,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
 }
 
 struct PixelPattern {
@@ -78,20 +80,11 @@ var<storage, read_write> out: array<EnvRecord>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:78
+// glimt_render_gpu/src/kernels/frame.rs:82
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
-    var self_: FrameParams;
 
-    self_ = this_;
-    // glimt_render_gpu/src/kernels/frame.rs:79
-    let _e6 = self_.pattern;
-    let _e8 = self_.seed;
-    let _e10 = self_.frame;
-    let _e12 = self_.first_pixel;
-    let _e14 = self_.rays_per_pixel;
-    let _e18 = self_.rays_per_pixel;
-    let _e21 = self_.rays_per_pixel;
-    return PixelPattern(_e6, _e8, _e10, (_e12 + (ray / _e14)), (ray % _e18), _e21);
+    // glimt_render_gpu/src/kernels/frame.rs:83
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -549,43 +542,43 @@ fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:120
+// glimt_render_gpu/src/kernels/pattern.rs:122
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:121
+    // glimt_render_gpu/src/kernels/pattern.rs:123
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:122
+        // glimt_render_gpu/src/kernels/pattern.rs:124
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:124
-    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:125
-    let mask = (4294967295u >> ((32u - bits_2) & 31u));
     // glimt_render_gpu/src/kernels/pattern.rs:126
-    x_4 = index_7;
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
     // glimt_render_gpu/src/kernels/pattern.rs:127
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:128
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:129
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:128
+        // glimt_render_gpu/src/kernels/pattern.rs:130
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:129
+        // glimt_render_gpu/src/kernels/pattern.rs:131
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:130
+            // glimt_render_gpu/src/kernels/pattern.rs:132
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:132
+            // glimt_render_gpu/src/kernels/pattern.rs:134
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:133
+            // glimt_render_gpu/src/kernels/pattern.rs:135
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -595,12 +588,13 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:135
+        // glimt_render_gpu/src/kernels/pattern.rs:137
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:136
+            // glimt_render_gpu/src/kernels/pattern.rs:138
             let _e65 = x_4;
-            return _e65;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
         }
     }
     return u32();
@@ -667,10 +661,10 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:47
-fn EnvCdf_is_black(this_size: vec2<u32>) -> bool {
+fn EnvCdf_is_black(size: vec2<u32>) -> bool {
 
     // glimt_envmap_cdf/src/env_cdf.rs:48
-    let _e6 = env_cdf_marginal[this_size.y];
+    let _e6 = env_cdf_marginal[size.y];
     return (_e6 == 0u);
 }
 
@@ -801,33 +795,33 @@ fn cos_sin_pi(x_5: f32) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel: vec2<u32>, size: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+fn direction_in_texel(texel: vec2<u32>, size_1: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
     var chosen_3: u32;
     var chosen_4: u32;
     var chosen_5: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_4 = max(size, vec2(1u));
+    let size_6 = max(size_1, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_2 = min(texel.y, (size_4.y - 1u));
+    let row_2 = min(texel.y, (size_6.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_2) >= size_4.y);
+    let southern = ((2u * row_2) >= size_6.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_3 = (size_4.y - row_2);
+        chosen_3 = (size_6.y - row_2);
     } else {
         chosen_3 = row_2;
     }
     let upper = chosen_3;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_4 = ((size_4.y - row_2) - 1u);
+        chosen_4 = ((size_6.y - row_2) - 1u);
     } else {
         chosen_4 = (row_2 + 1u);
     }
     let lower = chosen_4;
     // glimt_probe/src/latlong.rs:149
-    let half_2 = (0.5f / f32(size_4.y));
+    let half_2 = (0.5f / f32(size_6.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper) * half_2));
     let sin_upper = _e41.y;
@@ -850,45 +844,45 @@ fn direction_in_texel(texel: vec2<u32>, size: vec2<u32>, r: vec2<f32>) -> vec3<f
     }
     let cos_theta = chosen_5;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel.x) + r.x)) / f32(size_4.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel.x) + r.x)) / f32(size_6.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta * _e90.x), (sin_theta * _e90.y), cos_theta);
 }
 
 // glimt_probe/src/latlong.rs:121
-fn texel_solid_angle_sr(row: u32, size_1: vec2<u32>) -> f32 {
+fn texel_solid_angle_sr(row: u32, size_2: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_5 = max(size_1, vec2(1u));
+    let size_7 = max(size_2, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_3 = min(row, (size_5.y - 1u));
+    let row_3 = min(row, (size_7.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_3, ((size_5.y - 1u) - row_3));
+    let from_pole = min(row_3, ((size_7.y - 1u) - row_3));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_5.y));
+    let half_row = (0.5f / f32(size_7.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_5.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_7.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:162
-fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_2: vec2<u32>) -> f32 {
+fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_3: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:163
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
     // glimt_envmap_cdf/src/env_cdf.rs:164
-    let _e14 = texel_solid_angle_sr(row_1, size_2);
+    let _e14 = texel_solid_angle_sr(row_1, size_3);
     return (pmf / _e14);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:60
-fn EnvCdf_sample(this_size_1: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
+fn EnvCdf_sample(size_4: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
 
     // glimt_envmap_cdf/src/env_cdf.rs:61
-    let _e4 = EnvCdf_is_black(this_size_1);
+    let _e4 = EnvCdf_is_black(size_4);
     if _e4 {
         // glimt_envmap_cdf/src/env_cdf.rs:62
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
@@ -896,9 +890,9 @@ fn EnvCdf_sample(this_size_1: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
     // glimt_envmap_cdf/src/env_cdf.rs:68
     let _e19 = find_bin((u_3.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let row_start = (_e19.index * (this_size_1.x + 1u));
+    let row_start = (_e19.index * (size_4.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_end = ((row_start + this_size_1.x) + 1u);
+    let row_end = ((row_start + size_4.x) + 1u);
     // glimt_envmap_cdf/src/env_cdf.rs:71
     let _e37 = find_bin_1(row_start, (row_end - row_start), (u_3.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
@@ -910,8 +904,8 @@ fn EnvCdf_sample(this_size_1: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
     let _e61 = place_in_bin(_e19, (u_3.y >> 1u), (_e45 >> 16u));
     let place = vec2<f32>(_e53, _e61);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e64 = direction_in_texel(texel_1, this_size_1, place);
-    let _e68 = density_sr(_e19.units, _e37.units, _e19.index, this_size_1);
+    let _e64 = direction_in_texel(texel_1, size_4, place);
+    let _e68 = density_sr(_e19.units, _e37.units, _e19.index, size_4);
     return EnvSample(texel_1, _e64, _e68);
 }
 
@@ -923,20 +917,20 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:44
-fn Environment_sample(this_cdf_size: vec2<u32>, this_rotation: vec2<f32>, u_4: vec2<u32>) -> EnvSample {
+fn Environment_sample(cdf_size: vec2<u32>, rotation: vec2<f32>, u_4: vec2<u32>) -> EnvSample {
 
     // glimt_render_gpu/src/kernels/environment.rs:45
-    let _e5 = EnvCdf_sample(this_cdf_size, u_4);
+    let _e5 = EnvCdf_sample(cdf_size, u_4);
     // glimt_render_gpu/src/kernels/environment.rs:46
-    let _e8 = rotate_z(_e5.direction, this_rotation);
+    let _e8 = rotate_z(_e5.direction, rotation);
     return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:23
-fn Environment_to_map(this_cdf_size_1: vec2<u32>, this_rotation_1: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
+fn Environment_to_map(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:24
-    let _e9 = rotate_z(direction, vec2<f32>(this_rotation_1.x, -(this_rotation_1.y)));
+    let _e9 = rotate_z(direction, vec2<f32>(rotation_1.x, -(rotation_1.y)));
     return _e9;
 }
 
@@ -974,42 +968,38 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:68
-fn direction_to_texel(d_2: vec3<f32>, size_3: vec2<u32>) -> vec2<u32> {
+fn direction_to_texel(d_2: vec3<f32>, size_5: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_6 = max(size_3, vec2(1u));
+    let size_8 = max(size_5, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_6));
+    let position = (_e8 * vec2<f32>(size_8));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_6 - vec2(1u)));
+    return min(vec2<u32>(position), (size_8 - vec2(1u)));
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:30
-fn Environment_texel(this_cdf_size_2: vec2<u32>, this_rotation_2: vec2<f32>, direction_1: vec3<f32>) -> vec2<u32> {
+fn Environment_texel(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, direction_1: vec3<f32>) -> vec2<u32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:31
-    let _e5 = Environment_to_map(this_cdf_size_2, this_rotation_2, direction_1);
-    let _e6 = direction_to_texel(_e5, this_cdf_size_2);
+    let _e5 = Environment_to_map(cdf_size_2, rotation_2, direction_1);
+    let _e6 = direction_to_texel(_e5, cdf_size_2);
     return _e6;
 }
 
 // glimt_render_gpu/src/kernels/diagnose.rs:71
 fn env_sample(ray_1: u32, frame_2: FrameParams, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> EnvRecord {
-    var frame_3: FrameParams;
 
-    frame_3 = frame_2;
     // glimt_render_gpu/src/kernels/diagnose.rs:72
-    let _e7 = frame_3;
-    let _e8 = FrameParams_pattern_of(_e7, ray_1);
+    let _e6 = FrameParams_pattern_of(frame_2, ray_1);
     // glimt_render_gpu/src/kernels/diagnose.rs:73
-    let _e13 = frame_3.env_samples;
-    let _e14 = PixelPattern_pair(_e8, 3u, 0u, _e13);
+    let _e11 = PixelPattern_pair(_e6, 3u, 0u, frame_2.env_samples);
     // glimt_render_gpu/src/kernels/diagnose.rs:74
-    let _e16 = Environment_sample(env_cdf_size, env_rotation, _e14);
+    let _e13 = Environment_sample(env_cdf_size, env_rotation, _e11);
     // glimt_render_gpu/src/kernels/diagnose.rs:75
-    let _e22 = Environment_texel(env_cdf_size, env_rotation, _e16.direction);
-    return EnvRecord(_e16.direction, _e16.pdf_sr, _e16.texel, _e22);
+    let _e19 = Environment_texel(env_cdf_size, env_rotation, _e13.direction);
+    return EnvRecord(_e13.direction, _e13.pdf_sr, _e13.texel, _e19);
 }
 
 @compute @workgroup_size(64, 1, 1) 

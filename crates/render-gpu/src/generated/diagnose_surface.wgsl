@@ -62,7 +62,9 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused: array<u32, 3>,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
 }
 
 struct PixelPattern {
@@ -165,20 +167,11 @@ var<storage, read_write> out: array<SurfaceRecord>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:78
+// glimt_render_gpu/src/kernels/frame.rs:82
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
-    var self_: FrameParams;
 
-    self_ = this_;
-    // glimt_render_gpu/src/kernels/frame.rs:79
-    let _e6 = self_.pattern;
-    let _e8 = self_.seed;
-    let _e10 = self_.frame;
-    let _e12 = self_.first_pixel;
-    let _e14 = self_.rays_per_pixel;
-    let _e18 = self_.rays_per_pixel;
-    let _e21 = self_.rays_per_pixel;
-    return PixelPattern(_e6, _e8, _e10, (_e12 + (ray / _e14)), (ray % _e18), _e21);
+    // glimt_render_gpu/src/kernels/frame.rs:83
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -636,43 +629,43 @@ fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:120
+// glimt_render_gpu/src/kernels/pattern.rs:122
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:121
+    // glimt_render_gpu/src/kernels/pattern.rs:123
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:122
+        // glimt_render_gpu/src/kernels/pattern.rs:124
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:124
-    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:125
-    let mask = (4294967295u >> ((32u - bits_2) & 31u));
     // glimt_render_gpu/src/kernels/pattern.rs:126
-    x_4 = index_7;
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
     // glimt_render_gpu/src/kernels/pattern.rs:127
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:128
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:129
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:128
+        // glimt_render_gpu/src/kernels/pattern.rs:130
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:129
+        // glimt_render_gpu/src/kernels/pattern.rs:131
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:130
+            // glimt_render_gpu/src/kernels/pattern.rs:132
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:132
+            // glimt_render_gpu/src/kernels/pattern.rs:134
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:133
+            // glimt_render_gpu/src/kernels/pattern.rs:135
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -682,12 +675,13 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:135
+        // glimt_render_gpu/src/kernels/pattern.rs:137
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:136
+            // glimt_render_gpu/src/kernels/pattern.rs:138
             let _e65 = x_4;
-            return _e65;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
         }
     }
     return u32();
@@ -797,41 +791,29 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:92
+// glimt_render_gpu/src/kernels/frame.rs:96
 fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
-    var self_1: FrameParams;
     var chosen_2: vec2<f32>;
 
-    self_1 = this_9;
-    // glimt_render_gpu/src/kernels/frame.rs:93
-    let _e7 = self_1.width;
-    let _e11 = self_1.width;
-    let corner = vec2<f32>(vec2<u32>((pattern.pixel % _e7), (pattern.pixel / _e11)));
-    // glimt_render_gpu/src/kernels/frame.rs:94
-    let _e18 = self_1.filter_;
-    if (_e18 == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:95
+    // glimt_render_gpu/src/kernels/frame.rs:97
+    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:98
+    if (this_9.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:99
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:97
-        let _e28 = PixelPattern_pair(pattern, 1u, 0u, 1u);
-        let _e29 = unit_vec2_(_e28);
-        chosen_2 = _e29;
+        // glimt_render_gpu/src/kernels/frame.rs:101
+        let _e24 = PixelPattern_pair(pattern, 1u, 0u, 1u);
+        let _e25 = unit_vec2_(_e24);
+        chosen_2 = _e25;
     }
     let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:99
-    let _e33 = self_1.eye;
-    let _e35 = self_1.forward;
-    let _e37 = self_1.right;
-    let _e39 = self_1.up;
-    let view = CameraView(_e33, _e35, _e37, _e39);
-    // glimt_render_gpu/src/kernels/frame.rs:105
-    let _e43 = self_1.eye;
-    let _e46 = self_1.width;
-    let _e48 = self_1.height;
-    let _e50 = CameraView_direction(view, (corner + place), vec2<u32>(_e46, _e48));
-    let _e51 = Ray_new(_e43, _e50);
-    return _e51;
+    // glimt_render_gpu/src/kernels/frame.rs:103
+    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:109
+    let _e39 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    let _e40 = Ray_new(this_9.eye, _e39);
+    return _e40;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:29
@@ -1482,29 +1464,25 @@ fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
 
 // glimt_render_gpu/src/kernels/diagnose.rs:104
 fn surface(ray_9: u32, frame_2: FrameParams) -> SurfaceRecord {
-    var frame_3: FrameParams;
     var chosen_10: SurfaceRecord;
 
-    frame_3 = frame_2;
     // glimt_render_gpu/src/kernels/diagnose.rs:105
-    let _e5 = frame_3;
-    let _e6 = frame_3;
-    let _e7 = FrameParams_pattern_of(_e6, ray_9);
-    let _e8 = FrameParams_camera_ray(_e5, _e7);
+    let _e4 = FrameParams_pattern_of(frame_2, ray_9);
+    let _e5 = FrameParams_camera_ray(frame_2, _e4);
     // glimt_render_gpu/src/kernels/diagnose.rs:106
-    let _e11 = Scene_closest_hit(_e8);
-    let hit_1 = _e11.value;
-    if _e11.is_some {
+    let _e8 = Scene_closest_hit(_e5);
+    let hit_1 = _e8.value;
+    if _e8.is_some {
         // glimt_render_gpu/src/kernels/diagnose.rs:107
-        let _e16 = Scene_shading_point(_e8, hit_1);
+        let _e13 = Scene_shading_point(_e5, hit_1);
         // glimt_render_gpu/src/kernels/diagnose.rs:108
-        chosen_10 = SurfaceRecord(_e16.origin, _e16.brdf.exponent, _e16.frame.n, -(dot(_e16.geometric_normal, _e8.direction)), _e16.brdf.diffuse, 1f, _e16.brdf.specular, 0f);
+        chosen_10 = SurfaceRecord(_e13.origin, _e13.brdf.exponent, _e13.frame.n, -(dot(_e13.geometric_normal, _e5.direction)), _e13.brdf.diffuse, 1f, _e13.brdf.specular, 0f);
     } else {
         // glimt_render_gpu/src/kernels/diagnose.rs:119
         chosen_10 = SurfaceRecord(vec3(0f), 0f, vec3(0f), 0f, vec3(0f), 0f, vec3(0f), 0f);
     }
-    let _e48 = chosen_10;
-    return _e48;
+    let _e45 = chosen_10;
+    return _e45;
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -18,7 +18,9 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused: array<u32, 3>,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
 }
 
 struct PixelPattern {
@@ -56,20 +58,11 @@ var<storage, read_write> out: array<vec4<u32>>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:78
+// glimt_render_gpu/src/kernels/frame.rs:82
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
-    var self_: FrameParams;
 
-    self_ = this_;
-    // glimt_render_gpu/src/kernels/frame.rs:79
-    let _e6 = self_.pattern;
-    let _e8 = self_.seed;
-    let _e10 = self_.frame;
-    let _e12 = self_.first_pixel;
-    let _e14 = self_.rays_per_pixel;
-    let _e18 = self_.rays_per_pixel;
-    let _e21 = self_.rays_per_pixel;
-    return PixelPattern(_e6, _e8, _e10, (_e12 + (ray / _e14)), (ray % _e18), _e21);
+    // glimt_render_gpu/src/kernels/frame.rs:83
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -527,43 +520,43 @@ fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:120
+// glimt_render_gpu/src/kernels/pattern.rs:122
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:121
+    // glimt_render_gpu/src/kernels/pattern.rs:123
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:122
+        // glimt_render_gpu/src/kernels/pattern.rs:124
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:124
-    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:125
-    let mask = (4294967295u >> ((32u - bits_2) & 31u));
     // glimt_render_gpu/src/kernels/pattern.rs:126
-    x_4 = index_7;
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
     // glimt_render_gpu/src/kernels/pattern.rs:127
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:128
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:129
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:128
+        // glimt_render_gpu/src/kernels/pattern.rs:130
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:129
+        // glimt_render_gpu/src/kernels/pattern.rs:131
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:130
+            // glimt_render_gpu/src/kernels/pattern.rs:132
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:132
+            // glimt_render_gpu/src/kernels/pattern.rs:134
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:133
+            // glimt_render_gpu/src/kernels/pattern.rs:135
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -573,12 +566,13 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:135
+        // glimt_render_gpu/src/kernels/pattern.rs:137
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:136
+            // glimt_render_gpu/src/kernels/pattern.rs:138
             let _e65 = x_4;
-            return _e65;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
         }
     }
     return u32();
@@ -722,19 +716,15 @@ fn PixelPattern_triple(this_9: PixelPattern, purpose_4: u32, sample_1: u32, samp
 
 // glimt_render_gpu/src/kernels/diagnose.rs:62
 fn uniforms(ray_1: u32, frame_2: FrameParams) -> vec4<u32> {
-    var frame_3: FrameParams;
 
-    frame_3 = frame_2;
     // glimt_render_gpu/src/kernels/diagnose.rs:63
-    let _e5 = frame_3;
-    let _e6 = FrameParams_pattern_of(_e5, ray_1);
+    let _e4 = FrameParams_pattern_of(frame_2, ray_1);
     // glimt_render_gpu/src/kernels/diagnose.rs:64
-    let _e11 = PixelPattern_pair(_e6, 1u, 0u, 1u);
+    let _e9 = PixelPattern_pair(_e4, 1u, 0u, 1u);
     // glimt_render_gpu/src/kernels/diagnose.rs:65
-    let _e16 = frame_3.brdf_samples;
-    let _e17 = PixelPattern_triple(_e6, 2u, 0u, _e16);
+    let _e14 = PixelPattern_triple(_e4, 2u, 0u, frame_2.brdf_samples);
     // glimt_render_gpu/src/kernels/diagnose.rs:66
-    return vec4<u32>(_e11.x, _e17.x, _e17.y, _e17.z);
+    return vec4<u32>(_e9.x, _e14.x, _e14.y, _e14.z);
 }
 
 @compute @workgroup_size(64, 1, 1) 

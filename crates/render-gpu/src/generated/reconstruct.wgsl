@@ -18,7 +18,9 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused: array<u32, 3>,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
 }
 
 struct Params {
@@ -36,37 +38,32 @@ var<storage> params: Params;
 
 // glimt_render_gpu/src/kernels/film.rs:10
 fn reconstruct_1(pixel: u32, frame: FrameParams) -> vec4<f32> {
-    var frame_1: FrameParams;
     var sum: vec4<f32>;
     var counter: u32;
 
-    frame_1 = frame;
     // glimt_render_gpu/src/kernels/film.rs:11
-    let _e6 = frame_1.rays_per_pixel;
-    let first = (pixel * _e6);
+    let first = (pixel * frame.rays_per_pixel);
     // glimt_render_gpu/src/kernels/film.rs:12
     sum = vec4(0f);
     // glimt_render_gpu/src/kernels/film.rs:13
-    let _e14 = frame_1.rays_per_pixel;
     counter = first;
     loop {
         let i = counter;
-        if (i >= (first + _e14)) {
+        if (i >= (first + frame.rays_per_pixel)) {
             break;
         }
         // glimt_render_gpu/src/kernels/film.rs:14
-        let _e22 = samples[i];
-        let _e23 = sum;
-        sum = (_e23 + _e22);
+        let _e19 = samples[i];
+        let _e20 = sum;
+        sum = (_e20 + _e19);
         continuing {
-            let _e25 = counter;
-            counter = (_e25 + 1u);
+            let _e22 = counter;
+            counter = (_e22 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/film.rs:16
-    let _e29 = sum;
-    let _e31 = frame_1.rays_per_pixel;
-    return (_e29 / vec4(f32(_e31)));
+    let _e26 = sum;
+    return (_e26 / vec4(f32(frame.rays_per_pixel)));
 }
 
 @compute @workgroup_size(64, 1, 1) 

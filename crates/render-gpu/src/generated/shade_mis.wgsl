@@ -62,7 +62,9 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused: array<u32, 3>,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
 }
 
 struct Mis {
@@ -205,20 +207,11 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:78
+// glimt_render_gpu/src/kernels/frame.rs:82
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
-    var self_: FrameParams;
 
-    self_ = this_;
-    // glimt_render_gpu/src/kernels/frame.rs:79
-    let _e6 = self_.pattern;
-    let _e8 = self_.seed;
-    let _e10 = self_.frame;
-    let _e12 = self_.first_pixel;
-    let _e14 = self_.rays_per_pixel;
-    let _e18 = self_.rays_per_pixel;
-    let _e21 = self_.rays_per_pixel;
-    return PixelPattern(_e6, _e8, _e10, (_e12 + (ray / _e14)), (ray % _e18), _e21);
+    // glimt_render_gpu/src/kernels/frame.rs:83
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -676,43 +669,43 @@ fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:120
+// glimt_render_gpu/src/kernels/pattern.rs:122
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:121
+    // glimt_render_gpu/src/kernels/pattern.rs:123
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:122
+        // glimt_render_gpu/src/kernels/pattern.rs:124
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:124
-    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:125
-    let mask = (4294967295u >> ((32u - bits_2) & 31u));
     // glimt_render_gpu/src/kernels/pattern.rs:126
-    x_4 = index_7;
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
     // glimt_render_gpu/src/kernels/pattern.rs:127
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:128
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:129
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:128
+        // glimt_render_gpu/src/kernels/pattern.rs:130
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:129
+        // glimt_render_gpu/src/kernels/pattern.rs:131
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:130
+            // glimt_render_gpu/src/kernels/pattern.rs:132
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:132
+            // glimt_render_gpu/src/kernels/pattern.rs:134
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:133
+            // glimt_render_gpu/src/kernels/pattern.rs:135
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -722,12 +715,13 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:135
+        // glimt_render_gpu/src/kernels/pattern.rs:137
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:136
+            // glimt_render_gpu/src/kernels/pattern.rs:138
             let _e65 = x_4;
-            return _e65;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
         }
     }
     return u32();
@@ -837,41 +831,29 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:92
+// glimt_render_gpu/src/kernels/frame.rs:96
 fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
-    var self_1: FrameParams;
     var chosen_2: vec2<f32>;
 
-    self_1 = this_9;
-    // glimt_render_gpu/src/kernels/frame.rs:93
-    let _e7 = self_1.width;
-    let _e11 = self_1.width;
-    let corner = vec2<f32>(vec2<u32>((pattern.pixel % _e7), (pattern.pixel / _e11)));
-    // glimt_render_gpu/src/kernels/frame.rs:94
-    let _e18 = self_1.filter_;
-    if (_e18 == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:95
+    // glimt_render_gpu/src/kernels/frame.rs:97
+    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:98
+    if (this_9.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:99
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:97
-        let _e28 = PixelPattern_pair(pattern, 1u, 0u, 1u);
-        let _e29 = unit_vec2_(_e28);
-        chosen_2 = _e29;
+        // glimt_render_gpu/src/kernels/frame.rs:101
+        let _e24 = PixelPattern_pair(pattern, 1u, 0u, 1u);
+        let _e25 = unit_vec2_(_e24);
+        chosen_2 = _e25;
     }
     let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:99
-    let _e33 = self_1.eye;
-    let _e35 = self_1.forward;
-    let _e37 = self_1.right;
-    let _e39 = self_1.up;
-    let view = CameraView(_e33, _e35, _e37, _e39);
-    // glimt_render_gpu/src/kernels/frame.rs:105
-    let _e43 = self_1.eye;
-    let _e46 = self_1.width;
-    let _e48 = self_1.height;
-    let _e50 = CameraView_direction(view, (corner + place), vec2<u32>(_e46, _e48));
-    let _e51 = Ray_new(_e43, _e50);
-    return _e51;
+    // glimt_render_gpu/src/kernels/frame.rs:103
+    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:109
+    let _e39 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    let _e40 = Ray_new(this_9.eye, _e39);
+    return _e40;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:29
@@ -1603,16 +1585,16 @@ fn luminance(rgb: vec3<f32>) -> f32 {
     return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
 }
 
-// glimt_brdf/src/blinn_phong.rs:107
+// glimt_brdf/src/blinn_phong.rs:116
 fn BlinnPhong_pmf_specular(this_19: BlinnPhong) -> f32 {
     var chosen_10: f32;
 
-    // glimt_brdf/src/blinn_phong.rs:108
+    // glimt_brdf/src/blinn_phong.rs:117
     let _e4 = luminance(this_19.specular);
-    // glimt_brdf/src/blinn_phong.rs:109
+    // glimt_brdf/src/blinn_phong.rs:118
     let _e7 = luminance(this_19.diffuse);
     let both_1 = (_e7 + _e4);
-    // glimt_brdf/src/blinn_phong.rs:110
+    // glimt_brdf/src/blinn_phong.rs:119
     if (both_1 > 0f) {
         chosen_10 = (_e4 / both_1);
     } else {
@@ -1782,6 +1764,13 @@ fn sample_cosine_hemisphere(u_4: vec2<f32>) -> DirectionSample {
     return DirectionSample(vec3<f32>(_e3, z_2), (z_2 * 0.31830987f));
 }
 
+// glimt_sampling/src/warp.rs:103
+fn pdf_cosine_hemisphere_sr(direction_5: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:104
+    return (max(direction_5.z, 0f) * 0.31830987f);
+}
+
 // glimt_brdf/src/lobe.rs:20
 fn HalfVector_new(wo: vec3<f32>, wi: vec3<f32>) -> HalfVector {
 
@@ -1837,51 +1826,50 @@ fn HalfVector_pdf_sr(this_21: HalfVector, exponent_4: f32) -> f32 {
     return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_21.wo_dot_h));
 }
 
-// glimt_sampling/src/warp.rs:103
-fn pdf_cosine_hemisphere_sr(direction_5: vec3<f32>) -> f32 {
-
-    // glimt_sampling/src/warp.rs:104
-    return (max(direction_5.z, 0f) * 0.31830987f);
-}
-
-// glimt_brdf/src/blinn_phong.rs:94
+// glimt_brdf/src/blinn_phong.rs:99
 fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
-    // glimt_brdf/src/blinn_phong.rs:95
+    // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
-        // glimt_brdf/src/blinn_phong.rs:96
+        // glimt_brdf/src/blinn_phong.rs:101
         return 0f;
     }
-    // glimt_brdf/src/blinn_phong.rs:98
-    let _e15 = BlinnPhong_pmf_specular(this_22);
-    // glimt_brdf/src/blinn_phong.rs:99
-    let _e17 = HalfVector_new(wo_1, wi_1);
-    let _e19 = HalfVector_pdf_sr(_e17, this_22.exponent);
-    // glimt_brdf/src/blinn_phong.rs:100
-    let _e24 = pdf_cosine_hemisphere_sr(wi_1);
-    return ((_e15 * _e19) + ((1f - _e15) * _e24));
+    // glimt_brdf/src/blinn_phong.rs:103
+    let _e15 = pdf_cosine_hemisphere_sr(wi_1);
+    // glimt_brdf/src/blinn_phong.rs:104
+    let _e17 = BlinnPhong_pmf_specular(this_22);
+    // glimt_brdf/src/blinn_phong.rs:105
+    if (_e17 <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:106
+        return _e15;
+    }
+    // glimt_brdf/src/blinn_phong.rs:108
+    let _e23 = HalfVector_new(wo_1, wi_1);
+    let _e25 = HalfVector_pdf_sr(_e23, this_22.exponent);
+    // glimt_brdf/src/blinn_phong.rs:109
+    return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
-// glimt_brdf/src/blinn_phong.rs:75
+// glimt_brdf/src/blinn_phong.rs:80
 fn BlinnPhong_sample(this_23: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_15: vec3<f32>;
 
-    // glimt_brdf/src/blinn_phong.rs:76
+    // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
     let _e8 = BlinnPhong_pmf_specular(this_23);
     if (_e7 < _e8) {
-        // glimt_brdf/src/blinn_phong.rs:77
+        // glimt_brdf/src/blinn_phong.rs:82
         let _e12 = sample_power_cosine(u_5, this_23.exponent);
         let h = _e12.direction;
-        // glimt_brdf/src/blinn_phong.rs:78
+        // glimt_brdf/src/blinn_phong.rs:83
         chosen_15 = (((2f * dot(wo_2, h)) * h) - wo_2);
     } else {
-        // glimt_brdf/src/blinn_phong.rs:80
+        // glimt_brdf/src/blinn_phong.rs:85
         let _e21 = sample_cosine_hemisphere(u_5);
         chosen_15 = _e21.direction;
     }
     let wi_4 = chosen_15;
-    // glimt_brdf/src/blinn_phong.rs:82
+    // glimt_brdf/src/blinn_phong.rs:87
     let _e25 = BlinnPhong_pdf_sr(this_23, wo_2, wi_4);
     return BrdfSample(wi_4, _e25);
 }
@@ -1901,10 +1889,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:23
-fn Environment_to_map(this_cdf_size: vec2<u32>, this_rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
+fn Environment_to_map(cdf_size: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:24
-    let _e9 = rotate_z(direction_6, vec2<f32>(this_rotation.x, -(this_rotation.y)));
+    let _e9 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
     return _e9;
 }
 
@@ -1945,25 +1933,25 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
 fn direction_to_texel(d_2: vec3<f32>, size_2: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_6 = max(size_2, vec2(1u));
+    let size_11 = max(size_2, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_6));
+    let position = (_e8 * vec2<f32>(size_11));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_6 - vec2(1u)));
+    return min(vec2<u32>(position), (size_11 - vec2(1u)));
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:30
-fn Environment_texel(this_cdf_size_1: vec2<u32>, this_rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
+fn Environment_texel(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:31
-    let _e5 = Environment_to_map(this_cdf_size_1, this_rotation_1, direction_7);
-    let _e6 = direction_to_texel(_e5, this_cdf_size_1);
+    let _e5 = Environment_to_map(cdf_size_1, rotation_1, direction_7);
+    let _e6 = direction_to_texel(_e5, cdf_size_1);
     return _e6;
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:142
-fn EnvCdf_row(this_size: vec2<u32>, texel: vec2<u32>) -> Bin {
+fn EnvCdf_row(size_3: vec2<u32>, texel: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:143
     let y_3 = texel.y;
@@ -1975,10 +1963,10 @@ fn EnvCdf_row(this_size: vec2<u32>, texel: vec2<u32>) -> Bin {
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:151
-fn EnvCdf_column(this_size_1: vec2<u32>, texel_1: vec2<u32>) -> Bin {
+fn EnvCdf_column(size_4: vec2<u32>, texel_1: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:152
-    let x_10 = ((texel_1.y * (this_size_1.x + 1u)) + texel_1.x);
+    let x_10 = ((texel_1.y * (size_4.x + 1u)) + texel_1.x);
     // glimt_envmap_cdf/src/env_cdf.rs:153
     let _e15 = env_cdf_conditional[x_10];
     let _e20 = env_cdf_conditional[(x_10 + 1u)];
@@ -2024,43 +2012,43 @@ fn cos_sin_pi(x_7: f32) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:121
-fn texel_solid_angle_sr(row: u32, size_3: vec2<u32>) -> f32 {
+fn texel_solid_angle_sr(row: u32, size_5: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_7 = max(size_3, vec2(1u));
+    let size_12 = max(size_5, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_2 = min(row, (size_7.y - 1u));
+    let row_2 = min(row, (size_12.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_2, ((size_7.y - 1u) - row_2));
+    let from_pole = min(row_2, ((size_12.y - 1u) - row_2));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_7.y));
+    let half_row = (0.5f / f32(size_12.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_7.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_12.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:162
-fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_4: vec2<u32>) -> f32 {
+fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_6: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:163
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
     // glimt_envmap_cdf/src/env_cdf.rs:164
-    let _e14 = texel_solid_angle_sr(row_1, size_4);
+    let _e14 = texel_solid_angle_sr(row_1, size_6);
     return (pmf / _e14);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:119
-fn EnvCdf_texel_pdf_sr(this_size_2: vec2<u32>, texel_2: vec2<u32>) -> f32 {
+fn EnvCdf_texel_pdf_sr(size_7: vec2<u32>, texel_2: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:120
-    let _e4 = EnvCdf_row(this_size_2, texel_2);
+    let _e4 = EnvCdf_row(size_7, texel_2);
     // glimt_envmap_cdf/src/env_cdf.rs:121
-    let _e6 = EnvCdf_column(this_size_2, texel_2);
+    let _e6 = EnvCdf_column(size_7, texel_2);
     // glimt_envmap_cdf/src/env_cdf.rs:122
-    let _e11 = density_sr(_e4.units, _e6.units, texel_2.y, this_size_2);
+    let _e11 = density_sr(_e4.units, _e6.units, texel_2.y, size_7);
     return _e11;
 }
 
@@ -2080,10 +2068,10 @@ fn Mis_density(this_25: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:37
-fn Environment_radiance(this_cdf_size_2: vec2<u32>, this_rotation_2: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
+fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:38
-    let _e12 = env_texels[((texel_3.y * this_cdf_size_2.x) + texel_3.x)];
+    let _e12 = env_texels[((texel_3.y * cdf_size_2.x) + texel_3.x)];
     return _e12.xyz;
 }
 
@@ -2105,12 +2093,19 @@ fn BlinnPhong_eval(this_26: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let _e17 = normalisation(this_26.exponent);
-    let _e18 = HalfVector_new(wo_3, wi_2);
-    let _e20 = HalfVector_lobe(_e18, this_26.exponent);
-    let lobe = (_e17 * _e20);
-    // glimt_brdf/src/blinn_phong.rs:64
-    return ((this_26.diffuse * 0.31830987f) + (this_26.specular * lobe));
+    let diffuse = (this_26.diffuse * 0.31830987f);
+    // glimt_brdf/src/blinn_phong.rs:65
+    if (max(max(this_26.specular.x, this_26.specular.y), this_26.specular.z) <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:66
+        return diffuse;
+    }
+    // glimt_brdf/src/blinn_phong.rs:68
+    let _e31 = normalisation(this_26.exponent);
+    let _e32 = HalfVector_new(wo_3, wi_2);
+    let _e34 = HalfVector_lobe(_e32, this_26.exponent);
+    let lobe = (_e31 * _e34);
+    // glimt_brdf/src/blinn_phong.rs:69
+    return (diffuse + (this_26.specular * lobe));
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:42
@@ -2202,10 +2197,10 @@ fn LightSample_traced(this_28: LightSample, point_4: ShadingPoint) -> vec3<f32> 
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:47
-fn EnvCdf_is_black(this_size_3: vec2<u32>) -> bool {
+fn EnvCdf_is_black(size_8: vec2<u32>) -> bool {
 
     // glimt_envmap_cdf/src/env_cdf.rs:48
-    let _e6 = env_cdf_marginal[this_size_3.y];
+    let _e6 = env_cdf_marginal[size_8.y];
     return (_e6 == 0u);
 }
 
@@ -2299,33 +2294,33 @@ fn place_in_bin(bin: Bin, u_8: u32, fraction: u32) -> f32 {
 }
 
 // glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel_4: vec2<u32>, size_5: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
     var chosen_20: u32;
     var chosen_21: u32;
     var chosen_22: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_8 = max(size_5, vec2(1u));
+    let size_13 = max(size_9, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_3 = min(texel_4.y, (size_8.y - 1u));
+    let row_3 = min(texel_4.y, (size_13.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_3) >= size_8.y);
+    let southern = ((2u * row_3) >= size_13.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_20 = (size_8.y - row_3);
+        chosen_20 = (size_13.y - row_3);
     } else {
         chosen_20 = row_3;
     }
     let upper_1 = chosen_20;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_21 = ((size_8.y - row_3) - 1u);
+        chosen_21 = ((size_13.y - row_3) - 1u);
     } else {
         chosen_21 = (row_3 + 1u);
     }
     let lower_1 = chosen_21;
     // glimt_probe/src/latlong.rs:149
-    let half_2 = (0.5f / f32(size_8.y));
+    let half_2 = (0.5f / f32(size_13.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper_1) * half_2));
     let sin_upper = _e41.y;
@@ -2348,16 +2343,16 @@ fn direction_in_texel(texel_4: vec2<u32>, size_5: vec2<u32>, r: vec2<f32>) -> ve
     }
     let cos_theta_1 = chosen_22;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_8.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_13.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:60
-fn EnvCdf_sample(this_size_4: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
+fn EnvCdf_sample(size_10: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
 
     // glimt_envmap_cdf/src/env_cdf.rs:61
-    let _e4 = EnvCdf_is_black(this_size_4);
+    let _e4 = EnvCdf_is_black(size_10);
     if _e4 {
         // glimt_envmap_cdf/src/env_cdf.rs:62
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
@@ -2365,9 +2360,9 @@ fn EnvCdf_sample(this_size_4: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
     // glimt_envmap_cdf/src/env_cdf.rs:68
     let _e19 = find_bin((u_9.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let row_start = (_e19.index * (this_size_4.x + 1u));
+    let row_start = (_e19.index * (size_10.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_end = ((row_start + this_size_4.x) + 1u);
+    let row_end = ((row_start + size_10.x) + 1u);
     // glimt_envmap_cdf/src/env_cdf.rs:71
     let _e37 = find_bin_1(row_start, (row_end - row_start), (u_9.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
@@ -2379,18 +2374,18 @@ fn EnvCdf_sample(this_size_4: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
     let _e61 = place_in_bin(_e19, (u_9.y >> 1u), (_e45 >> 16u));
     let place_1 = vec2<f32>(_e53, _e61);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e64 = direction_in_texel(texel_5, this_size_4, place_1);
-    let _e68 = density_sr(_e19.units, _e37.units, _e19.index, this_size_4);
+    let _e64 = direction_in_texel(texel_5, size_10, place_1);
+    let _e68 = density_sr(_e19.units, _e37.units, _e19.index, size_10);
     return EnvSample(texel_5, _e64, _e68);
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:44
-fn Environment_sample(this_cdf_size_3: vec2<u32>, this_rotation_3: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
+fn Environment_sample(cdf_size_3: vec2<u32>, rotation_3: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
 
     // glimt_render_gpu/src/kernels/environment.rs:45
-    let _e5 = EnvCdf_sample(this_cdf_size_3, u_10);
+    let _e5 = EnvCdf_sample(cdf_size_3, u_10);
     // glimt_render_gpu/src/kernels/environment.rs:46
-    let _e8 = rotate_z(_e5.direction, this_rotation_3);
+    let _e8 = rotate_z(_e5.direction, rotation_3);
     return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
 }
 
@@ -2465,32 +2460,32 @@ fn Mis_reflected(this_30: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:57
-fn Environment_background(this_cdf_size_4: vec2<u32>, this_rotation_4: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
+fn Environment_background(cdf_size_4: vec2<u32>, rotation_4: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:58
     // glimt_render_gpu/src/kernels/environment.rs:59
-    let _e6 = Environment_to_map(this_cdf_size_4, this_rotation_4, direction_10);
+    let _e6 = Environment_to_map(cdf_size_4, rotation_4, direction_10);
     let _e7 = direction_to_uv(_e6);
-    let p_1 = ((_e7 * vec2<f32>(this_cdf_size_4)) - vec2(0.5f));
+    let p_1 = ((_e7 * vec2<f32>(cdf_size_4)) - vec2(0.5f));
     // glimt_render_gpu/src/kernels/environment.rs:60
     let corner_1 = floor(p_1);
     // glimt_render_gpu/src/kernels/environment.rs:61
     let f = (p_1 - corner_1);
     // glimt_render_gpu/src/kernels/environment.rs:63
-    let x0_ = (u32((corner_1.x + f32(this_cdf_size_4.x))) % this_cdf_size_4.x);
+    let x0_ = (u32((corner_1.x + f32(cdf_size_4.x))) % cdf_size_4.x);
     // glimt_render_gpu/src/kernels/environment.rs:64
-    let x1_ = ((x0_ + 1u) % this_cdf_size_4.x);
+    let x1_ = ((x0_ + 1u) % cdf_size_4.x);
     // glimt_render_gpu/src/kernels/environment.rs:65
     let y0_ = u32(max(corner_1.y, 0f));
     // glimt_render_gpu/src/kernels/environment.rs:66
-    let y1_ = min(u32((corner_1.y + 1f)), (this_cdf_size_4.y - 1u));
+    let y1_ = min(u32((corner_1.y + 1f)), (cdf_size_4.y - 1u));
     // glimt_render_gpu/src/kernels/environment.rs:67
-    let _e46 = Environment_radiance(this_cdf_size_4, this_rotation_4, vec2<u32>(x0_, y0_));
-    let _e48 = Environment_radiance(this_cdf_size_4, this_rotation_4, vec2<u32>(x1_, y0_));
+    let _e46 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x0_, y0_));
+    let _e48 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x1_, y0_));
     let upper_2 = ((_e46 * (1f - f.x)) + (_e48 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:70
-    let _e57 = Environment_radiance(this_cdf_size_4, this_rotation_4, vec2<u32>(x0_, y1_));
-    let _e59 = Environment_radiance(this_cdf_size_4, this_rotation_4, vec2<u32>(x1_, y1_));
+    let _e57 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x0_, y1_));
+    let _e59 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x1_, y1_));
     let lower_2 = ((_e57 * (1f - f.x)) + (_e59 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:73
     return ((upper_2 * (1f - f.y)) + (lower_2 * f.y));
@@ -2498,49 +2493,39 @@ fn Environment_background(this_cdf_size_4: vec2<u32>, this_rotation_4: vec2<f32>
 
 // glimt_render_gpu/src/kernels/shade.rs:23
 fn shade(ray_10: u32, frame_2: FrameParams, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, estimator: Mis) -> vec4<f32> {
-    var frame_3: FrameParams;
 
-    frame_3 = frame_2;
     // glimt_render_gpu/src/kernels/shade.rs:30
-    let _e8 = frame_3;
-    let _e9 = FrameParams_pattern_of(_e8, ray_10);
+    let _e7 = FrameParams_pattern_of(frame_2, ray_10);
     // glimt_render_gpu/src/kernels/shade.rs:31
-    let _e11 = frame_3;
-    let _e12 = FrameParams_camera_ray(_e11, _e9);
+    let _e9 = FrameParams_camera_ray(frame_2, _e7);
     // glimt_render_gpu/src/kernels/shade.rs:32
-    let _e14 = Scene_closest_hit(_e12);
-    let hit_1 = _e14.value;
-    if _e14.is_some {
+    let _e11 = Scene_closest_hit(_e9);
+    let hit_1 = _e11.value;
+    if _e11.is_some {
         // glimt_render_gpu/src/kernels/shade.rs:33
-        let _e19 = Scene_shading_point(_e12, hit_1);
+        let _e16 = Scene_shading_point(_e9, hit_1);
         // glimt_render_gpu/src/kernels/shade.rs:34
-        let _e21 = Mis_reflected(estimator, _e19, _e9, env_cdf_size_3, env_rotation_3);
-        return vec4<f32>(_e21, 1f);
+        let _e18 = Mis_reflected(estimator, _e16, _e7, env_cdf_size_3, env_rotation_3);
+        return vec4<f32>(_e18, 1f);
     }
     // glimt_render_gpu/src/kernels/shade.rs:38
-    let _e26 = frame_3.background;
-    if (_e26 == 0u) {
+    if (frame_2.background == 0u) {
         // glimt_render_gpu/src/kernels/shade.rs:39
-        let _e31 = Environment_background(env_cdf_size_3, env_rotation_3, _e12.direction);
-        return vec4<f32>(_e31, 1f);
+        let _e27 = Environment_background(env_cdf_size_3, env_rotation_3, _e9.direction);
+        return vec4<f32>(_e27, 1f);
     }
     // glimt_render_gpu/src/kernels/shade.rs:41
     return vec4(0f);
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:13
-fn shade_mis_1(ray_11: u32, frame_4: FrameParams, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>) -> vec4<f32> {
-    var frame_5: FrameParams;
+fn shade_mis_1(ray_11: u32, frame_3: FrameParams, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>) -> vec4<f32> {
 
-    frame_5 = frame_4;
     // glimt_render_gpu/src/kernels/shade.rs:14
-    let _e8 = frame_5.brdf_samples;
-    let _e10 = frame_5.env_samples;
-    let estimator_1 = Mis(_e8, _e10);
+    let estimator_1 = Mis(frame_3.brdf_samples, frame_3.env_samples);
     // glimt_render_gpu/src/kernels/shade.rs:18
-    let _e13 = frame_5;
-    let _e14 = shade(ray_11, _e13, env_cdf_size_4, env_rotation_4, estimator_1);
-    return _e14;
+    let _e10 = shade(ray_11, frame_3, env_cdf_size_4, env_rotation_4, estimator_1);
+    return _e10;
 }
 
 @compute @workgroup_size(64, 1, 1) 

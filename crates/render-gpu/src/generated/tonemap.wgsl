@@ -18,7 +18,9 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused: array<u32, 3>,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
 }
 
 struct Params {
@@ -59,10 +61,8 @@ fn code(value: f32) -> u32 {
 
 // glimt_render_gpu/src/kernels/film.rs:23
 fn tonemap_1(pixel: u32, frame: FrameParams) -> u32 {
-    var frame_1: FrameParams;
     var chosen_1: vec3<f32>;
 
-    frame_1 = frame;
     // glimt_render_gpu/src/kernels/film.rs:24
     let value_1 = linear_1[pixel];
     // glimt_render_gpu/src/kernels/film.rs:25
@@ -73,11 +73,9 @@ fn tonemap_1(pixel: u32, frame: FrameParams) -> u32 {
         return 0u;
     }
     // glimt_render_gpu/src/kernels/film.rs:29
-    let _e23 = frame_1.exposure;
-    let exposed = max(((value_1.xyz / vec3(alpha)) * _e23), vec3(0f));
+    let exposed = max(((value_1.xyz / vec3(alpha)) * frame.exposure), vec3(0f));
     // glimt_render_gpu/src/kernels/film.rs:30
-    let _e31 = frame_1.tonemap;
-    if (_e31 == 1u) {
+    if (frame.tonemap == 1u) {
         // glimt_render_gpu/src/kernels/film.rs:31
         chosen_1 = (vec3(1f) - (vec3(1f) / (vec3(1f) + exposed)));
     } else {
@@ -86,14 +84,14 @@ fn tonemap_1(pixel: u32, frame: FrameParams) -> u32 {
     }
     let mapped = chosen_1;
     // glimt_render_gpu/src/kernels/film.rs:35
-    let _e51 = srgb_encode(mapped.x);
+    let _e48 = srgb_encode(mapped.x);
+    let _e49 = code(_e48);
+    let _e51 = srgb_encode(mapped.y);
     let _e52 = code(_e51);
-    let _e54 = srgb_encode(mapped.y);
-    let _e55 = code(_e54);
-    let _e61 = srgb_encode(mapped.z);
-    let _e62 = code(_e61);
-    let _e67 = code(alpha);
-    return (((_e52 | (_e55 << 8u)) | (_e62 << 16u)) | (_e67 << 24u));
+    let _e58 = srgb_encode(mapped.z);
+    let _e59 = code(_e58);
+    let _e64 = code(alpha);
+    return (((_e49 | (_e52 << 8u)) | (_e59 << 16u)) | (_e64 << 24u));
 }
 
 @compute @workgroup_size(64, 1, 1) 

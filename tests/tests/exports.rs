@@ -1,0 +1,216 @@
+//! Host file: shaders that nobody generated use the WGSL that the crates ship, and find what the crates' Rust finds.
+
+use glam::{UVec2, Vec2, Vec3, Vec4};
+use glimt_brdf::BlinnPhong;
+use glimt_envmap_cdf::EnvCdf;
+use glimt_probe::latlong;
+use glimt_render_gpu::gpu::{Arg, GpuContext};
+use glimt_render_gpu::host::env::EnvMap;
+use glimt_sampling::{OwenSobol, UniformSource, Xoshiro128PlusPlus, unit_vec2};
+use glimt_tests::gpu::{OwnedEntry, adapter_or_skip};
+
+const COUNT: u32 = 10_000;
+
+/// What a person writes around a crate's functions: bindings, and a main that calls them.
+const MAIN: &str = "
+struct Params { first: u32, count: u32, size: vec2<u32> }
+@group(0) @binding(0) var<storage, read> params: Params;
+@group(0) @binding(3) var<storage, read_write> out: array<vec4<f32>>;
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) gid: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = gid.y * (groups.x * 64u) + gid.x;
+    if local >= params.count { return; }
+    let id = params.first + local;
+    out[local] = value(id);
+}
+";
+
+/// Runs `value(id)` of a hand-written shader over `COUNT` ids.
+fn run(
+    context: &GpuContext,
+    shipped: &str,
+    by_hand: &str,
+    tables: [&[u32]; 2],
+    size: UVec2,
+) -> Vec<Vec4> {
+    let uses_tables = shipped.contains("@group");
+    let slot = |path: &str, binding, stride, writable| (path.to_owned(), binding, stride, writable);
+    let mut buffers = vec![slot("out", 3, 16, true)];
+    if uses_tables {
+        buffers.push(slot("marginal", 1, 4, false));
+        buffers.push(slot("conditional", 2, 4, false));
+    }
+    let entry = OwnedEntry {
+        name: "main".into(),
+        wgsl: format!("{shipped}{MAIN}{by_hand}"),
+        workgroup_size: 64,
+        params_size: 16,
+        params: vec![
+            ("first".into(), 0, 4),
+            ("count".into(), 4, 4),
+            ("size".into(), 8, 8),
+        ],
+        buffers,
+    }
+    .leak();
+    let out = context.buffer("out", u64::from(COUNT) * 16).unwrap();
+    let marginal = context.buffer_of("marginal", tables[0]).unwrap();
+    let conditional = context.buffer_of("conditional", tables[1]).unwrap();
+    let size = size.to_array();
+    let mut args = vec![
+        ("size", Arg::Value(bytemuck::bytes_of(&size))),
+        ("out", Arg::Buffer(&out)),
+    ];
+    if uses_tables {
+        args.push(("marginal", Arg::Buffer(&marginal)));
+        args.push(("conditional", Arg::Buffer(&conditional)));
+    }
+    context.launch(&entry, &args, 0, COUNT).unwrap();
+    let words: Vec<[f32; 4]> = context.read(&out, COUNT as usize).unwrap();
+    words.into_iter().map(Vec4::from_array).collect()
+}
+
+/// The largest difference between a shader's values and Rust's, relative to the largest value.
+fn difference(gpu: &[Vec4], cpu: impl Fn(u32) -> Vec4) -> f32 {
+    let largest = (0..COUNT)
+        .map(|id| cpu(id).abs().max_element())
+        .fold(0.0, f32::max);
+    assert!(largest > 0.0);
+    let worst = (0..COUNT)
+        .zip(gpu)
+        .map(|(id, g)| (cpu(id) - *g).abs().max_element())
+        .fold(0.0, f32::max);
+    worst / largest
+}
+
+/// The uniforms of element `id`, as `value` draws them too.
+fn words(id: u32) -> UVec2 {
+    OwenSobol::new(7, 0, id, 0).next_uvec2()
+}
+
+#[test]
+fn sampling() {
+    let Some(context) = adapter_or_skip("exports") else {
+        return;
+    };
+    let by_hand = "
+fn value(id: u32) -> vec4<f32> {
+    var source = owen_sobol(7u, 0u, id, 0u);
+    let u = owen_sobol_next(&source);
+    var stream = xoshiro_stream(7u, 1u, id);
+    _ = xoshiro_next(&stream);
+    return vec4(unit_pair(u), unit_float(xoshiro_next(&stream)), balance_heuristic(1u, f32(id), 2u, 30.0));
+}";
+    let gpu = run(
+        &context,
+        glimt_sampling::WGSL,
+        by_hand,
+        [&[0], &[0]],
+        UVec2::ONE,
+    );
+    let cpu = |id: u32| {
+        let mut stream = Xoshiro128PlusPlus::stream(7, 1, id);
+        stream.next_u32();
+        let last = glimt_sampling::unit_f32(stream.next_u32());
+        unit_vec2(words(id))
+            .extend(last)
+            .extend(glimt_sampling::mis::balance_heuristic(
+                1, id as f32, 2, 30.0,
+            ))
+    };
+    let found = difference(&gpu, cpu);
+    assert!(found <= 1e-6, "{found}");
+    let wrong = difference(&gpu, |id| cpu(id + 1));
+    assert!(!(wrong <= 1e-6), "another element's numbers pass");
+}
+
+#[test]
+fn environment_tables() {
+    let Some(context) = adapter_or_skip("exports") else {
+        return;
+    };
+    let size = UVec2::new(32, 16);
+    let mut texels = vec![Vec4::new(0.1, 0.2, 0.3, 0.0); 512];
+    texels[5 * 32 + 9] = Vec4::new(900.0, 800.0, 500.0, 0.0);
+    texels[3 * 32..4 * 32].fill(Vec4::ZERO);
+    let prepared = EnvMap::new(size, texels).unwrap().prepare(0.0).unwrap();
+    let cdf: EnvCdf<'_> = prepared.view().cdf;
+    let by_hand = "
+fn value(id: u32) -> vec4<f32> {
+    // Any two words will do: what counts is that both processors get the same.
+    let u = vec2(id * 2654435761u, id * 2246822519u);
+    let s = env_sample(params.size, u);
+    return vec4(s.direction, s.pdf_sr + env_pdf_sr(params.size, s.direction));
+}";
+    let tables = [cdf.marginal, cdf.conditional];
+    let gpu = run(&context, glimt_envmap_cdf::WGSL, by_hand, tables, size);
+    let cpu = |id: u32| {
+        let u = UVec2::new(
+            id.wrapping_mul(2_654_435_761),
+            id.wrapping_mul(2_246_822_519),
+        );
+        let s = cdf.sample(u);
+        s.direction.extend(s.pdf_sr + cdf.pdf_sr(s.direction))
+    };
+    let found = difference(&gpu, cpu);
+    assert!(found <= 1e-5, "{found}");
+}
+
+#[test]
+fn reflection() {
+    let Some(context) = adapter_or_skip("exports") else {
+        return;
+    };
+    let by_hand = "
+fn value(id: u32) -> vec4<f32> {
+    let f = f32(id) / 10000.0;
+    let wo = normalize(vec3(f, 0.2, 1.0 - 0.5 * f));
+    let wi = normalize(vec3(-f, -0.1, 1.0));
+    let model = BlinnPhong(vec3(0.3, 0.2, 0.1), vec3(0.4), 50.0);
+    return vec4(blinn_phong_eval(model, wo, wi), blinn_phong_pdf_sr(model, wo, wi));
+}";
+    let gpu = run(
+        &context,
+        glimt_brdf::WGSL,
+        by_hand,
+        [&[0], &[0]],
+        UVec2::ONE,
+    );
+    let model = BlinnPhong::new(Vec3::new(0.3, 0.2, 0.1), Vec3::splat(0.4), 50.0).unwrap();
+    let found = difference(&gpu, |id| {
+        let f = id as f32 / 10_000.0;
+        let wo = Vec3::new(f, 0.2, 1.0 - 0.5 * f).normalize();
+        let wi = Vec3::new(-f, -0.1, 1.0).normalize();
+        model.eval(wo, wi).extend(model.pdf_sr(wo, wi))
+    });
+    // A software adapter's powers are off by as much.
+    assert!(found <= 3e-3, "{found}");
+}
+
+#[test]
+fn mappings() {
+    let Some(context) = adapter_or_skip("exports") else {
+        return;
+    };
+    let by_hand = "
+fn value(id: u32) -> vec4<f32> {
+    let uv = vec2(f32(id % 100u) + 0.5, f32(id / 100u) + 0.5) / 100.0;
+    let d = lat_long_direction(uv);
+    return vec4(d, lat_long_uv(d).x + 10.0 * lat_long_texel_solid_angle_sr(id % 50u, vec2(100u, 50u)));
+}";
+    let gpu = run(
+        &context,
+        glimt_probe::WGSL,
+        by_hand,
+        [&[0], &[0]],
+        UVec2::ONE,
+    );
+    let found = difference(&gpu, |id| {
+        let uv = Vec2::new((id % 100) as f32 + 0.5, (id / 100) as f32 + 0.5) / 100.0;
+        let d = latlong::uv_to_direction(uv);
+        let area = latlong::texel_solid_angle_sr(id % 50, UVec2::new(100, 50));
+        d.extend(latlong::direction_to_uv(d).x + 10.0 * area)
+    });
+    assert!(found <= 1e-5, "{found}");
+}
