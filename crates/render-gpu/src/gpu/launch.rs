@@ -125,6 +125,7 @@ impl GpuContext {
         };
         let mut flights = VecDeque::new();
         let mut last_done = started;
+        let mut stopwatches = Vec::new();
         let (mut done, mut landed) = (0, 0);
         while done < count {
             let pace = *kernel.pace.lock().unwrap_or_else(PoisonError::into_inner);
@@ -132,7 +133,12 @@ impl GpuContext {
                 .next(pace, self.options.dispatch_target)
                 .min(count - done);
             self.write(&params, arguments.params_for(entry, first + done, elements))?;
-            flights.push_back(self.dispatch(&kernel, &arguments, &params, done, elements)?);
+            let stopwatch = match stopwatches.pop() {
+                None if self.has_timestamps => Some(Stopwatch::new(self)?),
+                used => used,
+            };
+            let flight = self.dispatch(&kernel, &arguments, &params, done, elements, stopwatch)?;
+            flights.push_back(flight);
             report.dispatches += 1;
             done += elements;
             while flights.len() >= IN_FLIGHT || (done == count && !flights.is_empty()) {
@@ -140,7 +146,7 @@ impl GpuContext {
                     break;
                 };
                 landed += flight.elements;
-                self.land(&kernel, flight, &mut last_done, &mut report)?;
+                stopwatches.extend(self.land(&kernel, flight, &mut last_done, &mut report)?);
                 progress(landed);
             }
         }
@@ -204,6 +210,7 @@ impl GpuContext {
         params: &GpuBuffer,
         done: u32,
         elements: u32,
+        stopwatch: Option<Stopwatch>,
     ) -> Result<Flight, GpuError> {
         let entry = &kernel.entry;
         let mut entries = vec![wgpu::BindGroupEntry {
@@ -229,11 +236,6 @@ impl GpuContext {
         let rows = groups.div_ceil(self.limits.max_compute_workgroups_per_dimension);
         let columns = groups.div_ceil(rows);
 
-        let stopwatch = if self.has_timestamps {
-            Some(Stopwatch::new(self)?)
-        } else {
-            None
-        };
         let submitted = Instant::now();
         let submission = self.guarded(
             || format!("{elements} elements of {}", entry.name),
@@ -269,14 +271,14 @@ impl GpuContext {
         })
     }
 
-    /// Waits for a dispatch and learns the kernel's pace from it.
+    /// Waits for a dispatch and learns the kernel's pace from it. Gives its stopwatch back.
     fn land(
         &self,
         kernel: &Arc<Kernel>,
         flight: Flight,
         last_done: &mut Instant,
         report: &mut LaunchReport,
-    ) -> Result<(), GpuError> {
+    ) -> Result<Option<Stopwatch>, GpuError> {
         let Flight {
             submission,
             submitted,
@@ -290,7 +292,7 @@ impl GpuContext {
         // It began when it was submitted or when the one before it ended, whichever was later.
         let wall = now - submitted.max(*last_done);
         *last_done = now;
-        if let (Some(stopwatch), Some(total)) = (stopwatch, &mut report.gpu) {
+        if let (Some(stopwatch), Some(total)) = (&stopwatch, &mut report.gpu) {
             *total += stopwatch.read(self, submission)?;
         }
         let pace = Pace {
@@ -298,7 +300,7 @@ impl GpuContext {
             elements,
         };
         *kernel.pace.lock().unwrap_or_else(PoisonError::into_inner) = Some(pace);
-        Ok(())
+        Ok(stopwatch)
     }
 }
 
