@@ -65,7 +65,10 @@ impl Reporter {
                 Some(frames as u64 * STEPS),
                 ProgressDrawTarget::stderr(),
             );
-            *self.lock() = Some(bar.with_style(style));
+            let bar = bar
+                .with_style(style)
+                .with_message(format!("0/{frames} frames"));
+            *self.lock() = Some(bar);
         }
     }
 
@@ -77,7 +80,8 @@ impl Reporter {
         };
         self.event(&json!({"event": "frame", "frame": frame, "status": name, "seconds": seconds}));
         if let Some(bar) = self.lock().as_ref() {
-            bar.set_position(done as u64 * STEPS);
+            // The renderer may be further on already than what is written.
+            bar.set_position(bar.position().max(done as u64 * STEPS));
             bar.set_message(format!("{done}/{frames} frames"));
             return;
         }

@@ -118,6 +118,68 @@ fn the_light_is_seen_the_right_way_round() {
     assert!((red.0 - turned.0 - 2.6).abs() < 0.6, "{turned:?} {red:?}");
 }
 
+/// Both processors render the same picture, up to rays that pass an edge on either side.
+#[test]
+fn the_gpu_renders_the_same() {
+    let t = Scratch::new("gpu-image");
+    let devices: Value = serde_json::from_str(&t.run(&["info", "--json"]).ok().out).unwrap();
+    if devices["gpus"].as_array().unwrap().is_empty() {
+        assert!(
+            std::env::var("REQUIRE_GPU").as_deref() != Ok("1"),
+            "REQUIRE_GPU=1, and there is none"
+        );
+        println!("skipped: there is no GPU");
+        return;
+    }
+    t.lights(1);
+    t.shot("light.0001.exr", "[camera]\nfov_x_deg = 60\n");
+    let picture = |device: &str| {
+        let size = [
+            "--set",
+            "image.size=[48,36]",
+            "--set",
+            "image.rays_per_pixel=8",
+        ];
+        let args = [
+            &["render", "shot.toml", "--device", device, "--out", device],
+            &size[..],
+        ]
+        .concat();
+        t.run(&args).ok();
+        read_exr(&t.file(device).join("frame.0001.exr"))
+    };
+    let (cpu, gpu) = (picture("cpu"), picture("gpu"));
+    for (a, b) in cpu.iter().zip(&gpu) {
+        let (sum_a, sum_b) = (a.iter().sum::<f32>(), b.iter().sum::<f32>());
+        assert!(!((sum_a / sum_b - 1.0).abs() > 1e-3), "{sum_a} {sum_b}");
+        let off = a
+            .iter()
+            .zip(b)
+            .filter(|(x, y)| !((*x - *y).abs() <= 0.01 * x.max(1.0)))
+            .count();
+        assert!(
+            off <= a.len() / 100,
+            "{off} of {} pixels are off by more than 1 %",
+            a.len()
+        );
+    }
+    // A frame is the same frame wherever it was rendered.
+    t.run(&[
+        "render",
+        "shot.toml",
+        "--device",
+        "cpu",
+        "--out",
+        "gpu",
+        "--set",
+        "image.size=[48,36]",
+        "--set",
+        "image.rays_per_pixel=8",
+    ])
+    .ok()
+    .says(&["0 frames rendered, 1 there already"]);
+}
+
 #[test]
 fn an_angular_map_shows_the_same() {
     let t = Scratch::new("angular");

@@ -3,6 +3,7 @@
 pub mod exr;
 pub mod frames;
 pub mod hdr;
+pub mod primaries;
 pub mod probe;
 
 use crate::error::{Error, Result};

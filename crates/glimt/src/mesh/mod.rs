@@ -54,7 +54,7 @@ pub struct ModelCamera {
     pub name: String,
     /// To the file's world; it looks along −z with +y up.
     pub transform: Mat4,
-    /// Vertical field of view [rad].
+    /// Vertical field of view, in radians.
     pub fov_y: f32,
 }
 

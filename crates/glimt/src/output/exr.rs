@@ -2,7 +2,7 @@
 
 use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending};
 use crate::error::{Error, Result};
-use crate::input::exr::REC_709;
+use crate::input::primaries::REC_709;
 use ::exr::math::Vec2;
 use ::exr::meta::MetaData;
 use ::exr::meta::attribute::{AttributeValue, Chromaticities, Text};

@@ -59,7 +59,7 @@ pub struct Camera {
     pub target: Option<[f32; 3]>,
     /// A direction that is up in the image.
     pub up: [f32; 3],
-    /// Horizontal field of view [degree].
+    /// Horizontal field of view, in degrees.
     pub fov_x_deg: f32,
     /// Name of a camera in one of the glTF files, in place of all the above.
     pub gltf: String,
@@ -73,7 +73,7 @@ pub struct Probe {
     pub frames: String,
     /// How directions lie in the image.
     pub mapping: Mapping,
-    /// Turns the light counter-clockwise, seen from above [degree].
+    /// Turns the light counter-clockwise, seen from above, in degrees.
     pub rotate_z_deg: f32,
     /// Factor on the radiance.
     pub scale: f32,
@@ -88,9 +88,9 @@ pub struct Probe {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Ball {
-    /// From the centre of projection to the ball's centre [mm].
+    /// From the centre of projection to the ball's centre, in millimetres.
     pub distance_mm: f32,
-    /// Radius of the ball [mm].
+    /// Radius of the ball, in millimetres.
     pub radius_mm: f32,
     /// Centre of the ball in the image; found if not given.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -108,7 +108,7 @@ pub struct Object {
     pub mesh: String,
     /// Where it is moved to.
     pub translate: [f32; 3],
-    /// Angles about x, y and z [degree].
+    /// Angles about x, y and z, in degrees.
     pub rotate_deg: [f32; 3],
     /// Factor on its size.
     pub scale: f32,
