@@ -1,6 +1,6 @@
 //! Lowers a subset of Rust to [`naga`] IR and WGSL: one source for the CPU and the GPU.
 //!
-//! A *shared file* is plain Rust: `no_std`, [glam](https://docs.rs/glam) types, slices, generics, traits. rustc compiles it
+//! A *shared file* is plain Rust: `no_std`, glam types, slices, generics, traits. rustc compiles it
 //! for the CPU. This crate parses the same text with `syn`, resolves its names, infers its types, makes one copy of
 //! each generic function for each set of arguments, and lowers what is reached from a kernel to a [`naga::Module`], which
 //! naga validates and writes as WGSL. What it cannot lower it refuses, with an error that names file, line and fix.
