@@ -74,7 +74,7 @@ pub fn read_hash(file: &Path) -> Option<String> {
     }
 }
 
-/// Reads back the pixels of a frame that [`write`] stored.
+/// Reads back the pixels of a frame that [`write()`] stored.
 ///
 /// # Errors
 /// The file cannot be read.
