@@ -57,7 +57,7 @@ pub struct Diagnostic {
     /// What is wrong, in one line.
     pub message: String,
     /// Where, if the error has a place in a source file.
-    pub location: Option<Location>,
+    pub location: Option<Box<Location>>,
     /// What to do about it.
     pub help: Option<String>,
     /// Further facts, such as the offsets of a struct's fields.

@@ -140,6 +140,9 @@ impl Lowerer<'_> {
         };
         let parsed: syn::ExprPath =
             syn::parse_str(path).map_err(|e| bad(format!("`{path}` is not a path: {e}")))?;
+        if parsed.path.segments.len() < 2 && parsed.qself.is_none() {
+            return Err(bad(format!("`{path}` does not say which crate it is in")));
+        }
         let scope = crate::check::Scope {
             module: 0,
             file: 0,

@@ -4,7 +4,7 @@
 
 use crate::diag::Span;
 use crate::items::FnId;
-use crate::ty::{Table, Ty};
+use crate::ty::{Substs, Table, Ty};
 
 pub(crate) type LocalId = usize;
 
@@ -20,7 +20,7 @@ pub(crate) enum Lit {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Instance {
     pub(crate) id: FnId,
-    pub(crate) substs: Vec<(String, Ty)>,
+    pub(crate) substs: Substs,
     pub(crate) self_ty: Option<Ty>,
 }
 
@@ -184,8 +184,8 @@ pub(crate) enum Stmt {
     Expr(Expr),
     Let {
         pat: Pat,
-        init: Option<Expr>,
-        otherwise: Option<Expr>,
+        init: Option<Box<Expr>>,
+        otherwise: Option<Box<Expr>>,
         span: Span,
     },
 }
@@ -212,7 +212,7 @@ pub(crate) enum Pat {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct ConstKey {
     pub(crate) id: usize,
-    pub(crate) substs: Vec<(String, Ty)>,
+    pub(crate) substs: Substs,
     pub(crate) self_ty: Option<Ty>,
 }
 

@@ -243,13 +243,13 @@ impl Program {
                 .width
                 .min(source_line.chars().count().saturating_sub(s.column))
                 .max(1);
-            Some(Location {
+            Some(Box::new(Location {
                 file: file.display.clone(),
                 line: s.line,
                 column: s.column + 1,
                 source_line,
                 width,
-            })
+            }))
         });
         Diagnostic {
             message: e.message,

@@ -123,6 +123,9 @@ impl Ty {
     }
 }
 
+/// Generic arguments by the names of their parameters.
+pub(crate) type Substs = Vec<(String, Ty)>;
+
 /// A unification that failed.
 #[derive(Debug)]
 pub(crate) struct Mismatch;

@@ -6,7 +6,7 @@ use crate::diag::{R, Span, err};
 use crate::hir::ConstKey;
 use crate::items::{Def, FnId};
 use crate::resolve::Ns;
-use crate::ty::{Table, Ty};
+use crate::ty::{Substs, Table, Ty};
 
 use super::types::names;
 use super::{Checker, Scope};
@@ -16,7 +16,7 @@ use super::{Checker, Scope};
 pub(super) struct Member {
     /// A function's or a const's id.
     pub(super) id: usize,
-    pub(super) substs: Vec<(String, Ty)>,
+    pub(super) substs: Substs,
     table: Table,
 }
 
@@ -39,12 +39,7 @@ impl Checker<'_> {
     }
 
     /// Whether impl `i` is for `ty`: its generic arguments, in a table of their own.
-    fn impl_matches(
-        &mut self,
-        i: usize,
-        ty: &Ty,
-        span: Span,
-    ) -> Option<(Vec<(String, Ty)>, Table)> {
+    fn impl_matches(&mut self, i: usize, ty: &Ty, span: Span) -> Option<(Substs, Table)> {
         let item = &self.items.impls[i];
         let outer = self.table.clone();
         let substs = self.fresh(&item.generics);
@@ -256,8 +251,8 @@ impl Checker<'_> {
         method: &str,
         rhs: Option<&Ty>,
         span: Span,
-    ) -> R<Option<(FnId, Vec<(String, Ty)>)>> {
-        let mut found: Option<(FnId, Vec<(String, Ty)>, Table)> = None;
+    ) -> R<Option<(FnId, Substs)>> {
+        let mut found: Option<(FnId, Substs, Table)> = None;
         for i in 0..self.items.impls.len() {
             let item = &self.items.impls[i];
             let Some(path) = &item.trait_ else { continue };

@@ -13,14 +13,14 @@ use std::collections::HashMap;
 use crate::diag::{R, Span, err};
 use crate::hir::{Body, ConstKey, Expr, Instance, Kind, Local, LocalId};
 use crate::items::{Items, ModId, Owner, check_attrs};
-use crate::ty::{Table, Ty};
+use crate::ty::{Substs, Table, Ty};
 
 /// Where a piece of syntax stands: what its names and its `Self` mean.
 #[derive(Clone, Debug)]
 pub(crate) struct Scope {
     pub(crate) module: ModId,
     pub(crate) file: usize,
-    pub(crate) substs: Vec<(String, Ty)>,
+    pub(crate) substs: Substs,
     pub(crate) self_ty: Option<Ty>,
     /// The code is generic, so a method found on the concrete type may not be the one that rustc chose by bounds.
     pub(crate) generic: bool,
@@ -227,7 +227,7 @@ pub(crate) fn check_fn(items: &Items, instance: &Instance) -> R<Body> {
         };
         stmts.push(crate::hir::Stmt::Let {
             pat,
-            init: Some(init),
+            init: Some(Box::new(init)),
             otherwise: None,
             span: at,
         });

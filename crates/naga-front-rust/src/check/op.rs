@@ -2,7 +2,7 @@
 
 use crate::diag::{R, Span, err};
 use crate::hir::{BinOp, Builtin, Expr, Instance, Kind, Lit, UnOp};
-use crate::ty::{Scalar, Ty};
+use crate::ty::{Scalar, Substs, Ty};
 
 use super::Checker;
 
@@ -251,7 +251,7 @@ impl Checker<'_> {
 
     fn op_call(
         &mut self,
-        found: Option<(usize, Vec<(String, Ty)>)>,
+        found: Option<(usize, Substs)>,
         this: &Ty,
         span: Span,
     ) -> R<Option<(Instance, Ty)>> {

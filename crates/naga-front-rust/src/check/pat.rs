@@ -44,7 +44,7 @@ impl Checker<'_> {
                     }
                     let found = self.items.find(
                         self.scope.module,
-                        &[name.clone()],
+                        std::slice::from_ref(&name),
                         Ns::Value,
                         span,
                         &mut HashSet::new(),

@@ -113,14 +113,14 @@ impl Checker<'_> {
         let otherwise = match &init.diverge {
             Some((_, e)) => {
                 let e = self.expr(e, None)?;
-                Some(e)
+                Some(Box::new(e))
             }
             None => None,
         };
         let pat = self.pattern(pat, &value.ty.clone())?;
         Ok(Stmt::Let {
             pat,
-            init: Some(value),
+            init: Some(Box::new(value)),
             otherwise,
             span,
         })

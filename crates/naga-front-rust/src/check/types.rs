@@ -6,7 +6,7 @@ use crate::hir::Instance;
 use crate::items::{Def, Owner};
 use crate::konst;
 use crate::resolve::Ns;
-use crate::ty::Ty;
+use crate::ty::{Substs, Ty};
 
 use super::{Checker, Scope};
 
@@ -256,7 +256,7 @@ impl Checker<'_> {
         generics: &syn::Generics,
         args: &syn::PathArguments,
         span: crate::diag::Span,
-    ) -> R<Vec<(String, Ty)>> {
+    ) -> R<Substs> {
         let mut written = match args {
             syn::PathArguments::AngleBracketed(a) => a.args.iter().collect::<Vec<_>>(),
             _ => Vec::new(),
@@ -298,7 +298,7 @@ impl Checker<'_> {
     }
 
     /// Fresh variables for a list of generic parameters.
-    pub(super) fn fresh(&mut self, generics: &syn::Generics) -> Vec<(String, Ty)> {
+    pub(super) fn fresh(&mut self, generics: &syn::Generics) -> Substs {
         let mut out = Vec::new();
         for param in &generics.params {
             match param {
@@ -385,7 +385,7 @@ impl Checker<'_> {
     pub(super) fn instantiate(
         &mut self,
         id: usize,
-        mut owner: Vec<(String, Ty)>,
+        mut owner: Substs,
         self_ty: Option<Ty>,
         turbofish: &syn::PathArguments,
         span: crate::diag::Span,

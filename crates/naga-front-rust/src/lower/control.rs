@@ -38,7 +38,7 @@ impl FnLowerer<'_, '_> {
                 let value = self.expr(scrutinee)?;
                 let ty = self.body.ty(&scrutinee.ty);
                 let result = self.result_var(e)?;
-                self.arms(&value, &ty, arms, result, span)?;
+                self.arms(&value, &ty, arms, result)?;
                 Ok(self.take(result))
             }
             Kind::Loop(body) => {
@@ -323,7 +323,7 @@ impl FnLowerer<'_, '_> {
         Ok(test)
     }
 
-    fn arms(&mut self, value: &Val, ty: &Ty, arms: &[Arm], result: Option<H>, span: Span) -> R<()> {
+    fn arms(&mut self, value: &Val, ty: &Ty, arms: &[Arm], result: Option<H>) -> R<()> {
         let Some((arm, rest)) = arms.split_first() else {
             return Ok(());
         };
@@ -366,7 +366,7 @@ impl FnLowerer<'_, '_> {
             c.mark(at);
             c.branch(&arm.body, result)
         })?;
-        let (reject, b, ()) = self.block_of(|c| c.arms(value, ty, rest, result, span))?;
+        let (reject, b, ()) = self.block_of(|c| c.arms(value, ty, rest, result))?;
         self.push(Statement::If {
             condition,
             accept,
