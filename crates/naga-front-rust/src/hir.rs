@@ -197,9 +197,9 @@ pub(crate) enum Pat {
     /// `name @ pattern`.
     At(LocalId, Box<Pat>),
     /// A literal or a const, of the scrutinee's type.
-    Value(Expr),
+    Value(Box<Expr>),
     /// From, to, whether the end is included; open ends are `None`.
-    Range(Option<Expr>, Option<Expr>, bool),
+    Range(Option<Box<Expr>>, Option<Box<Expr>>, bool),
     Variant(u32),
     Some(Box<Pat>),
     None,

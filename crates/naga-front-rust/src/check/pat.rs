@@ -80,10 +80,10 @@ impl Checker<'_> {
                 self.value_of(e, ty)
             }
             syn::Pat::Range(r) => {
-                let mut end = |e: &Option<Box<syn::Expr>>| -> R<Option<Expr>> {
+                let mut end = |e: &Option<Box<syn::Expr>>| -> R<Option<Box<Expr>>> {
                     let Some(e) = e else { return Ok(None) };
                     let e = self.expr(e, Some(ty))?;
-                    Ok(Some(self.coerce(e, ty)?))
+                    Ok(Some(Box::new(self.coerce(e, ty)?)))
                 };
                 let (lo, hi) = (end(&r.start)?, end(&r.end)?);
                 Ok(Pat::Range(
@@ -231,7 +231,7 @@ impl Checker<'_> {
         let e = self.coerce(e, ty)?;
         if let Kind::Const(ConstKey { .. }) | Kind::Lit(_) | Kind::Int(_) | Kind::Unary(..) = e.kind
         {
-            Ok(Pat::Value(e))
+            Ok(Pat::Value(Box::new(e)))
         } else {
             Err(err(
                 e.span,
