@@ -57,3 +57,20 @@ fn a_changed_kernel_is_found_out() {
     let have = have.split_once("\n\n").expect("a head line").1;
     assert!(difference(&shader.wgsl, have).is_some());
 }
+
+/// The module is good for naga's other back ends: SPIR-V, whose rules on pointers are the strictest.
+#[test]
+fn modules_become_spirv() {
+    let program = golden::program(&golden::SOURCES).unwrap_or_else(|e| panic!("{e}"));
+    for spec in glimt_render_gpu::entries::ENTRIES {
+        let shader = golden::lower(&program, spec).unwrap_or_else(|e| panic!("{e}"));
+        let options = naga::back::spv::Options::default();
+        let words = naga::back::spv::write_vec(&shader.module, &shader.info, &options, None)
+            .unwrap_or_else(|e| panic!("{}: {e}", spec.name));
+        assert_eq!(
+            words[0], 0x0723_0203,
+            "{}: SPIR-V's magic number",
+            spec.name
+        );
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::Shot;
 use crate::error::{Error, Result};
+use glimt_render_gpu::generated::{RECONSTRUCT, SHADE_MIS, TONEMAP};
 use sha2::{Digest, Sha256};
 use std::fs::File;
 use std::io::Read;
@@ -55,12 +56,16 @@ pub fn join<'a>(parts: impl IntoIterator<Item = &'a Hash>) -> Hash {
     hasher.finalize().into()
 }
 
-/// The identity of one frame: version, shot, meshes, light and number, in hexadecimal.
+/// The identity of one frame: version, kernels, shot, meshes, light and number, in hexadecimal.
 pub fn of_frame(scene: &Hash, light: &Hash, frame: u32) -> String {
     let mut hasher = Sha256::new();
     hasher.update(b"glimt frame ");
     hasher.update(VERSION.as_bytes());
     hasher.update([0]);
+    // What the kernels compute, whatever the version says: their shaders are made from them.
+    for entry in [SHADE_MIS, RECONSTRUCT, TONEMAP] {
+        hasher.update(entry.wgsl.as_bytes());
+    }
     hasher.update(scene);
     hasher.update(light);
     hasher.update(frame.to_le_bytes());
