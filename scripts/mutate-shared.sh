@@ -29,7 +29,7 @@ images() {
         cat "$copy/build.log" >&2
         return 1
     }
-    "$CARGO_TARGET_DIR/release/shared-image" 2>"$copy/run.log" || {
+    timeout 120 "$CARGO_TARGET_DIR/release/shared-image" 2>"$copy/run.log" || {
         cat "$copy/run.log" >&2
         return 1
     }
@@ -38,7 +38,8 @@ images() {
 rm -rf "$copy"
 mkdir -p "$copy"
 git ls-files -z --cached --others --exclude-standard | while IFS= read -r -d '' file; do
-    [ ! -f "$file" ] || cp --parents -p "$file" "$copy"
+    # With the time of now: cargo would take a file older than the last change's build for unchanged.
+    [ ! -f "$file" ] || cp --parents "$file" "$copy"
 done
 for package in glimt-probe glimt-sampling glimt-envmap-cdf glimt-brdf glimt-render-gpu glimt-tests; do
     printf '\n[profile.release.package.%s]\nopt-level = 0\n' "$package" >>"$copy/Cargo.toml"
@@ -70,6 +71,11 @@ while IFS= read -r line; do
     text=${text%x}
     if [[ $text != *"$from"* ]]; then
         fail "$file: there is no '$from'"
+        continue
+    fi
+    before=${text%%"$from"*}
+    if [[ ${before##*$'\n'} == *//* ]]; then
+        fail "$file: '$from' stands in a comment"
         continue
     fi
     printf %s "${text/"$from"/"$to"}" >"$copy/$file"

@@ -57,10 +57,11 @@ fn sum(mut draw: impl FnMut(&mut Xoshiro128PlusPlus) -> (Vec3, f32)) -> Vec3 {
     total
 }
 
-/// Walker's alias table in Vose's construction (1991), one entry a texel.
+/// Walker's alias table in Vose's construction (1991), one entry a texel, the densities beside it.
 struct AliasTable {
     size: UVec2,
     entries: Vec<AliasEntry>,
+    pdf_sr: Vec<f32>,
 }
 
 #[derive(Clone, Copy)]
@@ -68,8 +69,6 @@ struct AliasEntry {
     /// Of the 2³² words, how many stay with this texel.
     threshold: u32,
     alias: u32,
-    pdf_sr: f32,
-    alias_pdf_sr: f32,
 }
 
 impl AliasTable {
@@ -84,42 +83,45 @@ impl AliasTable {
         let mut scaled: Vec<f64> = (0..count).map(|i| mass(i) * count as f64 / total).collect();
         let (mut small, mut large): (Vec<usize>, Vec<usize>) =
             (0..count).partition(|i| scaled[*i] < 1.0);
-        let mut entries: Vec<AliasEntry> = (0..count)
-            .map(|i| AliasEntry {
-                threshold: u32::MAX,
-                alias: i as u32,
-                pdf_sr: pdf_sr[i],
-                alias_pdf_sr: pdf_sr[i],
-            })
-            .collect();
+        let stay = |i: usize| AliasEntry {
+            threshold: u32::MAX,
+            alias: i as u32,
+        };
+        let mut entries: Vec<AliasEntry> = (0..count).map(stay).collect();
         while let (Some(low), Some(&high)) = (small.pop(), large.last()) {
-            entries[low].threshold = (scaled[low] * 4_294_967_296.0) as u32;
-            entries[low].alias = high as u32;
-            entries[low].alias_pdf_sr = pdf_sr[high];
+            entries[low] = AliasEntry {
+                threshold: (scaled[low] * 4_294_967_296.0) as u32,
+                alias: high as u32,
+            };
             scaled[high] -= 1.0 - scaled[low];
             if scaled[high] < 1.0 {
                 large.pop();
                 small.push(high);
             }
         }
-        Self { size, entries }
+        Self {
+            size,
+            entries,
+            pdf_sr,
+        }
     }
 
-    fn pick(&self, u: UVec2) -> (u32, f32) {
-        let i = ((u64::from(u.x) * self.entries.len() as u64) >> 32) as usize;
-        let entry = self.entries[i];
+    fn pick(&self, u: UVec2) -> u32 {
+        let i = ((u64::from(u.x) * self.entries.len() as u64) >> 32) as u32;
+        let entry = self.entries[i as usize];
         if u.y < entry.threshold {
-            (i as u32, entry.pdf_sr)
+            i
         } else {
-            (entry.alias, entry.alias_pdf_sr)
+            entry.alias
         }
     }
 
     fn sample(&self, source: &mut Xoshiro128PlusPlus) -> (Vec3, f32) {
-        let (index, pdf_sr) = self.pick(source.next_uvec2());
+        let index = self.pick(source.next_uvec2());
         let texel = UVec2::new(index % self.size.x, index / self.size.x);
         let inside: Vec2 = unit_vec2(source.next_uvec2());
-        (direction_in_texel(texel, self.size, inside), pdf_sr)
+        let direction = direction_in_texel(texel, self.size, inside);
+        (direction, self.pdf_sr[index as usize])
     }
 }
 
@@ -137,7 +139,7 @@ fn check_same_distribution(env: &EnvCdf<'_>, alias: &AliasTable) {
     let by_inversion = count(&mut || env.sample(source.next_uvec2()).texel);
     let mut source = Xoshiro128PlusPlus::stream(7, 8, 9);
     let by_alias = count(&mut || {
-        let index = alias.pick(source.next_uvec2()).0;
+        let index = alias.pick(source.next_uvec2());
         UVec2::new(index % env.size.x, index / env.size.x)
     });
     // Cells with few draws are pooled into one.
