@@ -1,5 +1,5 @@
-//! What one direction with its density costs, drawn from the inversion tables and from an alias table, at three sizes;
-//! both are first checked to draw from the same distribution.
+//! Host file: what one direction with its density costs, drawn from the inversion tables and from an alias table, at
+//! three sizes; both are first checked to draw from the same distribution.
 
 use glam::{UVec2, Vec2, Vec3};
 use glimt_benches::{Contest, inputs::procedural_map};

@@ -1,6 +1,6 @@
-//! Claim: Owen-scrambled Sobol points with 1 + 1 samples on each of 16 rays, the default, are at least 4 times as efficient
-//! (error² × time) as the preset `kronander`, 15 + 15 independent samples on the ray through a pixel's centre. A diffuse bunny on
-//! a plane under three maps.
+//! Host file: the claim that Owen-scrambled Sobol points with 1 + 1 samples on each of 16 rays, the default, are at least 4 times
+//! as efficient (error² × time) as the preset `kronander`, 15 + 15 independent samples on the ray through a pixel's
+//! centre. A diffuse bunny on a plane under three maps.
 //!
 //! Told in two ways: as both are shipped, against the box-filtered image that a viewer wants, where one ray a pixel cannot
 //! know what share of an edge pixel it sees; and for light alone, with all rays of both through the pixel's centre.

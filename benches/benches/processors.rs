@@ -1,4 +1,5 @@
-//! The generated WGSL against the same functions on the CPU: the largest difference of the two images, and frames per second.
+//! Host file: the generated WGSL against the same functions on the CPU: the largest difference of the two images, and
+//! frames per second.
 //!
 //! `GLIMT_BENCH_SIZE=1920x1080 GLIMT_BENCH_SAMPLES=15` renders as large and with as many samples as a video wants; the
 //! default suits a software adapter.

@@ -1,5 +1,6 @@
-//! Claim: the traversal that runs on both processors traces at least 0.8 of the rays per second that obvhs's own traversal of
-//! a binary tree traces. Primary and shadow rays on a scanned statue, one thread, the same rays, the same triangle test.
+//! Host file: the claim that the traversal that runs on both processors traces at least 0.8 of the rays per second that obvhs's
+//! own traversal of a binary tree traces. Primary and shadow rays on a scanned statue, one thread, the same rays, the
+//! same triangle test.
 
 use glam::{Mat4, Vec2, Vec3, vec2, vec3};
 use glimt_benches::inputs::{TriangleMesh, statue};

@@ -1,4 +1,5 @@
-//! Claim: building the table of a 2048×1024 RGB map on 2 threads takes at most 4 times as long as reading the map.
+//! Host file: the claim that building the table of a 2048×1024 RGB map on 2 threads takes at most 4 times as long as reading the
+//! map.
 
 use glam::UVec2;
 use glimt_benches::{Contest, claim, inputs::procedural_map};

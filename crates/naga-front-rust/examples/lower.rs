@@ -1,4 +1,4 @@
-//! Prints the WGSL of kernels: `cargo run --example lower -- my_crate=path/to/src my_crate::kernel …`
+//! Host file: prints the WGSL of kernels: `cargo run --example lower -- my_crate=path/to/src my_crate::kernel …`
 //!
 //! Each `name=folder` gives a crate with every `.rs` file below that folder; each other argument is a kernel's path.
 
