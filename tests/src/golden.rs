@@ -19,6 +19,8 @@ pub const SOURCES: [(&str, &[(&str, &str)]); 5] = [
     glimt_render_gpu::SHADER_SOURCE,
 ];
 
+/// Where the renderer's entries are written.
+const ENTRY_FOLDER: &str = "crates/render-gpu/src/generated";
 const COMMAND: &str = "cargo run --release -p glimt-tests --bin regenerate";
 
 /// A crate's functions for people who write their own shaders.
@@ -136,7 +138,7 @@ pub fn lower(program: &Program, spec: &EntrySpec) -> Result<Shader, Diagnostic> 
 /// The front end's own.
 pub fn files() -> Result<Vec<(PathBuf, String)>, Diagnostic> {
     let program = program(&SOURCES)?;
-    let folder = Path::new("crates/render-gpu/src/generated");
+    let folder = Path::new(ENTRY_FOLDER);
     let head = format!(
         "// Made from Rust by naga-front-rust; do not edit. To make it anew: {COMMAND}\n\n"
     );
@@ -164,6 +166,33 @@ pub fn files() -> Result<Vec<(PathBuf, String)>, Diagnostic> {
         })?;
         out.push((export.file.into(), format!("{head}{}", shader.wgsl)));
     }
+    Ok(out)
+}
+
+/// What lies in the folders of generated files and is none of `files`, as paths from the workspace's root: what an entry or
+/// an export that was renamed or removed left behind.
+///
+/// # Errors
+///
+/// A folder cannot be read.
+pub fn stale(files: &[(PathBuf, String)]) -> std::io::Result<Vec<PathBuf>> {
+    let mut folders = vec![PathBuf::from(ENTRY_FOLDER)];
+    for krate in std::fs::read_dir(root().join("crates"))? {
+        let folder = Path::new("crates").join(krate?.file_name()).join("wgsl");
+        if root().join(&folder).is_dir() {
+            folders.push(folder);
+        }
+    }
+    let mut out = Vec::new();
+    for folder in folders {
+        for file in std::fs::read_dir(root().join(&folder))? {
+            let path = folder.join(file?.file_name());
+            if files.iter().all(|(known, _)| *known != path) {
+                out.push(path);
+            }
+        }
+    }
+    out.sort();
     Ok(out)
 }
 

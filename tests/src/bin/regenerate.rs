@@ -1,18 +1,22 @@
-//! Host file: writes the generated WGSL and its description: `cargo run --release -p glimt-tests --bin regenerate`.
+//! Host file: writes the generated WGSL and its description, and removes WGSL that nothing makes any more:
+//! `cargo run --release -p glimt-tests --bin regenerate`.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
+use glimt_tests::golden;
+
 fn main() -> ExitCode {
-    let files = match glimt_tests::golden::files() {
+    let files = match golden::files() {
         Ok(files) => files,
         Err(error) => {
             eprintln!("{error}");
             return ExitCode::FAILURE;
         }
     };
-    for (path, text) in files {
-        let full = glimt_tests::golden::root().join(&path);
-        if std::fs::read_to_string(&full).is_ok_and(|old| old == text) {
+    for (path, text) in &files {
+        let full = golden::root().join(path);
+        if std::fs::read_to_string(&full).is_ok_and(|old| old == *text) {
             continue;
         }
         let folder = full.parent().expect("a file has a folder");
@@ -23,5 +27,25 @@ fn main() -> ExitCode {
         }
         println!("wrote {}", path.display());
     }
-    ExitCode::SUCCESS
+    match remove_stale(&files) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Removes stale shaders. Another file is left to whoever put it there; the test `golden` names it.
+fn remove_stale(files: &[(PathBuf, String)]) -> std::io::Result<()> {
+    for path in golden::stale(files)? {
+        if path
+            .extension()
+            .is_some_and(|extension| extension == "wgsl")
+        {
+            std::fs::remove_file(golden::root().join(&path))?;
+            println!("removed {}", path.display());
+        }
+    }
+    Ok(())
 }
