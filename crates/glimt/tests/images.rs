@@ -3,7 +3,13 @@
 mod common;
 
 use common::{Scratch, read_exr, shared_data};
-use exr::prelude::{Compression, FlatSamples};
+use exr::math::Vec2;
+use exr::prelude::{
+    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes,
+    WritableImage,
+};
+use glimt::input::read_image;
+use glimt::notes::Notes;
 use serde_json::Value;
 
 fn info(t: &Scratch, name: &str) -> Value {
@@ -48,6 +54,77 @@ fn any_channels() {
         3.0,
     );
     check(&[("Y", FlatSamples::U32(vec![7; 8]))], 7.0);
+}
+
+/// An image is its display window: what lies outside is cropped, and what is not stored is black.
+#[test]
+fn windows_are_placed() {
+    let t = Scratch::new("windows");
+    let write = |name: &str, at: [i32; 2], data: [usize; 2], display: [usize; 2]| {
+        let ramp: Vec<f32> = (1..=data[0] * data[1]).map(|i| i as f32).collect();
+        let channels = ["B", "G", "R"].map(|c| AnyChannel::new(c, FlatSamples::F32(ramp.clone())));
+        let layer = Layer::new(
+            (data[0], data[1]),
+            LayerAttributes::default().with_position(Vec2(at[0], at[1])),
+            Encoding::UNCOMPRESSED,
+            AnyChannels::sort(channels.into_iter().collect()),
+        );
+        let mut image = Image::from_layer(layer);
+        image.attributes.display_window.position = Vec2(-3, 5);
+        image.attributes.display_window.size = Vec2(display[0], display[1]);
+        image.write().to_file(t.file(name)).unwrap();
+    };
+    let red = |name: &str, notes: &mut Notes| -> Vec<f32> {
+        let image = read_image(&t.file(name), notes).unwrap();
+        image.texels.iter().map(|texel| texel.x).collect()
+    };
+
+    // A region of the image: one column from the left, one row from the top.
+    write("region.exr", [-2, 6], [2, 1], [4, 2]);
+    let mut notes = Notes::new(false);
+    let texels = red("region.exr", &mut notes);
+    assert_eq!(texels, [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 0.0]);
+    let told = notes.take();
+    assert_eq!(told.len(), 1);
+    assert!(
+        told[0].text.contains("data window is 2 × 1 from (-2, 6)"),
+        "{told:?}"
+    );
+    assert!(
+        told[0].text.contains("display window 4 × 2 from (-3, 5)"),
+        "{told:?}"
+    );
+    // Overscan: a column and a row more on the upper left, two columns more on the right.
+    write("overscan.exr", [-4, 4], [7, 3], [4, 2]);
+    let texels = red("overscan.exr", &mut notes);
+    assert_eq!(texels, [9.0, 10.0, 11.0, 12.0, 16.0, 17.0, 18.0, 19.0]);
+    // All of it, though not from the origin: nothing to remark.
+    write("whole.exr", [-3, 5], [4, 2], [4, 2]);
+    let mut notes = Notes::new(false);
+    assert_eq!(
+        red("whole.exr", &mut notes),
+        [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]
+    );
+    assert_eq!(notes.take(), []);
+
+    // Frames that store more or less of one image are of one size; the file says so, and the run.
+    let value = info(&t, "region.exr");
+    assert_eq!(value["header"]["size"], serde_json::json!([4, 2]));
+    assert_eq!(value["header"]["data_size"], serde_json::json!([2, 1]));
+    for (i, name) in ["region.exr", "overscan.exr"].iter().enumerate() {
+        let frame = t.file(&format!("light.{}.exr", i + 1));
+        std::fs::rename(t.file(name), frame).unwrap();
+    }
+    t.shot("light.#.exr", "[output]\nvideo = \"\"\n");
+    t.run(&["render", "shot.toml"])
+        .ok()
+        .says(&["note: ", "light.1.exr", "display window 4 × 2"]);
+    write("light.2.exr", [-3, 5], [4, 2], [6, 3]);
+    t.run(&["render", "shot.toml"])
+        .fails(3, &["light.2.exr", "it is 6 × 3", "is 4 × 2"]);
+    write("light.1.exr", [-3, 5], [4, 2], [40_000, 40_000]);
+    t.run(&["render", "shot.toml"])
+        .fails(3, &["light.1.exr", "display window is 40000 × 40000"]);
 }
 
 /// What is written is what was rendered: the linear frame of the demo of light alone, read back as light.

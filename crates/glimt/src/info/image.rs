@@ -44,17 +44,12 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
         format!("{} × {}{shape}", header.size.x, header.size.y),
     );
     line("channels", header.channels.join(", "));
-    let data_is_display = header.data_origin == header.display_origin
-        && header.size.to_array() == header.display_size;
-    if !data_is_display {
+    if !header.data_is_display() {
         line(
             "windows",
             format!(
-                "data from {:?}, display {} × {} from {:?}",
-                header.data_origin,
-                header.display_size[0],
-                header.display_size[1],
-                header.display_origin
+                "data {} × {} from {:?}, display from {:?}",
+                header.data_size.x, header.data_size.y, header.data_origin, header.display_origin
             ),
         );
     }

@@ -12,8 +12,11 @@ use ::exr::meta::attribute::LevelMode;
 use ::exr::meta::header::Header as Part;
 use ::exr::meta::{BlockDescription, MetaData};
 use ::exr::prelude::{ReadChannels, ReadLayers};
-use glam::{UVec2, Vec3, Vec4};
+use glam::{I64Vec2, IVec2, UVec2, Vec3, Vec4};
 use std::path::Path;
+
+/// The largest image that is taken, in texels: 4 GiB of them.
+const MAX_TEXELS: usize = 1 << 28;
 
 /// How the channels of a part make a colour.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,7 +36,7 @@ enum Colour {
 pub fn read_header(file: &Path) -> Result<Header> {
     let meta = read_meta(file)?;
     let (part, _) = choose(file, &meta)?;
-    Ok(header(&meta, part))
+    header(file, &meta, part)
 }
 
 /// Reads the image: the first part and layer that holds a colour, converted to Rec. 709 primaries.
@@ -43,7 +46,7 @@ pub fn read_header(file: &Path) -> Result<Header> {
 pub fn read_image(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
     let meta = read_meta(file)?;
     let (part, colour) = choose(file, &meta)?;
-    let header = header(&meta, part);
+    let header = header(file, &meta, part)?;
     if meta.headers[part].own_attributes.environment_map == Some(EnvironmentMap::Cube) {
         return Err(Error::input(file, "it is a cube map").fix("convert it to a lat-long map"));
     }
@@ -57,7 +60,7 @@ pub fn read_image(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
         .map_err(|e| broken(file, &e))?;
     let channels = &image.layer_data[part].channel_data.list;
 
-    let size = header.size;
+    let size = header.data_size;
     let plane = |index: usize| Plane::new(file, &channels[index], size);
     let chromaticities = image.attributes.chromaticities;
     let texels = match colour {
@@ -86,11 +89,47 @@ pub fn read_image(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
             texels(size, |x, y| Vec3::splat(grey.at(x, y)))
         }
     };
+    let texels = match header.data_is_display() {
+        true => texels,
+        false => {
+            notes.note(file, windows(&header));
+            in_display_window(&header, &texels)
+        }
+    };
     let mut image = HdrImage { header, texels };
     if let (Some(chromaticities), false) = (chromaticities, matches!(colour, Colour::Grey(_))) {
         to_rec_709(file, &mut image.texels, chromaticities, notes);
     }
     Ok(image)
+}
+
+/// What became of an image whose windows differ.
+fn windows(header: &Header) -> String {
+    let window = |size: UVec2, [x, y]: [i32; 2]| format!("{} × {} from ({x}, {y})", size.x, size.y);
+    format!(
+        "its data window is {}, its display window {}: the latter is taken, black where there is no data",
+        window(header.data_size, header.data_origin),
+        window(header.size, header.display_origin)
+    )
+}
+
+/// The texels of the display window: those of the data window where the two overlap, black elsewhere.
+fn in_display_window(header: &Header, texels: &[Vec4]) -> Vec<Vec4> {
+    let stored = header.data_size.as_i64vec2();
+    let shift = IVec2::from(header.display_origin).as_i64vec2()
+        - IVec2::from(header.data_origin).as_i64vec2();
+    let at = |x: u32, y: u32| {
+        let place = UVec2::new(x, y).as_i64vec2() + shift;
+        let inside = place.cmpge(I64Vec2::ZERO).all() && place.cmplt(stored).all();
+        match inside {
+            true => texels[(place.y * stored.x + place.x) as usize],
+            false => Vec4::W,
+        }
+    };
+    (0..header.size.y)
+        .flat_map(|y| (0..header.size.x).map(move |x| (x, y)))
+        .map(|(x, y)| at(x, y))
+        .collect()
 }
 
 fn texels(size: UVec2, colour: impl Fn(u32, u32) -> Vec3) -> Vec<Vec4> {
@@ -230,9 +269,16 @@ fn lone(names: &[String]) -> Option<Colour> {
     }
 }
 
-fn header(meta: &MetaData, index: usize) -> Header {
+fn header(file: &Path, meta: &MetaData, index: usize) -> Result<Header> {
     let part = &meta.headers[index];
     let display = part.shared_attributes.display_window;
+    let size = [display.size.x(), display.size.y()];
+    if size[0].saturating_mul(size[1]) > MAX_TEXELS || size.contains(&0) {
+        let what = format!("its display window is {} × {} texels", size[0], size[1]);
+        return Err(
+            Error::input(file, what).fix("copy or export it again, with a sound display window")
+        );
+    }
     let mut remarks = Vec::new();
     if let Some(c) = part.shared_attributes.chromaticities
         && !is_rec_709(c)
@@ -273,20 +319,20 @@ fn header(meta: &MetaData, index: usize) -> Header {
         let kind = format!("{:?}", c.sample_type).to_lowercase();
         format!("{} {kind}", c.name)
     };
-    Header {
+    Ok(Header {
         format: "OpenEXR",
-        size: UVec2::new(part.layer_size.x() as u32, part.layer_size.y() as u32),
+        size: UVec2::from(size.map(|n| n as u32)),
         channels: part.channels.list.iter().map(channel).collect(),
         storage: format!("{}, {blocks}", part.compression),
         data_origin: {
             let p = part.own_attributes.layer_position;
             [p.x(), p.y()]
         },
+        data_size: UVec2::new(part.layer_size.x() as u32, part.layer_size.y() as u32),
         display_origin: [display.position.x(), display.position.y()],
-        display_size: [display.size.x() as u32, display.size.y() as u32],
         layers: meta.headers.len(),
         remarks,
-    }
+    })
 }
 
 fn xy(v: Vec2<f32>) -> String {

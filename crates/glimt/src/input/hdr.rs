@@ -38,8 +38,8 @@ pub fn read_header(file: &Path) -> Result<Header> {
             .into(),
         storage: "RGBE".to_owned(),
         data_origin: [0, 0],
+        data_size: lines.size,
         display_origin: [0, 0],
-        display_size: lines.size.to_array(),
         layers: 1,
         remarks,
     })

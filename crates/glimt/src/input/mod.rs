@@ -28,7 +28,7 @@ pub struct HdrImage {
 pub struct Header {
     /// `OpenEXR` or `Radiance`.
     pub format: &'static str,
-    /// Width and height of the data in texels.
+    /// Width and height of the image in texels: of its display window.
     #[serde(serialize_with = "as_array")]
     pub size: UVec2,
     /// Each channel's name and type.
@@ -37,14 +37,22 @@ pub struct Header {
     pub storage: String,
     /// First texel of the data window.
     pub data_origin: [i32; 2],
+    /// Size of the data window: the texels that are stored.
+    #[serde(serialize_with = "as_array")]
+    pub data_size: UVec2,
     /// First texel of the display window.
     pub display_origin: [i32; 2],
-    /// Size of the display window.
-    pub display_size: [u32; 2],
     /// Layers (parts) of the file.
     pub layers: usize,
     /// What else is worth knowing.
     pub remarks: Vec<String>,
+}
+
+impl Header {
+    /// Whether the stored texels are the image's: otherwise the image is cropped, or black where nothing is stored.
+    pub fn data_is_display(&self) -> bool {
+        self.data_origin == self.display_origin && self.data_size == self.size
+    }
 }
 
 fn as_array<S: serde::Serializer>(
