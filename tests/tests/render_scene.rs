@@ -511,7 +511,7 @@ fn bad_maps_and_settings_are_refused() {
         SettingsError::NoSamples
     );
     assert_eq!(
-        refused(|s| s.size = UVec2::splat(1 << 15)),
+        refused(|s| s.size = UVec2::splat(1 << 16)),
         SettingsError::TooMany
     );
     assert_eq!(

@@ -66,7 +66,7 @@ pub enum Command {
 #[derive(Clone, Debug, Args)]
 pub struct RenderFlags {
     /// Render these frames alone, as 1-24 or 7
-    #[arg(long, value_name = "A-B")]
+    #[arg(long, value_name = "A-B", allow_hyphen_values = true)]
     pub frames: Option<String>,
     /// Where to render
     #[arg(long, value_enum, default_value_t)]
@@ -81,11 +81,17 @@ pub struct RenderFlags {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Seed of the random streams, instead of the shot's render.seed
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = seed)]
     pub seed: Option<u32>,
     /// Refuse inputs with defects (texels that are no light, degenerate triangles) rather than work around them
     #[arg(long)]
     pub strict: bool,
+}
+
+/// Reads a seed.
+fn seed(text: &str) -> Result<u32, String> {
+    text.parse()
+        .map_err(|_| format!("a seed is a whole number from 0 to {}", u32::MAX))
 }
 
 /// Where to render.

@@ -8,11 +8,12 @@ use crate::input::probe::Probe;
 use crate::mesh::place;
 use crate::notes::Notes;
 use crate::shot::digest::{self, Hash};
+use crate::shot::parse::Source;
 use crate::shot::{self, Shot, check, parse, range};
 use glam::UVec2;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::render::{
-    Background, Filter, Method, Pattern, RenderSettings, Tonemap,
+    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Tonemap,
 };
 use glimt_render_gpu::host::scene::{Camera, SceneDescription};
 use std::path::{Path, PathBuf};
@@ -68,7 +69,7 @@ impl Job {
         let (frames, whole) = choose_frames(&shot, &files, flags)?;
         let probe = Probe::open(files, &frames, &shot.probe, notes)?;
         let placed = place::place(&shot, &source, base, notes)?;
-        Ok(Self {
+        let job = Self {
             digest: digest::join([&digest::of_shot(&shot), &placed.digest]),
             triangles: placed.triangles,
             frames,
@@ -78,7 +79,27 @@ impl Job {
             light: Light::Probe(probe),
             view: View::Fixed(placed.camera),
             shot,
-        })
+        };
+        job.check_settings(&source)?;
+        Ok(job)
+    }
+
+    /// The renderer's own checks, told with the key that they are about.
+    fn check_settings(&self, source: &Source) -> Result<()> {
+        let refused = |e: SettingsError| {
+            let key = match e {
+                SettingsError::Empty => "image",
+                SettingsError::NoSamples | SettingsError::TooMany => "render",
+                SettingsError::Exposure => "image.exposure_ev",
+                SettingsError::FieldOfView => "camera.fov_x_deg",
+                SettingsError::Camera => "camera",
+            };
+            source.error(key, e)
+        };
+        self.settings(self.frames[0])
+            .frame_params()
+            .map(drop)
+            .map_err(refused)
     }
 
     /// The built-in shot, with the flags of the command line applied.
@@ -163,6 +184,22 @@ impl Job {
                 shot::Tonemap::Srgb => Tonemap::Srgb,
                 shot::Tonemap::Reinhard => Tonemap::Reinhard,
             },
+        }
+    }
+
+    /// Whether every frame has the same light.
+    pub fn is_still(&self) -> bool {
+        matches!(&self.light, Light::Probe(probe) if probe.is_still())
+    }
+
+    /// Reads the light of a frame for what there is to say about it alone.
+    ///
+    /// # Errors
+    /// As [`Job::light`].
+    pub fn check_light(&self, frame: u32, notes: &mut Notes) -> Result<()> {
+        match &self.light {
+            Light::Probe(probe) => probe.load(frame, notes).map(drop),
+            Light::Demo => Ok(()),
         }
     }
 

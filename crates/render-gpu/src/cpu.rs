@@ -42,10 +42,12 @@ impl Renderer for CpuRenderer {
         let shade = match settings.method {
             Method::Mis => shade_mis,
         };
-        let tile_pixels = self.tile_pixels.max(1);
+        // A tile's rays are numbered in 32 bits.
+        let most = (u32::MAX / whole.rays_per_pixel) as usize;
+        let tile_pixels = self.tile_pixels.clamp(1, most);
         let pixels = (whole.width * whole.height) as usize;
-        let mut linear = vec![Vec4::ZERO; pixels];
-        let mut display = vec![[0; 4]; pixels];
+        let mut linear = filled(Vec4::ZERO, pixels)?;
+        let mut display = filled([0; 4], pixels)?;
         let done = AtomicUsize::new(0);
         linear
             .par_chunks_mut(tile_pixels)
@@ -74,4 +76,13 @@ impl Renderer for CpuRenderer {
             display,
         })
     }
+}
+
+/// `len` times `value`, or the error of an allocation that was refused.
+fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>, RenderError> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(len)
+        .map_err(|e| RenderError::Device(Box::new(e)))?;
+    list.resize(len, value);
+    Ok(list)
 }

@@ -130,6 +130,11 @@ impl Probe {
         self.size
     }
 
+    /// Whether every frame is the same image.
+    pub fn is_still(&self) -> bool {
+        self.files.is_still()
+    }
+
     /// The file of a frame.
     pub fn file(&self, frame: u32) -> PathBuf {
         self.files.path(frame)

@@ -8,6 +8,7 @@ use crate::shot::parse::Source;
 use crate::shot::{self, Shot, Up};
 use glam::{EulerRot, Mat3, Mat4, Quat, Vec3};
 use glimt_render_gpu::host::scene::{Camera, Material, Object, SceneDescription};
+use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 use std::collections::HashMap;
 use std::f32::consts::FRAC_PI_2;
 use std::path::Path;
@@ -37,7 +38,7 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
     let mut all: Option<(Vec3, Vec3)> = None;
     let mut subject: Option<(Vec3, Vec3)> = None;
     let mut triangles = 0;
-    for object in &shot.objects {
+    for (index, object) in shot.objects.iter().enumerate() {
         let name = object.mesh.as_str();
         if !loaded.contains_key(name) {
             let model = load(base, name, notes)?;
@@ -67,6 +68,13 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
             (camera.name.clone(), to_world, camera.fov_y)
         }));
         if let Some(bounds) = model.bounds(transform) {
+            let reach = bounds.0.abs().max(bounds.1.abs()).max_element();
+            if !(reach <= MAX_COORDINATE) {
+                let what = format!("the object reaches {reach:.1e} units from the origin");
+                return Err(source
+                    .error(&format!("object.{index}.scale"), what)
+                    .fix("the world ends at 1e9 units: lower its scale, or move it nearer"));
+            }
             grow(&mut all, bounds);
             if name != "plane" {
                 grow(&mut subject, bounds);
@@ -185,10 +193,16 @@ fn camera(
             .error("camera.target", "it is where the eye is")
             .fix("the camera must look somewhere: move one of them"));
     }
-    if (target - eye).normalize().cross(up.normalize()).length() < 1e-6 {
+    let forward = (target.as_dvec3() - eye.as_dvec3()).normalize();
+    if !(forward.cross(up.as_dvec3().normalize()).length() > 1e-6) {
+        let across = match forward.abs().min_position() {
+            0 => "[1, 0, 0]",
+            1 => "[0, 1, 0]",
+            _ => "[0, 0, 1]",
+        };
         return Err(source
             .error("camera.up", "it lies along the line of sight")
-            .fix("choose another direction, as [1, 0, 0] for a view from above"));
+            .fix(format!("choose a direction across it, as {across}")));
     }
     Ok(Camera {
         eye,

@@ -3,9 +3,16 @@
 use super::parse::Source;
 use super::{Mapping, Method, Shot, range};
 use crate::error::{Error, Result};
+use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 
 /// Largest width or height of an image.
 const MAX_SIDE: u32 = 32_768;
+
+/// Most pixels of an image, 2²⁸: their linear and display values take 5 GiB.
+const MAX_PIXELS: u64 = 1 << 28;
+
+/// Largest exposure either way, in stops: 2¹⁰⁰ is a number of 32 bits, and so is its inverse.
+const MAX_EXPOSURE_EV: f32 = 100.0;
 
 /// Checks every value of a shot.
 ///
@@ -18,6 +25,14 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
     if image.size.iter().any(|&n| n == 0 || n > MAX_SIDE) {
         return bad("image.size", "a side is 0 or above 32768", "as [1280, 720]");
     }
+    let [width, height] = image.size.map(u64::from);
+    if width * height > MAX_PIXELS {
+        return bad(
+            "image.size",
+            "it has more than 2^28 pixels",
+            "as [1280, 720]; [16384, 16384] is the largest square",
+        );
+    }
     if image.rays_per_pixel == 0 || image.rays_per_pixel > 65_536 {
         return bad(
             "image.rays_per_pixel",
@@ -25,7 +40,13 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
             "16 is usual",
         );
     }
-    finite(source, "image.exposure_ev", &[image.exposure_ev])?;
+    if !(image.exposure_ev.abs() <= MAX_EXPOSURE_EV) {
+        return bad(
+            "image.exposure_ev",
+            "it is not between -100 and 100 stops",
+            "0 leaves the image as it is, 1 doubles its brightness",
+        );
+    }
 
     check_camera(shot, source)?;
 
@@ -89,6 +110,18 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
             return bad(key, "it is above 65536", "1 is usual");
         }
     }
+    for (key, n) in samples {
+        if u64::from(n) * u64::from(image.rays_per_pixel) > u64::from(u32::MAX) {
+            return bad(
+                key,
+                &format!(
+                    "with image.rays_per_pixel = {} a pixel takes 2^32 of them",
+                    image.rays_per_pixel
+                ),
+                "lower one of the two",
+            );
+        }
+    }
     if render.brdf_samples + render.env_samples == 0 {
         return bad(
             "render.brdf_samples",
@@ -134,16 +167,13 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
 
 fn check_camera(shot: &Shot, source: &Source) -> Result<()> {
     let camera = &shot.camera;
-    let vectors = [
-        ("camera.eye", camera.eye),
-        ("camera.target", camera.target),
-        ("camera.up", Some(camera.up)),
-    ];
+    let vectors = [("camera.eye", camera.eye), ("camera.target", camera.target)];
     for (key, vector) in vectors {
         if let Some(v) = vector {
-            finite(source, key, &v)?;
+            within_world(source, key, &v)?;
         }
     }
+    finite(source, "camera.up", &camera.up)?;
     if camera.up == [0.0; 3] {
         return Err(source
             .error("camera.up", "it has no length")
@@ -175,11 +205,14 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
                 .error(&key("mesh"), "the object has no mesh")
                 .fix("name a file (.glb .gltf .obj .ply), or \"sphere\" or \"plane\""));
         }
-        finite(source, &key("translate"), &object.translate)?;
+        within_world(source, &key("translate"), &object.translate)?;
         finite(source, &key("rotate_deg"), &object.rotate_deg)?;
-        if !(object.scale.abs() >= 1e-12 && object.scale.abs() <= 1e12) {
+        if !(object.scale.abs() >= 1.0 / MAX_COORDINATE && object.scale.abs() <= MAX_COORDINATE) {
             return Err(source
-                .error(&key("scale"), "an object of that size cannot be rendered")
+                .error(
+                    &key("scale"),
+                    "it is not between 1e-9 and 1e9, nor the negative of such a number",
+                )
                 .fix("1 leaves it as it is"));
         }
         if object.catcher {
@@ -222,6 +255,17 @@ fn check_material(material: &super::Material, object: usize, source: &Source) ->
             .fix("50 is glossy, 500 a near mirror"));
     }
     Ok(())
+}
+
+/// Vectors of the world reach as far as the renderer does.
+fn within_world(source: &Source, key: &str, vector: &[f32; 3]) -> Result<()> {
+    finite(source, key, vector)?;
+    if vector.iter().all(|c| c.abs() <= MAX_COORDINATE) {
+        return Ok(());
+    }
+    Err(source
+        .error(key, "it is beyond 1e9 units")
+        .fix("the world ends there: use a larger unit"))
 }
 
 fn finite(source: &Source, key: &str, values: &[f32]) -> Result<()> {

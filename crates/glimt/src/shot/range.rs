@@ -3,6 +3,9 @@
 use crate::error::{Error, Result};
 use std::ops::RangeInclusive;
 
+/// The most frames in one range; more would not fit the lists that are made of them.
+const MAX_FRAMES: u32 = 1_000_000;
+
 /// Reads `A-B` or `A`.
 ///
 /// # Errors
@@ -12,6 +15,7 @@ use std::ops::RangeInclusive;
 /// assert_eq!(glimt::shot::range::parse("3-5").unwrap(), 3..=5);
 /// assert_eq!(glimt::shot::range::parse("7").unwrap(), 7..=7);
 /// assert!(glimt::shot::range::parse("5-3").is_err());
+/// assert!(glimt::shot::range::parse("1-4000000000").is_err());
 /// ```
 pub fn parse(text: &str) -> Result<RangeInclusive<u32>> {
     let (first, last) = text.split_once('-').unwrap_or((text, text));
@@ -26,6 +30,12 @@ pub fn parse(text: &str) -> Result<RangeInclusive<u32>> {
         return Err(
             Error::usage(format!("`{text}` is an empty range of frames"))
                 .fix(format!("put the smaller number first, as {last}-{first}")),
+        );
+    }
+    if last - first >= MAX_FRAMES {
+        return Err(
+            Error::usage(format!("`{text}` is more than {MAX_FRAMES} frames"))
+                .fix("render them in several runs, or check the numbers"),
         );
     }
     Ok(first..=last)

@@ -139,10 +139,8 @@ pub enum SettingsError {
     /// Both counts of samples are 0.
     #[error("there must be BRDF samples or environment samples")]
     NoSamples,
-    /// Rays or samples outgrow 32 bits.
-    #[error(
-        "width × height × rays per pixel, and the samples of a pixel, must each stay below 2^32"
-    )]
+    /// Pixels, or the samples of one, outgrow 32 bits.
+    #[error("width × height, and the samples of a pixel, must each stay below 2^32")]
     TooMany,
     /// The camera looks nowhere.
     #[error("the camera needs finite eye, target and up, with up not along the line of sight")]
@@ -150,8 +148,8 @@ pub enum SettingsError {
     /// The field of view is not in (0, π).
     #[error("the horizontal field of view must lie between 0 and 180 degrees")]
     FieldOfView,
-    /// The exposure is not finite.
-    #[error("the exposure must be finite")]
+    /// The exposure's factor outgrows 32 bits.
+    #[error("2 to the power of the exposure must be finite")]
     Exposure,
 }
 
@@ -187,15 +185,12 @@ impl RenderSettings {
         if self.brdf_samples == 0 && self.env_samples == 0 {
             return Err(SettingsError::NoSamples);
         }
-        let rays = self
-            .size
-            .x
-            .checked_mul(self.size.y)
-            .and_then(|n| n.checked_mul(self.rays_per_pixel));
+        // Kernels number rays within a tile, so all rays of an image may be more.
+        let pixels = self.size.x.checked_mul(self.size.y);
         let samples = self
             .rays_per_pixel
             .checked_mul(self.brdf_samples.max(self.env_samples));
-        if rays.is_none() || samples.is_none() {
+        if pixels.is_none() || samples.is_none() {
             return Err(SettingsError::TooMany);
         }
         let exposure = self.exposure_ev.exp2();
