@@ -36,13 +36,13 @@ fn run(command: Command, reporter: &Reporter) -> Result<()> {
     match command {
         Command::Demo { flags } => {
             let job = Job::demo(&flags)?;
-            render::render(job, flags.device, flags.strict, reporter)
+            render::render(job, flags.device, Notes::new(flags.strict), reporter)
         }
         Command::Render { shot, flags } => {
             let mut notes = Notes::new(flags.strict);
             let job = Job::from_file(&shot, &flags, &mut notes);
             reporter.notes(notes.take());
-            render::render(job?, flags.device, flags.strict, reporter)
+            render::render(job?, flags.device, notes, reporter)
         }
         Command::Info { file: None, .. } => {
             info::devices(reporter);

@@ -29,6 +29,7 @@ pub struct Notes {
     /// Whether defects are refused (`--strict`).
     pub strict: bool,
     list: Vec<Note>,
+    taken: Vec<Note>,
 }
 
 impl Notes {
@@ -36,7 +37,7 @@ impl Notes {
     pub fn new(strict: bool) -> Self {
         Self {
             strict,
-            list: Vec::new(),
+            ..Self::default()
         }
     }
 
@@ -63,8 +64,9 @@ impl Notes {
         Ok(())
     }
 
-    /// Takes all remarks made so far.
+    /// Takes the remarks made since the last time. One that was taken before does not come again.
     pub fn take(&mut self) -> Vec<Note> {
+        self.taken.extend_from_slice(&self.list);
         std::mem::take(&mut self.list)
     }
 
@@ -74,7 +76,7 @@ impl Notes {
             file: file.to_owned(),
             text,
         };
-        if !self.list.contains(&note) {
+        if !self.list.contains(&note) && !self.taken.contains(&note) {
             self.list.push(note);
         }
     }

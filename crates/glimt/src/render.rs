@@ -5,7 +5,7 @@ use crate::device;
 use crate::error::{Error, Kind, Result};
 use crate::job::Job;
 use crate::notes::{Note, Notes};
-use crate::output::video::{self, Video};
+use crate::output::video::{self, Encoder, Video};
 use crate::output::{Stamp, atomic, exr, png, rgb_over_black};
 use crate::report::{FrameStatus, Reporter, count};
 use crate::shot::digest;
@@ -39,19 +39,28 @@ struct Plan<'a> {
     stamps: Vec<Stamp>,
     /// Whether each frame is there already.
     current: Vec<bool>,
-    /// The video and its identity, where one is to be made.
-    video: Option<(PathBuf, String)>,
+    /// The video, where one is to be made.
+    video: Option<VideoPlan>,
+}
+
+/// A video that is to be made.
+struct VideoPlan {
+    file: PathBuf,
+    /// Its identity.
+    hash: String,
+    encoder: Encoder,
 }
 
 /// Renders a job and writes its outputs. Frames that are there already, of the same identity, are skipped.
 ///
 /// # Errors
 /// The first thing that fails; all frames written before it stay, whole.
-pub fn render(job: Job, device: Device, strict: bool, reporter: &Reporter) -> Result<()> {
+pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -> Result<()> {
     let began = Instant::now();
     let job = Arc::new(job);
     atomic::prepare_folder(&job.out)?;
     let plan = Plan::new(&job, reporter)?;
+    check_current(&plan, &mut notes, reporter)?;
     let mut stage = match plan.current.iter().all(|c| *c) {
         true => None,
         false => Some(Stage {
@@ -66,7 +75,7 @@ pub fn render(job: Job, device: Device, strict: bool, reporter: &Reporter) -> Re
     };
     reporter.start(job.frames.len(), &job.out, &name, job.triangles);
 
-    let lights = read_lights(&job, &plan, strict)?;
+    let lights = read_lights(&job, &plan, notes)?;
     let rendered = std::thread::scope(|scope| {
         let (finish, finished) = sync_channel(1);
         let writer = scope.spawn(|| write_frames(&plan, reporter, finished));
@@ -81,7 +90,7 @@ pub fn render(job: Job, device: Device, strict: bool, reporter: &Reporter) -> Re
 
     let seconds = began.elapsed().as_secs_f64();
     let skipped = job.frames.len() - rendered;
-    let video = plan.video.as_ref().map(|(file, _)| file);
+    let video = plan.video.as_ref().map(|video| &video.file);
     let summary = json!({
         "rendered": rendered, "skipped": skipped, "seconds": seconds, "out": job.out, "video": video,
     });
@@ -141,7 +150,13 @@ impl<'a> Plan<'a> {
             plan.current.fill(true);
             return Ok(plan);
         }
-        plan.video = Some((file, hash));
+        let size = UVec2::from(job.shot.image.size);
+        let encoder = video::prepare(&file, size, output.codec)?;
+        plan.video = Some(VideoPlan {
+            file,
+            hash,
+            encoder,
+        });
         Ok(plan)
     }
 
@@ -160,20 +175,44 @@ fn frame_file(job: &Job, frame: u32, extension: &str) -> PathBuf {
     job.out.join(format!("frame.{frame:04}.{extension}"))
 }
 
+/// With `--strict`, light with defects is refused, also that of frames that were rendered without it.
+fn check_current(plan: &Plan<'_>, notes: &mut Notes, reporter: &Reporter) -> Result<()> {
+    if !notes.strict {
+        return Ok(());
+    }
+    let pairs = plan.stamps.iter().zip(&plan.current);
+    let current = pairs.filter(|(_, current)| **current).map(|(s, _)| s.frame);
+    // A still is one image for all frames.
+    let most = if plan.job.is_still() { 1 } else { usize::MAX };
+    for frame in current.take(most) {
+        let checked = plan.job.check_light(frame, notes);
+        reporter.notes(notes.take());
+        checked?;
+    }
+    Ok(())
+}
+
 /// The light of a frame, and what there is to say about it.
-type Light = (Result<PreparedEnv>, Vec<Note>);
+type Light = (Result<Arc<PreparedEnv>>, Vec<Note>);
 
 /// Reads the light of each frame that is to be rendered and builds its tables, one frame ahead of the renderer.
-fn read_lights(job: &Arc<Job>, plan: &Plan<'_>, strict: bool) -> Result<Prefetch<Light>> {
+/// A still is read once.
+fn read_lights(job: &Arc<Job>, plan: &Plan<'_>, mut notes: Notes) -> Result<Prefetch<Light>> {
     let pairs = plan.stamps.iter().zip(&plan.current);
     let missing: Vec<u32> = pairs
         .filter(|(_, current)| !**current)
         .map(|(s, _)| s.frame)
         .collect();
     let job = Arc::clone(job);
+    let mut still: Option<Arc<PreparedEnv>> = None;
     let read = move |frame| {
-        let mut notes = Notes::new(strict);
-        let light = job.light(frame, &mut notes);
+        let light = match &still {
+            Some(light) => Ok(Arc::clone(light)),
+            None => job.light(frame, &mut notes).map(Arc::new),
+        };
+        if let (true, Ok(light)) = (job.is_still(), &light) {
+            still = Some(Arc::clone(light));
+        }
         (light, notes.take())
     };
     Prefetch::new(missing, 1, read).map_err(|e| Error::new(Kind::Internal, e))
@@ -223,15 +262,14 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
     let job = plan.job;
     let output = &job.shot.output;
     let mut video = match &plan.video {
-        Some((file, hash)) => {
+        Some(VideoPlan {
+            file,
+            hash,
+            encoder,
+        }) => {
             let size = UVec2::from(job.shot.image.size);
-            Some(Video::create(
-                file,
-                size,
-                job.shot.probe.fps,
-                output.codec,
-                hash,
-            )?)
+            let fps = job.shot.probe.fps;
+            Some(Video::create(file, size, fps, *encoder, hash)?)
         }
         None => None,
     };

@@ -4,13 +4,14 @@ use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending};
 use crate::error::{Error, Result};
 use crate::input::primaries::REC_709;
 use ::exr::math::Vec2;
-use ::exr::meta::MetaData;
 use ::exr::meta::attribute::{AttributeValue, Chromaticities, Text};
 use ::exr::prelude::{
     Blocks, Compression, Encoding, Image, Layer, LayerAttributes, LineOrder, SpecificChannels,
     WritableImage,
 };
 use glam::{UVec2, Vec4};
+use std::fs::File;
+use std::io::BufReader;
 use std::path::Path;
 
 /// Key of the frame's number.
@@ -64,14 +65,16 @@ pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result
     pending.commit()
 }
 
-/// The identity that a frame was stored with; `None` if there is no such frame, or none of ours.
+/// The identity that a frame was stored with; `None` if there is no such frame, none of ours, or not all of it.
 pub fn read_hash(file: &Path) -> Option<String> {
-    let meta = MetaData::read_from_file(file, false).ok()?;
-    let attributes = &meta.headers.first()?.own_attributes.other;
-    match attributes.get(&Text::from(HASH_KEY))? {
-        AttributeValue::Text(hash) => Some(hash.to_string()),
-        _ => None,
-    }
+    let reader = ::exr::block::read(BufReader::new(File::open(file).ok()?), false).ok()?;
+    let attributes = &reader.headers().first()?.own_attributes.other;
+    let hash = match attributes.get(&Text::from(HASH_KEY))? {
+        AttributeValue::Text(hash) => hash.to_string(),
+        _ => return None,
+    };
+    let mut chunks = reader.all_chunks(false).ok()?;
+    chunks.all(|chunk| chunk.is_ok()).then_some(hash)
 }
 
 /// Reads back the pixels of a frame that [`write()`] stored.

@@ -6,8 +6,7 @@ use ::png::{
     BitDepth, ColorType, Compression, Decoder, Encoder, EncodingError, SrgbRenderingIntent,
 };
 use glimt_render_gpu::host::render::FrameImage;
-use std::fs::File;
-use std::io::BufReader;
+use std::io::Cursor;
 use std::path::Path;
 
 /// Writes a frame, whole or not at all.
@@ -44,11 +43,16 @@ pub fn write(file: &Path, image: &FrameImage, stamp: &Stamp) -> Result<()> {
     pending.commit()
 }
 
-/// The identity that a frame was stored with; `None` if there is no such frame, or none of ours.
+/// The last chunk of every PNG: no data, its name, its checksum.
+const END: &[u8] = b"\0\0\0\0IEND\xae\x42\x60\x82";
+
+/// The identity that a frame was stored with; `None` if there is no such frame, none of ours, or not all of it.
 pub fn read_hash(file: &Path) -> Option<String> {
-    let reader = Decoder::new(BufReader::new(File::open(file).ok()?))
-        .read_info()
-        .ok()?;
+    let bytes = std::fs::read(file).ok()?;
+    if !bytes.ends_with(END) {
+        return None;
+    }
+    let reader = Decoder::new(Cursor::new(bytes)).read_info().ok()?;
     let texts = &reader.info().uncompressed_latin1_text;
     let text = texts.iter().find(|chunk| chunk.keyword == HASH_KEY)?;
     Some(text.text.clone())
