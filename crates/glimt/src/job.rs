@@ -16,6 +16,7 @@ use glimt_render_gpu::host::render::{
     Background, Filter, Method, Pattern, RenderSettings, SettingsError, Tonemap,
 };
 use glimt_render_gpu::host::scene::{Camera, SceneDescription};
+use glimt_render_gpu::host::scene_error::SceneError;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -37,6 +38,9 @@ pub struct Job {
     pub out: PathBuf,
     light: Light,
     view: View,
+    source: Source,
+    /// Which of the shot's objects each object of the scene is a part of.
+    owners: Vec<usize>,
 }
 
 /// Where the light comes from.
@@ -78,14 +82,16 @@ impl Job {
             scene: placed.scene,
             light: Light::Probe(probe),
             view: View::Fixed(placed.camera),
+            owners: placed.owners,
+            source,
             shot,
         };
-        job.check_settings(&source)?;
+        job.check_settings()?;
         Ok(job)
     }
 
     /// The renderer's own checks, told with the key that they are about.
-    fn check_settings(&self, source: &Source) -> Result<()> {
+    fn check_settings(&self) -> Result<()> {
         let refused = |e: SettingsError| {
             let key = match e {
                 SettingsError::Empty => "image",
@@ -94,7 +100,7 @@ impl Job {
                 SettingsError::FieldOfView => "camera.fov_x_deg",
                 SettingsError::Camera => "camera",
             };
-            source.error(key, e)
+            self.source.error(key, e)
         };
         self.settings(self.frames[0])
             .frame_params()
@@ -147,8 +153,33 @@ impl Job {
             scene,
             light: Light::Demo,
             view: View::Demo,
+            owners: Vec::new(),
+            source,
             shot,
         })
+    }
+
+    /// What the renderer says of the scene, with the object of the shot that it is about.
+    pub fn refused_scene(&self, error: &SceneError) -> Error {
+        let told = match error {
+            SceneError::NoTriangles { .. } => self
+                .source
+                .error("object", "all objects are too small to be seen")
+                .fix("raise their scale"),
+            SceneError::Transform { object } | SceneError::Position { object, .. } => {
+                let index = self.owners.get(*object).copied().unwrap_or(*object);
+                let key = format!("object.{index}");
+                let what = "it is flattened to nothing, or reaches beyond 1e9 units";
+                self.source
+                    .error(&key, what)
+                    .fix("check its scale, and the transforms in its mesh file")
+            }
+            other => self.source.error("object", other),
+        };
+        Error {
+            kind: Kind::Input,
+            ..told
+        }
     }
 
     /// Settings of a frame.

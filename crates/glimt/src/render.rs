@@ -64,7 +64,7 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
     let mut stage = match plan.current.iter().all(|c| *c) {
         true => None,
         false => Some(Stage {
-            scene: SceneBuffers::build(&job.scene).map_err(|e| Error::new(Kind::Input, e))?,
+            scene: SceneBuffers::build(&job.scene).map_err(|e| job.refused_scene(&e))?,
             renderer: device::open(device)?,
         }),
     };

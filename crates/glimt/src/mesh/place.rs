@@ -24,6 +24,8 @@ pub struct Placed {
     pub digest: Hash,
     /// Triangles, counting each placing of a mesh.
     pub triangles: usize,
+    /// Which of the shot's objects each object of the scene is a part of.
+    pub owners: Vec<usize>,
 }
 
 /// Loads the meshes of a shot and places them.
@@ -38,6 +40,7 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
     let mut all: Option<(Vec3, Vec3)> = None;
     let mut subject: Option<(Vec3, Vec3)> = None;
     let mut triangles = 0;
+    let mut owners = Vec::new();
     for (index, object) in shot.objects.iter().enumerate() {
         let name = object.mesh.as_str();
         if !loaded.contains_key(name) {
@@ -63,6 +66,7 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
             transform: transform * part.transform,
             material,
         }));
+        owners.resize(scene.objects.len(), index);
         cameras.extend(model.cameras.iter().map(|camera| {
             let to_world = transform * camera.transform;
             (camera.name.clone(), to_world, camera.fov_y)
@@ -87,6 +91,7 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
         scene,
         digest: join(&digests),
         triangles,
+        owners,
     })
 }
 
