@@ -421,4 +421,14 @@ const INHERENT: &str = "
     unwrap_or with_w with_x with_y with_z wrapping_abs wrapping_add wrapping_add_signed wrapping_add_unsigned
     wrapping_div wrapping_mul wrapping_neg wrapping_pow wrapping_rem wrapping_shl wrapping_shr wrapping_sub
     wrapping_sub_unsigned write_cols_to_slice write_to_slice
+    from_angle from_axis_angle from_cols_array from_cols_array_2d from_cols_slice from_euler from_homogeneous from_mat2 from_mat3
+    from_mat3_minor from_mat3_translation from_mat3a from_mat3a_minor from_mat4 from_mat4_minor from_quat from_rotation_translation
+    from_rotation_x from_rotation_y from_rotation_z from_rows from_rows_array from_rows_slice from_scale from_scale_angle
+    from_scale_angle_translation from_scale_rotation_translation from_slice from_translation map select new splat from_array from_cols
+    from_diagonal from_bits from_str_radix from_be from_le from_be_bytes from_le_bytes from_ne_bytes or xor and zip unzip take replace
+    insert flatten copied cloned unwrap unwrap_or_default unwrap_or_else unwrap_unchecked expect as_ref as_mut as_deref as_deref_mut
+    as_slice and_then or_else filter get_or_insert get_or_insert_with inspect is_none_or is_some_and iter iter_mut map_or map_or_else
+    ok_or ok_or_else take_if transpose first last first_mut last_mut get get_mut swap fill reverse contains starts_with ends_with
+    sort sort_unstable binary_search chunks chunks_exact windows split split_at split_first split_last concat join copy_from_slice
+    copy_within rotate_left rotate_right each_ref len is_empty to_vec into_iter
 ";

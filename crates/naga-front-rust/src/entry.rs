@@ -213,8 +213,9 @@ impl Lowerer<'_> {
         for name in ["first", "count"] {
             bound.members.push((name.into(), Ty::U32));
         }
-        // Which arguments are chunks, their syntax says: `&mut [T]`.
-        let chunks: Vec<bool> = f.sig.inputs.iter().map(is_chunk).collect();
+        // Which slices are chunks, the syntax says: `&mut [T]`.
+        let by_type = |(arg, ty)| is_mut_reference(arg) && matches!(ty, &Ty::Slice(_));
+        let chunks: Vec<bool> = f.sig.inputs.iter().zip(&types).map(by_type).collect();
         for (i, _) in chunks.iter().enumerate().filter(|(_, c)| **c) {
             let name = &body.locals[body.params[i]].name;
             bound.members.push((format!("{name}_len"), Ty::U32));
@@ -439,14 +440,20 @@ impl Lowerer<'_> {
             let instance = self.instance(path)?;
             let f = &items.fns[instance.id];
             let span = Span::of(f.file, &f.sig.ident);
-            if f.sig.inputs.iter().any(is_chunk) {
+            let body = self.body(&instance)?;
+            let slice = |id: &usize| matches!(body.ty(&body.locals[*id].ty), Ty::Slice(_));
+            if f.sig
+                .inputs
+                .iter()
+                .zip(&body.params)
+                .any(|(arg, id)| is_mut_reference(arg) && slice(id))
+            {
                 return Err(err(
                     span,
                     "an export cannot write to a slice",
                     "return the value",
                 ));
             }
-            let body = self.body(&instance)?;
             let mut shapes = Vec::new();
             for &id in &body.params {
                 let local = &body.locals[id];
@@ -561,14 +568,9 @@ fn argument(
     }
 }
 
-fn is_chunk(arg: &syn::FnArg) -> bool {
+fn is_mut_reference(arg: &syn::FnArg) -> bool {
     match arg {
-        syn::FnArg::Typed(p) => match &*p.ty {
-            syn::Type::Reference(r) => {
-                r.mutability.is_some() && matches!(&*r.elem, syn::Type::Slice(_))
-            }
-            _ => false,
-        },
+        syn::FnArg::Typed(p) => matches!(&*p.ty, syn::Type::Reference(r) if r.mutability.is_some()),
         syn::FnArg::Receiver(_) => false,
     }
 }

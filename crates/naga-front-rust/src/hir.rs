@@ -70,6 +70,50 @@ pub(crate) struct Expr {
     pub(crate) span: Span,
 }
 
+impl Expr {
+    /// Refuses to change what a const gives: Rust would change a copy.
+    pub(crate) fn no_const(&self) -> crate::diag::R<()> {
+        match &self.kind {
+            Kind::Field(base, _) | Kind::Component(base, _) | Kind::Index(base, _) => {
+                base.no_const()
+            }
+            Kind::Const(_) => Err(crate::diag::err(
+                self.span,
+                "a const cannot be changed: Rust would change a copy",
+                "bind it with `let mut` first",
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether nothing notices when it is computed: no call, no assignment, no control flow.
+    pub(crate) fn is_quiet(&self) -> bool {
+        match &self.kind {
+            Kind::Lit(_)
+            | Kind::Int(_)
+            | Kind::Unit
+            | Kind::Local(_)
+            | Kind::Const(_)
+            | Kind::None => true,
+            Kind::Field(e, _)
+            | Kind::Component(e, _)
+            | Kind::Deref(e)
+            | Kind::Unary(_, e)
+            | Kind::Cast(e)
+            | Kind::Len(e)
+            | Kind::Some(e)
+            | Kind::Repeat(e, _) => e.is_quiet(),
+            Kind::Index(a, b) | Kind::Binary(_, a, b) | Kind::AndAnd(a, b) | Kind::OrOr(a, b) => {
+                a.is_quiet() && b.is_quiet()
+            }
+            Kind::Builtin(_, list) | Kind::Tuple(list) | Kind::Array(list) => {
+                list.iter().all(Expr::is_quiet)
+            }
+            _ => false,
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BinOp {
     Add,

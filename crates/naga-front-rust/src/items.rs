@@ -26,6 +26,8 @@ pub(crate) enum Def {
 #[derive(Clone, Debug)]
 pub(crate) struct Named {
     pub(crate) target: Target,
+    /// Whether it is `pub` in any way.
+    pub(crate) public: bool,
     /// Why the item cannot be reached by shared code, as `#[cfg(feature = "x")]`.
     pub(crate) gate: Option<String>,
 }
@@ -40,6 +42,13 @@ pub(crate) enum Target {
     Unsupported(&'static str),
 }
 
+/// `use path::*;`
+#[derive(Clone, Debug)]
+pub(crate) struct Glob {
+    pub(crate) path: Vec<String>,
+    pub(crate) gate: Option<String>,
+}
+
 #[derive(Debug, Default)]
 pub(crate) struct Module {
     pub(crate) krate: usize,
@@ -47,7 +56,9 @@ pub(crate) struct Module {
     /// From the crate: `my_crate::module`.
     pub(crate) path: String,
     pub(crate) names: HashMap<String, Vec<Named>>,
-    pub(crate) globs: Vec<Vec<String>>,
+    pub(crate) globs: Vec<Glob>,
+    /// Has a macro call among its items: what it defines, only rustc knows.
+    pub(crate) opaque: bool,
     /// Stands for the items at the top of a function body: what it lacks, its parent has.
     pub(crate) block: bool,
 }
@@ -61,7 +72,12 @@ pub(crate) enum Owner {
 
 #[derive(Debug)]
 pub(crate) struct FnItem {
+    /// Where the body stands: a module of its own where it has items.
     pub(crate) module: ModId,
+    /// Where the signature stands.
+    pub(crate) outer: ModId,
+    /// Whether it is `pub` in any way.
+    pub(crate) public: bool,
     pub(crate) file: usize,
     pub(crate) owner: Owner,
     pub(crate) sig: syn::Signature,
@@ -84,6 +100,9 @@ pub(crate) struct EnumItem {
 
 #[derive(Debug)]
 pub(crate) struct ConstItem {
+    /// Why it cannot be reached by shared code.
+    pub(crate) gate: Option<String>,
+    pub(crate) public: bool,
     pub(crate) module: ModId,
     pub(crate) file: usize,
     pub(crate) owner: Owner,
@@ -102,6 +121,8 @@ pub(crate) struct TraitItem {
 
 #[derive(Debug)]
 pub(crate) struct ImplItem {
+    /// Has a macro call among its items: what it defines, only rustc knows.
+    pub(crate) opaque: bool,
     /// The `cfg` that it stands behind: whether it is there, rustc alone knows.
     pub(crate) gate: Option<String>,
     pub(crate) module: ModId,
@@ -139,6 +160,8 @@ pub(crate) struct Items {
     pub(crate) traits: Vec<TraitItem>,
     pub(crate) impls: Vec<ImplItem>,
     pub(crate) aliases: Vec<AliasItem>,
+    /// Whether the item that is being taken in is `pub`.
+    public: bool,
 }
 
 /// The `cfg` of an item: nothing, `cfg(test)`, or another one.
@@ -173,6 +196,17 @@ fn cfg_of(attrs: &[syn::Attribute]) -> Cfg {
         }
     }
     Cfg::None
+}
+
+fn cfg_gate(attrs: &[syn::Attribute]) -> Option<String> {
+    match cfg_of(attrs) {
+        Cfg::Other(text) => Some(text),
+        Cfg::None | Cfg::Test => None,
+    }
+}
+
+fn is_public(vis: &syn::Visibility) -> bool {
+    !matches!(vis, syn::Visibility::Inherited)
 }
 
 /// One crate's files while they are sorted into modules.
@@ -246,7 +280,12 @@ impl Items {
     }
 
     fn name(&mut self, module: ModId, name: String, target: Target, gate: Option<String>) {
-        let entry = Named { target, gate };
+        let public = self.public;
+        let entry = Named {
+            target,
+            public,
+            gate,
+        };
         self.modules[module]
             .names
             .entry(name)
@@ -256,6 +295,7 @@ impl Items {
 }
 
 impl Loader<'_> {
+    /// A new module; its name is as public as the item that is being taken in.
     fn child(&mut self, parent: ModId, name: &str) -> ModId {
         let id = self.items.modules.len();
         let path = format!("{}::{name}", self.items.modules[parent].path);
@@ -289,6 +329,19 @@ impl Loader<'_> {
                 "declare each module once",
             )
         })?;
+        if let Cfg::Other(text) = cfg_of(&ast.attrs) {
+            let span = Span {
+                file,
+                line: 1,
+                column: 0,
+                width: 1,
+            };
+            return Err(err(
+                span,
+                format!("the whole file stands behind {text}"),
+                "hand over shared files only",
+            ));
+        }
         self.module(module, file, dir, ast.items)
     }
 
@@ -318,15 +371,30 @@ impl Loader<'_> {
             Cfg::Other(text) => Some(text),
             Cfg::None => None,
         };
+        self.items.public = match &item {
+            syn::Item::Const(i) => is_public(&i.vis),
+            syn::Item::Enum(i) => is_public(&i.vis),
+            syn::Item::Fn(i) => is_public(&i.vis),
+            syn::Item::Mod(i) => is_public(&i.vis),
+            syn::Item::Struct(i) => is_public(&i.vis),
+            syn::Item::Trait(i) => is_public(&i.vis),
+            syn::Item::Type(i) => is_public(&i.vis),
+            syn::Item::Use(i) => is_public(&i.vis),
+            _ => false,
+        };
         let it = &mut *self.items;
         match item {
             syn::Item::Fn(mut f) => {
+                let public = self.items.public;
                 let inner = self.body_items(module, file, &mut f.block)?;
+                self.items.public = public;
                 let it = &mut *self.items;
                 let id = it.fns.len();
                 let name = f.sig.ident.to_string();
                 it.fns.push(FnItem {
                     module: inner,
+                    outer: module,
+                    public: is_public(&f.vis),
                     file,
                     owner: Owner::Free,
                     sig: f.sig,
@@ -347,10 +415,18 @@ impl Loader<'_> {
                 it.enums.push(EnumItem { file, item });
                 it.name(module, name, Target::Def(Def::Enum(id)), gate);
             }
-            syn::Item::Const(c) => {
+            syn::Item::Const(mut c) => {
+                if let syn::Expr::Block(b) = &mut *c.expr {
+                    let public = self.items.public;
+                    self.body_items(module, file, &mut b.block)?;
+                    self.items.public = public;
+                }
+                let it = &mut *self.items;
                 let id = it.consts.len();
                 let name = c.ident.to_string();
                 it.consts.push(ConstItem {
+                    gate: None,
+                    public: is_public(&c.vis),
                     module,
                     file,
                     owner: Owner::Free,
@@ -409,22 +485,34 @@ impl Loader<'_> {
                 for member in t.items {
                     match member {
                         syn::TraitItem::Fn(f) => {
+                            let at = Span::of(file, &f.sig.ident);
                             let name = f.sig.ident.to_string();
                             let fn_id = it.fns.len();
                             it.fns.push(FnItem {
                                 module,
+                                outer: module,
+                                public: true,
                                 file,
                                 owner: Owner::Trait(id),
                                 sig: f.sig,
                                 body: f.default,
                                 attrs: f.attrs,
                             });
-                            it.traits[id].fns.insert(name, fn_id);
+                            if it.traits[id].fns.insert(name.clone(), fn_id).is_some() {
+                                return Err(err(
+                                    at,
+                                    format!("`{name}` is defined twice in this trait"),
+                                    "shared code carries no `cfg`: keep one of them",
+                                ));
+                            }
                         }
+                        syn::TraitItem::Const(c) if matches!(cfg_of(&c.attrs), Cfg::Test) => {}
                         syn::TraitItem::Const(c) => {
                             let name = c.ident.to_string();
                             let const_id = it.consts.len();
                             it.consts.push(ConstItem {
+                                gate: cfg_gate(&c.attrs),
+                                public: true,
                                 module,
                                 file,
                                 owner: Owner::Trait(id),
@@ -432,7 +520,9 @@ impl Loader<'_> {
                                 ty: c.ty,
                                 value: c.default.map(|(_, e)| e),
                             });
-                            it.traits[id].consts.insert(name, const_id);
+                            if it.traits[id].consts.insert(name, const_id).is_some() {
+                                it.consts[const_id].gate = Some("a second definition".into());
+                            }
                         }
                         // An associated type is refused where a path names it.
                         _ => {}
@@ -442,6 +532,7 @@ impl Loader<'_> {
             syn::Item::Impl(i) => {
                 let id = it.impls.len();
                 it.impls.push(ImplItem {
+                    opaque: i.items.iter().any(|m| matches!(m, syn::ImplItem::Macro(_))),
                     gate,
                     module,
                     file,
@@ -464,6 +555,8 @@ impl Loader<'_> {
                             let at = Span::of(file, &f.sig.ident);
                             it.fns.push(FnItem {
                                 module: inner,
+                                outer: module,
+                                public: is_public(&f.vis),
                                 file,
                                 owner: Owner::Impl(id),
                                 sig: f.sig,
@@ -478,11 +571,14 @@ impl Loader<'_> {
                                 ));
                             }
                         }
+                        syn::ImplItem::Const(c) if matches!(cfg_of(&c.attrs), Cfg::Test) => {}
                         syn::ImplItem::Const(c) => {
                             let it = &mut *self.items;
                             let name = c.ident.to_string();
                             let const_id = it.consts.len();
                             it.consts.push(ConstItem {
+                                gate: cfg_gate(&c.attrs),
+                                public: is_public(&c.vis),
                                 module,
                                 file,
                                 owner: Owner::Impl(id),
@@ -490,7 +586,9 @@ impl Loader<'_> {
                                 ty: c.ty,
                                 value: Some(c.expr),
                             });
-                            it.impls[id].consts.insert(name, const_id);
+                            if it.impls[id].consts.insert(name, const_id).is_some() {
+                                it.consts[const_id].gate = Some("a second definition".into());
+                            }
                         }
                         _ => {}
                     }
@@ -512,16 +610,15 @@ impl Loader<'_> {
                     gate,
                 );
             }
-            syn::Item::Macro(m) => {
-                if let Some(ident) = m.ident {
-                    it.name(
-                        module,
-                        ident.to_string(),
-                        Target::Unsupported("a macro"),
-                        gate,
-                    );
-                }
-            }
+            syn::Item::Macro(m) => match m.ident {
+                Some(ident) => it.name(
+                    module,
+                    ident.to_string(),
+                    Target::Unsupported("a macro"),
+                    gate,
+                ),
+                None => it.modules[module].opaque = true,
+            },
             _ => {}
         }
         Ok(())
@@ -584,9 +681,8 @@ impl Loader<'_> {
                 }
             }
             syn::UseTree::Glob(_) => {
-                if gate.is_none() {
-                    self.items.modules[module].globs.push(path);
-                }
+                let gate = gated();
+                self.items.modules[module].globs.push(Glob { path, gate });
             }
             syn::UseTree::Group(g) => {
                 for tree in &g.items {
@@ -594,6 +690,42 @@ impl Loader<'_> {
                 }
             }
         }
+    }
+}
+
+impl Items {
+    /// Refuses what a shared enum cannot be: variants with fields, or with other numbers than 0, 1, 2 …
+    pub(crate) fn check_enum(&self, id: usize) -> R<()> {
+        let item = &self.enums[id];
+        check_attrs(item.file, &item.item.attrs)?;
+        for (i, v) in item.item.variants.iter().enumerate() {
+            let at = Span::of(item.file, v);
+            check_attrs(item.file, &v.attrs)?;
+            if !matches!(v.fields, syn::Fields::Unit) {
+                return Err(err(
+                    at,
+                    "an enum with fields cannot be lowered",
+                    "use a fieldless enum beside a struct, or `Option`",
+                ));
+            }
+            if let Some((_, e)) = &v.discriminant {
+                let value = match e {
+                    syn::Expr::Lit(syn::ExprLit {
+                        lit: syn::Lit::Int(n),
+                        ..
+                    }) => n.base10_parse::<usize>().ok(),
+                    _ => None,
+                };
+                if value != Some(i) {
+                    return Err(err(
+                        at,
+                        "the variants of a shared enum are numbered 0, 1, 2 …",
+                        "leave the numbers away",
+                    ));
+                }
+            }
+        }
+        Ok(())
     }
 }
 

@@ -82,6 +82,9 @@ fn binary(op: BinOp, l: Lit, r: Lit) -> Option<Lit> {
             Lit::I32(n) => n as u32,
             _ => return None,
         };
+        if by > 31 {
+            return None;
+        }
         return Some(Lit::U32(if op == O::Shl {
             v.wrapping_shl(by)
         } else {

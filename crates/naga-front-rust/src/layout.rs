@@ -107,12 +107,30 @@ impl Lowerer<'_> {
         let items = self.items;
         let item = &items.structs[id];
         let at = Span::of(item.file, &item.item.ident);
-        let repr_c = item.item.attrs.iter().any(|a| match &a.meta {
-            syn::Meta::List(l) => {
-                l.path.is_ident("repr") && l.tokens.to_string().split(',').any(|t| t.trim() == "C")
+        let mut reprs = Vec::new();
+        for attr in &item.item.attrs {
+            if let syn::Meta::List(l) = &attr.meta
+                && l.path.is_ident("repr")
+            {
+                reprs.extend(
+                    l.tokens
+                        .to_string()
+                        .split(',')
+                        .map(|t| t.trim().to_string()),
+                );
             }
-            _ => false,
-        });
+        }
+        if let Some(other) = reprs.iter().find(|r| *r != "C") {
+            return Err(err(
+                at,
+                format!(
+                    "`{}` lies in a buffer, and WGSL has nothing like `repr({other})`",
+                    ty.show(items)
+                ),
+                "write #[repr(C)] alone, and pad with fields",
+            ));
+        }
+        let repr_c = !reprs.is_empty();
         if !repr_c {
             return Err(err(
                 at,

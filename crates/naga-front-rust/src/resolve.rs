@@ -110,16 +110,88 @@ impl Items {
         Ok(at)
     }
 
+    /// Why a name that `module` does not define itself cannot be looked for further: rustc might find it here.
+    fn unknown_import(
+        &self,
+        module: ModId,
+        name: &str,
+        span: Span,
+        busy: &mut HashSet<(ModId, String, Ns)>,
+    ) -> R<Option<String>> {
+        let m = &self.modules[module];
+        for named in m.names.get(name).into_iter().flatten() {
+            if let Target::Use(path) = &named.target {
+                let mut leads = false;
+                for ns in [Ns::Type, Ns::Value] {
+                    leads |= self.find(module, path, ns, span, busy)?.is_some();
+                }
+                if !leads {
+                    return Ok(Some(format!(
+                        "`use {}` leads to no file given",
+                        path.join("::")
+                    )));
+                }
+            }
+        }
+        if m.opaque {
+            return Ok(Some("a macro call beside it may define it".into()));
+        }
+        for glob in &m.globs {
+            if let Some(gate) = &glob.gate {
+                return Ok(Some(format!(
+                    "`use {}::*` stands behind {gate}",
+                    glob.path.join("::")
+                )));
+            }
+            if m.block
+                && self
+                    .find(module, &glob.path, Ns::Type, span, busy)?
+                    .is_none()
+            {
+                return Ok(Some(format!(
+                    "`use {}::*` leads to no file given",
+                    glob.path.join("::")
+                )));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Whether a glob in `to` sees `name` of module `from`: public names, and private ones below it.
+    fn shows(&self, from: ModId, name: &str, to: ModId) -> bool {
+        if self.is_below(to, from) {
+            return true;
+        }
+        match self.modules[from].names.get(name) {
+            Some(list) => list.iter().any(|n| n.public),
+            None => true,
+        }
+    }
+
+    /// Whether `inner` is `outer` or below it.
+    pub(crate) fn is_below(&self, inner: ModId, outer: ModId) -> bool {
+        let mut at = Some(inner);
+        while let Some(m) = at {
+            if m == outer {
+                return true;
+            }
+            at = self.modules[m].parent;
+        }
+        false
+    }
+
     /// The path by which `module` imports `name`, whether it leads anywhere or not.
     pub(crate) fn import_of(&self, module: ModId, name: &str) -> Option<String> {
-        self.modules[module]
-            .names
-            .get(name)?
-            .iter()
-            .find_map(|n| match &n.target {
-                Target::Use(path) => Some(path.join("::")),
-                _ => None,
-            })
+        let mut at = Some(module);
+        while let Some(m) = at {
+            for named in self.modules[m].names.get(name).into_iter().flatten() {
+                if let Target::Use(path) = &named.target {
+                    return Some(path.join("::"));
+                }
+            }
+            at = self.modules[m].parent.filter(|_| self.modules[m].block);
+        }
+        None
     }
 
     /// The module that is written in the source around a function body's items.
@@ -194,16 +266,28 @@ impl Items {
             ));
         }
         if found.is_empty() {
+            let beyond = self.unknown_import(module, name, span, busy)?;
+            if let Some(why) = beyond {
+                busy.remove(&(module, name.to_string(), ns));
+                return Err(err(
+                    span,
+                    format!("cannot tell what `{name}` is here: {why}"),
+                    "import it by name, from a file that is handed to the front end",
+                ));
+            }
             for glob in &self.modules[module].globs {
-                let mut path = glob.clone();
-                path.push(name.to_string());
-                let target = self.find(module, glob, Ns::Type, span, busy)?;
+                let target = self.find(module, &glob.path, Ns::Type, span, busy)?;
                 let def = match target {
                     Some(Def::Extern(prefix)) => {
                         let full = format!("{prefix}::{name}");
                         builtins::is_known_extern(&full).then_some(Def::Extern(full))
                     }
-                    Some(_) => self.find(module, &path, ns, span, busy)?,
+                    Some(Def::Mod(from)) if !self.shows(from, name, module) => None,
+                    Some(_) => {
+                        let mut path = glob.path.clone();
+                        path.push(name.to_string());
+                        self.find(module, &path, ns, span, busy)?
+                    }
                     None => None,
                 };
                 if let Some(def) = def.filter(|d| self.in_ns(d, ns))

@@ -36,6 +36,8 @@ pub(crate) enum Ty {
     Var(u32),
     /// An integer literal's type, to be inferred.
     IntVar(u32),
+    /// A float literal's type: f32, or f64, which is refused.
+    FloatVar(u32),
 }
 
 impl Ty {
@@ -48,7 +50,7 @@ impl Ty {
     }
 
     pub(crate) fn is_number(&self) -> bool {
-        self.is_int() || *self == Ty::F32
+        self.is_int() || matches!(self, Ty::F32 | Ty::FloatVar(_))
     }
 
     /// The scalar of a number or of a vector's components.
@@ -73,7 +75,7 @@ impl Ty {
     /// Whether something in it is still to be inferred.
     pub(crate) fn is_open(&self) -> bool {
         match self {
-            Ty::Var(_) | Ty::IntVar(_) => true,
+            Ty::Var(_) | Ty::IntVar(_) | Ty::FloatVar(_) => true,
             Ty::Array(t, n) => t.is_open() || n.is_open(),
             Ty::Slice(t) | Ty::RefMut(t) | Ty::Option(t) => t.is_open(),
             Ty::Tuple(list) | Ty::Struct(_, list) => list.iter().any(Ty::is_open),
@@ -119,6 +121,7 @@ impl Ty {
             Ty::Const(n) => n.to_string(),
             Ty::Var(_) => "_".into(),
             Ty::IntVar(_) => "{integer}".into(),
+            Ty::FloatVar(_) => "{float}".into(),
         }
     }
 }
@@ -147,11 +150,16 @@ impl Table {
         Ty::IntVar(self.vars.len() as u32 - 1)
     }
 
+    pub(crate) fn float_var(&mut self) -> Ty {
+        self.vars.push(None);
+        Ty::FloatVar(self.vars.len() as u32 - 1)
+    }
+
     /// The type with everything known put in; open variables stay.
     pub(crate) fn zonk(&self, ty: &Ty) -> Ty {
         let all = |v: &[Ty]| v.iter().map(|t| self.zonk(t)).collect();
         match ty {
-            Ty::Var(v) | Ty::IntVar(v) => match &self.vars[*v as usize] {
+            Ty::Var(v) | Ty::IntVar(v) | Ty::FloatVar(v) => match &self.vars[*v as usize] {
                 Some(t) => self.zonk(t),
                 None => ty.clone(),
             },
@@ -175,6 +183,10 @@ impl Table {
                 Ok(())
             }
             (Ty::IntVar(v), t) | (t, Ty::IntVar(v)) if t.is_int() => {
+                self.vars[*v as usize] = Some(t.clone());
+                Ok(())
+            }
+            (Ty::FloatVar(v), t @ (Ty::F32 | Ty::FloatVar(_))) | (t @ Ty::F32, Ty::FloatVar(v)) => {
                 self.vars[*v as usize] = Some(t.clone());
                 Ok(())
             }

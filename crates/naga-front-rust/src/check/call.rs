@@ -45,7 +45,7 @@ impl Checker<'_> {
                     _ => self.table.var(),
                 };
                 let e = self.expr(arg, Some(&payload))?;
-                let e = self.value(e);
+                let e = self.no_ref(e)?;
                 let e = self.coerce(e, &payload)?;
                 let ty = Ty::Option(Box::new(payload));
                 Ok(Expr {
@@ -195,6 +195,19 @@ impl Checker<'_> {
         if let Ty::Slice(_) | Ty::Array(..) = ty
             && matches!(name.as_str(), "len" | "is_empty")
         {
+            if self
+                .member(&ty, &name, What::Fn, None, false, span)?
+                .is_some()
+            {
+                return Err(err(
+                    span,
+                    format!(
+                        "`{name}` on `{}` is ambiguous: a trait has it too",
+                        self.show(&ty)
+                    ),
+                    "rename the trait's",
+                ));
+            }
             let base = self.value(receiver);
             let len = match &ty {
                 Ty::Array(_, n) => match self.zonk(n) {
@@ -233,7 +246,7 @@ impl Checker<'_> {
                 span: whole,
             });
         }
-        if let Ty::Var(_) | Ty::IntVar(_) = ty {
+        if let Ty::Var(_) | Ty::IntVar(_) | Ty::FloatVar(_) = ty {
             return Err(err(
                 span,
                 format!("the type on which `{name}` is called is not known here"),

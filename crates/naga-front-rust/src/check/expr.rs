@@ -124,7 +124,7 @@ impl Checker<'_> {
                 let mut list = Vec::new();
                 for (e, want) in t.elems.iter().zip(wants) {
                     let e = self.expr(e, want.as_ref())?;
-                    list.push(self.value(e));
+                    list.push(self.no_ref(e)?);
                 }
                 let ty = Ty::Tuple(list.iter().map(|e| e.ty.clone()).collect());
                 Ok(Expr {
@@ -239,7 +239,14 @@ impl Checker<'_> {
             .last()
             .map(|s| s.ident.to_string())
             .unwrap_or_default();
-        if ["debug_assert", "debug_assert_eq", "debug_assert_ne"].contains(&name.as_str()) {
+        let of_core = !self
+            .items
+            .modules
+            .iter()
+            .any(|m| m.names.contains_key(&name));
+        if of_core
+            && ["debug_assert", "debug_assert_eq", "debug_assert_ne"].contains(&name.as_str())
+        {
             return Ok(Expr {
                 kind: Kind::Unit,
                 ty: Ty::Unit,
@@ -302,7 +309,13 @@ impl Checker<'_> {
                         "infinities do not exist in shared code",
                     ));
                 }
-                lit(Lit::F32(v), Ty::F32)
+                let ty = if f.suffix().is_empty() {
+                    self.table.float_var()
+                } else {
+                    Ty::F32
+                };
+                self.floats.push((ty.clone(), span));
+                lit(Lit::F32(v), ty)
             }
             syn::Lit::Int(i) => {
                 if i.suffix() == "f32" {
@@ -403,6 +416,13 @@ impl Checker<'_> {
                 };
             }
         }
+        // A generic parameter hides whatever else has its name.
+        if path.len() == 2
+            && let Some((_, ty)) = self.scope.substs.iter().find(|(n, _)| *n == path[0])
+        {
+            let ty = ty.clone();
+            return self.assoc(&ty, &last.ident.to_string(), &last.arguments, None, span);
+        }
         let mut busy = std::collections::HashSet::new();
         let found = self
             .items
@@ -421,6 +441,7 @@ impl Checker<'_> {
                 return self.const_value(key, span).map(PathValue::Expr);
             }
             Some(Def::Variant(e, v)) => {
+                self.items.check_enum(e)?;
                 if !matches!(
                     self.items.enums[e].item.variants[v as usize].fields,
                     syn::Fields::Unit
@@ -582,6 +603,7 @@ impl Checker<'_> {
                 .iter()
                 .position(|v| v.ident == name)
         {
+            self.items.check_enum(e)?;
             return Ok(PathValue::Expr(Expr {
                 kind: Kind::Lit(Lit::U32(v as u32)),
                 ty,
@@ -625,6 +647,13 @@ impl Checker<'_> {
 
     fn const_value(&mut self, key: ConstKey, span: crate::diag::Span) -> R<Expr> {
         let item = &self.items.consts[key.id];
+        if let Some(gate) = &item.gate {
+            return Err(err(
+                span,
+                format!("`{}` is host code here: {gate}", item.name),
+                "shared code carries no `cfg`: give the variants different names",
+            ));
+        }
         let scope = super::Scope {
             module: item.module,
             file: item.file,

@@ -20,6 +20,33 @@ pub(super) struct Member {
     table: Table,
 }
 
+/// Methods of the traits that core derives.
+const DERIVED: [&str; 16] = [
+    "clone",
+    "clone_from",
+    "clamp",
+    "cmp",
+    "default",
+    "eq",
+    "fmt",
+    "ge",
+    "gt",
+    "hash",
+    "le",
+    "lt",
+    "max",
+    "min",
+    "ne",
+    "partial_cmp",
+];
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Receiver {
+    Value,
+    Ref,
+    Other,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum What {
     Fn,
@@ -61,44 +88,35 @@ impl Checker<'_> {
         fits.then_some((substs, table))
     }
 
-    /// Whether the bounds of a blanket impl hold, as far as they name the program's own traits.
+    /// Whether an impl's bounds on its parameters hold, as far as they name the program's own traits.
     fn bounds_hold(&mut self, i: usize, substs: &[(String, Ty)], span: Span) -> bool {
         let item = &self.items.impls[i];
-        // Only an impl for a bare parameter can apply wrongly: others are told apart by their type.
-        let syn::Type::Path(p) = &item.self_ty else {
-            return true;
-        };
-        let Some(bare) = p.path.get_ident() else {
-            return true;
-        };
-        let mut bounds = Vec::new();
         for param in item.generics.type_params() {
-            if param.ident == *bare {
-                bounds.extend(param.bounds.iter());
-            }
-        }
-        for predicate in item
-            .generics
-            .where_clause
-            .iter()
-            .flat_map(|w| &w.predicates)
-        {
-            if let syn::WherePredicate::Type(t) = predicate
-                && matches!(&t.bounded_ty, syn::Type::Path(p) if p.path.is_ident(bare))
+            let mut bounds: Vec<&syn::TypeParamBound> = param.bounds.iter().collect();
+            for predicate in item
+                .generics
+                .where_clause
+                .iter()
+                .flat_map(|w| &w.predicates)
             {
-                bounds.extend(t.bounds.iter());
+                if let syn::WherePredicate::Type(t) = predicate
+                    && matches!(&t.bounded_ty, syn::Type::Path(p) if p.path.is_ident(&param.ident))
+                {
+                    bounds.extend(t.bounds.iter());
+                }
             }
-        }
-        let Some((_, ty)) = substs.iter().find(|(n, _)| bare == n) else {
-            return true;
-        };
-        let ty = self.zonk(ty);
-        for bound in bounds {
-            if let syn::TypeParamBound::Trait(t) = bound
-                && let Some(trait_id) = self.trait_of(item.module, &t.path, span)
-                && !self.implements(&ty, trait_id, span)
-            {
-                return false;
+            let Some((_, ty)) = substs.iter().find(|(n, _)| param.ident == n) else {
+                continue;
+            };
+            let ty = self.zonk(ty);
+            for bound in bounds {
+                if let syn::TypeParamBound::Trait(t) = bound
+                    && let Some(trait_id) = self.trait_of(item.module, &t.path, span)
+                    && !matches!(ty, Ty::Var(_))
+                    && !self.implements(&ty, trait_id, span)
+                {
+                    return false;
+                }
             }
         }
         true
@@ -134,6 +152,36 @@ impl Checker<'_> {
                 What::Const => item.consts.get(name),
             }
             .copied();
+            if let syn::Type::Reference(r) = &item.self_ty
+                && r.mutability.is_some()
+            {
+                // For `&mut T`, which rustc tries after `T` and before others: not told apart here.
+                let declared = item
+                    .trait_
+                    .as_ref()
+                    .and_then(|p| self.trait_of(item.module, p, span));
+                let has = own.is_some()
+                    || declared.is_some_and(|t| self.items.traits[t].fns.contains_key(name));
+                if what == What::Fn && has && self.reference_matches(i, ty) {
+                    return Err(err(
+                        span,
+                        format!(
+                            "`{name}` is ambiguous: an impl for `&mut` of this type has it too"
+                        ),
+                        "implement the trait for the type alone",
+                    ));
+                }
+                continue;
+            }
+            if item.opaque && own.is_none() && self.impl_matches(i, ty, span).is_some() {
+                return Err(err(
+                    span,
+                    format!(
+                        "cannot tell where `{name}` comes from: an impl holds a macro call, which may define it"
+                    ),
+                    "write the impl out",
+                ));
+            }
             if let (Some(gate), Some(_)) = (&item.gate, own)
                 && self.impl_matches(i, ty, span).is_some()
             {
@@ -219,14 +267,56 @@ impl Checker<'_> {
                 "the type itself has it, and so has a trait, and this code is generic",
             );
         }
+        // rustc tries all that take the receiver by value before all that borrow it, whoever has them.
+        if what == What::Fn && only.is_none() && !of_traits.is_empty() {
+            let same =
+                |a: &Member, b: &Member| self.receiver_kind(a.id) == self.receiver_kind(b.id);
+            let differs = match inherent.first() {
+                Some(own) => {
+                    !same(own, &of_traits[0]) && self.receiver_kind(own.id) != Some(Receiver::Value)
+                }
+                None => builtin,
+            };
+            if differs {
+                return ambiguous(self, "the type itself has it, and so has a trait");
+            }
+        }
         let own = matches!(ty, Ty::Struct(..) | Ty::Enum(_));
+        if let (Some(inherent), false, None) = (inherent.first(), of_traits.is_empty(), only) {
+            let (public, home) = match what {
+                What::Fn => (
+                    self.items.fns[inherent.id].public,
+                    self.items.fns[inherent.id].outer,
+                ),
+                What::Const => (
+                    self.items.consts[inherent.id].public,
+                    self.items.consts[inherent.id].module,
+                ),
+            };
+            if !public && !self.items.is_below(self.scope.module, home) {
+                return ambiguous(
+                    self,
+                    "the type's own is private to another module, and a trait has it too",
+                );
+            }
+        }
+        if own
+            && only.is_none()
+            && inherent.is_empty()
+            && !of_traits.is_empty()
+            && DERIVED.contains(&name)
+        {
+            return ambiguous(
+                self,
+                "a derived trait may have it, and so has a trait of the program",
+            );
+        }
         if !self.scope.generic
             && !own
             && only.is_none()
-            && what == What::Fn
             && !of_traits.is_empty()
             && !builtin
-            && crate::builtins::is_inherent(name)
+            && (what == What::Const || crate::builtins::is_inherent(name))
         {
             return ambiguous(
                 self,
@@ -241,6 +331,60 @@ impl Checker<'_> {
             self.table = m.table.clone();
         }
         Ok(chosen)
+    }
+
+    /// Whether an impl is for `&mut` of `ty`.
+    fn reference_matches(&mut self, i: usize, ty: &Ty) -> bool {
+        let item = &self.items.impls[i];
+        let outer = self.table.clone();
+        let substs = self.fresh(&item.generics);
+        let scope = Scope {
+            module: item.module,
+            file: item.file,
+            substs,
+            self_ty: None,
+            generic: false,
+        };
+        let fits = match self.within(scope, |c| c.ty(&item.self_ty)) {
+            Ok(target) => self.table.unify(target.behind(), ty).is_ok(),
+            Err(_) => false,
+        };
+        self.table = outer;
+        fits
+    }
+
+    /// Whether some impl of the trait with this last name is for `ty`.
+    pub(super) fn has_impl(&mut self, ty: &Ty, trait_name: &str, span: Span) -> bool {
+        (0..self.items.impls.len()).any(|i| {
+            let last = self.items.impls[i]
+                .trait_
+                .as_ref()
+                .and_then(|p| p.segments.last());
+            last.is_some_and(|s| s.ident == trait_name) && self.impl_matches(i, ty, span).is_some()
+        })
+    }
+
+    fn receiver_kind(&self, id: FnId) -> Option<Receiver> {
+        Some(match &self.items.fns[id].sig.receiver()?.kind {
+            syn::ReceiverKind::Value => Receiver::Value,
+            syn::ReceiverKind::Reference(_, _, None) => Receiver::Ref,
+            _ => Receiver::Other,
+        })
+    }
+
+    /// Whether `==` on an enum compares its numbers: as derived, and nobody wrote another.
+    pub(super) fn compares_numbers(&mut self, id: usize, span: Span) -> bool {
+        let derives = self.items.enums[id]
+            .item
+            .attrs
+            .iter()
+            .any(|a| match &a.meta {
+                syn::Meta::List(l) => {
+                    l.path.is_ident("derive") && l.tokens.to_string().contains("PartialEq")
+                }
+                _ => false,
+            });
+        derives && !self.has_impl(&Ty::Enum(id), "PartialEq", span)
     }
 
     /// The impl of an operator's trait (`core::ops::Add` by its last name) for `ty`, right side `rhs`.

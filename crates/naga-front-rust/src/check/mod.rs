@@ -34,6 +34,8 @@ pub(crate) struct Checker<'p> {
     names: Vec<HashMap<String, LocalId>>,
     ret: Ty,
     loops: Vec<Loop>,
+    /// Float literals whose type was open.
+    floats: Vec<(Ty, Span)>,
 }
 
 /// A loop being checked: the type of `break value`, where `loop` may have one.
@@ -52,6 +54,7 @@ impl<'p> Checker<'p> {
             names: vec![HashMap::new()],
             ret: Ty::Unit,
             loops: Vec::new(),
+            floats: Vec::new(),
         }
     }
 
@@ -127,6 +130,18 @@ impl<'p> Checker<'p> {
         ))
     }
 
+    /// Refuses `&mut` where Rust would keep the reference and a copy would take its place.
+    fn no_ref(&self, expr: Expr) -> R<Expr> {
+        if let Ty::RefMut(_) = self.zonk(&expr.ty) {
+            return Err(err(
+                expr.span,
+                "`&mut` cannot be kept in a value, chosen, or assigned",
+                "use the place itself, or pass `&mut place` to a function in each branch",
+            ));
+        }
+        Ok(expr)
+    }
+
     /// Reads through `&mut`.
     fn value(&self, expr: Expr) -> Expr {
         match self.zonk(&expr.ty) {
@@ -139,8 +154,17 @@ impl<'p> Checker<'p> {
         }
     }
 
-    fn finish(self, name: String, params: Vec<LocalId>, value: Expr, span: Span) -> Body {
-        Body {
+    fn finish(self, name: String, params: Vec<LocalId>, value: Expr, span: Span) -> R<Body> {
+        for (ty, at) in &self.floats {
+            if let Ty::FloatVar(_) = self.zonk(ty) {
+                return Err(err(
+                    *at,
+                    "this float is an f64 in Rust: nothing makes it an f32",
+                    "write its type: `1.0_f32`",
+                ));
+            }
+        }
+        Ok(Body {
             name,
             params,
             locals: self.locals,
@@ -148,7 +172,7 @@ impl<'p> Checker<'p> {
             value,
             table: self.table,
             span,
-        }
+        })
     }
 }
 
@@ -259,7 +283,7 @@ pub(crate) fn check_fn(items: &Items, instance: &Instance) -> R<Body> {
             format!("{}_{}", owner.trim_matches('_'), f.sig.ident)
         }
     };
-    Ok(c.finish(name, params, value, span))
+    c.finish(name, params, value, span)
 }
 
 /// Checks the value of a const.
@@ -300,7 +324,7 @@ pub(crate) fn check_const(items: &Items, key: &ConstKey) -> R<Body> {
     c.ret = ty.clone();
     let value = c.expr(value, Some(&ty))?;
     let value = c.coerce(value, &ty)?;
-    Ok(c.finish(item.name.clone(), Vec::new(), value, span))
+    c.finish(item.name.clone(), Vec::new(), value, span)
 }
 
 impl Checker<'_> {

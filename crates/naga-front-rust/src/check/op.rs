@@ -85,6 +85,16 @@ impl Checker<'_> {
         let left = self.value(left);
         let right = self.expr(&b.right, None)?;
         let right = self.value(right);
+        if matches!(op, BinOp::Eq | BinOp::Ne)
+            && self.zonk(&left.ty) == Ty::F32
+            && same_place(&left, &right)
+        {
+            return Err(err(
+                span,
+                "comparing a float with itself asks whether it is NaN",
+                "a GPU may assume there is no NaN: guard the operation's input by comparison",
+            ));
+        }
         let kind = Kind::Binary;
         if let Some(ty) = self.op_type(op, &left.ty.clone(), &right.ty.clone(), span)? {
             return Ok(Expr {
@@ -112,6 +122,14 @@ impl Checker<'_> {
         let right = self.value(right);
         let (l, r) = (place.ty.clone(), right.ty.clone());
         if let Some(ty) = self.op_type(op, &l, &r, span)? {
+            let overloaded = self.scope.generic || matches!(&*b.right, syn::Expr::Reference(_));
+            if overloaded && !place.is_quiet() && !right.is_quiet() {
+                return Err(err(
+                    span,
+                    "which side is computed first depends on whether the operator is overloaded here",
+                    "bind the right side with `let` first",
+                ));
+            }
             self.unify(&ty, &l, span)?;
             let kind = Kind::AssignOp(op, Box::new(place), Box::new(right));
             return Ok(Expr {
@@ -181,6 +199,15 @@ impl Checker<'_> {
         }
         // Enums and bools.
         if compares {
+            if let Ty::Enum(id) = l
+                && !self.compares_numbers(id, span)
+            {
+                return Err(err(
+                    span,
+                    format!("`==` on `{}` is not the derived one", self.show(&l)),
+                    "derive PartialEq, or call a function that compares",
+                ));
+            }
             let scalar = |t: &Ty| t.is_number() || matches!(t, Ty::Bool | Ty::Enum(_));
             if scalar(&l) || scalar(&r) {
                 self.unify(&r, &l, span)?;
@@ -212,8 +239,14 @@ impl Checker<'_> {
             (Ty::Mat(n), Ty::Vec(Scalar::F32, m)) if n == m => {
                 Ok((op == O::Mul).then(|| r.clone()))
             }
-            (Ty::Mat(_), Ty::F32) => Ok((op == O::Mul).then(|| l.clone())),
-            (Ty::F32, Ty::Mat(_)) => Ok((op == O::Mul).then(|| r.clone())),
+            (Ty::Mat(_), Ty::F32 | Ty::FloatVar(_)) => {
+                self.unify(&r, &Ty::F32, span)?;
+                Ok((op == O::Mul).then(|| l.clone()))
+            }
+            (Ty::F32 | Ty::FloatVar(_), Ty::Mat(_)) => {
+                self.unify(&l, &Ty::F32, span)?;
+                Ok((op == O::Mul).then(|| r.clone()))
+            }
             _ if l.is_number() && r.is_number() => {
                 self.unify(&r, &l, span)?;
                 let ty = self.zonk(&l);
@@ -291,6 +324,14 @@ impl Checker<'_> {
         match u.op {
             syn::UnOp::Deref(_) => {
                 let inner = self.expr(&u.expr, None)?;
+                let ty = self.zonk(&inner.ty);
+                if matches!(ty, Ty::Struct(..) | Ty::Enum(_)) && self.has_impl(&ty, "Deref", span) {
+                    return Err(err(
+                        span,
+                        "a `Deref` of one's own cannot be lowered",
+                        "call a function that gives the part",
+                    ));
+                }
                 Ok(self.value(inner))
             }
             syn::UnOp::Neg(_) => {
@@ -304,7 +345,7 @@ impl Checker<'_> {
                     if let Kind::Lit(Lit::F32(v)) = e.kind {
                         return Ok(Expr {
                             kind: Kind::Lit(Lit::F32(-v)),
-                            ty: Ty::F32,
+                            ty: e.ty,
                             span,
                         });
                     }
@@ -324,7 +365,7 @@ impl Checker<'_> {
         let e = self.value(e);
         let ty = self.zonk(&e.ty);
         let ok = match (&ty, op) {
-            (Ty::F32 | Ty::I32 | Ty::IntVar(_), UnOp::Neg) => true,
+            (Ty::F32 | Ty::FloatVar(_) | Ty::I32 | Ty::IntVar(_), UnOp::Neg) => true,
             (Ty::Vec(s, _), UnOp::Neg) => *s != Scalar::U32,
             (Ty::Mat(_), UnOp::Neg) => false,
             (Ty::Bool | Ty::I32 | Ty::U32 | Ty::IntVar(_), UnOp::Not) => true,
@@ -363,6 +404,9 @@ impl Checker<'_> {
         let target = self.ty(&c.ty)?;
         let e = self.expr(&c.expr, None)?;
         let e = self.value(e);
+        if let (Ty::FloatVar(_), Ty::F32, Kind::Lit(_)) = (self.zonk(&e.ty), &target, &e.kind) {
+            self.unify(&e.ty.clone(), &target, span)?;
+        }
         // `1 as u32` is a u32, as in Rust; a variable whose type is open stays so, and may become i32.
         if let (Ty::IntVar(_), true, true) = (self.zonk(&e.ty), target.is_int(), is_literal(&e)) {
             self.unify(&e.ty.clone(), &target, span)?;
@@ -404,6 +448,16 @@ fn is_literal(e: &Expr) -> bool {
     match &e.kind {
         Kind::Int(_) => true,
         Kind::Unary(_, inner) => is_literal(inner),
+        _ => false,
+    }
+}
+
+fn same_place(a: &Expr, b: &Expr) -> bool {
+    match (&a.kind, &b.kind) {
+        (Kind::Local(a), Kind::Local(b)) => a == b,
+        (Kind::Field(a, i), Kind::Field(b, j)) => i == j && same_place(a, b),
+        (Kind::Component(a, i), Kind::Component(b, j)) => i == j && same_place(a, b),
+        (Kind::Deref(a), Kind::Deref(b)) => same_place(a, b),
         _ => false,
     }
 }

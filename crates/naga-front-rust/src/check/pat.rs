@@ -49,6 +49,16 @@ impl Checker<'_> {
                         span,
                         &mut HashSet::new(),
                     )?;
+                    let unknown = found.is_none()
+                        && (self.items.import_of(self.scope.module, &name).is_some()
+                            || name.starts_with(|c: char| c.is_uppercase()));
+                    if unknown || matches!(found, Some(Def::Extern(_))) {
+                        return Err(err(
+                            span,
+                            format!("`{name}` may be a constant that the front end does not know"),
+                            "hand its file to the front end, compare in a guard, or bind a lower-case name",
+                        ));
+                    }
                     if matches!(
                         found,
                         Some(Def::Const(_) | Def::Variant(..) | Def::Struct(_))
@@ -117,6 +127,11 @@ impl Checker<'_> {
                 }
                 self.sequence(&t.elems, &vars, span)
             }
+            syn::Pat::Struct(_) if !matches!(ty, Ty::Struct(..)) => Err(err(
+                span,
+                "a pattern with braces is for structs",
+                "write the variant's path alone",
+            )),
             syn::Pat::Struct(s) => {
                 let mut fields = Vec::new();
                 for f in &s.fields {

@@ -134,6 +134,7 @@ impl Checker<'_> {
 
     /// The common type of branches.
     fn join(&mut self, into: &mut Option<Ty>, branch: Expr) -> R<Expr> {
+        let branch = self.no_ref(branch)?;
         let branch = match into {
             Some(want) if !matches!(self.zonk(want), Ty::RefMut(_)) => {
                 if matches!(self.zonk(&branch.ty), Ty::Never) {
@@ -143,7 +144,7 @@ impl Checker<'_> {
                     self.coerce(branch, &want)?
                 }
             }
-            _ => self.value(branch),
+            _ => branch,
         };
         if into.is_none() && !matches!(self.zonk(&branch.ty), Ty::Never) {
             *into = Some(branch.ty.clone());
@@ -395,7 +396,7 @@ impl Checker<'_> {
             ));
         }
         let place = self.expr(&a.left, None)?;
-        let place = self.value(place);
+        let place = self.no_ref(place)?;
         let want = place.ty.clone();
         let value = self.expr(&a.right, Some(&want))?;
         let value = self.coerce(value, &want)?;

@@ -284,12 +284,13 @@ impl Checker<'_> {
                         "write types and constants only",
                     ));
                 }
-                (None, syn::GenericParam::Type(t)) => match &t.default {
-                    Some((_, default)) if matches!(args, syn::PathArguments::AngleBracketed(_)) => {
-                        self.ty(default)?
-                    }
-                    _ => self.table.var(),
-                },
+                (None, syn::GenericParam::Type(t)) if t.default.is_some() => {
+                    return Err(err(
+                        span,
+                        "the default of a generic parameter cannot be lowered",
+                        "write the argument",
+                    ));
+                }
                 (None, _) => self.table.var(),
             };
             out.push((name, ty));
@@ -317,7 +318,11 @@ impl Checker<'_> {
         span: crate::diag::Span,
     ) -> R<Signature> {
         let f = &self.items.fns[instance.id];
-        let scope = super::fn_scope(self.items, instance);
+        // The items at the top of the body are not in scope here.
+        let scope = Scope {
+            module: f.outer,
+            ..super::fn_scope(self.items, instance)
+        };
         self.within(scope, |c| {
             let mut params = Vec::new();
             for (i, arg) in f.sig.inputs.iter().enumerate() {

@@ -126,6 +126,7 @@ impl FnLowerer<'_, '_> {
     }
 
     fn pointer(&mut self, place: &Expr) -> R<H> {
+        place.no_const()?;
         match self.place(place)? {
             Place::Ptr(ptr) => Ok(ptr),
             Place::Val(_) => Err(err(

@@ -78,6 +78,9 @@ impl FnLowerer<'_, '_> {
             Kind::Const(key) => {
                 let body = self.l.const_body(key)?;
                 if let Some(lit) = konst::eval_body(self.l.items, &body) {
+                    if matches!(lit, Lit::F32(v) if !v.is_finite()) {
+                        return Err(not_finite(span));
+                    }
                     return plain(self.lit(lit));
                 }
                 if let Ty::Array(..) = body.ty(&body.ret) {
@@ -140,6 +143,13 @@ impl FnLowerer<'_, '_> {
                 plain(self.emit(Expression::ZeroValue(ty)))
             }
             Kind::Unary(op, inner) => {
+                if *op == UnOp::Not && self.body.ty(&e.ty) == Ty::Usize {
+                    return Err(err(
+                        span,
+                        "`!` on usize sets more bits on a host than on a GPU",
+                        "use u32",
+                    ));
+                }
                 if let Some(lit) = konst::eval(self.l.items, &self.body.table, e) {
                     let lit = match (lit, self.body.ty(&e.ty)) {
                         (Lit::U32(v), Ty::I32) => Lit::I32(v as i32),
@@ -156,6 +166,7 @@ impl FnLowerer<'_, '_> {
                 plain(self.emit(Expression::Unary { op, expr: v }))
             }
             Kind::Binary(op, l, r) => {
+                self.check_constants(*op, e, l, r)?;
                 let left = self.plain(l)?;
                 let right = self.plain(r)?;
                 let (lt, rt) = (self.body.ty(&l.ty), self.body.ty(&r.ty));
@@ -172,6 +183,34 @@ impl FnLowerer<'_, '_> {
             Kind::Call(instance, args) => self.call(instance, args, span),
             _ => self.control(e),
         }
+    }
+
+    /// Refuses constants that WGSL has not: infinite ones, and what leaves 32 bits.
+    fn check_constants(&self, op: BinOp, e: &Expr, left: &Expr, right: &Expr) -> R<()> {
+        let value = |e: &Expr| konst::eval(self.l.items, &self.body.table, e);
+        let usize_shift = matches!(op, BinOp::Shl | BinOp::Shr) && self.body.ty(&e.ty) == Ty::Usize;
+        let far = matches!(value(right), Some(Lit::U32(n)) if n > 31)
+            || matches!(value(right), Some(Lit::I32(n)) if n > 31);
+        if usize_shift && far {
+            return Err(err(
+                e.span,
+                "this shift leaves 32 bits, which are a GPU's usize",
+                "use u32",
+            ));
+        }
+        let int = self.body.ty(&e.ty).is_int();
+        if int && value(e).is_none() && value(left).is_some() && value(right).is_some() {
+            return Err(err(
+                e.span,
+                "this constant does not fit 32 bits",
+                "use wrapping operations on u32",
+            ));
+        }
+        let by_zero = op == BinOp::Div && value(right) == Some(Lit::F32(0.0));
+        if by_zero || matches!(value(e), Some(Lit::F32(v)) if !v.is_finite()) {
+            return Err(not_finite(e.span));
+        }
+        Ok(())
     }
 
     pub(crate) fn cast(&mut self, v: H, from: &Ty, to: &Ty) -> H {
@@ -384,6 +423,7 @@ impl FnLowerer<'_, '_> {
         for arg in args {
             let value = match &arg.kind {
                 Kind::RefMut(inner) => {
+                    inner.no_const()?;
                     let ty = self.body.ty(&inner.ty);
                     match self.place(inner)? {
                         Place::Ptr(ptr) if self.is_whole(ptr) => Val::Ptr(ptr),
@@ -397,7 +437,7 @@ impl FnLowerer<'_, '_> {
                             write_back.push((ptr, copy));
                             Val::Ptr(copy)
                         }
-                        Place::Val(Val::Plain(value)) => {
+                        Place::Val(Val::Plain(value)) if is_temporary(inner) => {
                             let copy = self.variable("borrowed", &ty, arg.span)?;
                             self.push(Statement::Store {
                                 pointer: copy,
@@ -406,6 +446,13 @@ impl FnLowerer<'_, '_> {
                             Val::Ptr(copy)
                         }
                         Place::Val(Val::Ptr(ptr)) => Val::Ptr(ptr),
+                        Place::Val(Val::Plain(_)) => {
+                            return Err(err(
+                                arg.span,
+                                "`&mut` of this would change a copy",
+                                "borrow a `mut` variable",
+                            ));
+                        }
                         Place::Val(_) => {
                             return Err(err(
                                 arg.span,
@@ -498,4 +545,32 @@ fn is_pure(e: &Expr) -> bool {
         Kind::Builtin(_, args) => args.iter().all(is_pure),
         _ => false,
     }
+}
+
+fn not_finite(span: Span) -> Box<crate::diag::Error> {
+    err(
+        span,
+        "this constant is infinite or not a number",
+        "infinities and NaN do not exist in shared code: use `f32::MAX`, or a flag",
+    )
+}
+
+/// Whether an expression makes a value of its own, which nobody else can see.
+fn is_temporary(e: &Expr) -> bool {
+    matches!(
+        e.kind,
+        Kind::Call(..)
+            | Kind::Struct(..)
+            | Kind::Builtin(..)
+            | Kind::Tuple(_)
+            | Kind::Array(_)
+            | Kind::Repeat(..)
+            | Kind::Lit(_)
+            | Kind::Int(_)
+            | Kind::Some(_)
+            | Kind::None
+            | Kind::Unary(..)
+            | Kind::Binary(..)
+            | Kind::Cast(_)
+    )
 }

@@ -98,7 +98,7 @@ impl Lowerer<'_> {
             Ty::I32 | Ty::IntVar(_) => (None, TypeInner::Scalar(NScalar::I32)),
             Ty::U32 | Ty::Usize => (None, TypeInner::Scalar(NScalar::U32)),
             Ty::Enum(id) => {
-                self.check_enum(*id)?;
+                self.items.check_enum(*id)?;
                 (None, TypeInner::Scalar(NScalar::U32))
             }
             Ty::Vec(s, n) => (
@@ -215,7 +215,7 @@ impl Lowerer<'_> {
                     "pass it as an argument of its own",
                 ));
             }
-            Ty::Var(_) => {
+            Ty::Var(_) | Ty::FloatVar(_) => {
                 return Err(err(span, "this type is not known", "annotate it"));
             }
             Ty::Unit | Ty::Never | Ty::Const(_) => {
@@ -228,39 +228,6 @@ impl Lowerer<'_> {
             .insert(Type { name, inner }, naga::Span::UNDEFINED);
         self.types.insert(ty.clone(), handle);
         Ok(handle)
-    }
-
-    fn check_enum(&self, id: usize) -> R<()> {
-        let item = &self.items.enums[id];
-        crate::items::check_attrs(item.file, &item.item.attrs)?;
-        for (i, v) in item.item.variants.iter().enumerate() {
-            let at = Span::of(item.file, v);
-            crate::items::check_attrs(item.file, &v.attrs)?;
-            if !matches!(v.fields, syn::Fields::Unit) {
-                return Err(err(
-                    at,
-                    "an enum with fields cannot be lowered",
-                    "use a fieldless enum beside a struct, or `Option`",
-                ));
-            }
-            if let Some((_, e)) = &v.discriminant {
-                let value = match e {
-                    syn::Expr::Lit(syn::ExprLit {
-                        lit: syn::Lit::Int(n),
-                        ..
-                    }) => n.base10_parse::<usize>().ok(),
-                    _ => None,
-                };
-                if value != Some(i) {
-                    return Err(err(
-                        at,
-                        "the variants of a shared enum are numbered 0, 1, 2 …",
-                        "leave the numbers away",
-                    ));
-                }
-            }
-        }
-        Ok(())
     }
 
     pub(crate) fn layout(&mut self, ty: Handle<Type>) -> naga::proc::TypeLayout {

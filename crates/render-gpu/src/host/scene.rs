@@ -115,6 +115,6 @@ pub struct Camera {
     pub target: Vec3,
     /// A direction that is up in the image; not parallel to the line of sight.
     pub up: Vec3,
-    /// Horizontal field of view [rad], in (0, π).
+    /// Horizontal field of view in radians, in (0, π).
     pub fov_x: f32,
 }

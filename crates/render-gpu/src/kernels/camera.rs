@@ -16,7 +16,7 @@ pub struct CameraView {
 }
 
 impl CameraView {
-    /// Unit direction of the image point `p` [pixels], (0, 0) at the upper left corner and pixel (i, j)'s centre at
+    /// Unit direction of the image point `p` in pixels, (0, 0) at the upper left corner and pixel (i, j)'s centre at
     /// (i + ½, j + ½): along `forward + (2 p.x/W − 1) right − (2 p.y/H − 1) up`.
     #[inline]
     #[must_use]
