@@ -510,6 +510,10 @@ fn bad_maps_and_settings_are_refused() {
         refused(|s| (s.brdf_samples, s.env_samples) = (0, 0)),
         SettingsError::NoSamples
     );
+    // More rays than 32 bits count, but no tile has as many.
+    let mut large = good;
+    large.size = UVec2::splat(1 << 15);
+    assert!(large.frame_params().is_ok());
     assert_eq!(
         refused(|s| s.size = UVec2::splat(1 << 16)),
         SettingsError::TooMany
