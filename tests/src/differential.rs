@@ -311,6 +311,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         "enums.rs",
         "floats.rs",
         "generics.rs",
+        "hidden.rs",
         "input.rs",
         "ints.rs",
         "matches.rs",

@@ -211,6 +211,10 @@ fn consts_and_modules() {
         consts::integers: EXACT,
         consts::floats: ARITHMETIC,
         modules::paths: EXACT,
+        hidden::parameters: EXACT,
+        hidden::signatures: EXACT,
+        hidden::globs: EXACT,
+        hidden::bounds: EXACT,
     ]);
 }
 

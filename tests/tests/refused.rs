@@ -2,6 +2,9 @@
 
 use naga_front_rust::{CrateSource, EntryDesc, Program};
 
+#[path = "refused/otherwise.rs"]
+mod otherwise;
+
 /// A construct that must be refused.
 struct Refused {
     /// What the message must say.
@@ -129,7 +132,7 @@ fn types() {
             "trait T { fn a(&self) -> u32; }\nfn call(t: &dyn T) -> u32 { t.a() } // HERE",
             "x = call(&3);",
         ),
-        with("enum", "enum E { A(u32), B }", "let e = E::A(x);"),
+        with("enum", "enum E { A(u32), B } // HERE", "let e = E::A(x);"),
         with(
             "associated type",
             "trait T { type Out; fn a(&self) -> u32; }",

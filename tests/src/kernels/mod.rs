@@ -10,6 +10,7 @@ pub mod deep;
 pub mod enums;
 pub mod floats;
 pub mod generics;
+pub mod hidden;
 pub mod input;
 pub mod ints;
 pub mod matches;
