@@ -1,7 +1,5 @@
 //! Host file: GPU tests: an adapter or a visible skip, and entries that are made at run time.
 
-use std::io::Write;
-
 use glimt_render_gpu::entry::{BufferSlot, Entry, ParamField};
 use glimt_render_gpu::gpu::{AdapterPreference, GpuContext, GpuError, GpuOptions};
 use naga_front_rust::Shader;
@@ -28,8 +26,7 @@ pub fn adapter_or_skip_with(test: &str, options: GpuOptions) -> Option<GpuContex
         Err(GpuError::NoAdapter) => {
             let required = std::env::var("REQUIRE_GPU").is_ok_and(|value| value == "1");
             assert!(!required, "{test}: REQUIRE_GPU=1, but there is no adapter");
-            // Written to the handle, since the test runner swallows what `eprintln!` writes.
-            writeln!(std::io::stderr(), "SKIPPED {test}: no GPU adapter").expect("standard error");
+            crate::data::skipped(test, "no GPU adapter");
             None
         }
         Err(error) => panic!("{test}: {error}"),

@@ -600,14 +600,10 @@ fn f32_edges(weights: impl Iterator<Item = f32>) -> Vec<f32> {
 
 #[test]
 fn a_studio_map_loses_no_texel() {
-    let path = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../shared/data/hdri/studio_small_03_1k.hdr"
-    );
-    if !std::path::Path::new(path).exists() {
-        println!("skipped: no ../shared/data/hdri/studio_small_03_1k.hdr");
+    let name = "hdri/studio_small_03_1k.hdr";
+    let Some(path) = glimt_tests::data::data_or_skip("envmap_cdf", name) else {
         return;
-    }
+    };
     let image = image::open(path).unwrap().into_rgb32f();
     let (width, height) = image.dimensions();
     let pixels = image.as_raw().as_chunks::<3>().0;

@@ -4,8 +4,6 @@
 //! view a lat-long crop is nearly what a perspective camera sees. A test image of one's own making could not tell a
 //! mirrored convention from the right one.
 
-use std::path::PathBuf;
-
 use glam::{UVec2, Vec3};
 use glimt_probe::latlong;
 use glimt_sampling::luminance;
@@ -17,13 +15,7 @@ const FOV_X_DEG: f32 = 40.0;
 
 /// The data that is not part of the project; `None`, with a printed line, where it is absent.
 fn open(path: &str) -> Option<DynamicImage> {
-    let full = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../../shared/data")
-        .join(path);
-    if !full.exists() {
-        println!("skipped: no {}", full.display());
-        return None;
-    }
+    let full = glimt_tests::data::data_or_skip("orientation", path)?;
     Some(image::open(&full).unwrap_or_else(|e| panic!("{}: {e}", full.display())))
 }
 

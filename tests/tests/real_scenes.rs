@@ -7,8 +7,7 @@
 //! those that do not, the CPU must give the GPU's value too when directions are nudged by a few roundings of a float. So the
 //! difference is a jump that the ray stands at, not an error.
 
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use glam::{Vec3, Vec4};
 use glimt::cli::{Device, RenderFlags};
@@ -26,6 +25,7 @@ use glimt_render_gpu::kernels::mis::Mis;
 use glimt_render_gpu::kernels::shade::shade_mis;
 use glimt_sampling::uniform::UniformSource;
 use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
+use glimt_tests::data::{data, skipped};
 use glimt_tests::gpu::adapter_or_skip;
 
 const MODELS: [&str; 2] = ["Ingenuity.glb", "stanford-bunny.obj"];
@@ -54,21 +54,13 @@ const NUDGES: u32 = 256;
 /// How far directions, and places relative to their distance, are nudged.
 const NUDGE: f32 = 2e-6;
 
-fn data(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../shared/data")
-        .join(path)
-}
-
 /// Whether a file is not there; then with a line on standard error.
 fn data_is_missing(test: &str) -> bool {
     let models = MODELS.map(|name| data("models").join(name));
     let maps = MAPS.map(|name| data("hdri").join(name));
     let missing = models.iter().chain(&maps).find(|path| !path.exists());
     if let Some(path) = missing {
-        // Written to the handle, since the test runner swallows what `eprintln!` writes.
-        let line = format!("SKIPPED {test}: no {}", path.display());
-        writeln!(std::io::stderr(), "{line}").expect("standard error");
+        skipped(test, &format!("no {}", path.display()));
     }
     missing.is_some()
 }

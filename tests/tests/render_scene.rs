@@ -169,14 +169,11 @@ fn hits_are_those_of_every_triangle_and_of_obvhs() {
 
 #[test]
 fn real_meshes_have_no_holes() {
-    let path = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../shared/data/models/stanford-bunny.obj"
-    );
-    let Ok(text) = std::fs::read_to_string(path) else {
-        println!("skipped: {path} is not there");
+    let name = "models/stanford-bunny.obj";
+    let Some(path) = glimt_tests::data::data_or_skip("render_scene", name) else {
         return;
     };
+    let text = std::fs::read_to_string(path).unwrap();
     let mut mesh = Mesh {
         name: "bunny".into(),
         materials: vec![0],

@@ -143,8 +143,18 @@ impl Lowerer<'_> {
         if parsed.path.segments.len() < 2 && parsed.qself.is_none() {
             return Err(bad(format!("`{path}` does not say which crate it is in")));
         }
+        // From the crate's own root, where no import can hide its name.
+        let mut parsed = parsed;
+        let mut module = 0;
+        if parsed.qself.is_none()
+            && let Some(first) = parsed.path.segments.first_mut()
+            && let Some(root) = self.items.crates.get(&first.ident.to_string())
+        {
+            module = *root;
+            first.ident = syn::Ident::new("crate", first.ident.span());
+        }
         let scope = crate::check::Scope {
-            module: 0,
+            module,
             file: 0,
             substs: Vec::new(),
             self_ty: None,

@@ -69,14 +69,28 @@ pub(crate) fn eval(items: &Items, table: &Table, e: &Expr) -> Option<Lit> {
                 Some(Lit::Bool(left))
             }
         }
-        Kind::Binary(op, l, r) => binary(*op, eval(items, table, l)?, eval(items, table, r)?),
+        Kind::Binary(op, l, r) => {
+            let (left, right) = (eval(items, table, l)?, eval(items, table, r)?);
+            let value = binary(*op, left, right)?;
+            // A host's usize keeps the bits that 32 do not.
+            let lost = match (op, value, left) {
+                (BinOp::Shl, Lit::U32(v), Lit::U32(_)) => {
+                    binary(BinOp::Shr, Lit::U32(v), right) != Some(left)
+                }
+                _ => false,
+            };
+            if lost && table.zonk(&e.ty) == Ty::Usize {
+                return None;
+            }
+            Some(value)
+        }
         _ => None,
     }
 }
 
 fn binary(op: BinOp, l: Lit, r: Lit) -> Option<Lit> {
     use BinOp as O;
-    if let (O::Shl | O::Shr, Lit::U32(v)) = (op, l) {
+    if let O::Shl | O::Shr = op {
         let by = match r {
             Lit::U32(n) => n,
             Lit::I32(n) => n as u32,
@@ -85,11 +99,13 @@ fn binary(op: BinOp, l: Lit, r: Lit) -> Option<Lit> {
         if by > 31 {
             return None;
         }
-        return Some(Lit::U32(if op == O::Shl {
-            v.wrapping_shl(by)
-        } else {
-            v.wrapping_shr(by)
-        }));
+        return match (l, op) {
+            (Lit::U32(v), O::Shl) => Some(Lit::U32(v << by)),
+            (Lit::U32(v), _) => Some(Lit::U32(v >> by)),
+            (Lit::I32(v), O::Shl) => Some(Lit::I32(v << by)),
+            (Lit::I32(v), _) => Some(Lit::I32(v >> by)),
+            _ => None,
+        };
     }
     let order = match (l, r) {
         (Lit::F32(a), Lit::F32(b)) => a.partial_cmp(&b),

@@ -118,7 +118,15 @@ impl Items {
         span: Span,
         busy: &mut HashSet<(ModId, String, Ns)>,
     ) -> R<Option<String>> {
+        // Nobody's macro or glob takes the names that everybody uses.
+        const PLAIN: [&str; 12] = [
+            "f32", "i32", "u32", "usize", "bool", "Option", "Some", "None", "glam", "libm", "core",
+            "std",
+        ];
         let m = &self.modules[module];
+        if PLAIN.contains(&name) && !m.names.contains_key(name) {
+            return Ok(None);
+        }
         for named in m.names.get(name).into_iter().flatten() {
             if let Target::Use(path) = &named.target {
                 let mut leads = false;

@@ -148,6 +148,7 @@ fn variants_and_patterns() {
 #[test]
 fn numbers_of_64_bits() {
     check(vec![
+        line("32 bits", "let y: usize = (65536usize << 20) >> 20;"),
         line("f64", "x = (0.29 * 100.0) as u32;"),
         line("f64", "x = (0.1 + 0.2 == 0.3) as u32;"),
         line("f64", "x = 16_777_217.0 as u32;"),
@@ -189,6 +190,18 @@ fn order_of_compound_assignments() {
     );
     let start = "let mut r = R { s: 0 }; let mut a = [x; 4];";
     check(vec![
+        with(
+            "first",
+            "struct R { s: u32 }\nimpl R {\n    fn next(&mut self) -> u32 { self.s += 1; self.s }\n    \
+             fn r(&mut self) -> &u32 { self.s += 1; &self.s }\n}",
+            "let mut r = R { s: x }; let mut a = [0u32; 4]; a[(r.next() & 3) as usize] += r.r();",
+        ),
+        with(
+            "first",
+            "struct R { s: u32 }\nimpl R { fn next(&mut self) -> u32 { self.s += 1; self.s } }",
+            "let mut r = R { s: x }; let one = 1u32; let mut a = [0u32; 4]; \
+             a[(r.next() & 3) as usize] += { let q = &one; r.next(); q };",
+        ),
         with(
             "first",
             next,

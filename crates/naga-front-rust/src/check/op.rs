@@ -122,7 +122,9 @@ impl Checker<'_> {
         let right = self.value(right);
         let (l, r) = (place.ty.clone(), right.ty.clone());
         if let Some(ty) = self.op_type(op, &l, &r, span)? {
-            let overloaded = self.scope.generic || matches!(&*b.right, syn::Expr::Reference(_));
+            let by_reference =
+                matches!(&*b.right, syn::Expr::Reference(_)) || self.may_be_reference(&right);
+            let overloaded = self.scope.generic || by_reference;
             if overloaded && !place.is_quiet() && !right.is_quiet() {
                 return Err(err(
                     span,
@@ -152,6 +154,18 @@ impl Checker<'_> {
             ty: Ty::Unit,
             span,
         })
+    }
+
+    /// Whether rustc may see a reference where the front end, which knows none, sees its value.
+    fn may_be_reference(&self, e: &Expr) -> bool {
+        match &e.kind {
+            Kind::Call(instance, _) => {
+                let output = &self.items.fns[instance.id].sig.output;
+                !matches!(output, syn::ReturnType::Type(_, t) if !matches!(**t, syn::Type::Reference(_)))
+            }
+            Kind::Binary(..) | Kind::Unary(..) | Kind::Cast(_) | Kind::Builtin(..) => false,
+            _ => true,
+        }
     }
 
     fn no_operator(&self, op: BinOp, l: &Ty, r: &Ty, span: Span) -> Box<crate::diag::Error> {

@@ -167,6 +167,12 @@ impl FnLowerer<'_, '_> {
             }
             Kind::Binary(op, l, r) => {
                 self.check_constants(*op, e, l, r)?;
+                // WGSL refuses a constant shift that drops bits; Rust drops them.
+                if matches!(op, BinOp::Shl | BinOp::Shr)
+                    && let Some(lit) = konst::eval(self.l.items, &self.body.table, e)
+                {
+                    return plain(self.lit(lit));
+                }
                 let left = self.plain(l)?;
                 let right = self.plain(r)?;
                 let (lt, rt) = (self.body.ty(&l.ty), self.body.ty(&r.ty));
@@ -188,17 +194,31 @@ impl FnLowerer<'_, '_> {
     /// Refuses constants that WGSL has not: infinite ones, and what leaves 32 bits.
     fn check_constants(&self, op: BinOp, e: &Expr, left: &Expr, right: &Expr) -> R<()> {
         let value = |e: &Expr| konst::eval(self.l.items, &self.body.table, e);
-        let usize_shift = matches!(op, BinOp::Shl | BinOp::Shr) && self.body.ty(&e.ty) == Ty::Usize;
-        let far = matches!(value(right), Some(Lit::U32(n)) if n > 31)
-            || matches!(value(right), Some(Lit::I32(n)) if n > 31);
-        if usize_shift && far {
+        let shifts = matches!(op, BinOp::Shl | BinOp::Shr);
+        let usize_shift = shifts && self.body.ty(&e.ty) == Ty::Usize;
+        let distance = match value(right) {
+            Some(Lit::U32(n)) => Some(n),
+            Some(Lit::I32(n)) => Some(n as u32),
+            _ => None,
+        };
+        if usize_shift && distance.is_some_and(|n| n > 31) {
             return Err(err(
                 e.span,
                 "this shift leaves 32 bits, which are a GPU's usize",
                 "use u32",
             ));
         }
-        let int = self.body.ty(&e.ty).is_int();
+        let int = self.body.ty(&e.ty).is_int() && !shifts;
+        if let (true, Some(Lit::U32(v)), Some(n @ 0..32)) =
+            (usize_shift && op == BinOp::Shl, value(left), distance)
+            && (v << n) >> n != v
+        {
+            return Err(err(
+                e.span,
+                "this shift leaves 32 bits, which are a GPU's usize",
+                "use u32",
+            ));
+        }
         if int && value(e).is_none() && value(left).is_some() && value(right).is_some() {
             return Err(err(
                 e.span,
