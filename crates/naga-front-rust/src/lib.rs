@@ -41,6 +41,7 @@ mod hir;
 mod items;
 mod konst;
 mod layout;
+mod load;
 mod lower;
 mod resolve;
 mod ty;

@@ -6,8 +6,8 @@ use crate::hir::{Builtin, Expr, Instance, Kind};
 use crate::ty::{Scalar, Ty};
 
 use super::Checker;
-use super::expr::{Callable, PathValue};
 use super::method::What;
+use super::path::{Callable, PathValue};
 
 impl Checker<'_> {
     pub(super) fn call(&mut self, c: &syn::ExprCall, expect: Option<&Ty>) -> R<Expr> {

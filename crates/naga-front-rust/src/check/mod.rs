@@ -5,6 +5,7 @@ mod expr;
 mod method;
 mod op;
 mod pat;
+mod path;
 mod stmt;
 mod types;
 
@@ -336,7 +337,7 @@ impl Checker<'_> {
     /// A path from the host to a function of the program.
     pub(crate) fn function_path(&mut self, path: &syn::ExprPath) -> R<Option<Instance>> {
         Ok(match self.path(path)? {
-            expr::PathValue::Callable(expr::Callable::Fn(instance)) => Some(instance),
+            path::PathValue::Callable(path::Callable::Fn(instance)) => Some(instance),
             _ => None,
         })
     }

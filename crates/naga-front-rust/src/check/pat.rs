@@ -9,7 +9,7 @@ use crate::resolve::Ns;
 use crate::ty::Ty;
 
 use super::Checker;
-use super::expr::PathValue;
+use super::path::PathValue;
 
 impl Checker<'_> {
     /// A pattern for a value of type `ty`; declares its bindings.
@@ -119,7 +119,7 @@ impl Checker<'_> {
                     return self.option_pattern(Some(&t.elems[0]), ty, span);
                 }
                 let Ty::Struct(..) = ty else {
-                    return Err(super::expr::enum_with_fields(span));
+                    return Err(super::path::enum_with_fields(span));
                 };
                 let mut vars = Vec::new();
                 for i in 0..t.elems.len() {
