@@ -285,22 +285,20 @@ impl Lowerer<'_> {
 
         let mut members = Vec::new();
         for (path, ty) in &bound.members {
-            members.push((path.replace('.', "_"), self.naga_ty(ty, span)?));
+            let handle = self.naga_ty(ty, span)?;
+            members.push((path.replace('.', "_"), handle));
+            bound.params.push(Param {
+                path: path.clone(),
+                offset: 0,
+                size: self.layout(handle).size,
+            });
         }
         let inner = self.structure(members);
         if let TypeInner::Struct { members, span } = &inner {
             bound.params_size = *span;
-            for ((path, _), m) in bound.members.iter().zip(members) {
-                bound.params.push(Param {
-                    path: path.clone(),
-                    offset: m.offset,
-                    size: 0,
-                });
+            for (param, member) in bound.params.iter_mut().zip(members) {
+                param.offset = member.offset;
             }
-        }
-        for i in 0..bound.members.len() {
-            let ty = self.naga_ty(&bound.members[i].1.clone(), span)?;
-            bound.params[i].size = self.layout(ty).size;
         }
         let params_ty = self.module.types.insert(
             Type {

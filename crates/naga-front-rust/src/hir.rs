@@ -88,6 +88,16 @@ impl Expr {
 
     /// Whether nothing notices when it is computed: no call, no assignment, no control flow.
     pub(crate) fn is_quiet(&self) -> bool {
+        self.computes(true)
+    }
+
+    /// Whether it can be computed where Rust would not: quiet, and nothing that may lie outside its bounds.
+    pub(crate) fn is_pure(&self) -> bool {
+        self.computes(false)
+    }
+
+    fn computes(&self, may_index: bool) -> bool {
+        let all = |list: &[Expr]| list.iter().all(|e| e.computes(may_index));
         match &self.kind {
             Kind::Lit(_)
             | Kind::Int(_)
@@ -102,13 +112,12 @@ impl Expr {
             | Kind::Cast(e)
             | Kind::Len(e)
             | Kind::Some(e)
-            | Kind::Repeat(e, _) => e.is_quiet(),
-            Kind::Index(a, b) | Kind::Binary(_, a, b) | Kind::AndAnd(a, b) | Kind::OrOr(a, b) => {
-                a.is_quiet() && b.is_quiet()
+            | Kind::Repeat(e, _) => e.computes(may_index),
+            Kind::Index(a, b) => may_index && a.computes(true) && b.computes(true),
+            Kind::Binary(_, a, b) | Kind::AndAnd(a, b) | Kind::OrOr(a, b) => {
+                a.computes(may_index) && b.computes(may_index)
             }
-            Kind::Builtin(_, list) | Kind::Tuple(list) | Kind::Array(list) => {
-                list.iter().all(Expr::is_quiet)
-            }
+            Kind::Builtin(_, list) | Kind::Tuple(list) | Kind::Array(list) => all(list),
             _ => false,
         }
     }

@@ -1,7 +1,7 @@
 //! Host file: the built-in meshes, made with z up.
 
-use super::{Model, Part, default_material};
-use glam::{Mat4, Vec2, Vec3};
+use super::Model;
+use glam::{Vec2, Vec3};
 use glimt_render_gpu::host::scene::Mesh;
 use std::f32::consts::PI;
 
@@ -17,15 +17,8 @@ pub fn load(name: &str) -> Option<Model> {
         _ => return None,
     };
     Some(Model {
-        meshes: vec![mesh],
-        materials: vec![default_material()],
-        material_names: vec!["grey".to_owned()],
-        parts: vec![Part {
-            mesh: 0,
-            transform: Mat4::IDENTITY,
-        }],
         z_up: true,
-        ..Model::default()
+        ..Model::of_mesh(mesh)
     })
 }
 

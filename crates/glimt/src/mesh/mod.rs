@@ -38,6 +38,22 @@ pub struct Model {
     pub z_up: bool,
 }
 
+impl Model {
+    /// One grey mesh, where its file has it.
+    pub fn of_mesh(mesh: Mesh) -> Model {
+        Model {
+            meshes: vec![mesh],
+            materials: vec![default_material()],
+            material_names: vec!["grey".to_owned()],
+            parts: vec![Part {
+                mesh: 0,
+                transform: Mat4::IDENTITY,
+            }],
+            ..Model::default()
+        }
+    }
+}
+
 /// A mesh placed in its file.
 #[derive(Clone, Copy, Debug)]
 pub struct Part {

@@ -1,10 +1,10 @@
 //! Host file: PLY meshes, ASCII or binary, plain or gzipped.
 
-use super::{Model, Part, default_material};
+use super::Model;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use flate2::bufread::MultiGzDecoder;
-use glam::{Mat4, Vec2, Vec3};
+use glam::{Vec2, Vec3};
 use glimt_render_gpu::host::scene::Mesh;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Header, PropertyAccess, PropertyAccessResult};
@@ -26,15 +26,8 @@ pub fn load(file: &Path, notes: &mut Notes) -> Result<Model> {
         read(file, plain, notes)?
     };
     Ok(Model {
-        meshes: vec![mesh],
-        materials: vec![default_material()],
-        material_names: vec!["grey".to_owned()],
-        parts: vec![Part {
-            mesh: 0,
-            transform: Mat4::IDENTITY,
-        }],
         files: vec![file.to_owned()],
-        ..Model::default()
+        ..Model::of_mesh(mesh)
     })
 }
 

@@ -65,8 +65,12 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether impl `i` is for `ty`: its generic arguments, in a table of their own.
-    fn impl_matches(&mut self, i: usize, ty: &Ty, span: Span) -> Option<(Substs, Table)> {
+    /// Tries impl `i`, with fresh generic arguments and its self type, in a table of its own: both, if `fits` says so.
+    fn try_impl(
+        &mut self,
+        i: usize,
+        fits: impl FnOnce(&mut Self, &Ty, &Substs) -> bool,
+    ) -> Option<(Substs, Table)> {
         let item = &self.items.impls[i];
         let outer = self.table.clone();
         let substs = self.fresh(&item.generics);
@@ -79,13 +83,18 @@ impl Checker<'_> {
         };
         // A type that cannot be lowered is not the one that is asked for.
         let fits = match self.within(scope, |c| c.ty(&item.self_ty)) {
-            Ok(target) => {
-                self.table.unify(&target, ty).is_ok() && self.bounds_hold(i, &substs, span)
-            }
+            Ok(target) => fits(self, &target, &substs),
             Err(_) => false,
         };
         let table = std::mem::replace(&mut self.table, outer);
         fits.then_some((substs, table))
+    }
+
+    /// Whether impl `i` is for `ty`: its generic arguments, in a table of their own.
+    fn impl_matches(&mut self, i: usize, ty: &Ty, span: Span) -> Option<(Substs, Table)> {
+        self.try_impl(i, |c, target, substs| {
+            c.table.unify(target, ty).is_ok() && c.bounds_hold(i, substs, span)
+        })
     }
 
     /// Whether an impl's bounds on its parameters hold, as far as they name the program's own traits.
@@ -335,22 +344,8 @@ impl Checker<'_> {
 
     /// Whether an impl is for `&mut` of `ty`.
     fn reference_matches(&mut self, i: usize, ty: &Ty) -> bool {
-        let item = &self.items.impls[i];
-        let outer = self.table.clone();
-        let substs = self.fresh(&item.generics);
-        let scope = Scope {
-            module: item.module,
-            file: item.file,
-            substs,
-            self_ty: None,
-            generic: false,
-        };
-        let fits = match self.within(scope, |c| c.ty(&item.self_ty)) {
-            Ok(target) => self.table.unify(target.behind(), ty).is_ok(),
-            Err(_) => false,
-        };
-        self.table = outer;
-        fits
+        self.try_impl(i, |c, target, _| c.table.unify(target.behind(), ty).is_ok())
+            .is_some()
     }
 
     /// Whether some impl of the trait with this last name is for `ty`.

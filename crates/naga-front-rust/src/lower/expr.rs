@@ -194,40 +194,28 @@ impl FnLowerer<'_, '_> {
     /// Refuses constants that WGSL has not: infinite ones, and what leaves 32 bits.
     fn check_constants(&self, op: BinOp, e: &Expr, left: &Expr, right: &Expr) -> R<()> {
         let value = |e: &Expr| konst::eval(self.l.items, &self.body.table, e);
+        let (left, right, whole) = (value(left), value(right), value(e));
+        let ty = self.body.ty(&e.ty);
         let shifts = matches!(op, BinOp::Shl | BinOp::Shr);
-        let usize_shift = shifts && self.body.ty(&e.ty) == Ty::Usize;
-        let distance = match value(right) {
-            Some(Lit::U32(n)) => Some(n),
-            Some(Lit::I32(n)) => Some(n as u32),
-            _ => None,
-        };
-        if usize_shift && distance.is_some_and(|n| n > 31) {
+        // What does not fold although both sides do leaves 32 bits. A shift of u32 or i32 drops them, as in Rust.
+        let lost = ty.is_int() && whole.is_none() && left.is_some() && right.is_some();
+        let far = matches!(right, Some(Lit::U32(32..) | Lit::I32(..0 | 32..)));
+        if ty == Ty::Usize && shifts && (far || lost) {
             return Err(err(
                 e.span,
                 "this shift leaves 32 bits, which are a GPU's usize",
                 "use u32",
             ));
         }
-        let int = self.body.ty(&e.ty).is_int() && !shifts;
-        if let (true, Some(Lit::U32(v)), Some(n @ 0..32)) =
-            (usize_shift && op == BinOp::Shl, value(left), distance)
-            && (v << n) >> n != v
-        {
-            return Err(err(
-                e.span,
-                "this shift leaves 32 bits, which are a GPU's usize",
-                "use u32",
-            ));
-        }
-        if int && value(e).is_none() && value(left).is_some() && value(right).is_some() {
+        if lost && !shifts {
             return Err(err(
                 e.span,
                 "this constant does not fit 32 bits",
                 "use wrapping operations on u32",
             ));
         }
-        let by_zero = op == BinOp::Div && value(right) == Some(Lit::F32(0.0));
-        if by_zero || matches!(value(e), Some(Lit::F32(v)) if !v.is_finite()) {
+        let by_zero = op == BinOp::Div && right == Some(Lit::F32(0.0));
+        if by_zero || matches!(whole, Some(Lit::F32(v)) if !v.is_finite()) {
             return Err(not_finite(e.span));
         }
         Ok(())
@@ -327,7 +315,7 @@ impl FnLowerer<'_, '_> {
     /// `&&` and `||`: the right side is computed only where Rust computes it, if it does anything.
     fn short(&mut self, l: &Expr, r: &Expr, and: bool) -> R<Val> {
         let left = self.plain(l)?;
-        if is_pure(r) {
+        if r.is_pure() {
             let right = self.plain(r)?;
             let op = if and {
                 NBin::LogicalAnd
@@ -548,22 +536,6 @@ impl FnLowerer<'_, '_> {
             self.func.expressions[ptr],
             Expression::LocalVariable(_) | Expression::FunctionArgument(_)
         )
-    }
-}
-
-/// Whether an expression can be computed at any time without anybody noticing.
-fn is_pure(e: &Expr) -> bool {
-    match &e.kind {
-        Kind::Lit(_) | Kind::Int(_) | Kind::Local(_) | Kind::Const(_) | Kind::None => true,
-        Kind::Field(b, _)
-        | Kind::Component(b, _)
-        | Kind::Deref(b)
-        | Kind::Unary(_, b)
-        | Kind::Cast(b)
-        | Kind::Len(b) => is_pure(b),
-        Kind::Binary(_, l, r) | Kind::AndAnd(l, r) | Kind::OrOr(l, r) => is_pure(l) && is_pure(r),
-        Kind::Builtin(_, args) => args.iter().all(is_pure),
-        _ => false,
     }
 }
 
