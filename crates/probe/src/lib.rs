@@ -1,8 +1,8 @@
 //! Host file: image ↔ direction mappings for light probes. `no_std`, no alloc; glam types.
 //!
 //! A light probe is a picture of all directions around a point. This crate says which direction a pixel shows and
-//! where a direction lies in the picture, for the [lat-long map](latlong) and the [angular map](angular), and gives
-//! each texel's solid angle exactly.
+//! where a direction lies in the picture, for the [lat-long map](latlong), the [angular map](angular) and the
+//! [mirror ball](mirror_ball), and gives each texel's solid angle exactly.
 //!
 //! ```
 //! use glam::{UVec2, Vec3};
@@ -25,7 +25,7 @@
 //!
 //! - World: right-handed, **z up**. Directions have unit length and point away from the probe.
 //! - Image points `uv ∈ [0, 1]²`: `u` from left to right, `v` from top to bottom, as pixels are stored.
-//! - Both maps look along **+x** at their centre, with +y to the *left* and +z up: a photograph taken from inside reads
+//! - The lat-long and the angular map look along **+x** at their centre, with +y to the *left* and +z up: a photograph taken from inside reads
 //!   the right way round. It is the convention of Blender's environment textures.
 //! - Values stand at texel centres; a texel is the bin of every table made over the map.
 //! - Solid angles are in steradians, angles in radians unless a name says degrees.
@@ -39,12 +39,14 @@
 //!
 //! - P. Debevec: *Rendering synthetic objects into real scenes*, SIGGRAPH 1998 (the angular map).
 //! - S. Hajisharif, J. Kronander, E. Miandji, J. Unger: *Real-time image based lighting with streaming HDR-light probe
-//!   sequences*, SIGRAD 2012, Eqs. 9–12 (the lat-long map; where this crate differs, the item says so).
+//!   sequences*, SIGRAD 2012, Eqs. 9–12 (the lat-long map; where this crate differs, the item says so), § 4.1 (the mirror
+//!   ball at 1250 mm).
 
 #![no_std]
 
 pub mod angular;
 pub mod latlong;
+pub mod mirror_ball;
 pub mod rotate;
 pub mod trig;
 
@@ -56,6 +58,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("lib.rs", include_str!("lib.rs")),
         ("angular.rs", include_str!("angular.rs")),
         ("latlong.rs", include_str!("latlong.rs")),
+        ("mirror_ball.rs", include_str!("mirror_ball.rs")),
         ("rotate.rs", include_str!("rotate.rs")),
         ("trig.rs", include_str!("trig.rs")),
     ],
