@@ -231,7 +231,7 @@ impl MirrorBall {
     /// the square of the outline's radius in pixels it is that of one pixel. 0 off the ball.
     ///
     /// `(sin θ / s) dθ/ds`. For an orthographic camera it is 4 everywhere; otherwise it grows without bound towards the
-    /// rim, so it is taken at `|p| ≤ 0.9999`. Its integral over the disc is `2π (1 + √(1 − (r/D)²))`, all but the hidden
+    /// rim, so it is taken at `|p| ≤ 0.999999`. Its integral over the disc is `2π (1 + √(1 − (r/D)²))`, all but the hidden
     /// cone.
     ///
     /// ```
@@ -247,7 +247,7 @@ impl MirrorBall {
         if s2 > 1.0 {
             return 0.0;
         }
-        let s2 = s2.min(0.9998);
+        let s2 = s2.min(0.999_998);
         let k = self.radius_over_distance;
         let k2 = k * k;
         let w = 1.0 / (1.0 - k2 * (1.0 - s2));

@@ -28,6 +28,7 @@ pub const ENTRIES: &[EntrySpec] = &[
         "glimt_render_gpu::kernels::film::reconstruct",
     ),
     entry("tonemap", "glimt_render_gpu::kernels::film::tonemap"),
+    entry("unwarp", "glimt_render_gpu::kernels::unwarp::unwarp"),
     entry(
         "diagnose_uniforms",
         "glimt_render_gpu::kernels::diagnose::uniforms",

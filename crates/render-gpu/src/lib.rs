@@ -77,5 +77,6 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("kernels/shade.rs", include_str!("kernels/shade.rs")),
         ("kernels/texture.rs", include_str!("kernels/texture.rs")),
         ("kernels/triangle.rs", include_str!("kernels/triangle.rs")),
+        ("kernels/unwarp.rs", include_str!("kernels/unwarp.rs")),
     ],
 );

@@ -82,6 +82,26 @@ pub const TONEMAP: Entry = Entry {
     ],
 };
 
+/// [`unwarp`](crate::kernels::unwarp::unwarp) as a compute entry point.
+pub const UNWARP: Entry = Entry {
+    name: "unwarp",
+    kernel: "glimt_render_gpu::kernels::unwarp::unwarp",
+    wgsl: include_str!("unwarp.wgsl"),
+    workgroup_size: 64,
+    params_size: 64,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("colour", 16, 48),
+    ],
+    buffers: &[
+        slot("map.texels", 1, 8, false),
+        slot("map.taps", 2, 4, false),
+        slot("pixels", 3, 16, false),
+        slot("out", 4, 16, true),
+    ],
+};
+
 /// [`uniforms`](crate::kernels::diagnose::uniforms) as a compute entry point.
 pub const DIAGNOSE_UNIFORMS: Entry = Entry {
     name: "diagnose_uniforms",
@@ -191,6 +211,13 @@ pub const DIAGNOSE_BRDF_SAMPLE: Entry = Entry {
 // keep this file from being made anew.
 #[cfg(test)]
 const _: () = {
+    assert!(size_of::<glimt_probe::gather::ColourMatrix>() == 48);
+    assert!(offset_of!(glimt_probe::gather::ColourMatrix, red) == 0);
+    assert!(offset_of!(glimt_probe::gather::ColourMatrix, green) == 16);
+    assert!(offset_of!(glimt_probe::gather::ColourMatrix, blue) == 32);
+    assert!(size_of::<glimt_probe::gather::TexelTaps>() == 8);
+    assert!(offset_of!(glimt_probe::gather::TexelTaps, tap) == 0);
+    assert!(offset_of!(glimt_probe::gather::TexelTaps, pixel) == 4);
     assert!(size_of::<crate::kernels::bvh::BvhNode>() == 32);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, min) == 0);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, count) == 12);

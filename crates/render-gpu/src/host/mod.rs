@@ -8,3 +8,4 @@ pub mod scene;
 pub mod scene_build;
 pub mod scene_error;
 mod tree;
+pub mod unwarp;

@@ -19,3 +19,4 @@ pub mod scene;
 pub mod shade;
 pub mod texture;
 pub mod triangle;
+pub mod unwarp;
