@@ -2,14 +2,16 @@
 
 use std::f64::consts::{PI, TAU};
 
-use glam::{DVec3, UVec2, Vec2, Vec3, Vec4};
+use glam::{DVec3, Mat3, UVec2, Vec2, Vec3, Vec4};
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::{Outline, Visibility};
+use glimt_render_gpu::gpu::GpuUnwarp;
 use glimt_render_gpu::host::unwarp::{BallPose, UnwarpGrid, UnwarpMap, UnwarpOptions};
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_vec2, warp};
 use glimt_tests::ball::{photograph, reflected, rolled};
+use glimt_tests::gpu::adapter_or_skip;
 use glimt_tests::stats::within;
 
 /// r/D: orthographic, 25, 40 and 50 mm at 1250 mm, and much nearer.
@@ -345,4 +347,33 @@ fn a_cut_ball_is_refused() {
         grid.map(&cut, pose.photo, &UnwarpOptions::default())
             .is_err()
     );
+}
+
+/// The table that the CPU reads, read by the GPU.
+#[test]
+fn a_light_map_is_the_same_on_both_processors() {
+    let Some(context) = adapter_or_skip("unwarp") else {
+        return;
+    };
+    let colour = ColourMatrix::from_mat3(Mat3::from_cols_array(&[
+        1.1, 0.1, 0.0, -0.2, 0.9, 0.1, 0.0, 0.05, 1.3,
+    ]));
+    for pose in poses().iter().step_by(5) {
+        let map = pose.map(UVec2::new(200, 100));
+        let photo = pose.photograph(radiance);
+        let cpu = map.apply(&photo, &colour);
+        let gpu = GpuUnwarp::new(&context, &map).unwrap();
+        gpu.run(&context, &photo, &colour).unwrap();
+        let differ = |a: &[Vec4], b: &[Vec4]| {
+            let pairs = a.iter().zip(b);
+            pairs
+                .map(|(a, b)| (*a - *b).abs().max_element() / a.max_element())
+                .fold(0.0, f32::max)
+        };
+        let light = gpu.read(&context).unwrap();
+        let largest = differ(&cpu, &light);
+        assert!(largest < 2e-6, "{largest}");
+        let other = map.apply(&photo, &ColourMatrix::IDENTITY);
+        assert!(differ(&other, &light) > 1e-2);
+    }
 }

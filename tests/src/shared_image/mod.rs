@@ -4,6 +4,7 @@
 
 pub mod atlas;
 mod frame;
+mod light;
 
 use bytemuck::NoUninit;
 use glam::{UVec2, Vec4};
@@ -15,6 +16,7 @@ use crate::golden;
 use crate::gpu::entry_of;
 
 pub use frame::frame_pairs;
+pub use light::light_pair;
 
 /// One image on both processors, as words.
 #[derive(Clone, Debug)]
