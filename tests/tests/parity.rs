@@ -54,6 +54,7 @@ fn scene() -> SceneBuffers {
             mesh: 0,
             transform: Mat4::IDENTITY,
             material: None,
+            catcher: false,
         }],
         materials: vec![Material::BlinnPhong {
             diffuse: Vec3::new(0.4, 0.3, 0.2),

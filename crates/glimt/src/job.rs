@@ -13,7 +13,7 @@ use crate::shot::{self, Shot, check, parse, range};
 use glam::UVec2;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::render::{
-    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Tonemap,
+    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Shadow, Tonemap,
 };
 use glimt_render_gpu::host::scene::{Camera, SceneDescription};
 use glimt_render_gpu::host::scene_error::SceneError;
@@ -99,6 +99,7 @@ impl Job {
                 SettingsError::Exposure => "image.exposure_ev",
                 SettingsError::FieldOfView => "camera.fov_x_deg",
                 SettingsError::Camera => "camera",
+                SettingsError::PlateSize => "backplate",
             };
             self.source.error(key, e)
         };
@@ -215,6 +216,8 @@ impl Job {
                 shot::Tonemap::Srgb => Tonemap::Srgb,
                 shot::Tonemap::Reinhard => Tonemap::Reinhard,
             },
+            shadow: Shadow::Multiply,
+            layers: !self.shot.output.aovs.is_empty(),
         }
     }
 

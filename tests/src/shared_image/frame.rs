@@ -197,6 +197,7 @@ fn scene() -> SceneBuffers {
         mesh,
         transform: Mat4::from_translation(place),
         material,
+        catcher: false,
     };
     let description = SceneDescription {
         meshes: vec![
