@@ -4,6 +4,7 @@
 
 pub mod atlas;
 mod frame;
+mod layered;
 
 use bytemuck::NoUninit;
 use glam::{UVec2, Vec4};
