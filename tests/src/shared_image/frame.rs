@@ -62,8 +62,8 @@ pub fn frame_pairs(program: &Program, context: &GpuContext) -> Vec<Pair> {
         ..base
     };
     pairs.extend([
-        stage.layered("multiplied shadow", &base),
-        stage.layered("added shadow", &transparent),
+        stage.layered("multiplied-shadow", &base),
+        stage.layered("added-shadow", &transparent),
     ]);
     pairs
 }
