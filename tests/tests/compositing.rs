@@ -108,7 +108,12 @@ fn renderers(test: &str) -> Vec<Box<dyn Renderer>> {
             max_elements: 1000,
             ..GpuOptions::default()
         };
-        for options in [GpuOptions::default(), small] {
+        // The largest buffer of a scene has 335,424 bytes: tiles of some hundred pixels.
+        let narrow = GpuOptions {
+            max_binding_bytes: 340_000,
+            ..GpuOptions::default()
+        };
+        for options in [GpuOptions::default(), small, narrow] {
             let gpu = GpuRenderer::with_options(AdapterPreference::Fastest, options);
             list.push(Box::new(gpu.unwrap()));
         }
@@ -144,7 +149,7 @@ fn layers(image: &FrameImage) -> &[PixelLayers] {
 mod against_quadrature {
     use super::*;
 
-    const SIZE: UVec2 = UVec2::new(9, 6);
+    const SIZE: UVec2 = UVec2::new(7, 5);
     const SCRAMBLINGS: u32 = 48;
 
     /// The direction of a pixel's centre, by the formula of the documentation, in f64.
@@ -248,7 +253,7 @@ mod against_quadrature {
             let depths: Vec<f64> = truth.iter().flatten().map(depth).collect();
             assert!(depths.iter().any(|d| *d < 0.6) && depths.iter().any(|d| *d > 0.95));
             let swapped: Vec<_> = truth.iter().map(|t| t.map(|[a, b]| [b, a])).collect();
-            assert!(disagreements(&means, &swapped).0 > 10);
+            assert!(disagreements(&means, &swapped).0 > 5);
         }
     }
 

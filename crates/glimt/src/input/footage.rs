@@ -180,12 +180,12 @@ impl Footage {
         };
         let file = self.files.path(from);
         let mut left_out = |whose: &str, other: &str, [a, b]: [i64; 2]| {
-            if a <= b {
-                let text = format!(
-                    "frames {a} to {b} of the {whose} are left out: the {other} has none for them"
-                );
-                notes.warn(&file, text);
-            }
+            let which = match b - a {
+                ..0 => return,
+                0 => format!("frame {a} of the {whose} is left out"),
+                _ => format!("frames {a} to {b} of the {whose} are left out"),
+            };
+            notes.warn(&file, format!("{which}: the {other} has none for it"));
         };
         let [low, high] = [low, high].map(i64::from);
         let ends = [i64::from(first), i64::from(last)];
@@ -220,7 +220,7 @@ impl Footage {
                 let [from, to] = self.span;
                 let what = format!("the backplate of frame {frame} is missing");
                 return Err(Error::input(&file, what).fix(format!(
-                    "supply it, or choose other frames with --frames (found are some between {from} and {to})"
+                    "supply it, or choose other frames with --frames (there are frames {from} to {to})"
                 )));
             }
             let size = read_size(&file)?;

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// The largest plate that is taken, in pixels.
 const MAX_PIXELS: u64 = 1 << 28;
@@ -140,7 +141,11 @@ fn read_display(file: &Path, format: image::ImageFormat, notes: &mut Notes) -> R
     let size = UVec2::new(image.width(), image.height());
     let colours = if sixteen {
         let samples = image.into_rgb16().into_raw();
-        let linear = |code: u16| srgb_decode(f64::from(code) / 65_535.0) as f32;
+        static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
+            let linear = |code: u16| srgb_decode(f64::from(code) / 65_535.0) as f32;
+            (0..=u16::MAX).map(linear).collect()
+        });
+        let linear = |code: u16| LINEAR[usize::from(code)];
         let (pixels, _) = samples.as_chunks::<3>();
         Colours::Linear(
             pixels
