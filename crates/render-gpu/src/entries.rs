@@ -30,6 +30,26 @@ pub const ENTRIES: &[EntrySpec] = &[
     entry("tonemap", "glimt_render_gpu::kernels::film::tonemap"),
     entry("unwarp", "glimt_render_gpu::kernels::unwarp::unwarp"),
     entry(
+        "shade_mis_layers",
+        "glimt_render_gpu::kernels::shade::shade_mis_layers",
+    ),
+    entry(
+        "reconstruct_layers",
+        "glimt_render_gpu::kernels::layers::reconstruct_layers",
+    ),
+    entry(
+        "composite_over_plate",
+        "glimt_render_gpu::kernels::composite::composite_over_plate",
+    ),
+    entry(
+        "display_over_plate",
+        "glimt_render_gpu::kernels::composite::display_over_plate",
+    ),
+    entry(
+        "composite_alone",
+        "glimt_render_gpu::kernels::composite::composite_alone",
+    ),
+    entry(
         "diagnose_uniforms",
         "glimt_render_gpu::kernels::diagnose::uniforms",
     ),

@@ -4,6 +4,7 @@
 
 pub mod atlas;
 mod frame;
+mod layered;
 mod light;
 
 use bytemuck::NoUninit;

@@ -14,7 +14,7 @@ pub use sky::environment;
 
 use glam::{UVec2, Vec3, vec3};
 use glimt_render_gpu::host::render::{
-    Background, Filter, Method, Pattern, RenderSettings, Tonemap,
+    Background, Filter, Method, Pattern, RenderSettings, Shadow, Tonemap,
 };
 use glimt_render_gpu::host::scene::Camera;
 
@@ -66,5 +66,7 @@ pub fn settings(frame: u32) -> RenderSettings {
         frame,
         exposure_ev: -4.75,
         tonemap: Tonemap::Srgb,
+        shadow: Shadow::Multiply,
+        layers: false,
     }
 }

@@ -1,13 +1,16 @@
-//! Host file: linear frames as OpenEXR: 32-bit float RGBA, premultiplied, Rec. 709 primaries, ZIP.
+//! Host file: linear frames as OpenEXR: 32-bit float RGBA, premultiplied, Rec. 709 primaries, ZIP; with further layers beside
+//! them where they are asked for.
 
+use super::aov::{Channel, DISPLAY, FORMULA_KEY};
 use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending};
 use crate::error::{Error, Result};
 use crate::input::primaries::REC_709;
 use ::exr::math::Vec2;
 use ::exr::meta::attribute::{AttributeValue, Chromaticities, Text};
 use ::exr::prelude::{
-    Blocks, Compression, Encoding, Image, Layer, LayerAttributes, LineOrder, SpecificChannels,
-    WritableImage,
+    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, Layer,
+    LayerAttributes, LineOrder, ReadChannels, ReadLayers, ReadSpecificChannel, SmallVec,
+    WritableImage, f16,
 };
 use glam::{UVec2, Vec4};
 use std::fs::File;
@@ -17,11 +20,26 @@ use std::path::Path;
 /// Key of the frame's number.
 const FRAME_KEY: &str = "glimtFrame";
 
+/// What is written beside a frame's pixels.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layers {
+    /// Channels of any names but R, G, B and A.
+    pub channels: Vec<Channel>,
+    /// How the image is made of them.
+    pub formula: Option<&'static str>,
+}
+
 /// Writes a frame, whole or not at all.
 ///
 /// # Errors
 /// The file cannot be written.
-pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result<()> {
+pub fn write(
+    file: &Path,
+    size: UVec2,
+    pixels: &[Vec4],
+    layers: Layers,
+    stamp: &Stamp,
+) -> Result<()> {
     let mut attributes = LayerAttributes {
         software_name: Some(Text::from(SOFTWARE)),
         ..LayerAttributes::default()
@@ -31,19 +49,20 @@ pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result
     let frame = AttributeValue::I32(stamp.frame.cast_signed());
     attributes.other.insert(Text::from(FRAME_KEY), frame);
 
-    let width = size.x as usize;
+    if let Some(formula) = layers.formula {
+        let formula = AttributeValue::Text(Text::from(formula));
+        attributes.other.insert(Text::from(FORMULA_KEY), formula);
+    }
+
     let layer = Layer::new(
-        (width, size.y as usize),
+        (size.x as usize, size.y as usize),
         attributes,
         Encoding {
             compression: Compression::ZIP16,
             blocks: Blocks::ScanLines,
             line_order: LineOrder::Increasing,
         },
-        SpecificChannels::rgba(|at: Vec2<usize>| {
-            let pixel = pixels[at.y() * width + at.x()];
-            (pixel.x, pixel.y, pixel.z, pixel.w)
-        }),
+        AnyChannels::sort(channels(pixels, layers.channels)),
     );
     let mut image = Image::from_layer(layer);
     let [red, green, blue, white] = REC_709.map(|p| Vec2(p[0], p[1]));
@@ -65,10 +84,36 @@ pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result
     pending.commit()
 }
 
-/// The identity that a frame was stored with; `None` if there is no such frame, none of ours, or not all of it.
-pub fn read_hash(file: &Path) -> Option<String> {
+fn channels(pixels: &[Vec4], layers: Vec<Channel>) -> SmallVec<[AnyChannel<FlatSamples>; 4]> {
+    let plane = |c: usize| FlatSamples::F32(pixels.iter().map(|p| p[c]).collect());
+    let own = ["R", "G", "B", "A"].into_iter().enumerate();
+    let own = own.map(|(c, name)| AnyChannel::new(name, plane(c)));
+    let further = layers.into_iter().map(|channel| {
+        let samples = match channel.half {
+            true => FlatSamples::F16(channel.samples.into_iter().map(f16::from_f32).collect()),
+            false => FlatSamples::F32(channel.samples),
+        };
+        AnyChannel::new(channel.name.as_str(), samples)
+    });
+    own.chain(further).collect()
+}
+
+/// The identity that a frame was stored with; `None` if there is no such frame, none of ours, not all of it, or one without
+/// all of these channels.
+pub fn read_hash(file: &Path, channels: &[String]) -> Option<String> {
     let reader = ::exr::block::read(BufReader::new(File::open(file).ok()?), false).ok()?;
-    let attributes = &reader.headers().first()?.own_attributes.other;
+    let header = reader.headers().first()?;
+    let has = |name: &String| {
+        header
+            .channels
+            .list
+            .iter()
+            .any(|c| c.name.eq(name.as_str()))
+    };
+    if !channels.iter().all(has) {
+        return None;
+    }
+    let attributes = &header.own_attributes.other;
     let hash = match attributes.get(&Text::from(HASH_KEY))? {
         AttributeValue::Text(hash) => hash.to_string(),
         _ => return None,
@@ -90,5 +135,31 @@ pub fn read_pixels(file: &Path) -> Result<Vec<Vec4>> {
         },
     );
     let broken = |e| Error::input(file, e).fix("remove it, and render it again");
+    Ok(image.map_err(broken)?.layer_data.channel_data.pixels.0)
+}
+
+/// Reads back what a frame displays, from its layer [`DISPLAY`].
+///
+/// # Errors
+/// The file cannot be read.
+pub fn read_display(file: &Path) -> Result<Vec<[u8; 4]>> {
+    let broken = |e| Error::input(file, e).fix("remove it, and render it again");
+    let image = ::exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .specific_channels()
+        .required(&*format!("{DISPLAY}.R"))
+        .required(&*format!("{DISPLAY}.G"))
+        .required(&*format!("{DISPLAY}.B"))
+        .collect_pixels(
+            |size, _| (vec![[0; 4]; size.x() * size.y()], size.x()),
+            |(pixels, width): &mut (Vec<[u8; 4]>, usize), at, (r, g, b): (f32, f32, f32)| {
+                let code = |value: f32| (value * 255.0).round() as u8;
+                pixels[at.y() * *width + at.x()] = [code(r), code(g), code(b), 255];
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .from_file(file);
     Ok(image.map_err(broken)?.layer_data.channel_data.pixels.0)
 }

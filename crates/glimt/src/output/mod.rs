@@ -1,5 +1,6 @@
 //! Host file: frames out: EXR, PNG and mp4, each whole under its name or not there at all.
 
+pub mod aov;
 pub mod atomic;
 pub mod exr;
 pub mod png;

@@ -83,12 +83,21 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
             "remove it",
         );
     }
-    if shot.backplate.is_some() {
-        return bad(
-            "backplate",
-            "backplates are not supported yet",
-            "remove the table; image.background = \"transparent\" gives frames to lay over a plate",
-        );
+    if let Some(plate) = &shot.backplate {
+        if plate.frames.is_empty() {
+            return bad(
+                "backplate",
+                "it names no footage",
+                "as frames = \"plate.####.png\"; without the table the light is the background",
+            );
+        }
+        if plate.fps.is_some_and(|fps| !(fps >= 0.1 && fps <= 1000.0)) {
+            return bad(
+                "backplate.fps",
+                "it is not between 0.1 and 1000",
+                "leave it out where the footage runs at probe.fps",
+            );
+        }
     }
 
     check_objects(shot, source)?;
@@ -140,11 +149,11 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
     if output.dir.is_empty() {
         return bad("output.dir", "it is empty", "\".\" is the shot's folder");
     }
-    if let Some(aov) = output.aovs.first() {
+    if !output.aovs.is_empty() && !output.exr {
         return bad(
             "output.aovs",
-            &format!("\"{aov}\": further images are not supported yet"),
-            "leave the list empty",
+            "they are layers of the EXR, and output.exr is false",
+            "set output.exr = true, or leave the list empty",
         );
     }
     if !output.exr && !output.png && output.video.is_empty() {
@@ -214,11 +223,6 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
                     "it is not between 1e-9 and 1e9, nor the negative of such a number",
                 )
                 .fix("1 leaves it as it is"));
-        }
-        if object.catcher {
-            return Err(source
-                .error(&key("catcher"), "shadow catchers are not supported yet")
-                .fix("remove it"));
         }
         if let Some(material) = &object.material {
             check_material(material, i, source)?;

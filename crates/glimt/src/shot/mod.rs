@@ -33,7 +33,7 @@ pub struct Shot {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Image {
-    /// Width and height in pixels.
+    /// Width and height in pixels; where there is a backplate and this is not given, the backplate's.
     pub size: [u32; 2],
     /// Rays through each pixel.
     pub rays_per_pixel: u32,
@@ -117,7 +117,7 @@ pub struct Object {
     pub up: Option<Up>,
     /// Set its lowest point on z = 0 before it is moved.
     pub ground: bool,
-    /// Take shadows only, to be laid over a backplate.
+    /// It is in the footage already: it takes shadows, hides what is behind it, and blocks no light.
     pub catcher: bool,
     /// One material in place of the file's.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -136,12 +136,19 @@ pub struct Material {
     pub exponent: f32,
 }
 
-/// Footage to lay the objects over.
+/// Footage to lay the objects over: PNG or JPEG, taken as sRGB, or OpenEXR, linear.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Backplate {
     /// File of a still, or of a sequence with `####` for the frame's number.
     pub frames: String,
+    /// How it takes shadows.
+    pub shadow: Shadow,
+    /// How it is fitted to an image of other proportions.
+    pub fit: Fit,
+    /// Frames per second, if not those of the probe: frames are then matched by time, from each one's first on.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fps: Option<f32>,
 }
 
 /// How it is rendered.
@@ -178,8 +185,8 @@ pub struct Output {
     pub video: String,
     /// Codec of the video.
     pub codec: Codec,
-    /// Further images.
-    pub aovs: Vec<String>,
+    /// Layers beside the image in the EXR.
+    pub aovs: Vec<Aov>,
 }
 
 macro_rules! words {
@@ -248,6 +255,35 @@ words! {
         Smc = "smc",
         /// Precomputed radiance transfer.
         Prt = "prt",
+    }
+}
+words! {
+    /// How a backplate takes shadows.
+    Shadow {
+        /// Times the share of light that is left.
+        #[default] Multiply = "multiply",
+        /// Minus the light that is lost.
+        Add = "add",
+    }
+}
+words! {
+    /// How a backplate is fitted to an image of other proportions.
+    Fit {
+        /// Stretched.
+        #[default] Stretch = "stretch",
+        /// Its middle, in its own proportions.
+        Crop = "crop",
+    }
+}
+words! {
+    /// A layer beside the image.
+    Aov {
+        /// The objects alone, premultiplied.
+        #[default] Object = "object",
+        /// The share of the plate's light that is left.
+        Catcher = "catcher",
+        /// The catchers' radiance with the objects minus that without.
+        Difference = "difference",
     }
 }
 words! {

@@ -14,6 +14,7 @@ pub struct Source {
     pub file: std::path::PathBuf,
     text: String,
     set: Vec<String>,
+    given: Table,
 }
 
 /// Reads a shot file and applies `key=value` overrides.
@@ -51,11 +52,24 @@ pub fn parse(file: &Path, text: String, set: &[String]) -> Result<(Shot, Source)
         file: file.to_owned(),
         text,
         set: set.to_vec(),
+        given: table,
     };
     Ok((shot, source))
 }
 
 impl Source {
+    /// Whether a key, as `image.size`, is given: in the file, by an override or by a preset.
+    pub fn gives(&self, key: &str) -> bool {
+        let mut table = Some(&self.given);
+        let mut found = false;
+        for part in key.split('.') {
+            let value = table.and_then(|t| t.get(part));
+            found = value.is_some();
+            table = value.and_then(Value::as_table);
+        }
+        found
+    }
+
     /// An error about the value of a key, as `image.size` or `object.0.scale`, at its place in the file.
     pub fn error(&self, key: &str, what: impl std::fmt::Display) -> Error {
         let error = Error::usage(format!("{key}: {what}"));

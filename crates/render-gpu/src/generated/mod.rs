@@ -102,6 +102,112 @@ pub const UNWARP: Entry = Entry {
     ],
 };
 
+/// [`shade_mis_layers`](crate::kernels::shade::shade_mis_layers) as a compute entry point.
+pub const SHADE_MIS_LAYERS: Entry = Entry {
+    name: "shade_mis_layers",
+    kernel: "glimt_render_gpu::kernels::shade::shade_mis_layers",
+    wgsl: include_str!("shade_mis_layers.wgsl"),
+    workgroup_size: 64,
+    params_size: 144,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("env.cdf.size", 128, 8),
+        param("env.rotation", 136, 8),
+    ],
+    buffers: &[
+        slot("env.texels", 1, 16, false),
+        slot("env.cdf.marginal", 2, 4, false),
+        slot("env.cdf.conditional", 3, 4, false),
+        slot("scene.nodes", 4, 32, false),
+        slot("scene.triangles", 5, 48, false),
+        slot("scene.corners", 6, 32, false),
+        slot("scene.materials", 7, 96, false),
+        slot("scene.texels", 8, 4, false),
+        slot("out", 9, 32, true),
+    ],
+};
+
+/// [`reconstruct_layers`](crate::kernels::layers::reconstruct_layers) as a compute entry point.
+pub const RECONSTRUCT_LAYERS: Entry = Entry {
+    name: "reconstruct_layers",
+    kernel: "glimt_render_gpu::kernels::layers::reconstruct_layers",
+    wgsl: include_str!("reconstruct_layers.wgsl"),
+    workgroup_size: 64,
+    params_size: 144,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("env.cdf.size", 128, 8),
+        param("env.rotation", 136, 8),
+    ],
+    buffers: &[
+        slot("env.texels", 1, 16, false),
+        slot("env.cdf.marginal", 2, 4, false),
+        slot("env.cdf.conditional", 3, 4, false),
+        slot("samples", 4, 32, false),
+        slot("out", 5, 64, true),
+    ],
+};
+
+/// [`composite_over_plate`](crate::kernels::composite::composite_over_plate) as a compute entry point.
+pub const COMPOSITE_OVER_PLATE: Entry = Entry {
+    name: "composite_over_plate",
+    kernel: "glimt_render_gpu::kernels::composite::composite_over_plate",
+    wgsl: include_str!("composite_over_plate.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("layers", 1, 64, false),
+        slot("plate", 2, 16, false),
+        slot("out", 3, 16, true),
+    ],
+};
+
+/// [`display_over_plate`](crate::kernels::composite::display_over_plate) as a compute entry point.
+pub const DISPLAY_OVER_PLATE: Entry = Entry {
+    name: "display_over_plate",
+    kernel: "glimt_render_gpu::kernels::composite::display_over_plate",
+    wgsl: include_str!("display_over_plate.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("layers", 1, 64, false),
+        slot("plate", 2, 16, false),
+        slot("out", 3, 4, true),
+    ],
+};
+
+/// [`composite_alone`](crate::kernels::composite::composite_alone) as a compute entry point.
+pub const COMPOSITE_ALONE: Entry = Entry {
+    name: "composite_alone",
+    kernel: "glimt_render_gpu::kernels::composite::composite_alone",
+    wgsl: include_str!("composite_alone.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("layers", 1, 64, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
 /// [`uniforms`](crate::kernels::diagnose::uniforms) as a compute entry point.
 pub const DIAGNOSE_UNIFORMS: Entry = Entry {
     name: "diagnose_uniforms",
@@ -223,6 +329,9 @@ const _: () = {
     assert!(offset_of!(crate::kernels::bvh::BvhNode, count) == 12);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, max) == 16);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, first) == 28);
+    assert!(size_of::<crate::kernels::composite::PlatePixel>() == 16);
+    assert!(offset_of!(crate::kernels::composite::PlatePixel, linear) == 0);
+    assert!(offset_of!(crate::kernels::composite::PlatePixel, code) == 12);
     assert!(size_of::<crate::kernels::diagnose::EnvRecord>() == 32);
     assert!(offset_of!(crate::kernels::diagnose::EnvRecord, direction) == 0);
     assert!(offset_of!(crate::kernels::diagnose::EnvRecord, pdf_sr) == 12);
@@ -259,9 +368,22 @@ const _: () = {
     assert!(offset_of!(crate::kernels::frame::FrameParams, frame) == 88);
     assert!(offset_of!(crate::kernels::frame::FrameParams, tonemap) == 92);
     assert!(offset_of!(crate::kernels::frame::FrameParams, exposure) == 96);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, unused_a) == 100);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, shadow) == 100);
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_b) == 104);
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_c) == 108);
+    assert!(size_of::<crate::kernels::layers::LayerSample>() == 32);
+    assert!(offset_of!(crate::kernels::layers::LayerSample, radiance) == 0);
+    assert!(offset_of!(crate::kernels::layers::LayerSample, alpha) == 12);
+    assert!(offset_of!(crate::kernels::layers::LayerSample, blocked) == 16);
+    assert!(offset_of!(crate::kernels::layers::LayerSample, catcher) == 28);
+    assert!(size_of::<crate::kernels::layers::PixelLayers>() == 64);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, object) == 0);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, lit) == 16);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, catcher) == 28);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, blocked) == 32);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, unused_a) == 44);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, behind) == 48);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, unused_b) == 60);
     assert!(size_of::<crate::kernels::material::Material>() == 96);
     assert!(offset_of!(crate::kernels::material::Material, color) == 0);
     assert!(offset_of!(crate::kernels::material::Material, kind) == 12);

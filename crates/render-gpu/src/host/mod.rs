@@ -3,6 +3,7 @@
 mod attributes;
 pub mod env;
 mod materials;
+pub mod plate;
 pub mod render;
 pub mod scene;
 pub mod scene_build;

@@ -6,11 +6,13 @@
 
 pub mod bvh;
 pub mod camera;
+pub mod composite;
 pub mod diagnose;
 pub mod environment;
 pub mod estimator;
 pub mod film;
 pub mod frame;
+pub mod layers;
 pub mod material;
 pub mod mis;
 pub mod pattern;
