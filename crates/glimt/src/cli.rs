@@ -129,7 +129,15 @@ A shot needs a light and an object; every other key has a default:
   frames = \"capture/light.####.exr\"   # one file is a still
   [[object]]
   mesh = \"model.glb\"                  # .glb .gltf .obj .ply .ply.gz, or \"sphere\", \"plane\"
-  ground = true";
+  ground = true
+
+Over footage, with what it shows already as a shadow catcher:
+  [backplate]
+  frames = \"plate/plate.####.png\"     # .png .jpg .exr; one file is a still
+  [[object]]
+  mesh = \"plane\"
+  scale = 20
+  catcher = true";
 
 const DEMO_EXAMPLES: &str = "\
 Examples:
