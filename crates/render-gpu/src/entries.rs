@@ -29,6 +29,19 @@ pub const ENTRIES: &[EntrySpec] = &[
     ),
     entry("tonemap", "glimt_render_gpu::kernels::film::tonemap"),
     entry(
+        "film_ball",
+        "glimt_render_gpu::kernels::capture::film_ball",
+    ),
+    entry(
+        "film_plate",
+        "glimt_render_gpu::kernels::capture::film_plate",
+    ),
+    entry(
+        "film_latlong",
+        "glimt_render_gpu::kernels::capture::film_latlong",
+    ),
+    entry("expose", "glimt_render_gpu::kernels::sensor::expose"),
+    entry(
         "diagnose_uniforms",
         "glimt_render_gpu::kernels::diagnose::uniforms",
     ),

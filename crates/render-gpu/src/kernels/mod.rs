@@ -6,6 +6,7 @@
 
 pub mod bvh;
 pub mod camera;
+pub mod capture;
 pub mod diagnose;
 pub mod environment;
 pub mod estimator;
@@ -16,6 +17,8 @@ pub mod mis;
 pub mod pattern;
 pub mod ray;
 pub mod scene;
+pub mod sensor;
 pub mod shade;
+pub mod stage;
 pub mod texture;
 pub mod triangle;
