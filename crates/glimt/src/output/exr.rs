@@ -1,4 +1,4 @@
-//! Host file: linear frames as OpenEXR: 32-bit float RGBA, premultiplied, Rec. 709 primaries, ZIP.
+//! Host file: linear frames as OpenEXR: 32-bit float RGBA, premultiplied, or RGB of 32 or 16 bits; Rec. 709 primaries, ZIP.
 
 use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending};
 use crate::error::{Error, Result};
@@ -7,8 +7,10 @@ use ::exr::math::Vec2;
 use ::exr::meta::attribute::{AttributeValue, Chromaticities, Text};
 use ::exr::prelude::{
     Blocks, Compression, Encoding, Image, Layer, LayerAttributes, LineOrder, SpecificChannels,
-    WritableImage,
+    WritableImage, f16,
 };
+use ::exr::image::write::channels::WritableChannels;
+use ::exr::image::write::layers::WritableLayers;
 use glam::{UVec2, Vec4};
 use std::fs::File;
 use std::io::BufReader;
@@ -17,11 +19,51 @@ use std::path::Path;
 /// Key of the frame's number.
 const FRAME_KEY: &str = "glimtFrame";
 
-/// Writes a frame, whole or not at all.
+/// Writes a frame with alpha, whole or not at all.
 ///
 /// # Errors
 /// The file cannot be written.
 pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result<()> {
+    let width = size.x as usize;
+    let channels = SpecificChannels::rgba(|at: Vec2<usize>| {
+        let pixel = pixels[at.y() * width + at.x()];
+        (pixel.x, pixel.y, pixel.z, pixel.w)
+    });
+    store(file, &frame_image(size, channels, stamp))
+}
+
+/// Writes a frame without alpha, whole or not at all; as 16-bit floats if `half`, where values above 65504 become that.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write_rgb(
+    file: &Path,
+    size: UVec2,
+    pixels: &[Vec4],
+    stamp: &Stamp,
+    half: bool,
+) -> Result<()> {
+    let width = size.x as usize;
+    let pixel = |at: Vec2<usize>| pixels[at.y() * width + at.x()];
+    if half {
+        let channels = SpecificChannels::rgb(|at: Vec2<usize>| {
+            let p = pixel(at).min(Vec4::splat(f16::MAX.to_f32()));
+            (f16::from_f32(p.x), f16::from_f32(p.y), f16::from_f32(p.z))
+        });
+        return store(file, &frame_image(size, channels, stamp));
+    }
+    let channels = SpecificChannels::rgb(|at: Vec2<usize>| {
+        let p = pixel(at);
+        (p.x, p.y, p.z)
+    });
+    store(file, &frame_image(size, channels, stamp))
+}
+
+/// An image with what is stored beside its pixels.
+fn frame_image<'c, C>(size: UVec2, channels: C, stamp: &Stamp) -> Image<Layer<C>>
+where
+    C: WritableChannels<'c> + 'c,
+{
     let mut attributes = LayerAttributes {
         software_name: Some(Text::from(SOFTWARE)),
         ..LayerAttributes::default()
@@ -31,19 +73,15 @@ pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result
     let frame = AttributeValue::I32(stamp.frame.cast_signed());
     attributes.other.insert(Text::from(FRAME_KEY), frame);
 
-    let width = size.x as usize;
     let layer = Layer::new(
-        (width, size.y as usize),
+        (size.x as usize, size.y as usize),
         attributes,
         Encoding {
             compression: Compression::ZIP16,
             blocks: Blocks::ScanLines,
             line_order: LineOrder::Increasing,
         },
-        SpecificChannels::rgba(|at: Vec2<usize>| {
-            let pixel = pixels[at.y() * width + at.x()];
-            (pixel.x, pixel.y, pixel.z, pixel.w)
-        }),
+        channels,
     );
     let mut image = Image::from_layer(layer);
     let [red, green, blue, white] = REC_709.map(|p| Vec2(p[0], p[1]));
@@ -53,7 +91,13 @@ pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result
         blue,
         white,
     });
+    image
+}
 
+fn store<'i, L>(file: &Path, image: &'i Image<L>) -> Result<()>
+where
+    L: WritableLayers<'i>,
+{
     let mut pending = Pending::create(file)?;
     image
         .write()
