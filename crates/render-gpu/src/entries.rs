@@ -28,10 +28,7 @@ pub const ENTRIES: &[EntrySpec] = &[
         "glimt_render_gpu::kernels::film::reconstruct",
     ),
     entry("tonemap", "glimt_render_gpu::kernels::film::tonemap"),
-    entry(
-        "film_ball",
-        "glimt_render_gpu::kernels::capture::film_ball",
-    ),
+    entry("film_ball", "glimt_render_gpu::kernels::capture::film_ball"),
     entry(
         "film_plate",
         "glimt_render_gpu::kernels::capture::film_plate",

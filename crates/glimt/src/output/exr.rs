@@ -3,14 +3,14 @@
 use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending};
 use crate::error::{Error, Result};
 use crate::input::primaries::REC_709;
+use ::exr::image::write::channels::WritableChannels;
+use ::exr::image::write::layers::WritableLayers;
 use ::exr::math::Vec2;
 use ::exr::meta::attribute::{AttributeValue, Chromaticities, Text};
 use ::exr::prelude::{
     Blocks, Compression, Encoding, Image, Layer, LayerAttributes, LineOrder, SpecificChannels,
     WritableImage, f16,
 };
-use ::exr::image::write::channels::WritableChannels;
-use ::exr::image::write::layers::WritableLayers;
 use glam::{UVec2, Vec4};
 use std::fs::File;
 use std::io::BufReader;

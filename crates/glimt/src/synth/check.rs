@@ -98,21 +98,23 @@ fn capture(synth: &Synth, keys: &Keys<'_>) -> Result<()> {
         ),
         "50, 40 and 25 are the paper's",
     )?;
-    keys.axes(
-        "capture.forward",
-        capture.forward,
-        "capture.up",
-        capture.up,
-    )?;
+    keys.axes("capture.forward", capture.forward, "capture.up", capture.up)?;
     keys.between("capture.jitter_px", capture.jitter_px, 0.0, 1e4)?;
     let focal = super::geometry::focal_px(synth);
     keys.require(
         "capture.jitter_px",
         f64::from(capture.jitter_px) <= 0.02 * focal,
-        &format!("the camera would turn by more than a degree: its focal length is {focal:.0} pixels"),
+        &format!(
+            "the camera would turn by more than a degree: its focal length is {focal:.0} pixels"
+        ),
         "1 to 10 pixels are usual; a small image takes a larger capture.pixel_um and less of this",
     )?;
-    keys.between("capture.jitter_roll_deg", capture.jitter_roll_deg, 0.0, 20.0)?;
+    keys.between(
+        "capture.jitter_roll_deg",
+        capture.jitter_roll_deg,
+        0.0,
+        20.0,
+    )?;
     keys.require(
         "capture.supersampling",
         (1..=MAX_SAMPLES).contains(&capture.supersampling),

@@ -83,7 +83,12 @@ mod tests {
     #[test]
     fn more_cover_is_more_cloud_and_none_is_none() {
         assert_eq!(share(0.0), 0.0);
-        assert!(share(0.2) < 0.2 && share(0.95) > 0.8, "{} {}", share(0.2), share(0.95));
+        assert!(
+            share(0.2) < 0.2 && share(0.95) > 0.8,
+            "{} {}",
+            share(0.2),
+            share(0.95)
+        );
         let clouds = Clouds {
             cover: 0.5,
             ..Clouds::default()
@@ -103,6 +108,8 @@ mod tests {
             let x = -1.0 + 1e-3 * i as f32;
             assert!((at(x, 0.0) - at(x + 1e-3, 0.0)).abs() < 0.06);
         }
-        assert!((0..100).any(|i| (at(0.01 * i as f32, 0.0) - at(0.01 * i as f32, 1.0)).abs() > 0.2));
+        assert!(
+            (0..100).any(|i| (at(0.01 * i as f32, 0.0) - at(0.01 * i as f32, 1.0)).abs() > 0.2)
+        );
     }
 }

@@ -154,11 +154,7 @@ pub(super) fn truth_of(synth: &Synth, frame: u32, sun: Option<SunTruth>) -> Fram
         centre_px: centre.to_array(),
         radius_px,
         roll_deg: (-turned.y).atan2(turned.x).to_degrees(),
-        camera: [
-            world(axes.x_axis),
-            world(-axes.y_axis),
-            world(axes.z_axis),
-        ],
+        camera: [world(axes.x_axis), world(-axes.y_axis), world(axes.z_axis)],
         eye_m: eye.to_array(),
         probe_m: probe.to_array(),
         sun,
@@ -189,15 +185,15 @@ pub(super) fn capture_params(synth: &Synth, frame: u32, rig_radiance: Vec3) -> C
         tint: Vec3::from(synth.ball.tint),
         fresnel: f32::from(u8::from(synth.ball.fresnel)),
         eye: eye.as_vec3(),
-        seed: synth.seed,
+        unused_a: 0,
         rig_half_size: if synth.rig.on {
             Vec3::from(synth.rig.half_size_m)
         } else {
             Vec3::ZERO
         },
-        frame,
+        unused_b: 0,
         rig_radiance,
-        unused: 0.0,
+        unused_c: 0,
     }
 }
 
@@ -206,10 +202,8 @@ pub(super) fn plate_camera(synth: &Synth, frame: u32) -> Camera {
     let (_, eye) = probe_and_eye(synth, frame);
     let steady = ball(synth);
     let offset = Vec3::from(synth.plate.offset_m);
-    let eye = eye.as_vec3()
-        + steady.right * offset.x
-        + steady.up * offset.y
-        + steady.forward * offset.z;
+    let eye =
+        eye.as_vec3() + steady.right * offset.x + steady.up * offset.y + steady.forward * offset.z;
     let direction = synth.plate.direction.map_or(steady.forward, Vec3::from);
     Camera {
         eye,
@@ -247,7 +241,10 @@ mod tests {
             }
         }
         assert_eq!(truth_of(&synth, 9, None), truth_of(&synth, 9, None));
-        assert_ne!(truth_of(&synth, 9, None).roll_deg, truth_of(&synth, 8, None).roll_deg);
+        assert_ne!(
+            truth_of(&synth, 9, None).roll_deg,
+            truth_of(&synth, 8, None).roll_deg
+        );
     }
 
     #[test]

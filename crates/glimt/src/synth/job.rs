@@ -91,7 +91,10 @@ struct Job {
 
 impl Job {
     fn load(input: Option<&Path>, flags: &SynthFlags, notes: &mut Notes) -> Result<Self> {
-        let is_toml = |file: &Path| file.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+        let is_toml = |file: &Path| {
+            file.extension()
+                .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
+        };
         let settings = input.filter(|file| is_toml(file));
         let seed = flags.seed.iter().map(|seed| format!("seed={seed}"));
         let set: Vec<String> = seed.chain(flags.set.iter().cloned()).collect();
@@ -211,7 +214,13 @@ impl Job {
         let world: World = filming.world(frame);
         let ball = filming.film_frame(processor, &world, frame)?;
         let half = synth.capture.half;
-        exr::write_rgb(&self.ball_file(frame), ball.size, &ball.pixels, &stamp, half)?;
+        exr::write_rgb(
+            &self.ball_file(frame),
+            ball.size,
+            &ball.pixels,
+            &stamp,
+            half,
+        )?;
         let size = UVec2::from(synth.truth.size);
         let map = filming.truth_map(processor, &world, frame, size)?;
         exr::write_rgb(&self.map_file(frame), size, &map, &stamp, false)?;
@@ -249,7 +258,11 @@ fn read_light(file: &Path, notes: &mut Notes) -> Result<(UVec2, Vec<Vec4>)> {
     }
     let bad = BadTexels::count(&texels);
     if bad.total() > 0 {
-        let what = format!("{} of {} texels are no light: {bad}", bad.total(), texels.len());
+        let what = format!(
+            "{} of {} texels are no light: {bad}",
+            bad.total(),
+            texels.len()
+        );
         notes.defect(file, &what, "those channels are taken as 0")?;
         EnvMap::repair(&mut texels);
     }
@@ -262,7 +275,9 @@ fn read_panorama(file: &Path) -> Result<(UVec2, Vec<Vec4>)> {
     let picture = image::load_from_memory(&bytes)
         .map_err(|e| Error::input(file, e).fix("a panorama is a PNG or JPEG picture"))?
         .into_rgb8();
-    let curve: Vec<f32> = (0..256).map(|code| srgb_decode(code as f32 / 255.0)).collect();
+    let curve: Vec<f32> = (0..256)
+        .map(|code| srgb_decode(code as f32 / 255.0))
+        .collect();
     let texel = |p: &image::Rgb<u8>| Vec3::from(p.0.map(|c| curve[usize::from(c)])).extend(1.0);
     let size = UVec2::new(picture.width(), picture.height());
     Ok((size, picture.pixels().map(texel).collect()))

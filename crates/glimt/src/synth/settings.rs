@@ -78,7 +78,7 @@ pub struct Capture {
     pub jitter_px: f32,
     /// How far the camera rolls, in degrees RMS.
     pub jitter_roll_deg: f32,
-    /// Samples of a pixel where it shows no more than a texel; towards the rim it takes more.
+    /// Samples of a pixel that shows one texel of the light map; one that shows more takes more.
     pub supersampling: u32,
     /// Store 16-bit floats.
     pub half: bool,

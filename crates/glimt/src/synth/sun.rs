@@ -6,10 +6,10 @@ use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
 use glimt_sampling::luminance;
 use std::f64::consts::PI;
 
-/// The blob reaches no further than this from the brightest texel.
+/// The blob reaches no further than this from the brightest texel, or than two texels of a coarse map.
 const REACH: f64 = 6.0 * PI / 180.0;
-/// The ring around it, from [`REACH`] to this, is what is behind it.
-const RING: f64 = 9.0 * PI / 180.0;
+/// The ring around it, from where it ends to half as far again, is what is behind it.
+const RING: f64 = 1.5;
 /// Texels of the blob are at least this share of the brightest above the ring.
 const EDGE: f32 = 0.02;
 
@@ -41,12 +41,18 @@ pub(super) fn take_out(texels: &mut [Vec4], size: UVec2) -> Option<Blob> {
 /// The blob, its texels, and the radiance of the ring.
 fn outline(texels: &[Vec4], size: UVec2) -> Option<(Blob, Vec<usize>, Vec3)> {
     let light = |index: usize| luminance(texels[index].truncate());
-    let direction =
-        |index: usize| texel_direction(UVec2::new(index as u32 % size.x, index as u32 / size.x), size);
+    let direction = |index: usize| {
+        texel_direction(
+            UVec2::new(index as u32 % size.x, index as u32 / size.x),
+            size,
+        )
+    };
     let area = |index: usize| f64::from(texel_solid_angle_sr(index as u32 / size.x, size));
     let brightest = (0..texels.len()).max_by(|&a, &b| light(a).total_cmp(&light(b)))?;
     let peak = direction(brightest).as_dvec3();
 
+    let reach = REACH.max(2.0 * PI / f64::from(size.y));
+    let rim = RING * reach;
     let rows_of = |angle: f64| {
         let row = brightest as u32 / size.x;
         let reach = (angle / PI * f64::from(size.y)).ceil() as u32 + 1;
@@ -54,9 +60,9 @@ fn outline(texels: &[Vec4], size: UVec2) -> Option<(Blob, Vec<usize>, Vec3)> {
         (rows.start * size.x) as usize..(rows.end * size.x) as usize
     };
     let (mut ring, mut ring_area) = (DVec3::ZERO, 0.0);
-    for index in rows_of(RING) {
+    for index in rows_of(rim) {
         let angle = direction(index).as_dvec3().angle_between(peak);
-        if angle > REACH && angle <= RING {
+        if angle > reach && angle <= rim {
             ring += texels[index].truncate().as_dvec3() * area(index);
             ring_area += area(index);
         }
@@ -69,8 +75,8 @@ fn outline(texels: &[Vec4], size: UVec2) -> Option<(Blob, Vec<usize>, Vec3)> {
     if !(light(brightest) > 2.0 * luminance(behind)) {
         return None;
     }
-    let members: Vec<usize> = rows_of(REACH)
-        .filter(|&i| light(i) > edge && direction(i).as_dvec3().angle_between(peak) <= REACH)
+    let members: Vec<usize> = rows_of(reach)
+        .filter(|&i| light(i) > edge && direction(i).as_dvec3().angle_between(peak) <= reach)
         .collect();
     let mut mean = DVec3::ZERO;
     for &index in &members {
@@ -137,7 +143,10 @@ mod tests {
             let blob = take_out(&mut texels, size).unwrap();
             assert!(blob.direction.angle_between(centre) < 5e-4, "{blob:?}");
             // Texels with less than a fiftieth of the disc are left to the sky.
-            assert!((blob.irradiance / irradiance - 1.0).abs().max_element() < 5e-3, "{blob:?}");
+            assert!(
+                (blob.irradiance / irradiance - 1.0).abs().max_element() < 5e-3,
+                "{blob:?}"
+            );
             assert!(texels.iter().all(|t| t.x < 200.0));
         }
     }
@@ -152,7 +161,9 @@ mod tests {
         let at = |t| on_arc(&sun, t).unwrap();
         assert!((at(0.0) - from_angles(90.0, 10.0)).length() < 1e-12);
         assert!((at(1.0) - from_angles(0.0, 50.0)).length() < 1e-12);
-        assert!((at(0.3).angle_between(at(0.0)) - 0.3 * at(1.0).angle_between(at(0.0))).abs() < 1e-12);
+        assert!(
+            (at(0.3).angle_between(at(0.0)) - 0.3 * at(1.0).angle_between(at(0.0))).abs() < 1e-12
+        );
         assert_eq!(on_arc(&Sun::default(), 0.5), None);
     }
 }

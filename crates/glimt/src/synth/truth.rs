@@ -118,7 +118,11 @@ mod tests {
         let steady = ball(&synth);
         for (i, value) in without.iter().enumerate() {
             let d = texel_direction(UVec2::new(i as u32 % 256, i as u32 / 256), size);
-            let expected = if steady.is_hidden(d) { MASK_HIDDEN } else { MASK_SEEN };
+            let expected = if steady.is_hidden(d) {
+                MASK_HIDDEN
+            } else {
+                MASK_SEEN
+            };
             assert_eq!(*value, expected, "{d}");
         }
         // The rig is about −x, and nowhere else.
@@ -141,6 +145,9 @@ mod tests {
         let shot: toml::Table = toml::from_str(&shot_toml(&Synth::default())).unwrap();
         assert_eq!(shot["probe"]["mapping"].as_str(), Some("mirror-ball"));
         assert_eq!(shot["probe"]["ball"]["radius_mm"].as_float(), Some(50.0));
-        assert_eq!(shot["backplate"]["frames"].as_str(), Some("plate/plate.####.png"));
+        assert_eq!(
+            shot["backplate"]["frames"].as_str(),
+            Some("plate/plate.####.png")
+        );
     }
 }

@@ -250,49 +250,49 @@ fn cos_sin_pi(x_2: f32) -> vec2<f32> {
     return _e77;
 }
 
-// glimt_render_gpu/src/kernels/sensor.rs:112
+// glimt_render_gpu/src/kernels/sensor.rs:111
 fn draw_normal(source: ptr<function, Xoshiro128PlusPlus>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/sensor.rs:113
+    // glimt_render_gpu/src/kernels/sensor.rs:112
     let _e3 = Xoshiro128PlusPlus_next_uvec2_(source);
-    // glimt_render_gpu/src/kernels/sensor.rs:115
+    // glimt_render_gpu/src/kernels/sensor.rs:114
     let _e7 = unit_f32_(_e3.x);
     let radius = sqrt((-2f * log((_e7 + 0.00000003f))));
-    // glimt_render_gpu/src/kernels/sensor.rs:116
+    // glimt_render_gpu/src/kernels/sensor.rs:115
     let _e16 = unit_f32_(_e3.y);
     let _e20 = cos_sin_pi(((2f * _e16) - 1f));
     return (radius * _e20.x);
 }
 
-// glimt_render_gpu/src/kernels/sensor.rs:121
+// glimt_render_gpu/src/kernels/sensor.rs:120
 fn draw_poisson(mean: f32, source_1: ptr<function, Xoshiro128PlusPlus>) -> f32 {
     var probability: f32;
     var cumulated: f32;
     var n_1: f32;
 
-    // glimt_render_gpu/src/kernels/sensor.rs:122
+    // glimt_render_gpu/src/kernels/sensor.rs:121
     let _e4 = Xoshiro128PlusPlus_next_u32_(source_1);
     let _e5 = unit_f32_(_e4);
-    // glimt_render_gpu/src/kernels/sensor.rs:123
+    // glimt_render_gpu/src/kernels/sensor.rs:122
     probability = exp(-(mean));
-    // glimt_render_gpu/src/kernels/sensor.rs:124
+    // glimt_render_gpu/src/kernels/sensor.rs:123
     let _e11 = probability;
     cumulated = _e11;
-    // glimt_render_gpu/src/kernels/sensor.rs:125
+    // glimt_render_gpu/src/kernels/sensor.rs:124
     n_1 = 0f;
-    // glimt_render_gpu/src/kernels/sensor.rs:127
+    // glimt_render_gpu/src/kernels/sensor.rs:126
     loop {
         let _e17 = cumulated;
         let _e19 = n_1;
         if ((_e5 >= _e17) && (_e19 < 150f)) {
-            // glimt_render_gpu/src/kernels/sensor.rs:128
+            // glimt_render_gpu/src/kernels/sensor.rs:127
             let _e25 = n_1;
             n_1 = (_e25 + 1f);
-            // glimt_render_gpu/src/kernels/sensor.rs:129
+            // glimt_render_gpu/src/kernels/sensor.rs:128
             let _e28 = n_1;
             let _e30 = probability;
             probability = (_e30 * (mean / _e28));
-            // glimt_render_gpu/src/kernels/sensor.rs:130
+            // glimt_render_gpu/src/kernels/sensor.rs:129
             let _e33 = probability;
             let _e34 = cumulated;
             cumulated = (_e34 + _e33);
@@ -300,87 +300,87 @@ fn draw_poisson(mean: f32, source_1: ptr<function, Xoshiro128PlusPlus>) -> f32 {
             break;
         }
     }
-    // glimt_render_gpu/src/kernels/sensor.rs:132
+    // glimt_render_gpu/src/kernels/sensor.rs:131
     let _e37 = n_1;
     return _e37;
 }
 
-// glimt_render_gpu/src/kernels/sensor.rs:98
+// glimt_render_gpu/src/kernels/sensor.rs:97
 fn SensorParams_read(this_2: SensorParams, mean_1: f32, source_2: ptr<function, Xoshiro128PlusPlus>) -> f32 {
     var chosen_1: f32;
 
-    // glimt_render_gpu/src/kernels/sensor.rs:99
+    // glimt_render_gpu/src/kernels/sensor.rs:98
     let _e5 = draw_normal(source_2);
-    // glimt_render_gpu/src/kernels/sensor.rs:100
+    // glimt_render_gpu/src/kernels/sensor.rs:99
     if (mean_1 < 50f) {
-        // glimt_render_gpu/src/kernels/sensor.rs:101
+        // glimt_render_gpu/src/kernels/sensor.rs:100
         let _e11 = draw_poisson(mean_1, source_2);
         chosen_1 = (_e11 + (this_2.read_noise * _e5));
     } else {
-        // glimt_render_gpu/src/kernels/sensor.rs:103
+        // glimt_render_gpu/src/kernels/sensor.rs:102
         chosen_1 = (mean_1 + (sqrt((mean_1 + (this_2.read_noise * this_2.read_noise))) * _e5));
     }
     let electrons = chosen_1;
-    // glimt_render_gpu/src/kernels/sensor.rs:105
+    // glimt_render_gpu/src/kernels/sensor.rs:104
     let clipped = clamp(electrons, -(this_2.full_well), this_2.full_well);
-    // glimt_render_gpu/src/kernels/sensor.rs:106
+    // glimt_render_gpu/src/kernels/sensor.rs:105
     return (floor(((clipped / this_2.electrons_per_code) + 0.5f)) * this_2.electrons_per_code);
 }
 
-// glimt_render_gpu/src/kernels/sensor.rs:72
+// glimt_render_gpu/src/kernels/sensor.rs:71
 fn SensorParams_fuse(this_3: SensorParams, radiance: f32, source_3: ptr<function, Xoshiro128PlusPlus>) -> f32 {
     var sum: f32;
     var weights: f32;
     var relative_gain: f32;
     var counter: u32;
 
-    // glimt_render_gpu/src/kernels/sensor.rs:73
+    // glimt_render_gpu/src/kernels/sensor.rs:72
     let step_variance = ((this_3.electrons_per_code * this_3.electrons_per_code) / 12f);
-    // glimt_render_gpu/src/kernels/sensor.rs:74
+    // glimt_render_gpu/src/kernels/sensor.rs:73
     let floor_variance = ((this_3.read_noise * this_3.read_noise) + step_variance);
-    // glimt_render_gpu/src/kernels/sensor.rs:75
+    // glimt_render_gpu/src/kernels/sensor.rs:74
     sum = 0f;
-    // glimt_render_gpu/src/kernels/sensor.rs:76
+    // glimt_render_gpu/src/kernels/sensor.rs:75
     weights = 0f;
-    // glimt_render_gpu/src/kernels/sensor.rs:77
+    // glimt_render_gpu/src/kernels/sensor.rs:76
     relative_gain = 1f;
-    // glimt_render_gpu/src/kernels/sensor.rs:78
+    // glimt_render_gpu/src/kernels/sensor.rs:77
     counter = 0u;
     loop {
         let i = counter;
         if (i >= this_3.exposures) {
             break;
         }
-        // glimt_render_gpu/src/kernels/sensor.rs:79
+        // glimt_render_gpu/src/kernels/sensor.rs:78
         let _e32 = relative_gain;
         let gain = (this_3.longest_gain * _e32);
-        // glimt_render_gpu/src/kernels/sensor.rs:80
+        // glimt_render_gpu/src/kernels/sensor.rs:79
         let mean_2 = (radiance * gain);
-        // glimt_render_gpu/src/kernels/sensor.rs:81
+        // glimt_render_gpu/src/kernels/sensor.rs:80
         let variance = (mean_2 + floor_variance);
-        // glimt_render_gpu/src/kernels/sensor.rs:82
+        // glimt_render_gpu/src/kernels/sensor.rs:81
         let fits = ((mean_2 + (5f * sqrt(variance))) < this_3.full_well);
-        // glimt_render_gpu/src/kernels/sensor.rs:83
+        // glimt_render_gpu/src/kernels/sensor.rs:82
         if (fits || ((i + 1u) == this_3.exposures)) {
-            // glimt_render_gpu/src/kernels/sensor.rs:84
+            // glimt_render_gpu/src/kernels/sensor.rs:83
             let _e52 = relative_gain;
             let _e53 = relative_gain;
             let weight = ((_e52 * _e53) / max(variance, 0.000000000001f));
-            // glimt_render_gpu/src/kernels/sensor.rs:85
+            // glimt_render_gpu/src/kernels/sensor.rs:84
             let _e60 = weights;
-            if (weight < (0.001f * _e60)) {
-                // glimt_render_gpu/src/kernels/sensor.rs:86
+            if (weight < (0.02f * _e60)) {
+                // glimt_render_gpu/src/kernels/sensor.rs:85
                 break;
             }
-            // glimt_render_gpu/src/kernels/sensor.rs:88
+            // glimt_render_gpu/src/kernels/sensor.rs:87
             let _e65 = SensorParams_read(this_3, mean_2, source_3);
             let _e68 = sum;
             sum = (_e68 + ((weight * _e65) / gain));
-            // glimt_render_gpu/src/kernels/sensor.rs:89
+            // glimt_render_gpu/src/kernels/sensor.rs:88
             let _e71 = weights;
             weights = (_e71 + weight);
         }
-        // glimt_render_gpu/src/kernels/sensor.rs:91
+        // glimt_render_gpu/src/kernels/sensor.rs:90
         let _e75 = relative_gain;
         relative_gain = (_e75 / this_3.step);
         continuing {
@@ -388,7 +388,7 @@ fn SensorParams_fuse(this_3: SensorParams, radiance: f32, source_3: ptr<function
             counter = (_e77 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/sensor.rs:93
+    // glimt_render_gpu/src/kernels/sensor.rs:92
     let _e81 = sum;
     let _e82 = weights;
     return max((_e81 / max(_e82, 0.00000000000000000000000000000000000001f)), 0f);
@@ -409,13 +409,13 @@ fn expose_1(pixel_1: u32, sensor: SensorParams) -> vec4<f32> {
     let _e15 = hash2_(sensor.seed, 11u);
     let _e17 = Xoshiro128PlusPlus_stream(_e15, sensor.frame, pixel_1);
     source_4 = _e17;
-    // glimt_render_gpu/src/kernels/sensor.rs:58
+    // glimt_render_gpu/src/kernels/sensor.rs:57
     let _e21 = SensorParams_fuse(sensor, value.x, (&source_4));
-    // glimt_render_gpu/src/kernels/sensor.rs:59
+    // glimt_render_gpu/src/kernels/sensor.rs:58
     let _e24 = SensorParams_fuse(sensor, value.y, (&source_4));
-    // glimt_render_gpu/src/kernels/sensor.rs:60
+    // glimt_render_gpu/src/kernels/sensor.rs:59
     let _e27 = SensorParams_fuse(sensor, value.z, (&source_4));
-    // glimt_render_gpu/src/kernels/sensor.rs:61
+    // glimt_render_gpu/src/kernels/sensor.rs:60
     return vec4<f32>(_e21, _e24, _e27, value.w);
 }
 

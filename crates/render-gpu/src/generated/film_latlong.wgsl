@@ -131,40 +131,45 @@ fn Stage_occluder_distance(params: StageParams, origin: vec3<f32>, d: vec3<f32>)
     // glimt_render_gpu/src/kernels/stage.rs:94
     let radius = params.occluder_radius;
     // glimt_render_gpu/src/kernels/stage.rs:95
-    let to_centre = (params.occluder_centre - origin);
-    // glimt_render_gpu/src/kernels/stage.rs:96
-    let along = dot(to_centre, d);
-    // glimt_render_gpu/src/kernels/stage.rs:97
-    let aside = (to_centre - (d * along));
+    if (radius <= 0f) {
+        // glimt_render_gpu/src/kernels/stage.rs:96
+        return 1000000000000000000000000000000f;
+    }
     // glimt_render_gpu/src/kernels/stage.rs:98
-    let left = ((radius * radius) - dot(aside, aside));
+    let to_centre = (params.occluder_centre - origin);
     // glimt_render_gpu/src/kernels/stage.rs:99
-    let t = (along - sqrt(max(left, 0f)));
+    let along = dot(to_centre, d);
     // glimt_render_gpu/src/kernels/stage.rs:100
+    let aside = (to_centre - (d * along));
+    // glimt_render_gpu/src/kernels/stage.rs:101
+    let left = ((radius * radius) - dot(aside, aside));
+    // glimt_render_gpu/src/kernels/stage.rs:102
+    let t = (along - sqrt(max(left, 0f)));
+    // glimt_render_gpu/src/kernels/stage.rs:103
     if ((left > 0f) && (t > 0f)) {
         chosen_4 = t;
     } else {
         chosen_4 = 1000000000000000000000000000000f;
     }
-    let _e31 = chosen_4;
-    return _e31;
+    let _e36 = chosen_4;
+    return _e36;
 }
 
-// glimt_render_gpu/src/kernels/stage.rs:106
+// glimt_render_gpu/src/kernels/stage.rs:109
 fn wall_distance(origin_1: f32, d_1: f32, half: f32) -> f32 {
     var chosen_5: f32;
     var chosen_6: f32;
 
-    // glimt_render_gpu/src/kernels/stage.rs:107
+    // glimt_render_gpu/src/kernels/stage.rs:110
     if (d_1 > 0.000000000001f) {
-        // glimt_render_gpu/src/kernels/stage.rs:108
+        // glimt_render_gpu/src/kernels/stage.rs:111
         chosen_5 = ((half - origin_1) / d_1);
     } else {
         if (d_1 < -0.000000000001f) {
-            // glimt_render_gpu/src/kernels/stage.rs:110
+            // glimt_render_gpu/src/kernels/stage.rs:113
             chosen_6 = ((-(half) - origin_1) / d_1);
         } else {
-            // glimt_render_gpu/src/kernels/stage.rs:112
+            // glimt_render_gpu/src/kernels/stage.rs:115
             chosen_6 = 1000000000000000000000000000000f;
         }
         let _e20 = chosen_6;
@@ -248,26 +253,26 @@ fn bilinear(size_1: vec2<u32>, d_5: vec3<f32>) -> vec3<f32> {
     // glimt_render_gpu/src/kernels/environment.rs:67
     let _e4 = direction_to_uv(d_5);
     let p = ((_e4 * vec2<f32>(size_1)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:68
-    let corner = floor(p);
     // glimt_render_gpu/src/kernels/environment.rs:69
-    let f = (p - corner);
+    let next = vec2<u32>((p + vec2(1f)));
+    // glimt_render_gpu/src/kernels/environment.rs:70
+    let f = ((p + vec2(1f)) - vec2<f32>(next));
     // glimt_render_gpu/src/kernels/environment.rs:71
-    let x0_ = (u32((corner.x + f32(size_1.x))) % size_1.x);
+    let x0_ = (((next.x + size_1.x) - 1u) % size_1.x);
     // glimt_render_gpu/src/kernels/environment.rs:72
-    let x1_ = ((x0_ + 1u) % size_1.x);
+    let x1_ = (next.x % size_1.x);
     // glimt_render_gpu/src/kernels/environment.rs:73
-    let row0_ = (u32(max(corner.y, 0f)) * size_1.x);
+    let row0_ = ((max(next.y, 1u) * size_1.x) - size_1.x);
     // glimt_render_gpu/src/kernels/environment.rs:74
-    let row1_ = (min(u32((corner.y + 1f)), (size_1.y - 1u)) * size_1.x);
+    let row1_ = (min(next.y, (size_1.y - 1u)) * size_1.x);
     // glimt_render_gpu/src/kernels/environment.rs:75
-    let _e49 = stage_texels[(row0_ + x0_)];
-    let _e53 = stage_texels[(row0_ + x1_)];
-    let upper_1 = ((_e49 * (1f - f.x)) + (_e53 * f.x));
+    let _e53 = stage_texels[(row0_ + x0_)];
+    let _e57 = stage_texels[(row0_ + x1_)];
+    let upper_1 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:76
-    let _e64 = stage_texels[(row1_ + x0_)];
-    let _e68 = stage_texels[(row1_ + x1_)];
-    let lower_1 = ((_e64 * (1f - f.x)) + (_e68 * f.x));
+    let _e68 = stage_texels[(row1_ + x0_)];
+    let _e72 = stage_texels[(row1_ + x1_)];
+    let lower_1 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:77
     return ((upper_1 * (1f - f.y)) + (lower_1 * f.y)).xyz;
 }
@@ -299,35 +304,35 @@ fn Stage_radiance(params_3: StageParams, origin_4: vec3<f32>, d_7: vec3<f32>) ->
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/capture.rs:238
+// glimt_render_gpu/src/kernels/capture.rs:235
 fn film_latlong_1(texel_1: u32, latlong: LatLongParams, stage_params: StageParams) -> vec4<f32> {
     var sum: vec3<f32>;
     var counter: u32;
     var counter_1: u32;
 
-    // glimt_render_gpu/src/kernels/capture.rs:239
+    // glimt_render_gpu/src/kernels/capture.rs:236
     let place = vec2<u32>((texel_1 % latlong.size.x), (texel_1 / latlong.size.x));
-    // glimt_render_gpu/src/kernels/capture.rs:240
+    // glimt_render_gpu/src/kernels/capture.rs:237
     sum = vec3(0f);
-    // glimt_render_gpu/src/kernels/capture.rs:241
+    // glimt_render_gpu/src/kernels/capture.rs:238
     counter = 0u;
     loop {
         let j = counter;
         if (j >= latlong.grid) {
             break;
         }
-        // glimt_render_gpu/src/kernels/capture.rs:242
+        // glimt_render_gpu/src/kernels/capture.rs:239
         counter_1 = 0u;
         loop {
             let i = counter_1;
             if (i >= latlong.grid) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/capture.rs:243
+            // glimt_render_gpu/src/kernels/capture.rs:240
             let inside = ((vec2<f32>(vec2<u32>(i, j)) + vec2(0.5f)) / vec2(f32(latlong.grid)));
-            // glimt_render_gpu/src/kernels/capture.rs:244
+            // glimt_render_gpu/src/kernels/capture.rs:241
             let _e40 = direction_in_texel(place, latlong.size, inside);
-            // glimt_render_gpu/src/kernels/capture.rs:245
+            // glimt_render_gpu/src/kernels/capture.rs:242
             let _e43 = Stage_radiance(stage_params, latlong.position, _e40);
             let _e44 = sum;
             sum = (_e44 + _e43);
@@ -341,7 +346,7 @@ fn film_latlong_1(texel_1: u32, latlong: LatLongParams, stage_params: StageParam
             counter = (_e49 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/capture.rs:248
+    // glimt_render_gpu/src/kernels/capture.rs:245
     let _e53 = sum;
     return vec4<f32>((_e53 / vec3(f32((latlong.grid * latlong.grid)))), 1f);
 }

@@ -736,40 +736,45 @@ fn Stage_occluder_distance(params: StageParams, origin_1: vec3<f32>, d: vec3<f32
     // glimt_render_gpu/src/kernels/stage.rs:94
     let radius = params.occluder_radius;
     // glimt_render_gpu/src/kernels/stage.rs:95
-    let to_centre = (params.occluder_centre - origin_1);
-    // glimt_render_gpu/src/kernels/stage.rs:96
-    let along = dot(to_centre, d);
-    // glimt_render_gpu/src/kernels/stage.rs:97
-    let aside = (to_centre - (d * along));
+    if (radius <= 0f) {
+        // glimt_render_gpu/src/kernels/stage.rs:96
+        return 1000000000000000000000000000000f;
+    }
     // glimt_render_gpu/src/kernels/stage.rs:98
-    let left = ((radius * radius) - dot(aside, aside));
+    let to_centre = (params.occluder_centre - origin_1);
     // glimt_render_gpu/src/kernels/stage.rs:99
-    let t = (along - sqrt(max(left, 0f)));
+    let along = dot(to_centre, d);
     // glimt_render_gpu/src/kernels/stage.rs:100
+    let aside = (to_centre - (d * along));
+    // glimt_render_gpu/src/kernels/stage.rs:101
+    let left = ((radius * radius) - dot(aside, aside));
+    // glimt_render_gpu/src/kernels/stage.rs:102
+    let t = (along - sqrt(max(left, 0f)));
+    // glimt_render_gpu/src/kernels/stage.rs:103
     if ((left > 0f) && (t > 0f)) {
         chosen_3 = t;
     } else {
         chosen_3 = 1000000000000000000000000000000f;
     }
-    let _e31 = chosen_3;
-    return _e31;
+    let _e36 = chosen_3;
+    return _e36;
 }
 
-// glimt_render_gpu/src/kernels/stage.rs:106
+// glimt_render_gpu/src/kernels/stage.rs:109
 fn wall_distance(origin_2: f32, d_1: f32, half: f32) -> f32 {
     var chosen_4: f32;
     var chosen_5: f32;
 
-    // glimt_render_gpu/src/kernels/stage.rs:107
+    // glimt_render_gpu/src/kernels/stage.rs:110
     if (d_1 > 0.000000000001f) {
-        // glimt_render_gpu/src/kernels/stage.rs:108
+        // glimt_render_gpu/src/kernels/stage.rs:111
         chosen_4 = ((half - origin_2) / d_1);
     } else {
         if (d_1 < -0.000000000001f) {
-            // glimt_render_gpu/src/kernels/stage.rs:110
+            // glimt_render_gpu/src/kernels/stage.rs:113
             chosen_5 = ((-(half) - origin_2) / d_1);
         } else {
-            // glimt_render_gpu/src/kernels/stage.rs:112
+            // glimt_render_gpu/src/kernels/stage.rs:115
             chosen_5 = 1000000000000000000000000000000f;
         }
         let _e20 = chosen_5;
@@ -853,26 +858,26 @@ fn bilinear(size_1: vec2<u32>, d_5: vec3<f32>) -> vec3<f32> {
     // glimt_render_gpu/src/kernels/environment.rs:67
     let _e4 = direction_to_uv(d_5);
     let p_1 = ((_e4 * vec2<f32>(size_1)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:68
-    let corner_1 = floor(p_1);
     // glimt_render_gpu/src/kernels/environment.rs:69
-    let f = (p_1 - corner_1);
+    let next = vec2<u32>((p_1 + vec2(1f)));
+    // glimt_render_gpu/src/kernels/environment.rs:70
+    let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
     // glimt_render_gpu/src/kernels/environment.rs:71
-    let x0_ = (u32((corner_1.x + f32(size_1.x))) % size_1.x);
+    let x0_ = (((next.x + size_1.x) - 1u) % size_1.x);
     // glimt_render_gpu/src/kernels/environment.rs:72
-    let x1_ = ((x0_ + 1u) % size_1.x);
+    let x1_ = (next.x % size_1.x);
     // glimt_render_gpu/src/kernels/environment.rs:73
-    let row0_ = (u32(max(corner_1.y, 0f)) * size_1.x);
+    let row0_ = ((max(next.y, 1u) * size_1.x) - size_1.x);
     // glimt_render_gpu/src/kernels/environment.rs:74
-    let row1_ = (min(u32((corner_1.y + 1f)), (size_1.y - 1u)) * size_1.x);
+    let row1_ = (min(next.y, (size_1.y - 1u)) * size_1.x);
     // glimt_render_gpu/src/kernels/environment.rs:75
-    let _e49 = stage_texels[(row0_ + x0_)];
-    let _e53 = stage_texels[(row0_ + x1_)];
-    let upper = ((_e49 * (1f - f.x)) + (_e53 * f.x));
+    let _e53 = stage_texels[(row0_ + x0_)];
+    let _e57 = stage_texels[(row0_ + x1_)];
+    let upper = ((_e53 * (1f - f.x)) + (_e57 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:76
-    let _e64 = stage_texels[(row1_ + x0_)];
-    let _e68 = stage_texels[(row1_ + x1_)];
-    let lower = ((_e64 * (1f - f.x)) + (_e68 * f.x));
+    let _e68 = stage_texels[(row1_ + x0_)];
+    let _e72 = stage_texels[(row1_ + x1_)];
+    let lower = ((_e68 * (1f - f.x)) + (_e72 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:77
     return ((upper * (1f - f.y)) + (lower * f.y)).xyz;
 }
@@ -904,26 +909,26 @@ fn Stage_radiance(params_3: StageParams, origin_5: vec3<f32>, d_7: vec3<f32>) ->
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/capture.rs:211
+// glimt_render_gpu/src/kernels/capture.rs:208
 fn film_plate_1(pixel_2: u32, frame_2: FrameParams, stage_params: StageParams) -> vec4<f32> {
     var sum_2: vec3<f32>;
     var counter_1: u32;
 
-    // glimt_render_gpu/src/kernels/capture.rs:212
+    // glimt_render_gpu/src/kernels/capture.rs:209
     let first = (pixel_2 * frame_2.rays_per_pixel);
-    // glimt_render_gpu/src/kernels/capture.rs:213
+    // glimt_render_gpu/src/kernels/capture.rs:210
     sum_2 = vec3(0f);
-    // glimt_render_gpu/src/kernels/capture.rs:214
+    // glimt_render_gpu/src/kernels/capture.rs:211
     counter_1 = first;
     loop {
         let i = counter_1;
         if (i >= (first + frame_2.rays_per_pixel)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/capture.rs:215
+        // glimt_render_gpu/src/kernels/capture.rs:212
         let _e18 = FrameParams_pattern_of(frame_2, i);
         let _e19 = FrameParams_camera_ray(frame_2, _e18);
-        // glimt_render_gpu/src/kernels/capture.rs:216
+        // glimt_render_gpu/src/kernels/capture.rs:213
         let _e23 = Stage_radiance(stage_params, _e19.origin, _e19.direction);
         let _e24 = sum_2;
         sum_2 = (_e24 + _e23);
@@ -932,7 +937,7 @@ fn film_plate_1(pixel_2: u32, frame_2: FrameParams, stage_params: StageParams) -
             counter_1 = (_e26 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/capture.rs:218
+    // glimt_render_gpu/src/kernels/capture.rs:215
     let _e30 = sum_2;
     return vec4<f32>((_e30 / vec3(f32(frame_2.rays_per_pixel))), 1f);
 }

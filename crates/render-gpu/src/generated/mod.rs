@@ -289,11 +289,11 @@ const _: () = {
     assert!(offset_of!(crate::kernels::capture::CaptureParams, tint) == 112);
     assert!(offset_of!(crate::kernels::capture::CaptureParams, fresnel) == 124);
     assert!(offset_of!(crate::kernels::capture::CaptureParams, eye) == 128);
-    assert!(offset_of!(crate::kernels::capture::CaptureParams, seed) == 140);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, unused_a) == 140);
     assert!(offset_of!(crate::kernels::capture::CaptureParams, rig_half_size) == 144);
-    assert!(offset_of!(crate::kernels::capture::CaptureParams, frame) == 156);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, unused_b) == 156);
     assert!(offset_of!(crate::kernels::capture::CaptureParams, rig_radiance) == 160);
-    assert!(offset_of!(crate::kernels::capture::CaptureParams, unused) == 172);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, unused_c) == 172);
     assert!(size_of::<crate::kernels::capture::LatLongParams>() == 32);
     assert!(offset_of!(crate::kernels::capture::LatLongParams, position) == 0);
     assert!(offset_of!(crate::kernels::capture::LatLongParams, grid) == 12);

@@ -2465,26 +2465,26 @@ fn bilinear(size_11: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
     // glimt_render_gpu/src/kernels/environment.rs:67
     let _e4 = direction_to_uv(d_3);
     let p_1 = ((_e4 * vec2<f32>(size_11)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:68
-    let corner_1 = floor(p_1);
     // glimt_render_gpu/src/kernels/environment.rs:69
-    let f = (p_1 - corner_1);
+    let next = vec2<u32>((p_1 + vec2(1f)));
+    // glimt_render_gpu/src/kernels/environment.rs:70
+    let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
     // glimt_render_gpu/src/kernels/environment.rs:71
-    let x0_ = (u32((corner_1.x + f32(size_11.x))) % size_11.x);
+    let x0_ = (((next.x + size_11.x) - 1u) % size_11.x);
     // glimt_render_gpu/src/kernels/environment.rs:72
-    let x1_ = ((x0_ + 1u) % size_11.x);
+    let x1_ = (next.x % size_11.x);
     // glimt_render_gpu/src/kernels/environment.rs:73
-    let row0_1 = (u32(max(corner_1.y, 0f)) * size_11.x);
+    let row0_1 = ((max(next.y, 1u) * size_11.x) - size_11.x);
     // glimt_render_gpu/src/kernels/environment.rs:74
-    let row1_1 = (min(u32((corner_1.y + 1f)), (size_11.y - 1u)) * size_11.x);
+    let row1_1 = (min(next.y, (size_11.y - 1u)) * size_11.x);
     // glimt_render_gpu/src/kernels/environment.rs:75
-    let _e49 = env_texels[(row0_1 + x0_)];
-    let _e53 = env_texels[(row0_1 + x1_)];
-    let upper_2 = ((_e49 * (1f - f.x)) + (_e53 * f.x));
+    let _e53 = env_texels[(row0_1 + x0_)];
+    let _e57 = env_texels[(row0_1 + x1_)];
+    let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:76
-    let _e64 = env_texels[(row1_1 + x0_)];
-    let _e68 = env_texels[(row1_1 + x1_)];
-    let lower_2 = ((_e64 * (1f - f.x)) + (_e68 * f.x));
+    let _e68 = env_texels[(row1_1 + x0_)];
+    let _e72 = env_texels[(row1_1 + x1_)];
+    let lower_2 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:77
     return ((upper_2 * (1f - f.y)) + (lower_2 * f.y)).xyz;
 }

@@ -4,14 +4,12 @@
 use glam::{UVec2, Vec2, Vec3, Vec4};
 use glimt_probe::latlong::direction_in_texel;
 use glimt_probe::mirror_ball::MirrorBall;
-use glimt_sampling::uniform::unit_vec2;
 
-use super::frame::{FrameParams, PATTERN_OWEN_SOBOL};
-use super::pattern::{FILM, PixelPattern};
+use super::frame::FrameParams;
 use super::stage::{NO_HIT, Stage};
 
-/// The most samples that a pixel takes.
-const MOST_SAMPLES: f32 = 1024.0;
+/// The most samples along a side of a pixel.
+const MOST_ALONG_SIDE: f32 = 32.0;
 
 /// The camera before the ball, in metres and pixels. 176 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -43,7 +41,7 @@ pub struct CaptureParams {
     pub outline: f32,
     /// Up in the image, unit length.
     pub up: Vec3,
-    /// Samples of a pixel in the middle of the ball, at least.
+    /// Samples of a pixel that shows one texel of the map.
     pub samples: u32,
     /// The ball's reflectance at normal incidence, for each channel.
     pub tint: Vec3,
@@ -51,16 +49,16 @@ pub struct CaptureParams {
     pub fresnel: f32,
     /// Centre of projection, about which the box of the rig stands.
     pub eye: Vec3,
-    /// First key of the sample pattern.
-    pub seed: u32,
+    /// Fills 16 bytes.
+    pub unused_a: u32,
     /// Half of the rig's extent to the right, up and forward; zero for none.
     pub rig_half_size: Vec3,
-    /// Second key of the sample pattern.
-    pub frame: u32,
+    /// Fills 16 bytes.
+    pub unused_b: u32,
     /// The rig's radiance.
     pub rig_radiance: Vec3,
     /// Fills 16 bytes.
-    pub unused: f32,
+    pub unused_c: u32,
 }
 
 impl CaptureParams {
@@ -89,11 +87,12 @@ impl CaptureParams {
         Vec2::new(self.shake_x.dot(on_sensor), self.shake_y.dot(on_sensor)) / (depth * self.outline)
     }
 
-    /// Samples for a pixel whose centre is the image point `p`: one where it shows the background, and more where it shows
-    /// more of the map than a texel, as towards the rim.
+    /// Samples along each side of a pixel whose centre is the image point `p`. Their square is about `samples` where the pixel
+    /// shows one texel of the map, in proportion where it shows less or more, and more towards the rim, where it shows a long
+    /// thin part. One where it shows the background.
     #[inline]
     #[must_use]
-    pub fn samples_at(&self, p: Vec2, map_size: UVec2) -> u32 {
+    pub fn samples_along_side(&self, p: Vec2, map_size: UVec2) -> u32 {
         let radius_px = self.focal_px * self.outline;
         let reach = 0.75 / radius_px;
         let s = p.length();
@@ -104,8 +103,8 @@ impl CaptureParams {
         let inside = p * (1.0 - reach).max(0.0);
         let pixel_sr = self.ball().solid_angle_sr_per_area(inside) / (radius_px * radius_px);
         let stretch = 1.0 / libm::sqrtf((1.0 - inside.length_squared()).max(0.004));
-        let wanted = self.samples as f32 * (pixel_sr / texel_sr).max(1.0) * stretch;
-        wanted.clamp(1.0, MOST_SAMPLES) as u32
+        let wanted = self.samples as f32 * (pixel_sr / texel_sr).max(0.25) * stretch;
+        (libm::sqrtf(wanted) + 0.5).clamp(1.0, MOST_ALONG_SIDE) as u32
     }
 
     /// Radiance that the camera sees at an image point.
@@ -160,7 +159,11 @@ impl CaptureParams {
         let z = slab(from.dot(self.forward), d.dot(self.forward), half.z);
         let near = x.x.max(y.x).max(z.x);
         let far = x.y.min(y.y).min(z.y);
-        if near <= far && near > 0.0 { near } else { NO_HIT }
+        if near <= far && near > 0.0 {
+            near
+        } else {
+            NO_HIT
+        }
     }
 }
 
@@ -182,28 +185,22 @@ fn slab(from: f32, d: f32, half: f32) -> Vec2 {
 }
 
 /// One pixel of the ball's image: linear RGB, alpha 1.
+///
+/// Its samples stand on a grid, and not where a pattern scatters them: that is exact to the second order, so that a pixel shows
+/// what is in its middle, and a sun of one texel keeps its energy.
 #[must_use]
 pub fn film_ball(pixel: u32, capture: &CaptureParams, stage: Stage<'_>) -> Vec4 {
     let corner = UVec2::new(pixel % capture.width, pixel / capture.width).as_vec2();
     let middle = capture.image_point(corner + Vec2::splat(0.5));
-    let count = capture.samples_at(middle, stage.params.size);
-    if count == 1 {
-        return capture.radiance(middle, stage).extend(1.0);
-    }
+    let side = capture.samples_along_side(middle, stage.params.size);
     let mut sum = Vec3::ZERO;
-    for ray in 0..count {
-        let pattern = PixelPattern {
-            kind: PATTERN_OWEN_SOBOL,
-            seed: capture.seed,
-            frame: capture.frame,
-            pixel,
-            ray,
-            rays: count,
-        };
-        let place = unit_vec2(pattern.pair(FILM, 0, 1));
-        sum += capture.radiance(capture.image_point(corner + place), stage);
+    for j in 0..side {
+        for i in 0..side {
+            let inside = (UVec2::new(i, j).as_vec2() + Vec2::splat(0.5)) / side as f32;
+            sum += capture.radiance(capture.image_point(corner + inside), stage);
+        }
     }
-    (sum / count as f32).extend(1.0)
+    (sum / (side * side) as f32).extend(1.0)
 }
 
 /// One pixel of the backplate: linear RGB, alpha 1.

@@ -65,13 +65,13 @@ impl Environment<'_> {
 #[must_use]
 pub fn bilinear(texels: &[Vec4], size: UVec2, d: Vec3) -> Vec3 {
     let p = direction_to_uv(d) * size.as_vec2() - Vec2::splat(0.5);
-    let corner = p.floor();
-    let f = p - corner;
-    // One map's width more, so that the column left of the seam is not negative.
-    let x0 = (corner.x + size.x as f32) as u32 % size.x;
-    let x1 = (x0 + 1) % size.x;
-    let row0 = corner.y.max(0.0) as u32 * size.x;
-    let row1 = ((corner.y + 1.0) as u32).min(size.y - 1) * size.x;
+    // One more than the texel on the left and above: p begins at −½.
+    let next = (p + Vec2::ONE).as_uvec2();
+    let f = p + Vec2::ONE - next.as_vec2();
+    let x0 = (next.x + size.x - 1) % size.x;
+    let x1 = next.x % size.x;
+    let row0 = next.y.max(1) * size.x - size.x;
+    let row1 = next.y.min(size.y - 1) * size.x;
     let upper = texels[(row0 + x0) as usize].lerp(texels[(row0 + x1) as usize], f.x);
     let lower = texels[(row1 + x0) as usize].lerp(texels[(row1 + x1) as usize], f.x);
     upper.lerp(lower, f.y).truncate()

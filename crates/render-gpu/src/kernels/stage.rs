@@ -92,6 +92,9 @@ impl Stage<'_> {
     #[must_use]
     pub fn occluder_distance(&self, origin: Vec3, d: Vec3) -> f32 {
         let radius = self.params.occluder_radius;
+        if radius <= 0.0 {
+            return NO_HIT;
+        }
         let to_centre = self.params.occluder_centre - origin;
         let along = to_centre.dot(d);
         let aside = to_centre - d * along;
