@@ -51,6 +51,19 @@ pub enum Command {
         #[command(flatten)]
         flags: RenderFlags,
     },
+    /// Film a simulated mirror ball, with a backplate and the truth: its light, centre, radius and sun in every frame
+    ///
+    /// Writes capture/, plate/, truth/ and a shot that fits. A frame that is there already, made by this version from the same
+    /// settings, light and seed, is skipped.
+    #[command(after_help = SYNTH_EXAMPLES)]
+    Synth {
+        /// Settings (TOML), or a lat-long light map (EXR, HDR); without it, the built-in sky
+        #[arg(value_name = "SYNTH.toml|LIGHT")]
+        input: Option<PathBuf>,
+        /// Common flags.
+        #[command(flatten)]
+        flags: SynthFlags,
+    },
     /// Say what a file holds (EXR, HDR, glTF, OBJ, PLY, shot), or which devices there are
     #[command(after_help = INFO_EXAMPLES)]
     Info {
@@ -84,6 +97,29 @@ pub struct RenderFlags {
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = seed)]
     pub seed: Option<u32>,
     /// Refuse inputs with defects (texels that are no light, degenerate triangles) rather than work around them
+    #[arg(long)]
+    pub strict: bool,
+}
+
+/// Flags of `glimt synth`.
+#[derive(Clone, Debug, Args)]
+pub struct SynthFlags {
+    /// Film these frames alone, as 1-24 or 7
+    #[arg(long, value_name = "A-B", allow_hyphen_values = true)]
+    pub frames: Option<String>,
+    /// Where to compute
+    #[arg(long, value_enum, default_value_t)]
+    pub device: Device,
+    /// Set any key, as capture.radius_mm=40 or lamp.0.flicker=0.5
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Folder for the outputs, instead of output.dir
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Seed of shake, noise and clouds, instead of the key seed
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = seed)]
+    pub seed: Option<u32>,
+    /// Refuse a light map with texels that are no light, rather than take them as 0
     #[arg(long)]
     pub strict: bool,
 }
@@ -143,6 +179,35 @@ const DEMO_EXAMPLES: &str = "\
 Examples:
   glimt demo
   glimt demo --frames 1-4 --out /tmp/demo --set image.rays_per_pixel=64";
+
+const SYNTH_EXAMPLES: &str = "\
+Examples:
+  glimt synth                                the built-in sky, 24 frames of 2400 x 1700
+  glimt synth light.hdr --out capture --frames 1-4
+  glimt synth light.hdr --set capture.size=[640,450] --set capture.pixel_um=18.75
+  glimt synth synth.toml --device gpu --seed 7
+
+Every key has a default; a file names those that differ:
+  frames = 48
+  [light]
+  map = \"light.hdr\"
+  [capture]
+  radius_mm = 40
+  jitter_px = 5
+  [stage]                                  # at a finite distance, moving shows another parallax
+  shape = \"box\"
+  size_m = [12, 8, 6]
+  to_m = [1, 0, 0]
+  [sun]                                    # the map's own sun, moved
+  from_deg = [80, 10]
+  to_deg = [20, 50]
+  [[lamp]]
+  azimuth_deg = 200
+  flicker = 0.5
+  [clouds]
+  cover = 0.4
+  [occluder]
+  radius_m = 0.3";
 
 const INFO_EXAMPLES: &str = "\
 Examples:

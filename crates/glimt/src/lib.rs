@@ -6,6 +6,7 @@
 pub mod cli;
 pub mod demo;
 pub mod device;
+pub mod disc;
 pub mod error;
 pub mod info;
 pub mod input;
@@ -16,3 +17,4 @@ pub mod output;
 pub mod render;
 pub mod report;
 pub mod shot;
+pub mod synth;

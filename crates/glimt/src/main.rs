@@ -6,7 +6,7 @@ use glimt::error::{Error, Kind, Result};
 use glimt::job::Job;
 use glimt::notes::Notes;
 use glimt::report::Reporter;
-use glimt::{info, render};
+use glimt::{info, render, synth};
 use std::io::IsTerminal;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -44,6 +44,7 @@ fn run(command: Command, reporter: &Reporter) -> Result<()> {
             reporter.notes(notes.take());
             render::render(job?, flags.device, notes, reporter)
         }
+        Command::Synth { input, flags } => synth::run(input.as_deref(), &flags, reporter),
         Command::Info { file: None, .. } => {
             info::devices(reporter);
             Ok(())

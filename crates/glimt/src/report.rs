@@ -50,14 +50,21 @@ impl Reporter {
         self.event(&json!({
             "event": "start", "frames": frames, "out": out, "device": device, "triangles": triangles,
         }));
+        let what = format!("{}, {triangles} triangles", count(frames, "frame"));
+        self.begin(&what, frames, out, device);
+    }
+
+    /// Filming of `frames` frames begins.
+    pub fn start_filming(&self, frames: usize, out: &Path, device: &str) {
+        self.event(&json!({"event": "start", "frames": frames, "out": out, "device": device}));
+        self.begin(&count(frames, "frame"), frames, out, device);
+    }
+
+    fn begin(&self, what: &str, frames: usize, out: &Path, device: &str) {
         if self.talk.quiet || self.talk.json {
             return;
         }
-        let out = out.display();
-        self.line(&format!(
-            "{}, {triangles} triangles, on {device}, into {out}",
-            count(frames, "frame")
-        ));
+        self.line(&format!("{what}, on {device}, into {}", out.display()));
         if std::io::stderr().is_terminal() {
             let style = ProgressStyle::with_template("{bar:32} {msg}, {elapsed} gone, {eta} to go")
                 .unwrap_or_else(|_| ProgressStyle::default_bar());

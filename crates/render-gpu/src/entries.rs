@@ -49,6 +49,16 @@ pub const ENTRIES: &[EntrySpec] = &[
         "composite_alone",
         "glimt_render_gpu::kernels::composite::composite_alone",
     ),
+    entry("film_ball", "glimt_render_gpu::kernels::capture::film_ball"),
+    entry(
+        "film_plate",
+        "glimt_render_gpu::kernels::capture::film_plate",
+    ),
+    entry(
+        "film_latlong",
+        "glimt_render_gpu::kernels::capture::film_latlong",
+    ),
+    entry("expose", "glimt_render_gpu::kernels::sensor::expose"),
     entry(
         "diagnose_uniforms",
         "glimt_render_gpu::kernels::diagnose::uniforms",

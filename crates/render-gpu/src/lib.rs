@@ -63,6 +63,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("kernels/bvh.rs", include_str!("kernels/bvh.rs")),
         ("kernels/camera.rs", include_str!("kernels/camera.rs")),
         ("kernels/composite.rs", include_str!("kernels/composite.rs")),
+        ("kernels/capture.rs", include_str!("kernels/capture.rs")),
         ("kernels/diagnose.rs", include_str!("kernels/diagnose.rs")),
         (
             "kernels/environment.rs",
@@ -77,7 +78,9 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("kernels/pattern.rs", include_str!("kernels/pattern.rs")),
         ("kernels/ray.rs", include_str!("kernels/ray.rs")),
         ("kernels/scene.rs", include_str!("kernels/scene.rs")),
+        ("kernels/sensor.rs", include_str!("kernels/sensor.rs")),
         ("kernels/shade.rs", include_str!("kernels/shade.rs")),
+        ("kernels/stage.rs", include_str!("kernels/stage.rs")),
         ("kernels/texture.rs", include_str!("kernels/texture.rs")),
         ("kernels/triangle.rs", include_str!("kernels/triangle.rs")),
         ("kernels/unwarp.rs", include_str!("kernels/unwarp.rs")),

@@ -3,6 +3,7 @@
 //! `scripts/mutate-shared.sh` builds them from sources in which one constant is changed.
 
 pub mod atlas;
+mod capture;
 mod frame;
 mod layered;
 mod light;
@@ -16,6 +17,7 @@ use naga_front_rust::{EntryDesc, Program};
 use crate::golden;
 use crate::gpu::entry_of;
 
+pub use capture::capture_pair;
 pub use frame::frame_pairs;
 pub use light::light_pair;
 

@@ -10,7 +10,10 @@ mod solid;
 mod sun;
 
 pub use armillary::scene;
+pub(crate) use lamps::flicker;
+pub(crate) use sky::clear_sky;
 pub use sky::environment;
+pub(crate) use sun::irradiance as sun_irradiance;
 
 use glam::{UVec2, Vec3, vec3};
 use glimt_render_gpu::host::render::{

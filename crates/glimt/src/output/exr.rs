@@ -1,5 +1,5 @@
-//! Host file: linear frames as OpenEXR: 32-bit float RGBA, premultiplied, Rec. 709 primaries, ZIP; with further layers beside
-//! them where they are asked for.
+//! Host file: linear frames as OpenEXR: 32-bit float RGBA, premultiplied, with further layers beside them where they are asked
+//! for; or RGB of 32 or 16 bits. Rec. 709 primaries, ZIP.
 
 use super::aov::{Channel, DISPLAY, FORMULA_KEY};
 use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending};
@@ -40,6 +40,57 @@ pub fn write(
     layers: Layers,
     stamp: &Stamp,
 ) -> Result<()> {
+    let names = ["R", "G", "B", "A"];
+    let further = layers.channels.into_iter().map(|channel| {
+        let samples = match channel.half {
+            true => FlatSamples::F16(channel.samples.into_iter().map(f16::from_f32).collect()),
+            false => FlatSamples::F32(channel.samples),
+        };
+        AnyChannel::new(channel.name.as_str(), samples)
+    });
+    let channels = planes(pixels, &names, false).chain(further).collect();
+    store(file, size, channels, layers.formula, stamp)
+}
+
+/// Writes a frame without alpha, whole or not at all; as 16-bit floats if `half`, where values above 65504 become that.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write_rgb(
+    file: &Path,
+    size: UVec2,
+    pixels: &[Vec4],
+    stamp: &Stamp,
+    half: bool,
+) -> Result<()> {
+    let channels = planes(pixels, &["R", "G", "B"], half).collect();
+    store(file, size, channels, None, stamp)
+}
+
+/// One channel for each name, of the pixels' components in turn.
+fn planes<'a>(
+    pixels: &'a [Vec4],
+    names: &'a [&'static str],
+    half: bool,
+) -> impl Iterator<Item = AnyChannel<FlatSamples>> + 'a {
+    let plane = move |c: usize| match half {
+        true => {
+            let narrow = |p: &Vec4| f16::from_f32(p[c].min(f16::MAX.to_f32()));
+            FlatSamples::F16(pixels.iter().map(narrow).collect())
+        }
+        false => FlatSamples::F32(pixels.iter().map(|p| p[c]).collect()),
+    };
+    let names = names.iter().enumerate();
+    names.map(move |(c, name)| AnyChannel::new(*name, plane(c)))
+}
+
+fn store(
+    file: &Path,
+    size: UVec2,
+    channels: SmallVec<[AnyChannel<FlatSamples>; 4]>,
+    formula: Option<&'static str>,
+    stamp: &Stamp,
+) -> Result<()> {
     let mut attributes = LayerAttributes {
         software_name: Some(Text::from(SOFTWARE)),
         ..LayerAttributes::default()
@@ -49,7 +100,7 @@ pub fn write(
     let frame = AttributeValue::I32(stamp.frame.cast_signed());
     attributes.other.insert(Text::from(FRAME_KEY), frame);
 
-    if let Some(formula) = layers.formula {
+    if let Some(formula) = formula {
         let formula = AttributeValue::Text(Text::from(formula));
         attributes.other.insert(Text::from(FORMULA_KEY), formula);
     }
@@ -62,7 +113,7 @@ pub fn write(
             blocks: Blocks::ScanLines,
             line_order: LineOrder::Increasing,
         },
-        AnyChannels::sort(channels(pixels, layers.channels)),
+        AnyChannels::sort(channels),
     );
     let mut image = Image::from_layer(layer);
     let [red, green, blue, white] = REC_709.map(|p| Vec2(p[0], p[1]));
@@ -82,20 +133,6 @@ pub fn write(
             e => Error::output(file, e),
         })?;
     pending.commit()
-}
-
-fn channels(pixels: &[Vec4], layers: Vec<Channel>) -> SmallVec<[AnyChannel<FlatSamples>; 4]> {
-    let plane = |c: usize| FlatSamples::F32(pixels.iter().map(|p| p[c]).collect());
-    let own = ["R", "G", "B", "A"].into_iter().enumerate();
-    let own = own.map(|(c, name)| AnyChannel::new(name, plane(c)));
-    let further = layers.into_iter().map(|channel| {
-        let samples = match channel.half {
-            true => FlatSamples::F16(channel.samples.into_iter().map(f16::from_f32).collect()),
-            false => FlatSamples::F32(channel.samples),
-        };
-        AnyChannel::new(channel.name.as_str(), samples)
-    });
-    own.chain(further).collect()
 }
 
 /// The identity that a frame was stored with; `None` if there is no such frame, none of ours, not all of it, or one without

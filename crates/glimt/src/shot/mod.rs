@@ -197,6 +197,8 @@ macro_rules! words {
     };
 }
 
+pub(crate) use words;
+
 words! {
     /// Where in its pixel a ray passes.
     Filter {

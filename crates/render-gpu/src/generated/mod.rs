@@ -208,6 +208,81 @@ pub const COMPOSITE_ALONE: Entry = Entry {
     ],
 };
 
+/// [`film_ball`](crate::kernels::capture::film_ball) as a compute entry point.
+pub const FILM_BALL: Entry = Entry {
+    name: "film_ball",
+    kernel: "glimt_render_gpu::kernels::capture::film_ball",
+    wgsl: include_str!("film_ball.wgsl"),
+    workgroup_size: 64,
+    params_size: 256,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("capture", 16, 176),
+        param("stage.params", 192, 64),
+    ],
+    buffers: &[
+        slot("stage.texels", 1, 16, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
+/// [`film_plate`](crate::kernels::capture::film_plate) as a compute entry point.
+pub const FILM_PLATE: Entry = Entry {
+    name: "film_plate",
+    kernel: "glimt_render_gpu::kernels::capture::film_plate",
+    wgsl: include_str!("film_plate.wgsl"),
+    workgroup_size: 64,
+    params_size: 192,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("stage.params", 128, 64),
+    ],
+    buffers: &[
+        slot("stage.texels", 1, 16, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
+/// [`film_latlong`](crate::kernels::capture::film_latlong) as a compute entry point.
+pub const FILM_LATLONG: Entry = Entry {
+    name: "film_latlong",
+    kernel: "glimt_render_gpu::kernels::capture::film_latlong",
+    wgsl: include_str!("film_latlong.wgsl"),
+    workgroup_size: 64,
+    params_size: 112,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("latlong", 16, 32),
+        param("stage.params", 48, 64),
+    ],
+    buffers: &[
+        slot("stage.texels", 1, 16, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
+/// [`expose`](crate::kernels::sensor::expose) as a compute entry point.
+pub const EXPOSE: Entry = Entry {
+    name: "expose",
+    kernel: "glimt_render_gpu::kernels::sensor::expose",
+    wgsl: include_str!("expose.wgsl"),
+    workgroup_size: 64,
+    params_size: 56,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("sensor", 8, 48),
+    ],
+    buffers: &[
+        slot("radiance", 1, 16, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
 /// [`uniforms`](crate::kernels::diagnose::uniforms) as a compute entry point.
 pub const DIAGNOSE_UNIFORMS: Entry = Entry {
     name: "diagnose_uniforms",
@@ -329,6 +404,34 @@ const _: () = {
     assert!(offset_of!(crate::kernels::bvh::BvhNode, count) == 12);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, max) == 16);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, first) == 28);
+    assert!(size_of::<crate::kernels::capture::CaptureParams>() == 176);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, shake_x) == 0);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, width) == 12);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, shake_y) == 16);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, height) == 28);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, shake_z) == 32);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, focal_px) == 44);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, ball_centre) == 48);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, ball_radius) == 60);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, forward) == 64);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, radius_over_distance) == 76);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, right) == 80);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, outline) == 92);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, up) == 96);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, samples) == 108);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, tint) == 112);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, fresnel) == 124);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, eye) == 128);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, unused_a) == 140);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, rig_half_size) == 144);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, unused_b) == 156);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, rig_radiance) == 160);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, unused_c) == 172);
+    assert!(size_of::<crate::kernels::capture::LatLongParams>() == 32);
+    assert!(offset_of!(crate::kernels::capture::LatLongParams, position) == 0);
+    assert!(offset_of!(crate::kernels::capture::LatLongParams, grid) == 12);
+    assert!(offset_of!(crate::kernels::capture::LatLongParams, size) == 16);
+    assert!(offset_of!(crate::kernels::capture::LatLongParams, unused) == 24);
     assert!(size_of::<crate::kernels::composite::PlatePixel>() == 16);
     assert!(offset_of!(crate::kernels::composite::PlatePixel, linear) == 0);
     assert!(offset_of!(crate::kernels::composite::PlatePixel, code) == 12);
@@ -401,6 +504,28 @@ const _: () = {
     assert!(offset_of!(crate::kernels::scene::Corner, u) == 12);
     assert!(offset_of!(crate::kernels::scene::Corner, tangent) == 16);
     assert!(offset_of!(crate::kernels::scene::Corner, v) == 28);
+    assert!(size_of::<crate::kernels::sensor::SensorParams>() == 48);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, longest_gain) == 0);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, step) == 4);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, exposures) == 8);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, full_well) == 12);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, read_noise) == 16);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, electrons_per_code) == 20);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, seed) == 24);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, frame) == 28);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_a) == 32);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_b) == 36);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_c) == 40);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_d) == 44);
+    assert!(size_of::<crate::kernels::stage::StageParams>() == 64);
+    assert!(offset_of!(crate::kernels::stage::StageParams, half_size) == 0);
+    assert!(offset_of!(crate::kernels::stage::StageParams, shape) == 12);
+    assert!(offset_of!(crate::kernels::stage::StageParams, occluder_centre) == 16);
+    assert!(offset_of!(crate::kernels::stage::StageParams, occluder_radius) == 28);
+    assert!(offset_of!(crate::kernels::stage::StageParams, occluder_radiance) == 32);
+    assert!(offset_of!(crate::kernels::stage::StageParams, unused) == 44);
+    assert!(offset_of!(crate::kernels::stage::StageParams, size) == 48);
+    assert!(offset_of!(crate::kernels::stage::StageParams, rotation) == 56);
     assert!(size_of::<crate::kernels::texture::TextureView>() == 16);
     assert!(offset_of!(crate::kernels::texture::TextureView, first) == 0);
     assert!(offset_of!(crate::kernels::texture::TextureView, width) == 4);

@@ -790,44 +790,43 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(_e47, clamp(v_2, 0f, 1f));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:37
-fn Environment_radiance(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:66
+fn bilinear(size_1: vec2<u32>, d_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:38
-    let _e12 = env_texels[((texel.y * cdf_size_1.x) + texel.x)];
-    return _e12.xyz;
+    // glimt_render_gpu/src/kernels/environment.rs:67
+    let _e4 = direction_to_uv(d_2);
+    let p_1 = ((_e4 * vec2<f32>(size_1)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:69
+    let next = vec2<u32>((p_1 + vec2(1f)));
+    // glimt_render_gpu/src/kernels/environment.rs:70
+    let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
+    // glimt_render_gpu/src/kernels/environment.rs:71
+    let x0_ = (((next.x + size_1.x) - 1u) % size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:72
+    let x1_ = (next.x % size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:73
+    let row0_ = ((max(next.y, 1u) * size_1.x) - size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:74
+    let row1_ = (min(next.y, (size_1.y - 1u)) * size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:75
+    let _e53 = env_texels[(row0_ + x0_)];
+    let _e57 = env_texels[(row0_ + x1_)];
+    let upper = ((_e53 * (1f - f.x)) + (_e57 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:76
+    let _e68 = env_texels[(row1_ + x0_)];
+    let _e72 = env_texels[(row1_ + x1_)];
+    let lower = ((_e68 * (1f - f.x)) + (_e72 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:77
+    return ((upper * (1f - f.y)) + (lower * f.y)).xyz;
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:57
-fn Environment_background(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
+fn Environment_background(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:58
-    // glimt_render_gpu/src/kernels/environment.rs:59
-    let _e6 = Environment_to_map(cdf_size_2, rotation_2, direction_2);
-    let _e7 = direction_to_uv(_e6);
-    let p_1 = ((_e7 * vec2<f32>(cdf_size_2)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:60
-    let corner_1 = floor(p_1);
-    // glimt_render_gpu/src/kernels/environment.rs:61
-    let f = (p_1 - corner_1);
-    // glimt_render_gpu/src/kernels/environment.rs:63
-    let x0_ = (u32((corner_1.x + f32(cdf_size_2.x))) % cdf_size_2.x);
-    // glimt_render_gpu/src/kernels/environment.rs:64
-    let x1_ = ((x0_ + 1u) % cdf_size_2.x);
-    // glimt_render_gpu/src/kernels/environment.rs:65
-    let y0_ = u32(max(corner_1.y, 0f));
-    // glimt_render_gpu/src/kernels/environment.rs:66
-    let y1_ = min(u32((corner_1.y + 1f)), (cdf_size_2.y - 1u));
-    // glimt_render_gpu/src/kernels/environment.rs:67
-    let _e46 = Environment_radiance(cdf_size_2, rotation_2, vec2<u32>(x0_, y0_));
-    let _e48 = Environment_radiance(cdf_size_2, rotation_2, vec2<u32>(x1_, y0_));
-    let upper = ((_e46 * (1f - f.x)) + (_e48 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:70
-    let _e57 = Environment_radiance(cdf_size_2, rotation_2, vec2<u32>(x0_, y1_));
-    let _e59 = Environment_radiance(cdf_size_2, rotation_2, vec2<u32>(x1_, y1_));
-    let lower = ((_e57 * (1f - f.x)) + (_e59 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:73
-    return ((upper * (1f - f.y)) + (lower * f.y));
+    let _e5 = Environment_to_map(cdf_size_1, rotation_1, direction_2);
+    let _e6 = bilinear(cdf_size_1, _e5);
+    return _e6;
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:98

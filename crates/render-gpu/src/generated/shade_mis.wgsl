@@ -1967,12 +1967,12 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
 fn direction_to_texel(d_2: vec3<f32>, size_2: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_11 = max(size_2, vec2(1u));
+    let size_12 = max(size_2, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_11));
+    let position = (_e8 * vec2<f32>(size_12));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_11 - vec2(1u)));
+    return min(vec2<u32>(position), (size_12 - vec2(1u)));
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:30
@@ -2049,19 +2049,19 @@ fn cos_sin_pi(x_7: f32) -> vec2<f32> {
 fn texel_solid_angle_sr(row: u32, size_5: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_12 = max(size_5, vec2(1u));
+    let size_13 = max(size_5, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_2 = min(row, (size_12.y - 1u));
+    let row_2 = min(row, (size_13.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_2, ((size_12.y - 1u) - row_2));
+    let from_pole = min(row_2, ((size_13.y - 1u) - row_2));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_12.y));
+    let half_row = (0.5f / f32(size_13.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_12.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_13.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:162
@@ -2344,27 +2344,27 @@ fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> ve
     var chosen_22: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_13 = max(size_9, vec2(1u));
+    let size_14 = max(size_9, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_3 = min(texel_4.y, (size_13.y - 1u));
+    let row_3 = min(texel_4.y, (size_14.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_3) >= size_13.y);
+    let southern = ((2u * row_3) >= size_14.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_20 = (size_13.y - row_3);
+        chosen_20 = (size_14.y - row_3);
     } else {
         chosen_20 = row_3;
     }
     let upper_1 = chosen_20;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_21 = ((size_13.y - row_3) - 1u);
+        chosen_21 = ((size_14.y - row_3) - 1u);
     } else {
         chosen_21 = (row_3 + 1u);
     }
     let lower_1 = chosen_21;
     // glimt_probe/src/latlong.rs:149
-    let half_2 = (0.5f / f32(size_13.y));
+    let half_2 = (0.5f / f32(size_14.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper_1) * half_2));
     let sin_upper = _e41.y;
@@ -2387,7 +2387,7 @@ fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> ve
     }
     let cos_theta_1 = chosen_22;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_13.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_14.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
@@ -2503,36 +2503,43 @@ fn Mis_reflected(this_32: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
     return _e40;
 }
 
+// glimt_render_gpu/src/kernels/environment.rs:66
+fn bilinear(size_11: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:67
+    let _e4 = direction_to_uv(d_3);
+    let p_1 = ((_e4 * vec2<f32>(size_11)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:69
+    let next = vec2<u32>((p_1 + vec2(1f)));
+    // glimt_render_gpu/src/kernels/environment.rs:70
+    let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
+    // glimt_render_gpu/src/kernels/environment.rs:71
+    let x0_ = (((next.x + size_11.x) - 1u) % size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:72
+    let x1_ = (next.x % size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:73
+    let row0_1 = ((max(next.y, 1u) * size_11.x) - size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:74
+    let row1_1 = (min(next.y, (size_11.y - 1u)) * size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:75
+    let _e53 = env_texels[(row0_1 + x0_)];
+    let _e57 = env_texels[(row0_1 + x1_)];
+    let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:76
+    let _e68 = env_texels[(row1_1 + x0_)];
+    let _e72 = env_texels[(row1_1 + x1_)];
+    let lower_2 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:77
+    return ((upper_2 * (1f - f.y)) + (lower_2 * f.y)).xyz;
+}
+
 // glimt_render_gpu/src/kernels/environment.rs:57
 fn Environment_background(cdf_size_4: vec2<u32>, rotation_4: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:58
-    // glimt_render_gpu/src/kernels/environment.rs:59
-    let _e6 = Environment_to_map(cdf_size_4, rotation_4, direction_10);
-    let _e7 = direction_to_uv(_e6);
-    let p_1 = ((_e7 * vec2<f32>(cdf_size_4)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:60
-    let corner_1 = floor(p_1);
-    // glimt_render_gpu/src/kernels/environment.rs:61
-    let f = (p_1 - corner_1);
-    // glimt_render_gpu/src/kernels/environment.rs:63
-    let x0_ = (u32((corner_1.x + f32(cdf_size_4.x))) % cdf_size_4.x);
-    // glimt_render_gpu/src/kernels/environment.rs:64
-    let x1_ = ((x0_ + 1u) % cdf_size_4.x);
-    // glimt_render_gpu/src/kernels/environment.rs:65
-    let y0_ = u32(max(corner_1.y, 0f));
-    // glimt_render_gpu/src/kernels/environment.rs:66
-    let y1_ = min(u32((corner_1.y + 1f)), (cdf_size_4.y - 1u));
-    // glimt_render_gpu/src/kernels/environment.rs:67
-    let _e46 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x0_, y0_));
-    let _e48 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x1_, y0_));
-    let upper_2 = ((_e46 * (1f - f.x)) + (_e48 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:70
-    let _e57 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x0_, y1_));
-    let _e59 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x1_, y1_));
-    let lower_2 = ((_e57 * (1f - f.x)) + (_e59 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:73
-    return ((upper_2 * (1f - f.y)) + (lower_2 * f.y));
+    let _e5 = Environment_to_map(cdf_size_4, rotation_4, direction_10);
+    let _e6 = bilinear(cdf_size_4, _e5);
+    return _e6;
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:39

@@ -6,6 +6,7 @@
 
 pub mod bvh;
 pub mod camera;
+pub mod capture;
 pub mod composite;
 pub mod diagnose;
 pub mod environment;
@@ -18,7 +19,9 @@ pub mod mis;
 pub mod pattern;
 pub mod ray;
 pub mod scene;
+pub mod sensor;
 pub mod shade;
+pub mod stage;
 pub mod texture;
 pub mod triangle;
 pub mod unwarp;
