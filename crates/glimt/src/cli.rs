@@ -1,6 +1,7 @@
 //! Host file: the command line.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use glam::UVec2;
 use std::path::PathBuf;
 
 /// Renders virtual objects into filmed footage, lit by a filmed HDR light probe.
@@ -64,6 +65,19 @@ pub enum Command {
         #[command(flatten)]
         flags: SynthFlags,
     },
+    /// Turn film of a mirror ball into lat-long maps: the ball is found, steadied and unwarped
+    ///
+    /// Writes latlong.####.exr, mask.####.png (0 seen, 1 hidden behind the ball, 2 rig, 3 the mixed ring at the rim) where
+    /// it changes, and track.json: where the ball was in each frame. A frame that is there already is skipped.
+    #[command(after_help = UNWARP_EXAMPLES)]
+    Unwarp {
+        /// The frames, with #### for their numbers (EXR, HDR; or PNG, JPEG, whose lamps clip); one file is a still
+        #[arg(value_name = "FRAMES")]
+        input: PathBuf,
+        /// Flags.
+        #[command(flatten)]
+        flags: UnwarpFlags,
+    },
     /// Say what a file holds (EXR, HDR, glTF, OBJ, PLY, shot), or which devices there are
     #[command(after_help = INFO_EXAMPLES)]
     Info {
@@ -122,6 +136,44 @@ pub struct SynthFlags {
     /// Refuse a light map with texels that are no light, rather than take them as 0
     #[arg(long)]
     pub strict: bool,
+}
+
+/// Flags of `glimt unwarp`.
+#[derive(Clone, Debug, Args)]
+pub struct UnwarpFlags {
+    /// Unwarp these frames alone, as 1-24 or 7
+    #[arg(long, value_name = "A-B", allow_hyphen_values = true)]
+    pub frames: Option<String>,
+    /// Where to compute
+    #[arg(long, value_enum, default_value_t)]
+    pub device: Device,
+    /// Folder for the outputs
+    #[arg(long, value_name = "DIR", default_value = "unwarped")]
+    pub out: PathBuf,
+    /// Size of the maps, as 1628x814; twice the ball's radius by once, if not given
+    #[arg(long, value_name = "WxH", value_parser = map_size)]
+    pub size: Option<UVec2>,
+    /// From the camera to the ball's centre in millimetres; inf for an orthographic camera [default: 1250]
+    #[arg(long, value_name = "MM")]
+    pub distance_mm: Option<f32>,
+    /// Radius of the ball in millimetres [default: 50]
+    #[arg(long, value_name = "MM")]
+    pub radius_mm: Option<f32>,
+    /// Set any key of the shot's [probe.ball], as rig_deg=8, forward=[0,1,0] or centre_px=[512,384]
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Refuse frames with pixels that are no light, rather than take them as 0
+    #[arg(long)]
+    pub strict: bool,
+}
+
+/// Reads a size.
+fn map_size(text: &str) -> Result<UVec2, String> {
+    let sides = text.split_once(['x', '×', ',']).and_then(|(w, h)| {
+        let side = |word: &str| word.trim().parse().ok();
+        Some(UVec2::new(side(w)?, side(h)?))
+    });
+    sides.ok_or_else(|| "a size is a width and a height, as 1024x512".to_owned())
 }
 
 /// Reads a seed.
@@ -208,6 +260,15 @@ Every key has a default; a file names those that differ:
   cover = 0.4
   [occluder]
   radius_m = 0.3";
+
+const UNWARP_EXAMPLES: &str = "\
+Examples:
+  glimt unwarp 'capture/ball.####.exr' --out light
+  glimt unwarp 'capture/ball.####.exr' --size 1628x814 --distance-mm 1250 --radius-mm 40 --set rig_deg=6
+  glimt unwarp ball.jpg --distance-mm 400 --radius-mm 50
+  glimt unwarp ball.exr --set centre_px=[1200,850] --set radius_px=800
+
+Film can light a shot without this: [probe] mapping = \"mirror-ball\" does the same on the way.";
 
 const INFO_EXAMPLES: &str = "\
 Examples:

@@ -70,7 +70,8 @@ pub fn failure(error: RenderError) -> Error {
     }
 }
 
-fn gpu_failure(error: &GpuError) -> Error {
+/// What a GPU says, as an error of the program.
+pub fn gpu_failure(error: &GpuError) -> Error {
     let (what, fix) = match error {
         GpuError::NoAdapter => (
             "there is no GPU that runs compute shaders".to_owned(),

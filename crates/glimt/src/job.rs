@@ -1,5 +1,6 @@
 //! Host file: what there is to render: a shot file or the built-in shot, loaded and checked, ready for the pipeline.
 
+use crate::capture::colour;
 use crate::cli::RenderFlags;
 use crate::demo;
 use crate::error::{Error, Kind, Result};
@@ -8,6 +9,7 @@ use crate::input::frames::FrameFiles;
 use crate::input::probe::Probe;
 use crate::mesh::place;
 use crate::notes::Notes;
+use crate::report::Reporter;
 use crate::shot::digest::{self, Hash};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, check, parse, range};
@@ -63,7 +65,12 @@ impl Job {
     ///
     /// # Errors
     /// The shot is wrong, or something that it names.
-    pub fn from_file(file: &Path, flags: &RenderFlags, notes: &mut Notes) -> Result<Self> {
+    pub fn from_file(
+        file: &Path,
+        flags: &RenderFlags,
+        notes: &mut Notes,
+        reporter: &Reporter,
+    ) -> Result<Self> {
         let (mut shot, source) = parse::read(file, &overrides(flags))?;
         let base = file.parent().unwrap_or(Path::new(""));
         footage::adopt_size(&mut shot, &source, base)?;
@@ -79,7 +86,15 @@ impl Job {
         if let Some(footage) = &footage {
             footage.require(&frames, UVec2::from(shot.image.size), notes)?;
         }
-        let probe = Probe::open(files, &frames, &shot.probe, notes)?;
+        let found = |done| reporter.stage("looking for the ball", done, frames.len());
+        let mut probe = Probe::open(files, &frames, &shot.probe, notes, &found)?;
+        if let Some(keys) = &shot.probe.colour {
+            let frame = keys.frame.unwrap_or(frames[0]);
+            let plate = footage.as_ref().map(|footage| footage.file(frame));
+            let photo = probe.file(frame);
+            let colour = colour::correction(keys, &source, &photo, plate.as_deref(), notes)?;
+            probe.set_colour(colour);
+        }
         let placed = place::place(&shot, &source, base, notes)?;
         let job = Self {
             digest: digest::join([&digest::of_shot(&shot), &placed.digest]),

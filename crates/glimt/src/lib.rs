@@ -4,6 +4,7 @@
 //! [`mesh`] for what is read, [`output`] for what is written, and [`render`] for the pipeline between them.
 
 pub mod ball;
+pub mod capture;
 pub mod cli;
 pub mod demo;
 pub mod device;

@@ -107,6 +107,19 @@ impl Reporter {
         }
     }
 
+    /// A step before the first frame: `done` of `all` parts of it are.
+    pub fn stage(&self, what: &str, done: usize, all: usize) {
+        self.event(&json!({"event": "stage", "what": what, "done": done, "all": all}));
+        if let Some(bar) = self.lock().as_ref() {
+            bar.set_message(format!("{what}: {done}/{all}"));
+            return;
+        }
+        // A line for each would drown what matters; ten tell that it goes on.
+        if done == all || done * 10 / all != (done - 1) * 10 / all {
+            self.plain(&format!("{what}: {done}/{all}"));
+        }
+    }
+
     /// Remarks on inputs.
     pub fn notes(&self, notes: Vec<Note>) {
         for note in notes {

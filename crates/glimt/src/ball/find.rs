@@ -71,7 +71,9 @@ pub enum FindError {
         sides: Vec<Side>,
     },
     /// There are two balls, the likelier one first.
-    #[error("two balls were found, {0} and {1}; crop the frames to one, or give its centre and radius")]
+    #[error(
+        "two balls were found, {0} and {1}; crop the frames to one, or give its centre and radius"
+    )]
     Two(Circle, Circle),
     /// The ball is so small that a pixel of it shows several degrees.
     #[error("the ball {0} is too small; a radius of 20 px is the least")]
@@ -146,7 +148,18 @@ pub(super) fn find_in(pyramid: &Pyramid, hint: Option<Circle>) -> Result<Found, 
         sure + r.seen * r.circle.radius.sqrt()
     };
     list.sort_by(|a, b| rank(&b.1).total_cmp(&rank(&a.1)));
-    if std::env::var("DBGC").is_ok() { for (c, r) in &list { println!("cand {} -> {} seen {:.2} vis {:.2} in {:.2}", c.scaled(f64::from(1_u32 << coarsest)), r.circle.scaled(f64::from(1_u32 << coarsest)), r.seen, r.visible, r.in_image); } }
+    if std::env::var("DBGC").is_ok() {
+        for (c, r) in &list {
+            println!(
+                "cand {} -> {} seen {:.2} vis {:.2} in {:.2}",
+                c.scaled(f64::from(1_u32 << coarsest)),
+                r.circle.scaled(f64::from(1_u32 << coarsest)),
+                r.seen,
+                r.visible,
+                r.in_image
+            );
+        }
+    }
     let scale = f64::from(1_u32 << coarsest);
     let Some(best) = choose(&list) else {
         return Err(FindError::NoBall { best: None });
@@ -227,7 +240,14 @@ fn descend(pyramid: &Pyramid, circle: Circle, level: usize) -> Option<Found> {
     let mut last: Option<(Refined, usize)> = None;
     for level in (0..=level).rev() {
         let plane = &pyramid.levels[level];
-        let wide = refine(plane, at, Search { blur: Some(blur.unwrap_or(USUAL_BLUR)), ..MIDDLE })?;
+        let wide = refine(
+            plane,
+            at,
+            Search {
+                blur: Some(blur.unwrap_or(USUAL_BLUR)),
+                ..MIDDLE
+            },
+        )?;
         let mut fine = refine(plane, wide.circle, FINE)?;
         if level == 0 {
             // Once more from where it ended: sectors and bands are laid about the start.

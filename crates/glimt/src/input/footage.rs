@@ -9,7 +9,7 @@ use crate::shot::digest::{Hash, of_file};
 use crate::shot::parse::Source;
 use crate::shot::{Fit, Shot};
 use glam::{UVec2, Vec3};
-use glimt_render_gpu::host::plate::{Plate, srgb8_to_linear};
+use glimt_render_gpu::host::plate::Plate;
 use rayon::prelude::*;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
@@ -276,14 +276,7 @@ impl Footage {
         let plate = match colours {
             Colours::Srgb8(codes) if size == image => Plate::from_srgb8(size, &codes),
             Colours::Linear(linear) if size == image => Plate::from_linear(size, &linear),
-            Colours::Srgb8(codes) => {
-                let linear = |code: &[u8; 3]| Vec3::from(code.map(srgb8_to_linear));
-                let linear: Vec<Vec3> = codes.par_iter().map(linear).collect();
-                Plate::from_linear(image, &self.fitted(size, &linear, image))
-            }
-            Colours::Linear(linear) => {
-                Plate::from_linear(image, &self.fitted(size, &linear, image))
-            }
+            other => Plate::from_linear(image, &self.fitted(size, &other.into_linear(), image)),
         };
         plate.map_err(|e| Error::new(Kind::Internal, e).file(&file))
     }

@@ -106,6 +106,17 @@ fn start_of(file: &Path) -> Result<Vec<u8>> {
     Ok(start)
 }
 
+/// Whether a file is a display image, PNG or JPEG, by its first bytes.
+///
+/// # Errors
+/// The file cannot be read, or is empty.
+pub fn is_display(file: &Path) -> Result<bool> {
+    Ok(matches!(
+        start_of(file)?[..],
+        [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, ..]
+    ))
+}
+
 /// Reads the header of an HDR image.
 ///
 /// # Errors

@@ -5,7 +5,7 @@ use super::{read_header, read_image, start_of};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use glam::{UVec2, Vec3};
-use glimt_render_gpu::host::plate::srgb_decode;
+use glimt_render_gpu::host::plate::{srgb_decode, srgb8_to_linear};
 use image::{ColorType, DynamicImage, ImageDecoder, ImageError, ImageReader};
 use rayon::prelude::*;
 use std::fs::File;
@@ -32,6 +32,20 @@ pub enum Colours {
     Srgb8(Vec<[u8; 3]>),
     /// Linear, with Rec. 709 primaries; of any sign and size, but finite.
     Linear(Vec<Vec3>),
+}
+
+impl Colours {
+    /// All of them linear.
+    #[must_use]
+    pub fn into_linear(self) -> Vec<Vec3> {
+        match self {
+            Self::Linear(linear) => linear,
+            Self::Srgb8(codes) => {
+                let linear = |code: &[u8; 3]| Vec3::from(code.map(srgb8_to_linear));
+                codes.par_iter().map(linear).collect()
+            }
+        }
+    }
 }
 
 /// What kind of file a plate is.

@@ -54,6 +54,11 @@ pub fn of_shot(shot: &Shot) -> Hash {
     Sha256::digest(canonical.as_bytes()).into()
 }
 
+/// Hash of a text.
+pub fn of_text(text: &str) -> Hash {
+    Sha256::digest(text.as_bytes()).into()
+}
+
 /// Joins hashes in order.
 pub fn join<'a>(parts: impl IntoIterator<Item = &'a Hash>) -> Hash {
     let mut hasher = Sha256::new();

@@ -27,6 +27,16 @@ pub enum Processor {
     Gpu(Box<GpuContext>),
 }
 
+impl Processor {
+    /// What it is, for messages.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Cpu => format!("CPU, {} threads", rayon::current_num_threads()),
+            Self::Gpu(gpu) => format!("GPU, {}", gpu.adapter()),
+        }
+    }
+}
+
 /// A capture that is ready to be filmed: all that does not change from frame to frame.
 #[derive(Debug)]
 pub struct Filming {

@@ -10,19 +10,18 @@ use crate::cli::SynthFlags;
 use crate::device;
 use crate::error::{Error, Result};
 use crate::input::probe::BadTexels;
-use crate::input::read_image;
+use crate::input::{plate, read_image};
 use crate::notes::Notes;
-use crate::output::{Stamp, atomic, atomic::Pending, exr, png};
+use crate::output::{Stamp, atomic, exr, png, write_text};
 use crate::report::{FrameStatus, Reporter, count};
 use crate::shot::digest::{self, Hash};
 use crate::shot::{parse, range};
-use glam::{UVec2, Vec3, Vec4};
+use glam::{UVec2, Vec4};
 use glimt_render_gpu::generated::{EXPOSE, FILM_BALL, FILM_LATLONG, FILM_PLATE};
 use glimt_render_gpu::host::env::EnvMap;
 use rayon::prelude::*;
 use serde_json::json;
 use sha2::{Digest, Sha256};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -48,8 +47,7 @@ pub fn run(input: Option<&Path>, flags: &SynthFlags, reporter: &Reporter) -> Res
     };
     let name = match &processor {
         None => "no device".to_owned(),
-        Some(Processor::Cpu) => format!("CPU, {} threads", rayon::current_num_threads()),
-        Some(Processor::Gpu(gpu)) => format!("GPU, {}", gpu.adapter()),
+        Some(processor) => processor.name(),
     };
     reporter.start_filming(job.frames.len(), &job.out, &name);
     job.write_truth()?;
@@ -236,13 +234,6 @@ impl Job {
     }
 }
 
-fn write_text(file: &Path, text: &str) -> Result<()> {
-    let mut pending = Pending::create(file)?;
-    let written = pending.write_all(text.as_bytes());
-    written.map_err(|e| Error::writing(file, &e))?;
-    pending.commit()
-}
-
 /// Reads a lat-long map of light.
 fn read_light(file: &Path, notes: &mut Notes) -> Result<(UVec2, Vec<Vec4>)> {
     let image = read_image(file, notes)?;
@@ -271,23 +262,8 @@ fn read_light(file: &Path, notes: &mut Notes) -> Result<(UVec2, Vec<Vec4>)> {
 
 /// Reads a display-referred lat-long picture; its sRGB curve is undone.
 fn read_panorama(file: &Path) -> Result<(UVec2, Vec<Vec4>)> {
-    let bytes = std::fs::read(file).map_err(|e| Error::reading(file, &e))?;
-    let picture = image::load_from_memory(&bytes)
-        .map_err(|e| Error::input(file, e).fix("a panorama is a PNG or JPEG picture"))?
-        .into_rgb8();
-    let curve: Vec<f32> = (0..256)
-        .map(|code| srgb_decode(code as f32 / 255.0))
-        .collect();
-    let texel = |p: &image::Rgb<u8>| Vec3::from(p.0.map(|c| curve[usize::from(c)])).extend(1.0);
-    let size = UVec2::new(picture.width(), picture.height());
-    Ok((size, picture.pixels().map(texel).collect()))
-}
-
-/// The inverse of the sRGB curve (IEC 61966-2-1).
-fn srgb_decode(code: f32) -> f32 {
-    if code <= 0.040_45 {
-        code / 12.92
-    } else {
-        ((code + 0.055) / 1.055).powf(2.4)
-    }
+    let image = plate::read(file, &mut Notes::default())?;
+    let size = image.size;
+    let linear = image.colours.into_linear();
+    Ok((size, linear.iter().map(|c| c.extend(1.0)).collect()))
 }
