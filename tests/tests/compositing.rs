@@ -268,14 +268,15 @@ mod against_quadrature {
             radius: 0.75,
             ..analytic
         };
-        assert!(disagreements(&means, &reference(&smaller, &map)).0 > 0);
+        let smaller = reference(&smaller, &map);
+        assert!(disagreements(&means, &smaller).0 > 0);
         assert!(disagreements(&means, &reference(&analytic, &turned)).0 > 0);
         // A ground that is no catcher has no light to compare.
         let none = super::against_quadrature::means(
             &build(&describe(&analytic, 50, false)),
             &prepare(&map),
         );
-        assert!(disagreements(&none, &reference(&analytic, &map)).0 > 0);
+        assert!(disagreements(&none, &smaller).0 > 10);
     }
 }
 

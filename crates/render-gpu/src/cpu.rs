@@ -47,8 +47,14 @@ impl Renderer for CpuRenderer {
         progress: &(dyn Fn(f32) + Sync),
     ) -> Result<FrameImage, RenderError> {
         let whole = settings.frame_params_over(plate)?;
-        let in_layers = plate.is_some() || settings.layers || scene.has_catcher();
-        let (env, scene) = (env.view(), scene.view());
+        let in_layers = settings.in_layers(scene, plate);
+        let work = Work {
+            method: settings.method,
+            whole,
+            env: env.view(),
+            scene: scene.view(),
+            plate: plate.map(Plate::pixels),
+        };
         // A tile's rays are numbered in 32 bits.
         let most = (u32::MAX / whole.rays_per_pixel) as usize;
         let tile_pixels = self.tile_pixels.clamp(1, most);
@@ -57,64 +63,33 @@ impl Renderer for CpuRenderer {
         let mut display = filled([0; 4], pixels)?;
         let kept = if settings.layers { pixels } else { 0 };
         let mut layers = filled(PixelLayers::zeroed(), kept)?;
-        let (done, pixels_of_all) = (AtomicUsize::new(0), pixels);
-        let tiles = linear
+        // Where the layers are not kept, a tile's are gone when it is done.
+        let mut kept = layers.chunks_mut(tile_pixels);
+        let kept: Vec<_> = (0..pixels.div_ceil(tile_pixels))
+            .map(|_| kept.next())
+            .collect();
+        let done = AtomicUsize::new(0);
+        linear
             .par_chunks_mut(tile_pixels)
             .zip(display.par_chunks_mut(tile_pixels))
-            .enumerate();
-        let finish = |pixels: usize| {
-            let done = done.fetch_add(pixels, Ordering::Relaxed) + pixels;
-            progress(done as f32 / pixels_of_all as f32);
-        };
-        if in_layers {
-            // Where the layers are not kept, a tile makes room for its own.
-            let keep: Vec<&mut [PixelLayers]> = match settings.layers {
-                true => layers.chunks_mut(tile_pixels).collect(),
-                false => Vec::new(),
-            };
-            let work = Layered {
-                method: settings.method,
-                whole,
-                env,
-                scene,
-                plate: plate.map(Plate::pixels),
-            };
-            let keep = keep
-                .into_iter()
-                .map(Some)
-                .chain(std::iter::repeat_with(|| None));
-            let keep: Vec<_> = keep.take(pixels.div_ceil(tile_pixels)).collect();
-            tiles
-                .zip(keep)
-                .for_each_init(Scratch::default, |scratch, ((tile, out), keep)| {
-                    let (linear, display) = out;
-                    work.tile(tile * tile_pixels, scratch, linear, display);
-                    if let Some(keep) = keep {
-                        keep.copy_from_slice(&scratch.layers);
+            .zip(kept)
+            .enumerate()
+            .for_each_init(
+                Scratch::default,
+                |scratch, (tile, ((linear, display), kept))| {
+                    let first = tile * tile_pixels;
+                    if in_layers {
+                        work.layered_tile(first, scratch, linear, display);
+                    } else {
+                        work.tile(first, scratch, linear, display);
                     }
-                    finish(linear.len());
-                });
-        } else {
-            let shade = match settings.method {
-                Method::Mis => shade_mis,
-            };
-            tiles.for_each_init(Vec::new, |samples, (tile, (linear, display))| {
-                let frame = FrameParams {
-                    first_pixel: (tile * tile_pixels) as u32,
-                    ..whole
-                };
-                let rays = linear.len() as u32 * frame.rays_per_pixel;
-                samples.clear();
-                samples.extend((0..rays).map(|ray| shade(ray, &frame, env, scene)));
-                for (pixel, value) in (0..).zip(linear.iter_mut()) {
-                    *value = reconstruct(pixel, &frame, samples);
-                }
-                for (pixel, value) in (0..).zip(display.iter_mut()) {
-                    *value = tonemap(pixel, &frame, linear).to_le_bytes();
-                }
-                finish(linear.len());
-            });
-        }
+                    if let Some(kept) = kept {
+                        kept.copy_from_slice(&scratch.layers);
+                    }
+                    let done = done.fetch_add(linear.len(), Ordering::Relaxed) + linear.len();
+                    progress(done as f32 / pixels as f32);
+                },
+            );
         Ok(FrameImage {
             size: settings.size,
             linear,
@@ -124,8 +99,8 @@ impl Renderer for CpuRenderer {
     }
 }
 
-/// A frame that is made in layers.
-struct Layered<'a> {
+/// A frame to render.
+struct Work<'a> {
     method: Method,
     whole: FrameParams,
     env: Environment<'a>,
@@ -136,13 +111,45 @@ struct Layered<'a> {
 /// What a thread computes its tiles in.
 #[derive(Default)]
 struct Scratch {
+    rays: Vec<Vec4>,
     samples: Vec<LayerSample>,
     layers: Vec<PixelLayers>,
 }
 
-impl Layered<'_> {
-    /// The tile that begins at pixel `first`; its layers stay in the scratch.
+impl Work<'_> {
+    fn params(&self, first: usize) -> FrameParams {
+        FrameParams {
+            first_pixel: first as u32,
+            ..self.whole
+        }
+    }
+
+    /// The tile that begins at pixel `first`.
     fn tile(
+        &self,
+        first: usize,
+        scratch: &mut Scratch,
+        linear: &mut [Vec4],
+        display: &mut [[u8; 4]],
+    ) {
+        let shade = match self.method {
+            Method::Mis => shade_mis,
+        };
+        let frame = &self.params(first);
+        let count = linear.len() as u32 * frame.rays_per_pixel;
+        let samples = &mut scratch.rays;
+        samples.clear();
+        samples.extend((0..count).map(|ray| shade(ray, frame, self.env, self.scene)));
+        for (pixel, value) in (0..).zip(linear.iter_mut()) {
+            *value = reconstruct(pixel, frame, samples);
+        }
+        for (pixel, value) in (0..).zip(display) {
+            *value = tonemap(pixel, frame, linear).to_le_bytes();
+        }
+    }
+
+    /// The same by way of its layers, which stay in the scratch.
+    fn layered_tile(
         &self,
         first: usize,
         scratch: &mut Scratch,
@@ -152,16 +159,14 @@ impl Layered<'_> {
         let shade = match self.method {
             Method::Mis => shade_mis_layers,
         };
-        let frame = &FrameParams {
-            first_pixel: first as u32,
-            ..self.whole
-        };
+        let frame = &self.params(first);
         let pixels = linear.len() as u32;
-        let Scratch { samples, layers } = scratch;
+        let count = pixels * frame.rays_per_pixel;
+        let Scratch {
+            samples, layers, ..
+        } = scratch;
         samples.clear();
-        samples.extend(
-            (0..pixels * frame.rays_per_pixel).map(|ray| shade(ray, frame, self.env, self.scene)),
-        );
+        samples.extend((0..count).map(|ray| shade(ray, frame, self.env, self.scene)));
         layers.clear();
         layers.extend((0..pixels).map(|pixel| reconstruct_layers(pixel, frame, self.env, samples)));
         let plate = self.plate.map(|plate| &plate[first..first + linear.len()]);

@@ -198,15 +198,60 @@ fn broken(file: &Path, error: ImageError) -> Error {
     }
 }
 
-/// Whether a picture ends after the last scan begins. Decoders fill in grey for what is missing; within a scan neither of
-/// the two markers can occur.
+/// Whether a JPEG's picture ends before the file does (ITU T.81, § B.1). Decoders fill in grey for what is missing. What follows
+/// the picture is not looked at: phones append thumbnails and films.
 fn jpeg_is_whole(bytes: &[u8]) -> bool {
-    let last = |marker: [u8; 2]| bytes.windows(2).rposition(|pair| pair == marker);
-    matches!((last([0xff, 0xda]), last([0xff, 0xd9])), (Some(scan), Some(end)) if end > scan)
+    let mut rest = bytes;
+    while let Some(at) = rest.iter().position(|byte| *byte == 0xff) {
+        rest = &rest[at + 1..];
+        let Some((&code, after)) = rest.split_first() else {
+            return false;
+        };
+        match code {
+            // The end of the image.
+            0xd9 => return true,
+            // A byte of data; markers without a segment; a byte that fills the space before a marker, itself still to come.
+            0x00 | 0x01 | 0xd0..=0xd8 => rest = after,
+            0xff => {}
+            // A segment, which begins with its length.
+            _ => {
+                let length = after.first_chunk().map_or(0, |l| u16::from_be_bytes(*l));
+                let Some(next) = after.get(usize::from(length.max(2))..) else {
+                    return false;
+                };
+                rest = next;
+            }
+        }
+    }
+    false
 }
 
 /// Whether an ICC profile calls itself sRGB, in one of the two ways that text is stored there.
 fn names_srgb(profile: &[u8]) -> bool {
     let has = |name: &[u8]| profile.windows(name.len()).any(|window| window == name);
     has(b"sRGB") || has(b"s\0R\0G\0B")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_end_of_a_jpeg_is_found() {
+        let mut bytes = Vec::new();
+        let noise = image::RgbImage::from_fn(40, 30, |x, y| {
+            image::Rgb([x * y, x ^ y, 7 * x + y].map(|c| (c % 256) as u8))
+        });
+        let mut cursor = Cursor::new(&mut bytes);
+        noise
+            .write_to(&mut cursor, image::ImageFormat::Jpeg)
+            .unwrap();
+        assert!(jpeg_is_whole(&bytes));
+        for cut in 0..bytes.len() {
+            assert!(!jpeg_is_whole(&bytes[..cut]), "{cut} of {}", bytes.len());
+        }
+        // A film behind it is none of the picture's.
+        bytes.extend([0xff, 0xda, 0, 9, 0xff]);
+        assert!(jpeg_is_whole(&bytes));
+    }
 }

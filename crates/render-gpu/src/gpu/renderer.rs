@@ -126,7 +126,7 @@ impl GpuRenderer {
     ) -> Result<FrameImage, RenderError> {
         self.times = FrameTimes::default();
         let whole = settings.frame_params_over(plate)?;
-        let in_layers = plate.is_some() || settings.layers || scene.has_catcher();
+        let in_layers = settings.in_layers(scene, plate);
         self.keep_scene(scene).map_err(device)?;
         self.keep_tile(&whole, in_layers).map_err(device)?;
         let (Some(scene), Some(tile)) = (&self.scene, &self.tile) else {

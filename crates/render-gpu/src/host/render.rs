@@ -216,6 +216,13 @@ impl RenderSettings {
         }
     }
 
+    /// Whether such a frame is made in layers: over a plate, with catchers, or where the layers are asked for. Others are spared
+    /// the cost.
+    #[must_use]
+    pub fn in_layers(&self, scene: &SceneBuffers, plate: Option<&Plate>) -> bool {
+        self.layers || plate.is_some() || scene.has_catcher()
+    }
+
     /// As [`RenderSettings::frame_params`], for a frame over this plate: what is behind the objects is the plate.
     ///
     /// # Errors
