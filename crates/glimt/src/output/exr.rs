@@ -32,7 +32,18 @@ pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result
     store(file, &frame_image(size, channels, stamp))
 }
 
-/// Writes a frame without alpha, whole or not at all; as 16-bit floats if `half`, where values above 65504 become that.
+/// How a frame without alpha is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Storage {
+    /// 32-bit floats, ZIP.
+    Float,
+    /// 32-bit floats as they are: of an image with noise, ZIP takes a third of the time and gains 6 %.
+    Noisy,
+    /// 16-bit floats, ZIP; values above 65504 become that.
+    Half,
+}
+
+/// Writes a frame without alpha, whole or not at all.
 ///
 /// # Errors
 /// The file cannot be written.
@@ -41,11 +52,11 @@ pub fn write_rgb(
     size: UVec2,
     pixels: &[Vec4],
     stamp: &Stamp,
-    half: bool,
+    storage: Storage,
 ) -> Result<()> {
     let width = size.x as usize;
     let pixel = |at: Vec2<usize>| pixels[at.y() * width + at.x()];
-    if half {
+    if storage == Storage::Half {
         let channels = SpecificChannels::rgb(|at: Vec2<usize>| {
             let p = pixel(at).min(Vec4::splat(f16::MAX.to_f32()));
             (f16::from_f32(p.x), f16::from_f32(p.y), f16::from_f32(p.z))
@@ -56,7 +67,11 @@ pub fn write_rgb(
         let p = pixel(at);
         (p.x, p.y, p.z)
     });
-    store(file, &frame_image(size, channels, stamp))
+    let mut image = frame_image(size, channels, stamp);
+    if storage == Storage::Noisy {
+        image.layer_data.encoding.compression = Compression::Uncompressed;
+    }
+    store(file, &image)
 }
 
 /// An image with what is stored beside its pixels.
