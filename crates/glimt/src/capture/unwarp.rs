@@ -72,7 +72,7 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
             let photo = photo?;
             let map = capture.map(frame, &file, photo.size)?;
             let texels = unwarper.apply(&map, &photo)?;
-            exr::write_rgb(&target, map.size(), &texels, &stamp, false)?;
+            exr::write_rgb(&target, map.size(), &texels, &stamp, exr::Storage::Float)?;
             let own = mask_of(&map);
             // One mask serves until it changes.
             if own != mask {

@@ -12,6 +12,7 @@ use crate::error::{Error, Result};
 use crate::input::probe::BadTexels;
 use crate::input::{plate, read_image};
 use crate::notes::Notes;
+use crate::output::exr::Storage;
 use crate::output::{Stamp, atomic, exr, png, write_text};
 use crate::report::{FrameStatus, Reporter, count};
 use crate::shot::digest::{self, Hash};
@@ -211,23 +212,29 @@ impl Job {
         let synth = filming.synth();
         let world: World = filming.world(frame);
         let ball = filming.film_frame(processor, &world, frame)?;
-        let half = synth.capture.half;
+        let storage = match (synth.capture.half, synth.noise.exposures) {
+            (true, _) => Storage::Half,
+            (false, 0) => Storage::Float,
+            (false, _) => Storage::Noisy,
+        };
         exr::write_rgb(
             &self.ball_file(frame),
             ball.size,
             &ball.pixels,
             &stamp,
-            half,
+            storage,
         )?;
         let size = UVec2::from(synth.truth.size);
         let map = filming.truth_map(processor, &world, frame, size)?;
-        exr::write_rgb(&self.map_file(frame), size, &map, &stamp, false)?;
+        exr::write_rgb(&self.map_file(frame), size, &map, &stamp, Storage::Float)?;
         if synth.plate.on {
             let plate = filming.film_plate(processor, &world, frame)?;
             let file = self.plate_file(frame);
             match synth.plate.format {
                 PlateFormat::Png => png::write(&file, &plate, &stamp)?,
-                PlateFormat::Exr => exr::write_rgb(&file, plate.size, &plate.linear, &stamp, half)?,
+                PlateFormat::Exr => {
+                    exr::write_rgb(&file, plate.size, &plate.linear, &stamp, Storage::Float)?;
+                }
             }
         }
         Ok(())

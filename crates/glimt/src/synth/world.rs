@@ -60,7 +60,7 @@ impl World {
         let channels = self.texels.par_iter().map(|t| t.truncate().max_element());
         channels
             .reduce(|| 0.0, f32::max)
-            .max(Vec3::from(self.params.occluder_radiance).max_element())
+            .max(self.params.occluder_radiance.max_element())
     }
 
     /// A still picture at infinity, turned as the light is.
@@ -324,11 +324,14 @@ mod tests {
 
     #[test]
     fn the_built_in_sky_has_a_moving_sun_and_lamps_flicker() {
-        let mut synth = Synth::default();
-        synth.lamps = vec![super::super::settings::Lamp {
+        let lamp = super::super::settings::Lamp {
             flicker: 0.5,
             ..Default::default()
-        }];
+        };
+        let mut synth = Synth {
+            lamps: vec![lamp],
+            ..Synth::default()
+        };
         let first = Base::Sky.world(&synth, 1);
         let last = Base::Sky.world(&synth, 24);
         assert!(first.sun().unwrap().direction[2] < last.sun().unwrap().direction[2]);
