@@ -11,7 +11,7 @@ use glam::{UVec2, Vec2, Vec3, Vec4};
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::Outline;
-use glimt_render_gpu::host::unwarp::{BallPose, UnwarpGrid, UnwarpMap, UnwarpOptions};
+use glimt_render_gpu::host::unwarp::{BallPose, Look, UnwarpGrid, UnwarpMap, UnwarpOptions};
 use photo::Photo;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -61,6 +61,7 @@ impl Poses {
 pub struct Capture {
     grid: UnwarpGrid,
     options: UnwarpOptions,
+    reflectance: Vec3,
     poses: Poses,
     /// The table that was made last: most frames of a steady camera share one.
     last: Mutex<Option<(BallPose, UVec2, Arc<UnwarpMap>)>>,
@@ -83,6 +84,7 @@ impl Capture {
                 rim_px: keys.rim_px,
                 rig_half_angle: keys.rig_deg.to_radians(),
             },
+            reflectance: Vec3::from(keys.reflectance),
             poses,
             last: Mutex::new(None),
         }
@@ -138,6 +140,14 @@ impl Capture {
         Ok(map)
     }
 
+    /// How light that the ball reflected becomes light of the shot.
+    pub fn look(&self, colour: &ColourMatrix) -> Look {
+        Look {
+            reflectance: self.reflectance,
+            colour: *colour,
+        }
+    }
+
     /// The light map of a frame.
     ///
     /// # Errors
@@ -151,6 +161,6 @@ impl Capture {
     ) -> Result<Vec<Vec4>> {
         Ok(self
             .map(frame, file, photo.size)?
-            .apply(&photo.pixels, colour))
+            .apply(&photo.pixels, &self.look(colour)))
     }
 }
