@@ -153,9 +153,9 @@ mod tests {
         assert_eq!(at(Vec3::Y), MASK_SEEN);
         let count = |mask: &[u8], value| mask.iter().filter(|v| **v == value).count();
         assert_eq!(count(&with_rig, MASK_HIDDEN), count(&without, MASK_HIDDEN));
-        // 0.24 m × 0.2 m at 1 m from the ball, about: 0.048 sr of 12.57 on 32768 texels, more towards the equator.
+        // 0.24 m × 0.2 m at 1 m from the ball, about: 0.048 sr, and a texel at the horizon has 6·10⁻⁴.
         let rig = count(&with_rig, MASK_RIG);
-        assert!((100..300).contains(&rig), "{rig}");
+        assert!((70..90).contains(&rig), "{rig}");
     }
 
     #[test]
