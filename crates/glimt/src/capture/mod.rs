@@ -7,12 +7,10 @@ pub mod unwarp;
 
 use crate::error::{Error, Result};
 use crate::shot;
-use glam::{UVec2, Vec2, Vec3, Vec4};
-use glimt_probe::gather::ColourMatrix;
+use glam::{UVec2, Vec2, Vec3};
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::Outline;
 use glimt_render_gpu::host::unwarp::{BallPose, UnwarpGrid, UnwarpMap, UnwarpOptions};
-use photo::Photo;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -136,21 +134,5 @@ impl Capture {
         let map = Arc::new(map);
         *last = Some((*pose, photo, Arc::clone(&map)));
         Ok(map)
-    }
-
-    /// The light map of a frame.
-    ///
-    /// # Errors
-    /// As [`Capture::map`].
-    pub fn unwarp(
-        &self,
-        frame: u32,
-        file: &Path,
-        photo: &Photo,
-        colour: &ColourMatrix,
-    ) -> Result<Vec<Vec4>> {
-        Ok(self
-            .map(frame, file, photo.size)?
-            .apply(&photo.pixels, colour))
     }
 }
