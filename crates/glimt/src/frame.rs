@@ -3,8 +3,10 @@
 use crate::error::{Error, Kind, Result};
 use crate::output::{Stamp, aov, exr, png};
 use crate::setup::Setup;
+use crate::shot::digest;
 use glimt_render_gpu::host::render::FrameImage;
 use glimt_render_gpu::kernels::film::tonemap;
+use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 
 /// The files of the frames of a shot.
@@ -54,6 +56,17 @@ impl<'a> Frames<'a> {
             png::write(&self.file(stamp.frame, "png"), image, stamp)?;
         }
         Ok(())
+    }
+
+    /// The identity of a video of these frames.
+    pub fn video_identity(self, stamps: &[Stamp]) -> String {
+        let mut hasher = Sha256::new();
+        for stamp in stamps {
+            hasher.update(stamp.hash.as_bytes());
+        }
+        hasher.update(self.setup.shot.probe.fps.to_le_bytes());
+        hasher.update(format!("{:?}", self.setup.shot.output.codec));
+        digest::hex(&hasher.finalize().into())
     }
 
     fn file(self, frame: u32, extension: &str) -> PathBuf {

@@ -10,6 +10,7 @@ pub mod demo;
 pub mod device;
 pub mod disc;
 pub mod error;
+pub mod follow;
 pub mod frame;
 pub mod info;
 pub mod input;

@@ -9,14 +9,12 @@ use crate::notes::{Note, Notes};
 use crate::output::video::{self, Encoder, Video};
 use crate::output::{Stamp, atomic, rgb_over_black};
 use crate::report::{FrameStatus, Reporter, count};
-use crate::shot::digest;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
 use glimt_render_gpu::host::render::{FrameImage, Renderer};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::sequence::Prefetch;
 use serde_json::json;
-use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -137,7 +135,7 @@ impl<'a> Plan<'a> {
             reporter.remark("the video is made when all frames of the shot are asked for");
             return Ok(plan);
         }
-        let hash = plan.video_identity();
+        let hash = files.video_identity(&plan.stamps);
         let alone = !output.exr && !output.png;
         let frames_there = alone || plan.current.iter().all(|c| *c);
         if frames_there && video::is_current(&file, &hash) {
@@ -152,16 +150,6 @@ impl<'a> Plan<'a> {
             encoder,
         });
         Ok(plan)
-    }
-
-    fn video_identity(&self) -> String {
-        let mut hasher = Sha256::new();
-        for stamp in &self.stamps {
-            hasher.update(stamp.hash.as_bytes());
-        }
-        hasher.update(self.job.setup.shot.probe.fps.to_le_bytes());
-        hasher.update(format!("{:?}", self.job.setup.shot.output.codec));
-        digest::hex(&hasher.finalize().into())
     }
 }
 

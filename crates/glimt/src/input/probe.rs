@@ -231,7 +231,7 @@ impl Probe {
         pose: Option<BallPose>,
         notes: &mut Notes,
     ) -> Result<EnvMap> {
-        check_size(file, image.size, self.size, &self.name_of_all())?;
+        self.fits(file, image.size)?;
         let (size, mut texels) = match (&self.capture, pose) {
             (Some(capture), Some(pose)) => {
                 let map = capture.map_at(&pose, file, image.size)?;
@@ -253,8 +253,13 @@ impl Probe {
         EnvMap::new(size, texels).map_err(|e| Error::input(file, e))
     }
 
-    fn name_of_all(&self) -> PathBuf {
-        self.files.folder().join(self.files.pattern())
+    /// Sees that an image is of the probe's size.
+    ///
+    /// # Errors
+    /// It is not.
+    pub fn fits(&self, file: &Path, size: UVec2) -> Result<()> {
+        let all = self.files.folder().join(self.files.pattern());
+        check_size(file, size, self.size, &all)
     }
 
     /// An image of all directions as a lat-long map.
