@@ -2,21 +2,20 @@
 
 use crate::capture::colour;
 use crate::cli::RenderFlags;
-use crate::demo;
-use crate::error::{Error, Kind, Result};
+use crate::error::Result;
 use crate::input::footage::{self, Footage};
 use crate::input::frames::FrameFiles;
 use crate::input::probe::Probe;
 use crate::notes::Notes;
 use crate::report::Reporter;
-use crate::setup::{self, Setup, View};
+use crate::setup::{self, Setup};
 use crate::shot::digest;
 use crate::shot::parse::Source;
-use crate::shot::{self, Shot, check, parse, range};
+use crate::shot::{Shot, check, parse, range};
 use glam::UVec2;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 /// Everything that rendering a shot needs.
@@ -27,14 +26,8 @@ pub struct Job {
     pub frames: Vec<u32>,
     /// Whether these are all frames of the shot.
     pub whole: bool,
-    light: Light,
+    probe: Probe,
     footage: Option<Footage>,
-}
-
-/// Where the light comes from.
-enum Light {
-    Probe(Probe),
-    Demo,
 }
 
 impl Job {
@@ -72,75 +65,16 @@ impl Job {
             setup: Setup::load(shot, source, base, flags, notes)?,
             frames,
             whole,
-            light: Light::Probe(probe),
+            probe,
             footage,
         };
         job.setup.check_settings(job.frames[0])?;
         Ok(job)
     }
 
-    /// The built-in shot, with the flags of the command line applied.
-    ///
-    /// # Errors
-    /// The flags are wrong, or change what is built in.
-    pub fn demo(flags: &RenderFlags) -> Result<Self> {
-        let name = Path::new("built-in shot");
-        let (shot, source) = parse::parse(name, demo_shot(), &setup::overrides(flags))?;
-        check::check(&shot, &source)?;
-        let (plain, _) = parse::parse(name, demo_shot(), &[])?;
-        let fixed = |s: &Shot| {
-            let probe = shot::Probe {
-                fps: 1.0,
-                ..s.probe.clone()
-            };
-            (
-                probe,
-                s.objects.clone(),
-                s.camera.clone(),
-                s.backplate.clone(),
-            )
-        };
-        if fixed(&shot) != fixed(&plain) {
-            return Err(Error::usage(
-                "the demo's light, objects, camera and background are built in",
-            )
-            .fix("set keys of image, render and output only, or write a shot file"));
-        }
-        let all = range::parse(&shot.render.frames)?;
-        let asked = flags
-            .frames
-            .as_deref()
-            .map_or(Ok(all.clone()), range::parse)?;
-        let last = demo::FRAMES;
-        if *asked.start() < 1 || *asked.end() > last {
-            return Err(Error::usage(format!("the demo has the frames 1-{last}"))
-                .fix(format!("choose among them with --frames, as 1-{last}")));
-        }
-        let scene = demo::scene();
-        let triangle_count = |object: &glimt_render_gpu::host::scene::Object| {
-            scene.meshes[object.mesh as usize].indices.len()
-        };
-        Ok(Self {
-            whole: asked == all,
-            frames: asked.collect(),
-            light: Light::Demo,
-            footage: None,
-            setup: Setup {
-                digest: digest::of_shot(&shot),
-                triangles: scene.objects.iter().map(triangle_count).sum(),
-                out: setup::out_folder(flags, PathBuf::from(&shot.output.dir)),
-                scene,
-                view: View::Demo,
-                owners: Vec::new(),
-                source,
-                shot,
-            },
-        })
-    }
-
     /// Whether every frame has the same light.
     pub fn is_still(&self) -> bool {
-        matches!(&self.light, Light::Probe(probe) if probe.is_still())
+        self.probe.is_still()
     }
 
     /// Reads the light of a frame for what there is to say about it alone.
@@ -148,10 +82,7 @@ impl Job {
     /// # Errors
     /// As [`Job::light`].
     pub fn check_light(&self, frame: u32, notes: &mut Notes) -> Result<()> {
-        match &self.light {
-            Light::Probe(probe) => probe.load(frame, notes).map(drop),
-            Light::Demo => Ok(()),
-        }
+        self.probe.load(frame, notes).map(drop)
     }
 
     /// The light of a frame, with its tables.
@@ -160,17 +91,9 @@ impl Job {
     /// It cannot be read.
     pub fn light(&self, frame: u32, notes: &mut Notes) -> Result<PreparedEnv> {
         let began = Instant::now();
-        let map = match &self.light {
-            Light::Probe(probe) => probe.load(frame, notes)?,
-            Light::Demo => demo::environment(frame - 1, demo::ENV_SIZE)
-                .map_err(|e| Error::new(Kind::Internal, e))?,
-        };
+        let map = self.probe.load(frame, notes)?;
         let read = began.elapsed();
-        let file = match &self.light {
-            Light::Probe(probe) => Some(probe.file(frame)),
-            Light::Demo => None,
-        };
-        let prepared = self.setup.tables(map, file.as_deref());
+        let prepared = self.setup.tables(map, Some(&self.probe.file(frame)));
         let tables = began.elapsed() - read;
         tracing::info!("light of frame {frame}: read in {read:.2?}, tables in {tables:.2?}");
         prepared
@@ -200,10 +123,7 @@ impl Job {
     /// # Errors
     /// A file of the light or the footage cannot be read.
     pub fn identities(&self) -> Result<Vec<String>> {
-        let mut inputs = match &self.light {
-            Light::Demo => vec![[0; 32]; self.frames.len()],
-            Light::Probe(probe) => probe.digests(&self.frames)?,
-        };
+        let mut inputs = self.probe.digests(&self.frames)?;
         if let Some(footage) = &self.footage {
             let plates = footage.digests(&self.frames)?;
             for (input, plate) in inputs.iter_mut().zip(&plates) {
@@ -253,20 +173,4 @@ fn choose_frames(
     };
     let frames = files.require(*asked.start(), *asked.end())?;
     Ok((frames, asked == of_shot))
-}
-
-/// The keys of the built-in shot; its light, objects and camera are functions.
-fn demo_shot() -> String {
-    let settings = demo::settings(0);
-    let [width, height] = settings.size.to_array();
-    format!(
-        "[image]\nsize = [{width}, {height}]\nexposure_ev = {:?}\n\
-         [probe]\nframes = \"built in\"\nfps = {}\n\
-         [[object]]\nmesh = \"built in\"\n\
-         [render]\nframes = \"1-{}\"\n\
-         [output]\ndir = \"out\"\nvideo = \"demo.mp4\"\n",
-        settings.exposure_ev,
-        demo::FPS,
-        demo::FRAMES,
-    )
 }

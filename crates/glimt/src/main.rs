@@ -7,7 +7,7 @@ use glimt::error::{Error, Kind, Result};
 use glimt::job::Job;
 use glimt::notes::Notes;
 use glimt::report::Reporter;
-use glimt::{follow, info, render, synth};
+use glimt::{demo, follow, info, render, synth};
 use std::io::IsTerminal;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -35,10 +35,7 @@ fn main() -> ExitCode {
 
 fn run(command: Command, reporter: &Reporter) -> Result<()> {
     match command {
-        Command::Demo { flags } => {
-            let job = Job::demo(&flags)?;
-            render::render(job, flags.device, Notes::new(flags.strict), reporter)
-        }
+        Command::Demo { flags } => demo::run(&flags, reporter),
         Command::Render {
             shot,
             flags,

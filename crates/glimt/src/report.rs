@@ -154,6 +154,12 @@ impl Reporter {
         }
     }
 
+    /// One of several parts of the work begins.
+    pub fn step(&self, what: &str) {
+        self.event(&json!({"event": "step", "what": what}));
+        self.plain(what);
+    }
+
     /// A step before the first frame: `done` of `all` parts of it are.
     pub fn stage(&self, what: &str, done: usize, all: usize) {
         self.event(&json!({"event": "stage", "what": what, "done": done, "all": all}));

@@ -1,7 +1,6 @@
 //! Host file: what a shot has that no frame changes: its keys, scene, camera and settings, and where its outputs go.
 
 use crate::cli::RenderFlags;
-use crate::demo;
 use crate::error::{Error, Kind, Result};
 use crate::mesh::place;
 use crate::notes::Notes;
@@ -32,18 +31,9 @@ pub struct Setup {
     /// Folder of the outputs.
     pub out: PathBuf,
     /// Where it is seen from.
-    pub view: View,
+    pub camera: Camera,
     /// Which of the shot's objects each object of the scene is a part of.
     pub owners: Vec<usize>,
-}
-
-/// Where a frame is seen from.
-#[derive(Clone, Copy, Debug)]
-pub enum View {
-    /// From the same place in all.
-    Fixed(Camera),
-    /// As the built-in shot is.
-    Demo,
 }
 
 impl Setup {
@@ -64,7 +54,7 @@ impl Setup {
             triangles: placed.triangles,
             out: out_folder(flags, base.join(&shot.output.dir)),
             scene: placed.scene,
-            view: View::Fixed(placed.camera),
+            camera: placed.camera,
             owners: placed.owners,
             source,
             shot,
@@ -145,10 +135,7 @@ impl Setup {
         let (image, render) = (&self.shot.image, &self.shot.render);
         RenderSettings {
             size: UVec2::from(image.size),
-            camera: match &self.view {
-                View::Fixed(camera) => *camera,
-                View::Demo => demo::camera(frame - 1),
-            },
+            camera: self.camera,
             rays_per_pixel: image.rays_per_pixel,
             brdf_samples: render.brdf_samples,
             env_samples: render.env_samples,

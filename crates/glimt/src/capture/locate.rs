@@ -56,12 +56,36 @@ pub fn track(
         });
         progress(done + 1);
     }
+    drop_wild_rolls(&mut observations);
     let tracked = ball::stabilise(&observations, &Options::default())
         .map_err(|e| refused(&e, files, &observations))?;
     for text in &tracked.notes {
         notes.warn(&files.path(frames[0]), text);
     }
     Ok(tracked)
+}
+
+/// The most that a camera rolls from one frame to the next, in radians.
+const WILDEST_ROLL: f64 = 0.035;
+
+/// Forgets rolls that no camera on a rig makes: clouds that drift and lamps that swing can make another turn look likelier.
+fn drop_wild_rolls(observations: &mut [Observation]) {
+    let rolls: Vec<Option<f64>> = observations
+        .iter()
+        .map(|o| o.roll.map(|r| r.radians))
+        .collect();
+    for (i, observation) in observations.iter_mut().enumerate() {
+        let around = &rolls[i.saturating_sub(3)..(i + 4).min(rolls.len())];
+        let mut near: Vec<f64> = around.iter().flatten().copied().collect();
+        near.sort_by(f64::total_cmp);
+        let usual = near.get(near.len() / 2).copied().unwrap_or(0.0);
+        if observation
+            .roll
+            .is_some_and(|r| (r.radians - usual).abs() > WILDEST_ROLL)
+        {
+            observation.roll = None;
+        }
+    }
 }
 
 /// The reason of the first frame without a ball, where there is one: it says more than their number.

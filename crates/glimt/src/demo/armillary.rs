@@ -1,67 +1,66 @@
-//! Host file: the sculpture: an armillary sphere on a turned pedestal, on the floor of a sundial.
-//!
-//! Its axis points at the celestial pole, and the hour lines inlaid in the floor start where that axis meets it: the
-//! axis' shadow tells the hour.
+//! Host file: the sculpture: an armillary sphere on a turned pedestal. It stands on z = 0, in metres.
 
 use super::solid::{Knurl, Place, Solid, around_z};
-use super::sun::LATITUDE;
-use glam::{DMat3, DVec2, DVec3, Mat4, UVec2, Vec3, dvec2, dvec3, uvec2, vec3};
-use glimt_render_gpu::host::scene::{Material, Object, SceneDescription};
+use crate::mesh::{Model, Part};
+use glam::{DMat3, DVec2, DVec3, Mat4, UVec2, Vec3, dvec2, uvec2, vec3};
+use glimt_render_gpu::host::scene::Material;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Diffuse albedo of the floor.
-pub(super) const FLOOR: Vec3 = vec3(0.33, 0.29, 0.25);
+/// Latitude of the place where it stands: its axis points at the celestial pole.
+const LATITUDE: f64 = 50.0 * PI / 180.0;
 
 /// Height of the sphere's centre above the floor [m].
 const CENTRE: f64 = 1.72;
 
-// Indices into the scene's materials.
-const PAVING: u32 = 0;
-const INLAY: u32 = 1;
-const STONE: u32 = 2;
-const LACQUER: u32 = 3;
-const BRASS: u32 = 4;
-const ENAMEL: u32 = 5;
-const SILVER: u32 = 6;
-const IVORY: u32 = 7;
+// Indices into the model's materials.
+const STONE: u32 = 0;
+const LACQUER: u32 = 1;
+const BRASS: u32 = 2;
+const ENAMEL: u32 = 3;
+const SILVER: u32 = 4;
+const IVORY: u32 = 5;
 
-/// The scene of the shot; it is the same in all frames.
-pub fn scene() -> SceneDescription {
-    let mut sculpture = Solid::named("armillary sphere");
+/// The sculpture with its materials.
+pub fn model() -> Model {
+    let mut sculpture = Solid::named("armillary");
     pedestal(&mut sculpture);
     cradle(&mut sculpture);
     sphere(&mut sculpture);
-    let mut ground = Solid::named("sundial");
-    floor(&mut ground);
-    let object = |mesh| Object {
-        mesh,
-        transform: Mat4::IDENTITY,
-        material: None,
-        catcher: false,
-    };
-    SceneDescription {
-        meshes: vec![ground.into_mesh(), sculpture.into_mesh()],
-        materials: materials(),
-        textures: Vec::new(),
-        objects: vec![object(0), object(1)],
+    let (materials, names) = materials().into_iter().unzip();
+    Model {
+        meshes: vec![sculpture.into_mesh()],
+        materials,
+        material_names: names,
+        parts: vec![Part {
+            mesh: 0,
+            transform: Mat4::IDENTITY,
+        }],
+        z_up: true,
+        ..Model::default()
     }
 }
 
-fn materials() -> Vec<Material> {
-    let material = |diffuse, specular, exponent| Material::BlinnPhong {
-        diffuse,
-        specular,
-        exponent,
+fn materials() -> Vec<(Material, String)> {
+    let material = |name: &str, diffuse, specular, exponent| {
+        let material = Material::BlinnPhong {
+            diffuse,
+            specular,
+            exponent,
+        };
+        (material, name.to_owned())
     };
     vec![
-        material(FLOOR, Vec3::ZERO, 0.0),
-        material(vec3(0.06, 0.05, 0.045), Vec3::splat(0.04), 60.0),
-        material(vec3(0.60, 0.54, 0.46), Vec3::ZERO, 0.0),
-        material(vec3(0.36, 0.03, 0.02), Vec3::splat(0.12), 120.0),
-        material(vec3(0.21, 0.12, 0.035), vec3(0.68, 0.47, 0.20), 40.0),
-        material(vec3(0.015, 0.09, 0.34), Vec3::splat(0.20), 400.0),
-        material(Vec3::splat(0.02), vec3(0.93, 0.92, 0.90), 6000.0),
-        material(vec3(0.66, 0.60, 0.48), Vec3::splat(0.08), 90.0),
+        material("stone", vec3(0.60, 0.54, 0.46), Vec3::ZERO, 0.0),
+        material("lacquer", vec3(0.36, 0.03, 0.02), Vec3::splat(0.12), 120.0),
+        material(
+            "brass",
+            vec3(0.21, 0.12, 0.035),
+            vec3(0.68, 0.47, 0.20),
+            40.0,
+        ),
+        material("enamel", vec3(0.015, 0.09, 0.34), Vec3::splat(0.20), 400.0),
+        material("silver", Vec3::splat(0.02), vec3(0.93, 0.92, 0.90), 6000.0),
+        material("ivory", vec3(0.66, 0.60, 0.48), Vec3::splat(0.08), 90.0),
     ]
 }
 
@@ -245,128 +244,38 @@ fn axis(solid: &mut Solid, polar: &Place) {
     solid.rod(BRASS, uvec2(40, 12), [1.05, 1.22], point, polar);
 }
 
-/// A part of the floor between two circles about the foot of the axis.
-#[derive(Clone, Copy)]
-enum Band {
-    Plain,
-    /// A circle of inlay.
-    Circle,
-    /// Crossed by the hour lines.
-    Dial,
-    /// Crossed by the hour lines, every other hour filled.
-    Scale,
-}
-
-/// A part of the floor between two rays from the foot of the axis.
-#[derive(Clone, Copy)]
-enum Sector {
-    Line,
-    Hour { filled: bool },
-    Night,
-}
-
-/// The floor, cut along circles and rays about the foot of the axis.
-fn floor(solid: &mut Solid) {
-    let bands = [
-        (0.0, Band::Plain),
-        (1.10, Band::Circle),
-        (1.14, Band::Dial),
-        (3.60, Band::Circle),
-        (3.65, Band::Scale),
-        (3.95, Band::Circle),
-        (4.00, Band::Plain),
-        (12.0, Band::Plain),
-        (40.0, Band::Plain),
-        (160.0, Band::Plain),
-    ];
-    let mut sectors = Vec::new();
-    for hour in (-6..=6).rev() {
-        let line = hour_line(hour) / TAU;
-        let half = if hour % 3 == 0 { 0.0020 } else { 0.0010 };
-        let filled = hour % 2 == 0;
-        sectors.push((line - half, Sector::Line));
-        sectors.push((line + half, Sector::Hour { filled }));
-    }
-    // Past the last line lies the other half of the circle.
-    if let Some(last) = sectors.last_mut() {
-        last.1 = Sector::Night;
-    }
-    let first = sectors[0].0;
-    let foot = dvec3(CENTRE / LATITUDE.tan(), 0.0, 0.0);
-    for (i, &(from, sector)) in sectors.iter().enumerate() {
-        let to = sectors.get(i + 1).map_or(first + 1.0, |next| next.0);
-        let cells = uvec2(((to - from) / 0.01).ceil() as u32, 1);
-        for pair in bands.windows(2) {
-            let (inner, outer) = (pair[0].0, pair[1].0);
-            let material = match (pair[0].1, sector) {
-                (Band::Circle, _)
-                | (Band::Dial | Band::Scale, Sector::Line)
-                | (Band::Scale, Sector::Hour { filled: true }) => INLAY,
-                _ => PAVING,
-            };
-            solid.patch(material, cells, |uv| {
-                let radius = outer + (inner - outer) * uv.y;
-                foot + around_z(from + (to - from) * uv.x, radius)
-            });
-        }
-    }
-}
-
-/// Where the axis' shadow falls at an hour after noon: its angle about the foot, counter-clockwise from +x (south)
-/// [rad]; north is π. `tan ψ = sin φ tan H` on a horizontal dial.
-fn hour_line(hour: i32) -> f64 {
-    let h = f64::from(hour) * PI / 12.0;
-    PI - (LATITUDE.sin() * h.sin()).atan2(h.cos())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn the_scene_is_what_was_promised() {
-        let scene = scene();
-        let triangles: usize = scene.meshes.iter().map(|m| m.indices.len()).sum();
-        assert!(triangles >= 20_000, "{triangles}");
-        for mesh in &scene.meshes {
-            assert_eq!(mesh.indices.len(), mesh.materials.len());
-            assert_eq!(mesh.positions.len(), mesh.normals.len());
-            assert!(mesh.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-5));
-            assert!(
-                mesh.materials
-                    .iter()
-                    .all(|m| (*m as usize) < scene.materials.len())
-            );
-            assert!(mesh.positions.iter().all(|p| p.z > -1e-6));
-        }
+    fn the_sculpture_is_sound() {
+        let model = model();
+        let mesh = &model.meshes[0];
+        assert!(mesh.indices.len() >= 20_000, "{}", mesh.indices.len());
+        assert_eq!(mesh.indices.len(), mesh.materials.len());
+        assert_eq!(mesh.positions.len(), mesh.normals.len());
+        assert!(mesh.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-5));
+        assert!(
+            mesh.materials
+                .iter()
+                .all(|m| (*m as usize) < model.materials.len())
+        );
+        assert!(mesh.positions.iter().all(|p| p.z > -1e-6));
     }
 
     /// Shading normals look to the side from which a triangle is counter-clockwise.
     #[test]
     fn normals_and_windings_agree() {
-        for mesh in scene().meshes {
-            for triangle in &mesh.indices {
-                let [a, b, c] = triangle.map(|i| mesh.positions[i as usize]);
-                let face = (b - a).cross(c - a).normalize();
-                for i in triangle {
-                    let agreement = face.dot(mesh.normals[*i as usize]);
-                    assert!(agreement > 0.2, "{}: {agreement} at {a}", mesh.name);
-                }
+        let model = model();
+        let mesh = &model.meshes[0];
+        for triangle in &mesh.indices {
+            let [a, b, c] = triangle.map(|i| mesh.positions[i as usize]);
+            let face = (b - a).cross(c - a).normalize();
+            for i in triangle {
+                let agreement = face.dot(mesh.normals[*i as usize]);
+                assert!(agreement > 0.2, "{}: {agreement} at {a}", mesh.name);
             }
-        }
-    }
-
-    /// The plane of the axis and the sun meets the floor in the hour line.
-    #[test]
-    fn the_dial_is_right() {
-        let axis = dvec3(-LATITUDE.cos(), 0.0, LATITUDE.sin());
-        for hour in -5..=5 {
-            let h = f64::from(hour) * PI / 12.0;
-            let (sin_l, cos_l) = LATITUDE.sin_cos();
-            let sun = dvec3(h.cos() * sin_l, -h.sin(), cos_l * h.cos());
-            let line = around_z(hour_line(hour) / TAU, 1.0);
-            assert!(axis.cross(sun).dot(line).abs() < 1e-12);
-            assert!(line.dot(sun) < 1e-12, "the shadow falls away from the sun");
         }
     }
 }

@@ -1,75 +1,117 @@
-//! Host file: the built-in shot, made of formulas alone: an armillary sphere on a sundial while the sun climbs.
+//! Host file: the built-in demonstration, made of formulas alone: the whole road from a filmed mirror ball to a composited shot.
 //!
-//! It needs no file. World axes are the project's: right-handed, z up, lengths in metres; the sun rises on the left of
-//! the image (+y), lamps stand behind the camera (−x).
+//! It films a simulated ball and a plate under a climbing sun, finds and unwarps the ball, lays a sculpture over the plate in
+//! its light, and joins what came of it in one picture. Everything that it does is done by the commands that others use, on
+//! two files that it writes: `film/synth.toml` and `shot.toml`.
 
 mod armillary;
-mod lamps;
+mod land;
+mod sheet;
 mod sky;
 mod solid;
 mod sun;
 
-pub use armillary::scene;
-pub(crate) use lamps::flicker;
+pub use armillary::model as armillary;
 pub(crate) use sky::clear_sky;
-pub use sky::environment;
 pub(crate) use sun::irradiance as sun_irradiance;
 
-use glam::{UVec2, Vec3, vec3};
-use glimt_render_gpu::host::render::{
-    Background, Filter, Method, Pattern, RenderSettings, Shadow, Tonemap,
-};
-use glimt_render_gpu::host::scene::Camera;
+use crate::capture::unwarp;
+use crate::cli::{RenderFlags, SynthFlags, UnwarpFlags};
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::notes::Notes;
+use crate::output::{atomic, write_text};
+use crate::report::Reporter;
+use crate::shot::range;
+use crate::{render, synth};
+use glam::UVec2;
+use std::path::{Path, PathBuf};
 
-/// Frames of the shot, numbered from 0.
+/// Frames of the shot, numbered from 1.
 pub const FRAMES: u32 = 24;
 
-/// Frames per second at which it is meant to be seen.
-pub const FPS: u32 = 12;
+/// Width and height of the built-in surroundings in texels: a texel is 0.18° wide at the horizon.
+pub const ENV_SIZE: UVec2 = UVec2::new(2048, 1024);
 
-/// Image width and height in pixels.
-pub const IMAGE_SIZE: UVec2 = UVec2::new(480, 270);
+/// Settings of the simulated capture.
+const SYNTH: &str = include_str!("synth.toml");
+/// The shot.
+const SHOT: &str = include_str!("shot.toml");
 
-/// Width and height of the light maps in texels: a texel is 0.35° wide at the horizon.
-pub const ENV_SIZE: UVec2 = UVec2::new(1024, 512);
+/// Size of the unwarped maps: as the ball of the capture gives it.
+const MAP: UVec2 = UVec2::new(640, 320);
 
-/// Place of a frame in the shot, 0 at its first frame and 1 at its last; frames beyond it stay there.
-fn shot_time(frame: u32) -> f32 {
-    frame.min(FRAMES - 1) as f32 / (FRAMES - 1) as f32
+/// Makes the demonstration.
+///
+/// # Errors
+/// The flags are wrong, or something cannot be written. What is done stays, and another run goes on from there.
+pub fn run(flags: &RenderFlags, reporter: &Reporter) -> Result<()> {
+    if let Some(text) = &flags.frames {
+        let asked = range::parse(text).map_err(|e| e.at("--frames"))?;
+        if *asked.start() < 1 || *asked.end() > FRAMES {
+            return Err(Error::usage(format!("the demo has the frames 1-{FRAMES}"))
+                .fix(format!("choose among them with --frames, as 1-{FRAMES}")));
+        }
+    }
+    let out = flags.out.clone().unwrap_or_else(|| PathBuf::from("out"));
+    let film = out.join("film");
+    atomic::prepare_folder(&film)?;
+    let (settings, shot) = (film.join("synth.toml"), out.join("shot.toml"));
+    write_text(&settings, SYNTH)?;
+    write_text(&shot, SHOT)?;
+    // The shot is read first: what is wrong with the flags is said before anything is filmed.
+    crate::shot::parse::read::<crate::shot::Shot>(&shot, &crate::setup::overrides(flags))?;
+
+    reporter.step("1 of 4: a mirror ball and a plate are filmed");
+    let filming = SynthFlags {
+        frames: flags.frames.clone(),
+        device: flags.device,
+        set: Vec::new(),
+        out: Some(film.clone()),
+        seed: None,
+        strict: flags.strict,
+    };
+    synth::run(Some(&settings), &filming, reporter)?;
+
+    reporter.step("2 of 4: the ball is found and unwarped");
+    let light = UnwarpFlags {
+        frames: flags.frames.clone(),
+        device: flags.device,
+        out: out.join("light"),
+        size: Some(MAP),
+        distance_mm: None,
+        radius_mm: None,
+        set: vec![
+            "reflectance=[0.72, 0.72, 0.7]".to_owned(),
+            "rig_deg=9".to_owned(),
+        ],
+        strict: flags.strict,
+    };
+    unwarp::run(&film.join("capture/ball.####.exr"), &light, reporter)?;
+
+    reporter.step("3 of 4: the sculpture is rendered into the plate");
+    let flags = RenderFlags {
+        out: Some(out.clone()),
+        ..flags.clone()
+    };
+    let mut notes = Notes::new(flags.strict);
+    let job = Job::from_file(&shot, &flags, &mut notes, reporter);
+    reporter.notes(notes.take());
+    let job = job?;
+    let frames = job.frames.clone();
+    render::render(job, flags.device, notes, reporter)?;
+
+    reporter.step("4 of 4: the contact sheet");
+    let file = out.join("contact-sheet.png");
+    sheet::write(&file, &out, &frames)?;
+    reporter.remark(&format!(
+        "probe, unwarped map, render and composite side by side: {}",
+        file.display()
+    ));
+    Ok(())
 }
 
-/// The camera of a frame: it drifts a few degrees around the sculpture.
-pub fn camera(frame: u32) -> Camera {
-    let time = shot_time(frame);
-    let azimuth = (192.0 - 20.0 * time).to_radians();
-    let distance = 7.5;
-    let height = 1.85 + 0.3 * time;
-    Camera {
-        eye: vec3(distance * azimuth.cos(), distance * azimuth.sin(), height),
-        target: vec3(0.0, -0.6, 1.2),
-        up: Vec3::Z,
-        fov_x: 40_f32.to_radians(),
-    }
-}
-
-/// The settings of a frame: the program's defaults (Owen-scrambled Sobol, 16 rays a pixel, one BRDF and one light sample
-/// on each) with the shot's exposure.
-pub fn settings(frame: u32) -> RenderSettings {
-    RenderSettings {
-        size: IMAGE_SIZE,
-        camera: camera(frame),
-        rays_per_pixel: 16,
-        brdf_samples: 1,
-        env_samples: 1,
-        method: Method::Mis,
-        pattern: Pattern::OwenSobol,
-        filter: Filter::Box,
-        background: Background::Environment,
-        seed: 1,
-        frame,
-        exposure_ev: -4.75,
-        tonemap: Tonemap::Srgb,
-        shadow: Shadow::Multiply,
-        layers: false,
-    }
+/// The file of a frame in a folder of the demonstration.
+fn frame_file(folder: &Path, name: &str, frame: u32, extension: &str) -> PathBuf {
+    folder.join(format!("{name}.{frame:04}.{extension}"))
 }

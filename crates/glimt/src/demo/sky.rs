@@ -1,44 +1,62 @@
-//! Host file: the light of the shot: a clear sky, the sun, lamps, and the ground that they light.
+//! Host file: the built-in surroundings: a clear sky, and what it lights.
 
-use super::{armillary, lamps, sun};
+use super::{land, sun};
 use glam::{UVec2, Vec3, Vec4};
 use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
-use glimt_render_gpu::host::env::{EnvError, EnvMap};
 use hw_skymodel::rgb::{Channel, SkyParams, SkyState};
 use rayon::prelude::*;
-use std::f32::consts::{FRAC_1_PI, FRAC_PI_2};
+use std::f32::consts::FRAC_PI_2;
 
-/// The lat-long light map of a frame: `size.x × size.y` texels, best 2:1 ([`super::ENV_SIZE`]).
-///
-/// The upper half is the sky of Hosek and Wilkie 2012 with our own sun and lamps; the lower is ground as bright as the
-/// floor of the scene where nothing shades it, so that the floor meets the horizon without an edge.
-///
-/// # Errors
-/// [`EnvError::Size`] for an empty map.
-pub fn environment(frame: u32, size: UVec2) -> Result<EnvMap, EnvError> {
-    let mut texels = vec![Vec4::ZERO; size.x as usize * size.y as usize];
-    if !texels.is_empty() {
-        fill_sky(&mut texels, size, sun::direction(frame).as_vec3());
-        sun::add(&mut texels, size, frame);
-        lamps::add(&mut texels, size, frame);
-        fill_ground(&mut texels, size, Vec3::ZERO);
-    }
-    EnvMap::new(size, texels)
-}
-
-/// The same sky and ground with nothing in the sky: no disc of the sun and no lamps. The sun stands in direction `sun` (unit
-/// length; below the horizon counts as on it), and `irradiance` on what faces it is counted on the ground.
+/// The sky of Hosek and Wilkie 2012 over hills and a paved place: `size.x × size.y` texels, best 2:1. There is no disc of the sun
+/// and no lamp in it. The sun stands in direction `sun` (unit length; below the horizon counts as on it), and lights the
+/// ground with `irradiance` on what faces it.
 pub(crate) fn clear_sky(size: UVec2, sun: Vec3, irradiance: Vec3) -> Vec<Vec4> {
     let mut texels = vec![Vec4::ZERO; size.x as usize * size.y as usize];
     if !texels.is_empty() {
         fill_sky(&mut texels, size, sun);
-        fill_ground(&mut texels, size, irradiance * sun.z.max(0.0));
+        let light = Light::under(&texels, size, sun, irradiance);
+        land::fill(&mut texels, size, &light);
     }
     texels
 }
 
+/// What lights the land.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Light {
+    /// Irradiance of the sky on level ground.
+    pub(super) sky: Vec3,
+    /// Irradiance of the sun on what faces it.
+    pub(super) sun: Vec3,
+    /// Where it stands.
+    pub(super) direction: Vec3,
+    /// Mean radiance of the sky just above the horizon: what haze takes on.
+    pub(super) horizon: Vec3,
+}
+
+impl Light {
+    fn under(texels: &[Vec4], size: UVec2, direction: Vec3, sun: Vec3) -> Self {
+        let columns = size.x as usize;
+        let mut light = Self {
+            sky: Vec3::ZERO,
+            sun,
+            direction,
+            horizon: Vec3::ZERO,
+        };
+        for (row, texels) in texels[..sky_rows(size) * columns]
+            .chunks(columns)
+            .enumerate()
+        {
+            let sum: Vec3 = texels.iter().map(|t| t.truncate()).sum();
+            let cosine = texel_direction(UVec2::new(0, row as u32), size).z.max(0.0);
+            light.sky += sum * cosine * texel_solid_angle_sr(row as u32, size);
+            light.horizon = sum / columns as f32;
+        }
+        light
+    }
+}
+
 /// Rows whose centre is above the horizon.
-fn sky_rows(size: UVec2) -> usize {
+pub(super) fn sky_rows(size: UVec2) -> usize {
     size.y.div_ceil(2) as usize
 }
 
@@ -46,7 +64,7 @@ fn fill_sky(texels: &mut [Vec4], size: UVec2, sun: Vec3) {
     let state = SkyState::new(&SkyParams {
         elevation: sun.z.asin().clamp(0.0, FRAC_PI_2),
         turbidity: sun::TURBIDITY as f32,
-        albedo: armillary::FLOOR.to_array(),
+        albedo: land::PAVING.to_array(),
     })
     .expect("the sun stands above the horizon and the constants lie in the model's range");
     let columns = size.x as usize;
@@ -69,59 +87,39 @@ fn fill_sky(texels: &mut [Vec4], size: UVec2, sun: Vec3) {
         });
 }
 
-/// Fills the lower half with the radiance of the floor under the upper half, with a little haze towards the horizon.
-/// `further` is irradiance on it that the map does not hold.
-fn fill_ground(texels: &mut [Vec4], size: UVec2, further: Vec3) {
-    let columns = size.x as usize;
-    let (sky, ground) = texels.split_at_mut(sky_rows(size) * columns);
-    let mut irradiance = further;
-    let mut horizon = Vec3::ZERO;
-    for (row, texels) in sky.chunks(columns).enumerate() {
-        let sum: Vec3 = texels.iter().map(|t| t.truncate()).sum();
-        let cosine = texel_direction(UVec2::new(0, row as u32), size).z.max(0.0);
-        irradiance += sum * cosine * texel_solid_angle_sr(row as u32, size);
-        horizon = sum / columns as f32;
-    }
-    let floor = armillary::FLOOR * irradiance * FRAC_1_PI;
-    for (row, texels) in ground.chunks_mut(columns).enumerate() {
-        let row = (sky_rows(size) + row) as u32;
-        let below = -texel_direction(UVec2::new(0, row), size).z;
-        let haze = 0.6 * (-below / 0.02).exp();
-        texels.fill(floor.lerp(horizon, haze).extend(1.0));
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::{ENV_SIZE, FRAMES};
+    use super::super::ENV_SIZE;
     use super::*;
 
     #[test]
-    fn every_frame_is_a_map_with_a_strong_sun() {
-        for frame in [0, FRAMES / 2, FRAMES - 1] {
-            let map = environment(frame, ENV_SIZE).expect("a map");
-            let brightest = map.texels().iter().map(|t| t.y).fold(0.0, f32::max);
-            let zenith = map.texels()[0].y;
-            assert!(brightest > 1e4 * zenith, "{brightest} {zenith}");
-            assert!(map.texels().last().expect("a texel").min_element() > 0.0);
+    fn every_texel_is_light() {
+        for elevation in [0.1_f32, 0.8] {
+            let sun = Vec3::new(elevation.cos(), 0.0, elevation.sin());
+            for size in [UVec2::new(128, 64), UVec2::ONE, UVec2::new(3, 5)] {
+                let texels = clear_sky(size, sun, Vec3::splat(100.0));
+                assert!(
+                    texels
+                        .iter()
+                        .all(|t| t.min_element() > 0.0 && t.is_finite())
+                );
+            }
         }
-        assert!(environment(0, UVec2::ZERO).is_err());
-        assert!(environment(0, UVec2::ONE).is_ok());
     }
 
     /// What lights the floor does not depend on how finely the map is cut.
     #[test]
     fn two_resolutions_carry_the_same_energy() {
+        let sun = Vec3::new(0.6, 0.6, 0.5).normalize();
         let flux = |size: UVec2| {
-            let map = environment(5, size).expect("a map");
-            let texels = map.texels().iter().enumerate();
-            let power = texels.map(|(i, t)| {
+            let texels = clear_sky(size, sun, Vec3::splat(100.0));
+            let power = texels.iter().enumerate().map(|(i, t)| {
                 let row = i as u32 / size.x;
                 f64::from(t.y) * f64::from(texel_solid_angle_sr(row, size))
             });
             power.sum::<f64>()
         };
-        let (fine, coarse) = (flux(ENV_SIZE), flux(ENV_SIZE / 8));
-        assert!((fine / coarse - 1.0).abs() < 0.01, "{fine} {coarse}");
+        let (fine, coarse) = (flux(ENV_SIZE / 2), flux(ENV_SIZE / 16));
+        assert!((fine / coarse - 1.0).abs() < 0.02, "{fine} {coarse}");
     }
 }

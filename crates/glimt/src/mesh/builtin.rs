@@ -1,6 +1,7 @@
 //! Host file: the built-in meshes, made with z up.
 
 use super::Model;
+use crate::demo;
 use glam::{Vec2, Vec3};
 use glimt_render_gpu::host::scene::Mesh;
 use std::f32::consts::PI;
@@ -12,6 +13,7 @@ const SECTORS: u32 = 128;
 /// The mesh of that name, if there is one.
 pub fn load(name: &str) -> Option<Model> {
     let mesh = match name {
+        "armillary" => return Some(demo::armillary()),
         "sphere" => sphere(),
         "plane" => plane(),
         _ => return None,

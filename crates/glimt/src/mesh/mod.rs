@@ -104,7 +104,7 @@ pub fn load(base: &Path, name: &str, notes: &mut Notes) -> Result<Model> {
         "ply" => ply::load(&file, notes)?,
         _ => {
             return Err(Error::input(&file, "it is no kind of mesh that is known")
-                .fix("known are .glb, .gltf, .obj, .ply, .ply.gz, and the built-in \"sphere\" and \"plane\""));
+                .fix("known are .glb, .gltf, .obj, .ply, .ply.gz, and the built-in \"sphere\", \"plane\" and \"armillary\""));
         }
     };
     clean::clean(&mut model, &file, notes)?;

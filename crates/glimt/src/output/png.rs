@@ -49,16 +49,28 @@ pub fn write(file: &Path, image: &FrameImage, stamp: &Stamp) -> Result<()> {
 /// # Errors
 /// The file cannot be written.
 pub fn write_mask(file: &Path, size: UVec2, values: &[u8]) -> Result<()> {
+    write_plain(file, size, values, ColorType::Grayscale)
+}
+
+/// Writes a picture of three sRGB bytes a pixel, whole or not at all.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write_rgb(file: &Path, size: UVec2, codes: &[u8]) -> Result<()> {
+    write_plain(file, size, codes, ColorType::Rgb)
+}
+
+fn write_plain(file: &Path, size: UVec2, bytes: &[u8], colour: ColorType) -> Result<()> {
     let fail = |e: EncodingError| match e {
         EncodingError::IoError(e) => Error::writing(file, &e),
         e => Error::output(file, e),
     };
     let mut pending = Pending::create(file)?;
     let mut encoder = Encoder::new(&mut pending, size.x, size.y);
-    encoder.set_color(ColorType::Grayscale);
+    encoder.set_color(colour);
     encoder.set_depth(BitDepth::Eight);
     let mut writer = encoder.write_header().map_err(fail)?;
-    writer.write_image_data(values).map_err(fail)?;
+    writer.write_image_data(bytes).map_err(fail)?;
     writer.finish().map_err(fail)?;
     pending.commit()
 }

@@ -317,9 +317,9 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
     for (i, object) in shot.objects.iter().enumerate() {
         let key = |name: &str| format!("object.{i}.{name}");
         if object.mesh.is_empty() {
-            return Err(source
-                .error(&key("mesh"), "the object has no mesh")
-                .fix("name a file (.glb .gltf .obj .ply), or \"sphere\" or \"plane\""));
+            return Err(source.error(&key("mesh"), "the object has no mesh").fix(
+                "name a file (.glb .gltf .obj .ply), or \"sphere\", \"plane\" or \"armillary\"",
+            ));
         }
         within_world(source, &key("translate"), &object.translate)?;
         finite(source, &key("rotate_deg"), &object.rotate_deg)?;

@@ -158,7 +158,7 @@ pub struct Patch {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Object {
-    /// A mesh file, or `sphere` (radius 1) or `plane` (2 × 2, facing +z).
+    /// A mesh file, or `sphere` (radius 1), `plane` (2 × 2, facing +z), or `armillary` (the sculpture of the demonstration).
     pub mesh: String,
     /// Where it is moved to.
     pub translate: [f32; 3],

@@ -184,15 +184,17 @@ impl Base {
             );
         }
         if synth.clouds.cover > 0.0 {
+            let lit = cloud_radiance(&texels, size);
             texels.par_iter_mut().enumerate().for_each(|(i, texel)| {
                 let at = UVec2::new(i as u32 % size.x, i as u32 / size.x);
                 let d = rotate_z(texel_direction(at, size), turn);
-                *texel *= transmittance(&synth.clouds, synth.seed, d, time);
+                let through = transmittance(&synth.clouds, synth.seed, d, time);
+                *texel = *texel * through + lit * (1.0 - through);
             });
         }
         for (index, lamp) in synth.lamps.iter().enumerate() {
             let direction = sun::from_angles(lamp.azimuth_deg.into(), lamp.elevation_deg.into());
-            let level = 1.0 - lamp.flicker * demo::flicker(f64::from(frame), index as f64);
+            let level = 1.0 - lamp.flicker * flicker(f64::from(frame), index as f64);
             add_disc(
                 &mut texels,
                 size,
@@ -252,6 +254,28 @@ fn stage_params(synth: &Synth, frame: u32, size: UVec2) -> StageParams {
         size,
         rotation: cos_sin_degrees(synth.light.rotate_z_deg),
     }
+}
+
+/// Radiance of a cloud: a matte white sheet lit from above as the ground is, which lets a part of that through.
+fn cloud_radiance(texels: &[Vec4], size: UVec2) -> Vec4 {
+    const THROUGH: f32 = 0.45;
+    let columns = size.x as usize;
+    let sky = texels[..(size.y / 2) as usize * columns]
+        .chunks(columns)
+        .enumerate();
+    let irradiance: Vec3 = sky
+        .map(|(row, texels)| {
+            let sum: Vec3 = texels.iter().map(|t| t.truncate()).sum();
+            let up = texel_direction(UVec2::new(0, row as u32), size).z;
+            sum * (up * texel_solid_angle_sr(row as u32, size))
+        })
+        .sum();
+    (irradiance * (THROUGH * std::f32::consts::FRAC_1_PI)).extend(1.0)
+}
+
+/// A restless number in [0, 1]: two sines whose periods share no multiple.
+fn flicker(frame: f64, phase: f64) -> f32 {
+    (0.5 + 0.25 * ((1.9 * frame + phase).sin() + (3.1 * frame + 2.0 * phase).sin())) as f32
 }
 
 #[cfg(test)]
