@@ -6,7 +6,7 @@ use glimt_benches::{Contest, claim};
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::Outline;
-use glimt_render_gpu::host::unwarp::{BallPose, UnwarpGrid, UnwarpMap, UnwarpOptions};
+use glimt_render_gpu::host::unwarp::{BallPose, Look, UnwarpGrid, UnwarpMap, UnwarpOptions};
 use rayon::prelude::*;
 
 const PHOTO: UVec2 = UVec2::new(2400, 1700);
@@ -77,7 +77,7 @@ fn run() {
             });
     })
     .entry("area-correct gather and colour matrix", || {
-        map.apply_into(&photo, &ColourMatrix::IDENTITY, &mut mean);
+        map.apply_into(&photo, &Look::IDENTITY, &mut mean);
     })
     .run(41);
     claim(

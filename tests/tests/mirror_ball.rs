@@ -8,7 +8,7 @@ use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::{Outline, Visibility};
 use glimt_render_gpu::gpu::GpuUnwarp;
-use glimt_render_gpu::host::unwarp::{BallPose, UnwarpGrid, UnwarpMap, UnwarpOptions};
+use glimt_render_gpu::host::unwarp::{BallPose, Look, UnwarpGrid, UnwarpMap, UnwarpOptions};
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_vec2, warp};
 use glimt_tests::ball::{photograph, reflected, rolled};
 use glimt_tests::gpu::adapter_or_skip;
@@ -224,7 +224,7 @@ fn lat_long_to_ball_to_lat_long() {
     for pose in poses() {
         let map = pose.map(UVec2::new(128, 64));
         let photo = pose.photograph(radiance);
-        let texels = map.apply(&photo, &ColourMatrix::IDENTITY);
+        let texels = map.apply(&photo, &Look::IDENTITY);
         let (rmse, flux) = errors(&map, &texels, radiance);
         assert!(rmse < 0.01, "{:?}: {rmse}", pose.pose);
         assert!(flux.abs() < 0.005, "{:?}: {flux}", pose.pose);
@@ -233,7 +233,7 @@ fn lat_long_to_ball_to_lat_long() {
         assert!(errors(&map, &texels, mirrored).0 > 0.1);
         let mut wrong = Pose { ..pose };
         wrong.pose.roll += 0.03;
-        let turned = wrong.map(map.size()).apply(&photo, &ColourMatrix::IDENTITY);
+        let turned = wrong.map(map.size()).apply(&photo, &Look::IDENTITY);
         assert!(errors(&map, &turned, radiance).0 > rmse + 0.002);
     }
 }
@@ -250,10 +250,10 @@ fn small_and_odd_maps_keep_the_flux() {
         UVec2::new(700, 350),
     ] {
         let map = pose.map(size);
-        let texels = map.apply(&photo, &ColourMatrix::IDENTITY);
+        let texels = map.apply(&photo, &Look::IDENTITY);
         // The mean over texels of the truth, not its value in their middle.
         let fine = pose.map(UVec2::new(256, 128));
-        let fine_texels = fine.apply(&photo, &ColourMatrix::IDENTITY);
+        let fine_texels = fine.apply(&photo, &Look::IDENTITY);
         let flux = |size: UVec2, texels: &[Vec4]| -> f64 {
             let rows = texels.chunks(size.x as usize).enumerate();
             rows.map(|(y, row)| {
@@ -272,7 +272,7 @@ fn a_constant_light_stays_constant() {
     for pose in poses().iter().take(6) {
         let map = pose.map(UVec2::new(64, 32));
         let photo = pose.photograph(|_| Vec4::ONE);
-        for texel in map.apply(&photo, &ColourMatrix::IDENTITY) {
+        for texel in map.apply(&photo, &Look::IDENTITY) {
             // The green beside the ball comes nowhere.
             assert!((texel - Vec4::ONE).abs().max_element() < 2e-5, "{texel}");
         }
@@ -287,7 +287,7 @@ fn what_is_never_seen_is_marked_and_filled_smoothly() {
         // Harmonic on the sphere about the axis: a function of the direction across it.
         let across = pose.ball.right.as_dvec3();
         let harmonic = |d: DVec3| Vec4::splat((2.0 + d.dot(across)) as f32).with_w(1.0);
-        let texels = map.apply(&pose.photograph(harmonic), &ColourMatrix::IDENTITY);
+        let texels = map.apply(&pose.photograph(harmonic), &Look::IDENTITY);
         let (mut hidden, mut rim) = (0, 0);
         for (i, seen) in map.visibility().iter().enumerate() {
             let at = UVec2::new(i as u32 % size.x, i as u32 / size.x);
@@ -325,7 +325,7 @@ fn the_rig_is_filled() {
     let map = grid.map(&pose.pose, pose.photo, &options).unwrap();
     assert!(map.visibility().contains(&Visibility::Rig));
     let darkest = |map: &UnwarpMap| {
-        let texels = map.apply(&photo, &ColourMatrix::IDENTITY);
+        let texels = map.apply(&photo, &Look::IDENTITY);
         texels.iter().map(|t| t.x).fold(1.0, f32::min)
     };
     assert!(darkest(&map) > 0.99);
@@ -361,9 +361,13 @@ fn a_light_map_is_the_same_on_both_processors() {
     for pose in poses().iter().step_by(5) {
         let map = pose.map(UVec2::new(200, 100));
         let photo = pose.photograph(radiance);
-        let cpu = map.apply(&photo, &colour);
+        let look = Look {
+            reflectance: Vec3::new(0.6, 0.7, 0.8),
+            colour,
+        };
+        let cpu = map.apply(&photo, &look);
         let gpu = GpuUnwarp::new(&context, &map).unwrap();
-        gpu.run(&context, &photo, &colour).unwrap();
+        gpu.run(&context, &photo, &look).unwrap();
         let differ = |a: &[Vec4], b: &[Vec4]| {
             let pairs = a.iter().zip(b);
             pairs
@@ -373,7 +377,7 @@ fn a_light_map_is_the_same_on_both_processors() {
         let light = gpu.read(&context).unwrap();
         let largest = differ(&cpu, &light);
         assert!(largest < 2e-6, "{largest}");
-        let other = map.apply(&photo, &ColourMatrix::IDENTITY);
+        let other = map.apply(&photo, &Look::IDENTITY);
         assert!(differ(&other, &light) > 1e-2);
     }
 }

@@ -2,14 +2,16 @@
 
 use glam::{Mat3, Vec4};
 
-/// Where a texel's taps begin. 8 bytes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Where a texel's taps begin. 12 bytes.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct TexelTaps {
     /// Index of its first tap; the taps of the next texel follow its last.
     pub tap: u32,
     /// The pixel from which its first tap counts.
     pub pixel: u32,
+    /// `(1 − cos i)^5`, i the angle of incidence at which the mirror is seen: 0 in the ball's middle, 1 at its rim.
+    pub grazing: f32,
 }
 
 /// Which pixels make each texel, in four bytes a pixel: the table is read once for each texel of each frame, and its bytes
@@ -74,21 +76,34 @@ impl ColourMatrix {
     }
 }
 
-/// Texel `texel`: the weighted mean of its pixels, its colours then changed by `colour`. Black where it has no taps.
+/// Texel `texel`: the weighted mean of its pixels over what the mirror reflects, its colours then changed by `colour`. Black
+/// where it has no taps.
+///
+/// `reflectance` is the mirror's at normal incidence, in (0, 1] for each channel, w 1; towards grazing incidence it grows to
+/// 1 as `r + (1 − r)(1 − cos i)^5` (Schlick 1994).
 ///
 /// ```
 /// use glam::Vec4;
 /// use glimt_probe::gather::{ColourMatrix, GatherMap, TexelTaps, gather};
-/// let texels = [TexelTaps { tap: 0, pixel: 0 }, TexelTaps { tap: 2, pixel: 0 }];
+/// let texels = [0, 2].map(|tap| TexelTaps { tap, pixel: 0, grazing: 0.0 });
 /// // A fifth of pixel 0, four fifths of pixel 2.
 /// let map = GatherMap { texels: &texels, taps: &[13_107, 2 << 16 | 52_428] };
 /// let pixels = [Vec4::ZERO, Vec4::splat(9.0), Vec4::splat(5.0)];
-/// let texel = gather(0, map, &ColourMatrix::IDENTITY, &pixels);
+/// let texel = gather(0, map, &ColourMatrix::IDENTITY, Vec4::ONE, &pixels);
 /// assert_eq!(texel, Vec4::new(4.0, 4.0, 4.0, 1.0));
+/// // A mirror that keeps half of the light shows a world of half the radiance.
+/// let texel = gather(0, map, &ColourMatrix::IDENTITY, Vec4::new(0.5, 0.5, 0.5, 1.0), &pixels);
+/// assert_eq!(texel, Vec4::new(8.0, 8.0, 8.0, 1.0));
 /// ```
 #[inline(always)]
 #[must_use]
-pub fn gather(texel: u32, map: GatherMap<'_>, colour: &ColourMatrix, pixels: &[Vec4]) -> Vec4 {
+pub fn gather(
+    texel: u32,
+    map: GatherMap<'_>,
+    colour: &ColourMatrix,
+    reflectance: Vec4,
+    pixels: &[Vec4],
+) -> Vec4 {
     let begin = map.texels[texel as usize];
     let end = map.texels[texel as usize + 1].tap;
     let taps = &map.taps[begin.tap as usize..end as usize];
@@ -105,7 +120,8 @@ pub fn gather(texel: u32, map: GatherMap<'_>, colour: &ColourMatrix, pixels: &[V
         pixel = b;
         i += 2;
     }
-    colour.apply((even + odd) * WEIGHT_UNIT)
+    let reflected = reflectance + (Vec4::ONE - reflectance) * begin.grazing;
+    colour.apply((even + odd) * WEIGHT_UNIT / reflected)
 }
 
 /// The weight of a tap, in its units.

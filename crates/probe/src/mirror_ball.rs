@@ -174,6 +174,15 @@ impl MirrorBall {
         })
     }
 
+    /// Cosine of the angle of incidence at which the mirror is seen at the image point `p`; 0 off the ball.
+    #[inline]
+    #[must_use]
+    pub fn cos_incidence(&self, p: Vec2) -> f32 {
+        let s2 = p.length_squared().min(1.0);
+        let k2 = self.radius_over_distance * self.radius_over_distance;
+        libm::sqrtf((1.0 - s2) * (1.0 - k2) / (1.0 - k2 * (1.0 - s2)))
+    }
+
     /// Image point that shows the direction `d` (unit length); `None` in the hidden cone.
     ///
     /// Straight behind an orthographic camera's ball, where the whole rim would do, it is the rightmost point. The inverse

@@ -242,6 +242,16 @@ impl Unwarp {
         visibility
     }
 
+    /// `(1 − cos i)^5` at the middle of a texel between these corners (see [`Unwarp::texel`]); that of the edge which it is
+    /// filled from, where it is.
+    #[must_use]
+    pub fn grazing(&self, corners: [Vec2; 4]) -> f32 {
+        let [a, b, c, d] = corners;
+        let x = 1.0 - self.ball.cos_incidence(self.clip(0.25 * (a + b + c + d)));
+        let x2 = x * x;
+        x2 * x2 * x
+    }
+
     /// A texel too wide to be one piece.
     fn parts(&self, texel: UVec2, tap: &mut impl FnMut(Tap)) {
         let step = Vec2::ONE / (self.size.as_vec2() * self.parts as f32);

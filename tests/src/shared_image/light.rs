@@ -6,7 +6,7 @@ use glimt_probe::gather::{ColourMatrix, TexelTaps};
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::Outline;
 use glimt_render_gpu::gpu::{Arg, GpuContext};
-use glimt_render_gpu::host::unwarp::{BallPose, UnwarpGrid, UnwarpOptions};
+use glimt_render_gpu::host::unwarp::{BallPose, Look, UnwarpGrid, UnwarpOptions};
 use naga_front_rust::Program;
 
 use super::{Output, Pair, launch, words};
@@ -34,7 +34,15 @@ pub fn light_pair(program: &Program, context: &GpuContext) -> Pair {
     let colour = ColourMatrix::from_mat3(Mat3::from_cols_array(&[
         0.9, 0.1, 0.0, 0.2, 1.1, -0.3, 0.0, 0.1, 0.8,
     ]));
-    let cpu = map.apply(&pixels, &colour);
+    let reflectance = Vec3::new(0.7, 0.8, 0.6);
+    let cpu = map.apply(
+        &pixels,
+        &Look {
+            reflectance,
+            colour,
+        },
+    );
+    let reflectance = reflectance.extend(1.0);
 
     let view = map.view();
     let texels = upload::<TexelTaps>(context, view.texels);
@@ -42,6 +50,7 @@ pub fn light_pair(program: &Program, context: &GpuContext) -> Pair {
     let photo = upload(context, &pixels);
     let args = [
         ("colour", Arg::Value(bytemuck::bytes_of(&colour))),
+        ("reflectance", Arg::Value(bytemuck::bytes_of(&reflectance))),
         ("map.texels", Arg::Buffer(&texels)),
         ("map.taps", Arg::Buffer(&taps)),
         ("pixels", Arg::Buffer(&photo)),

@@ -8,9 +8,10 @@ pub mod unwarp;
 use crate::error::{Error, Result};
 use crate::shot;
 use glam::{UVec2, Vec2, Vec3};
+use glimt_probe::gather::ColourMatrix;
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::Outline;
-use glimt_render_gpu::host::unwarp::{BallPose, UnwarpGrid, UnwarpMap, UnwarpOptions};
+use glimt_render_gpu::host::unwarp::{BallPose, Look, UnwarpGrid, UnwarpMap, UnwarpOptions};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -59,6 +60,7 @@ impl Poses {
 pub struct Capture {
     grid: UnwarpGrid,
     options: UnwarpOptions,
+    reflectance: Vec3,
     poses: Poses,
     /// The table that was made last: most frames of a steady camera share one.
     last: Mutex<Option<(BallPose, UVec2, Arc<UnwarpMap>)>>,
@@ -81,6 +83,7 @@ impl Capture {
                 rim_px: keys.rim_px,
                 rig_half_angle: keys.rig_deg.to_radians(),
             },
+            reflectance: Vec3::from(keys.reflectance),
             poses,
             last: Mutex::new(None),
         }
@@ -134,5 +137,13 @@ impl Capture {
         let map = Arc::new(map);
         *last = Some((*pose, photo, Arc::clone(&map)));
         Ok(map)
+    }
+
+    /// How light that the ball reflected becomes light of the shot.
+    pub fn look(&self, colour: &ColourMatrix) -> Look {
+        Look {
+            reflectance: self.reflectance,
+            colour: *colour,
+        }
     }
 }

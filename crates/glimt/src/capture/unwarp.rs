@@ -16,7 +16,7 @@ use glam::Vec4;
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::unwarp::Visibility;
 use glimt_render_gpu::gpu::GpuUnwarp;
-use glimt_render_gpu::host::unwarp::UnwarpMap;
+use glimt_render_gpu::host::unwarp::{Look, UnwarpMap};
 use serde_json::json;
 use std::path::Path;
 use std::sync::Arc;
@@ -71,7 +71,7 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
             reporter.notes(notes.take());
             let photo = photo?;
             let map = capture.map(frame, &file, photo.size)?;
-            let texels = unwarper.apply(&map, &photo)?;
+            let texels = unwarper.apply(&map, &photo, &capture.look(&ColourMatrix::IDENTITY))?;
             exr::write_rgb(&target, map.size(), &texels, &stamp, exr::Storage::Float)?;
             let own = mask_of(&map);
             // One mask serves until it changes.
@@ -195,17 +195,16 @@ impl Unwarper {
         })
     }
 
-    fn apply(&mut self, map: &Arc<UnwarpMap>, photo: &Photo) -> Result<Vec<Vec4>> {
-        let colour = ColourMatrix::IDENTITY;
+    fn apply(&mut self, map: &Arc<UnwarpMap>, photo: &Photo, look: &Look) -> Result<Vec<Vec4>> {
         let Processor::Gpu(context) = &self.processor else {
-            return Ok(map.apply(&photo.pixels, &colour));
+            return Ok(map.apply(&photo.pixels, look));
         };
         let mut run = || {
             let gpu = match self.ready.take() {
                 Some((known, gpu)) if Arc::ptr_eq(&known, map) => gpu,
                 _ => GpuUnwarp::new(context, map)?,
             };
-            gpu.run(context, &photo.pixels, &colour)?;
+            gpu.run(context, &photo.pixels, look)?;
             let texels = gpu.read(context)?;
             self.ready = Some((Arc::clone(map), gpu));
             Ok(texels)

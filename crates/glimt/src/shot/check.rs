@@ -241,6 +241,13 @@ pub fn check_ball(ball: &Ball, source: &Source) -> Result<()> {
     {
         return bad("size", "a side is 0 or above 32768", "as [1024, 512]");
     }
+    if ball.reflectance.iter().any(|r| !(*r > 0.0 && *r <= 1.0)) {
+        return bad(
+            "reflectance",
+            "a channel is not above 0 and at most 1",
+            "polished steel has about 0.6, silver 0.95",
+        );
+    }
     if !(ball.rim_px >= 0.0 && ball.rim_px <= 100.0) {
         return bad("rim_px", "it is not between 0 and 100", "1.5 is usual");
     }

@@ -113,6 +113,9 @@ pub struct Ball {
     /// Half-angle of the cone about the camera that is filled from its surroundings, in degrees: camera and rig, as they are
     /// reflected.
     pub rig_deg: f32,
+    /// Share of the light that the ball reflects where it is seen straight on, red, green and blue; towards its rim it grows
+    /// to 1 (Schlick's approximation of Fresnel's equations). 1 leaves the light as filmed.
+    pub reflectance: [f32; 3],
     /// Whether roll of the camera is measured and removed.
     pub steady: bool,
 }
@@ -422,6 +425,7 @@ impl Default for Ball {
             size: None,
             rim_px: 1.5,
             rig_deg: 0.0,
+            reflectance: [1.0; 3],
             steady: true,
         }
     }

@@ -90,35 +90,35 @@ fn CaptureParams_ball(this_1: CaptureParams) -> MirrorBall {
     return MirrorBall(this_1.forward, this_1.radius_over_distance, this_1.right, 0f, this_1.up, 0f);
 }
 
-// glimt_probe/src/mirror_ball.rs:245
+// glimt_probe/src/mirror_ball.rs:254
 fn MirrorBall_solid_angle_sr_per_area(this_2: MirrorBall, p: vec2<f32>) -> f32 {
 
-    // glimt_probe/src/mirror_ball.rs:246
+    // glimt_probe/src/mirror_ball.rs:255
     let s2_ = dot(p, p);
-    // glimt_probe/src/mirror_ball.rs:247
+    // glimt_probe/src/mirror_ball.rs:256
     if (s2_ > 1f) {
-        // glimt_probe/src/mirror_ball.rs:248
+        // glimt_probe/src/mirror_ball.rs:257
         return 0f;
     }
-    // glimt_probe/src/mirror_ball.rs:250
-    let s2_1 = min(s2_, 0.999998f);
-    // glimt_probe/src/mirror_ball.rs:251
-    let k = this_2.radius_over_distance;
-    // glimt_probe/src/mirror_ball.rs:252
-    let k2_ = (k * k);
-    // glimt_probe/src/mirror_ball.rs:253
-    let w = (1f / (1f - (k2_ * (1f - s2_1))));
-    // glimt_probe/src/mirror_ball.rs:254
-    let sin2_i = (s2_1 * w);
-    // glimt_probe/src/mirror_ball.rs:255
-    let cos_i = sqrt((((1f - s2_1) * (1f - k2_)) * w));
-    // glimt_probe/src/mirror_ball.rs:256
-    let cos_beta = sqrt((1f - (k2_ * sin2_i)));
-    // glimt_probe/src/mirror_ball.rs:258
-    let sin_over_s = ((((2f * cos_i) * cos_beta) - ((1f - (2f * sin2_i)) * k)) * sqrt(w));
     // glimt_probe/src/mirror_ball.rs:259
-    let slope = (((((2f / cos_i) - (k / cos_beta)) * (1f - k2_)) * w) * sqrt(w));
+    let s2_1 = min(s2_, 0.999998f);
     // glimt_probe/src/mirror_ball.rs:260
+    let k = this_2.radius_over_distance;
+    // glimt_probe/src/mirror_ball.rs:261
+    let k2_ = (k * k);
+    // glimt_probe/src/mirror_ball.rs:262
+    let w = (1f / (1f - (k2_ * (1f - s2_1))));
+    // glimt_probe/src/mirror_ball.rs:263
+    let sin2_i = (s2_1 * w);
+    // glimt_probe/src/mirror_ball.rs:264
+    let cos_i = sqrt((((1f - s2_1) * (1f - k2_)) * w));
+    // glimt_probe/src/mirror_ball.rs:265
+    let cos_beta = sqrt((1f - (k2_ * sin2_i)));
+    // glimt_probe/src/mirror_ball.rs:267
+    let sin_over_s = ((((2f * cos_i) * cos_beta) - ((1f - (2f * sin2_i)) * k)) * sqrt(w));
+    // glimt_probe/src/mirror_ball.rs:268
+    let slope = (((((2f / cos_i) - (k / cos_beta)) * (1f - k2_)) * w) * sqrt(w));
+    // glimt_probe/src/mirror_ball.rs:269
     return clamp((sin_over_s * slope), 0f, ((4f * 3.1415927f) * 10000f));
 }
 

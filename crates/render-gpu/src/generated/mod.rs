@@ -88,14 +88,15 @@ pub const UNWARP: Entry = Entry {
     kernel: "glimt_render_gpu::kernels::unwarp::unwarp",
     wgsl: include_str!("unwarp.wgsl"),
     workgroup_size: 64,
-    params_size: 64,
+    params_size: 80,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
         param("colour", 16, 48),
+        param("reflectance", 64, 16),
     ],
     buffers: &[
-        slot("map.texels", 1, 8, false),
+        slot("map.texels", 1, 12, false),
         slot("map.taps", 2, 4, false),
         slot("pixels", 3, 16, false),
         slot("out", 4, 16, true),
@@ -396,9 +397,10 @@ const _: () = {
     assert!(offset_of!(glimt_probe::gather::ColourMatrix, red) == 0);
     assert!(offset_of!(glimt_probe::gather::ColourMatrix, green) == 16);
     assert!(offset_of!(glimt_probe::gather::ColourMatrix, blue) == 32);
-    assert!(size_of::<glimt_probe::gather::TexelTaps>() == 8);
+    assert!(size_of::<glimt_probe::gather::TexelTaps>() == 12);
     assert!(offset_of!(glimt_probe::gather::TexelTaps, tap) == 0);
     assert!(offset_of!(glimt_probe::gather::TexelTaps, pixel) == 4);
+    assert!(offset_of!(glimt_probe::gather::TexelTaps, grazing) == 8);
     assert!(size_of::<crate::kernels::bvh::BvhNode>() == 32);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, min) == 0);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, count) == 12);

@@ -1,14 +1,13 @@
 //! Host file: photographs of a mirror ball to light maps by wgpu.
 
 use glam::Vec4;
-use glimt_probe::gather::ColourMatrix;
 
 use super::buffer::GpuBuffer;
 use super::device::GpuContext;
 use super::error::GpuError;
 use super::launch::{Arg, LaunchReport};
 use crate::generated::UNWARP;
-use crate::host::unwarp::UnwarpMap;
+use crate::host::unwarp::{Look, UnwarpMap};
 
 /// An [`UnwarpMap`] on the GPU, with room for one photograph and its light map.
 #[derive(Debug)]
@@ -61,11 +60,13 @@ impl GpuUnwarp {
         &self,
         context: &GpuContext,
         pixels: &[Vec4],
-        colour: &ColourMatrix,
+        look: &Look,
     ) -> Result<LaunchReport, GpuError> {
         context.write(&self.photo, pixels)?;
+        let reflectance = look.reflectance.extend(1.0);
         let args = [
-            ("colour", Arg::Value(bytemuck::bytes_of(colour))),
+            ("colour", Arg::Value(bytemuck::bytes_of(&look.colour))),
+            ("reflectance", Arg::Value(bytemuck::bytes_of(&reflectance))),
             ("map.texels", Arg::Buffer(&self.texels)),
             ("map.taps", Arg::Buffer(&self.taps)),
             ("pixels", Arg::Buffer(&self.photo)),

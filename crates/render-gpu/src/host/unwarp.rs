@@ -1,6 +1,6 @@
 //! Host file: photographs of a mirror ball to light maps: the table of pixels and weights, made and applied by rayon.
 
-use glam::{UVec2, Vec2, Vec4};
+use glam::{UVec2, Vec2, Vec3, Vec4};
 use glimt_probe::gather::{ColourMatrix, GatherMap, TexelTaps};
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::{Outline, Tap, Unwarp, UnwarpError, Visibility, corner};
@@ -34,6 +34,23 @@ impl Default for UnwarpOptions {
             rig_half_angle: 0.0,
         }
     }
+}
+
+/// What is undone and done to the colours of a photograph.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// Reflectance of the ball at normal incidence, in (0, 1] for each channel.
+    pub reflectance: Vec3,
+    /// Applied to the light that the ball reflected.
+    pub colour: ColourMatrix,
+}
+
+impl Look {
+    /// A perfect mirror, whose colours stay as they are.
+    pub const IDENTITY: Look = Look {
+        reflectance: Vec3::ONE,
+        colour: ColourMatrix::IDENTITY,
+    };
 }
 
 /// The part of the mapping that is the same for all frames of a capture: where the corners of the map's texels are seen on
@@ -96,7 +113,11 @@ impl UnwarpGrid {
                 let corners = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
                 let seen = unwarp.texel(UVec2::new(x, y), corners, |tap| loose.push(tap));
                 row.visibility.push(seen);
-                row.texels.push(loose.pack(photo.x, &mut row.taps));
+                let begin = loose.pack(photo.x, &mut row.taps);
+                row.texels.push(TexelTaps {
+                    grazing: unwarp.grazing(corners),
+                    ..begin
+                });
             }
             row
         };
@@ -122,6 +143,7 @@ impl UnwarpGrid {
         map.texels.push(TexelTaps {
             tap: map.taps.len() as u32,
             pixel: 0,
+            grazing: 0.0,
         });
         Ok(map)
     }
@@ -230,6 +252,7 @@ impl Loose {
             return TexelTaps {
                 tap: begin,
                 pixel: 0,
+                grazing: 0.0,
             };
         }
         self.merge(width);
@@ -241,7 +264,11 @@ impl Loose {
 
         // Rounding the running sum makes the weights sum to the whole exactly.
         let (mut pixel, mut running, mut given) = (self.merged[0].0, 0.0, 0);
-        let start = TexelTaps { tap: begin, pixel };
+        let start = TexelTaps {
+            tap: begin,
+            pixel,
+            grazing: 0.0,
+        };
         for &(at, weight) in &self.merged {
             running += weight;
             let upto = ((running / kept * 65_535.0 + 0.5) as u32).min(65_535);
@@ -309,11 +336,12 @@ impl UnwarpMap {
     ///
     /// # Panics
     /// Where `pixels` is not of the size that the table was made for, or `texels` not of the map's.
-    pub fn apply_into(&self, pixels: &[Vec4], colour: &ColourMatrix, texels: &mut [Vec4]) {
+    pub fn apply_into(&self, pixels: &[Vec4], look: &Look, texels: &mut [Vec4]) {
         let count = |size: UVec2| size.x as usize * size.y as usize;
         assert_eq!(pixels.len(), count(self.photo), "pixels of the photograph");
         assert_eq!(texels.len(), count(self.size), "texels of the map");
         let map = self.view();
+        let (colour, reflectance) = (&look.colour, look.reflectance.extend(1.0));
         let width = self.size.x as usize;
         let photo_width = self.photo.x as usize;
         let bands = texels.par_chunks_mut(BLOCK * width).enumerate();
@@ -329,7 +357,8 @@ impl UnwarpMap {
                             fetch(pixels, pixel + photo_width);
                             fetch(pixels, pixel + 2 * photo_width);
                         }
-                        *value = unwarp((first + start + x) as u32, map, colour, pixels);
+                        *value =
+                            unwarp((first + start + x) as u32, map, colour, reflectance, pixels);
                     }
                 }
             }
@@ -341,9 +370,9 @@ impl UnwarpMap {
     /// # Panics
     /// As [`UnwarpMap::apply_into`].
     #[must_use]
-    pub fn apply(&self, pixels: &[Vec4], colour: &ColourMatrix) -> Vec<Vec4> {
+    pub fn apply(&self, pixels: &[Vec4], look: &Look) -> Vec<Vec4> {
         let mut texels = vec![Vec4::ZERO; self.size.x as usize * self.size.y as usize];
-        self.apply_into(pixels, colour, &mut texels);
+        self.apply_into(pixels, look, &mut texels);
         texels
     }
 }
