@@ -10,6 +10,9 @@ use crate::shot;
 use glimt_render_gpu::host::unwarp::BallPose;
 use std::path::Path;
 
+/// Frames further apart than this are not compared: the light itself may have changed, as when the sun has moved on.
+const NEAR: u32 = 4;
+
 /// Follows the ball of a shot.
 pub(super) struct Ball {
     /// Its place, if the shot gives it.
@@ -83,6 +86,7 @@ impl Ball {
     ) {
         let levels = Levels::new(photo.size, &photo.pixels, circle);
         if let Some((before, then)) = &self.levels
+            && frame - before <= NEAR
             && let Some(change) = levels.change_from(then).filter(|c| c.is_step())
         {
             let factor = change.stops.exp2();

@@ -261,7 +261,8 @@ impl Follow<'_> {
     fn nothing(&self, files: &FrameFiles, tally: &Tally<'_>) -> Error {
         let seconds = self.wait.as_secs_f64();
         if let Some((count, reason)) = tally.lost() {
-            let what = format!("none of the {count} frames that came could be rendered: {reason}");
+            let what =
+                format!("none of the frames that came ({count}) could be rendered: {reason}");
             return Error::input(files.folder(), what).fix("see what was said of each of them");
         }
         let pattern = files.pattern();

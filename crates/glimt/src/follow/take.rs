@@ -18,7 +18,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::sleep;
-use std::time::SystemTime;
+use std::time::{Instant, SystemTime};
 
 /// A frame that has been taken.
 pub(super) struct Taken {
@@ -136,6 +136,7 @@ impl<'a> Taker<'a> {
 
     /// Takes a frame; `None` where it is dropped, or cannot be read yet.
     fn take(&mut self, frame: u32) -> Result<Option<Taken>> {
+        let began = Instant::now();
         let file = self.watch.files().path(frame);
         let mapping = self.follow.setup.shot.probe.mapping;
         let read = read_live(&mut self.notes, |notes| probe::read(mapping, &file, notes))?;
@@ -146,6 +147,7 @@ impl<'a> Taker<'a> {
                 return Ok(None);
             }
         };
+        let read = began.elapsed();
         let arrived = self.watch.arrival(frame);
         if let Some(gap) = self.watch.pass(frame) {
             self.tally.missing(gap);
@@ -166,6 +168,7 @@ impl<'a> Taker<'a> {
                 Err(error) => return wrong(error.what),
             },
         };
+        let located = began.elapsed() - read;
         let laid = match &mut self.plates {
             None => None,
             Some(plates) => {
@@ -202,10 +205,15 @@ impl<'a> Taker<'a> {
         if Frames::of(setup).are_there(&taken.stamp) {
             return Ok(Some(taken));
         }
+        let tables = Instant::now();
         let light = match probe.light_of(image, &file, pose, &mut self.notes) {
             Ok(map) => setup.tables(map, Some(&file))?,
             Err(error) => return wrong(error.what),
         };
+        tracing::info!(
+            "light of frame {frame}: read in {read:.2?}, ball found in {located:.2?}, map and tables in {:.2?}",
+            tables.elapsed()
+        );
         taken.inputs = Some(Inputs {
             light,
             plate: laid.map(|laid| laid.plate),
