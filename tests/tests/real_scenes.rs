@@ -10,9 +10,10 @@
 use std::path::Path;
 
 use glam::{Vec3, Vec4};
-use glimt::cli::{Device, RenderFlags};
+use glimt::cli::{Device, RenderFlags, Talk};
 use glimt::job::Job;
 use glimt::notes::Notes;
+use glimt::report::Reporter;
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::generated::SHADE_MIS;
 use glimt_render_gpu::gpu::{Arg, GpuContext, GpuEnv, GpuRenderer, GpuScene};
@@ -94,8 +95,13 @@ fn shot(model: &str, map: &str, set: &[&str]) -> Shot {
         strict: false,
     };
     let mut notes = Notes::new(false);
-    let job =
-        Job::from_file(&file, &flags, &mut notes).unwrap_or_else(|e| panic!("{model}, {map}: {e}"));
+    let reporter = Reporter::new(Talk {
+        quiet: true,
+        json: false,
+        verbose: 0,
+    });
+    let job = Job::from_file(&file, &flags, &mut notes, &reporter)
+        .unwrap_or_else(|e| panic!("{model}, {map}: {e}"));
     // Near enough that the model fills the image.
     let mut settings = job.settings(FRAME);
     settings.camera.fov_x *= 0.5;
