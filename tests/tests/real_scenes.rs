@@ -103,10 +103,10 @@ fn shot(model: &str, map: &str, set: &[&str]) -> Shot {
     let job = Job::from_file(&file, &flags, &mut notes, &reporter)
         .unwrap_or_else(|e| panic!("{model}, {map}: {e}"));
     // Near enough that the model fills the image.
-    let mut settings = job.settings(FRAME);
+    let mut settings = job.setup.settings(FRAME);
     settings.camera.fov_x *= 0.5;
     Shot {
-        scene: SceneBuffers::build(&job.scene).unwrap(),
+        scene: SceneBuffers::build(&job.setup.scene).unwrap(),
         env: job
             .light(FRAME, &mut notes)
             .unwrap_or_else(|e| panic!("{map}: {e}")),

@@ -3,6 +3,7 @@
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use glam::UVec2;
 use std::path::PathBuf;
+use std::time::Duration;
 
 /// Renders virtual objects into filmed footage, lit by a filmed HDR light probe.
 #[derive(Debug, Parser)]
@@ -51,6 +52,9 @@ pub enum Command {
         /// Common flags.
         #[command(flatten)]
         flags: RenderFlags,
+        /// Whether frames are still to come.
+        #[command(flatten)]
+        follow: FollowFlags,
     },
     /// Film a simulated mirror ball, with a backplate and the truth: its light, centre, radius and sun in every frame
     ///
@@ -115,6 +119,19 @@ pub struct RenderFlags {
     pub strict: bool,
 }
 
+/// Flags of frames that are still to come.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct FollowFlags {
+    /// Render frames as they appear in the folder of probe.frames, dropping the oldest when behind
+    ///
+    /// The first frame is the newest that is there, or the first of --frames or render.frames. Lag and drops are told.
+    #[arg(long)]
+    pub follow: bool,
+    /// With --follow: end when no frame has come for so long; a backplate is waited for half as long
+    #[arg(long, value_name = "SECONDS", default_value = "10", requires = "follow", value_parser = seconds)]
+    pub wait: Duration,
+}
+
 /// Flags of `glimt synth`.
 #[derive(Clone, Debug, Args)]
 pub struct SynthFlags {
@@ -176,6 +193,15 @@ fn map_size(text: &str) -> Result<UVec2, String> {
     sides.ok_or_else(|| "a size is a width and a height, as 1024x512".to_owned())
 }
 
+/// Reads a time that is not zero.
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds: Option<f64> = text.parse().ok();
+    seconds
+        .filter(|seconds| (0.2..=1e6).contains(seconds))
+        .map(Duration::from_secs_f64)
+        .ok_or_else(|| "a wait is between 0.2 and 1000000 seconds".to_owned())
+}
+
 /// Reads a seed.
 fn seed(text: &str) -> Result<u32, String> {
     text.parse()
@@ -210,6 +236,7 @@ Examples:
   glimt render shot.toml
   glimt render shot.toml --frames 1-24 --out /tmp/draft --set image.rays_per_pixel=4
   glimt render shot.toml --device gpu --seed 7 --json
+  glimt render shot.toml --follow --wait 30             # frames as they are filmed, until none comes for 30 s
   glimt render shot.toml --set object.0.material.diffuse=[0.8,0.2,0.1] --set render.preset=kronander
 
 A shot needs a light and an object; every other key has a default:

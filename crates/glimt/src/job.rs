@@ -7,56 +7,33 @@ use crate::error::{Error, Kind, Result};
 use crate::input::footage::{self, Footage};
 use crate::input::frames::FrameFiles;
 use crate::input::probe::Probe;
-use crate::mesh::place;
 use crate::notes::Notes;
 use crate::report::Reporter;
-use crate::shot::digest::{self, Hash};
+use crate::setup::{self, Setup, View};
+use crate::shot::digest;
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, check, parse, range};
 use glam::UVec2;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
-use glimt_render_gpu::host::render::{
-    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Shadow, Tonemap,
-};
-use glimt_render_gpu::host::scene::{Camera, SceneDescription};
-use glimt_render_gpu::host::scene_error::SceneError;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Everything that rendering a shot needs.
 pub struct Job {
-    /// The shot, with all its keys.
-    pub shot: Shot,
-    /// What stands in it.
-    pub scene: SceneDescription,
-    /// Triangles, counting each placing of a mesh.
-    pub triangles: usize,
-    /// Hash of the shot and its meshes.
-    pub digest: Hash,
+    /// What stays the same in all frames.
+    pub setup: Setup,
     /// The frames to render, in order.
     pub frames: Vec<u32>,
     /// Whether these are all frames of the shot.
     pub whole: bool,
-    /// Folder of the outputs.
-    pub out: PathBuf,
     light: Light,
     footage: Option<Footage>,
-    view: View,
-    source: Source,
-    /// Which of the shot's objects each object of the scene is a part of.
-    owners: Vec<usize>,
 }
 
 /// Where the light comes from.
 enum Light {
     Probe(Probe),
-    Demo,
-}
-
-/// Where a frame is seen from.
-enum View {
-    Fixed(Camera),
     Demo,
 }
 
@@ -71,16 +48,12 @@ impl Job {
         notes: &mut Notes,
         reporter: &Reporter,
     ) -> Result<Self> {
-        let (mut shot, source) = parse::read(file, &overrides(flags))?;
+        let (mut shot, source) = parse::read(file, &setup::overrides(flags))?;
         let base = file.parent().unwrap_or(Path::new(""));
         footage::adopt_size(&mut shot, &source, base)?;
         check::check(&shot, &source)?;
 
-        let files = FrameFiles::new(base, &shot.probe.frames).map_err(|e| {
-            source
-                .error("probe.frames", e.what)
-                .fix(e.fix.unwrap_or_default())
-        })?;
+        let files = probe_files(&shot, &source, base)?;
         let footage = Footage::find(&shot, &source, base, &files, notes)?;
         let (frames, whole) = choose_frames(&shot, &files, footage.as_ref(), flags, notes)?;
         if let Some(footage) = &footage {
@@ -107,42 +80,15 @@ impl Job {
             let colour = colour::correction(keys, &source, &photo, plate.as_deref(), notes)?;
             probe.set_colour(colour);
         }
-        let placed = place::place(&shot, &source, base, notes)?;
         let job = Self {
-            digest: digest::join([&digest::of_shot(&shot), &placed.digest]),
-            triangles: placed.triangles,
+            setup: Setup::load(shot, source, base, flags, notes)?,
             frames,
             whole,
-            out: out_folder(flags, base.join(&shot.output.dir)),
-            scene: placed.scene,
             light: Light::Probe(probe),
             footage,
-            view: View::Fixed(placed.camera),
-            owners: placed.owners,
-            source,
-            shot,
         };
-        job.check_settings()?;
+        job.setup.check_settings(job.frames[0])?;
         Ok(job)
-    }
-
-    /// The renderer's own checks, told with the key that they are about.
-    fn check_settings(&self) -> Result<()> {
-        let refused = |e: SettingsError| {
-            let key = match e {
-                SettingsError::Empty => "image",
-                SettingsError::NoSamples | SettingsError::TooMany => "render",
-                SettingsError::Exposure => "image.exposure_ev",
-                SettingsError::FieldOfView => "camera.fov_x_deg",
-                SettingsError::Camera => "camera",
-                SettingsError::PlateSize => "backplate",
-            };
-            self.source.error(key, e)
-        };
-        self.settings(self.frames[0])
-            .frame_params()
-            .map(drop)
-            .map_err(refused)
     }
 
     /// The built-in shot, with the flags of the command line applied.
@@ -151,7 +97,7 @@ impl Job {
     /// The flags are wrong, or change what is built in.
     pub fn demo(flags: &RenderFlags) -> Result<Self> {
         let name = Path::new("built-in shot");
-        let (shot, source) = parse::parse(name, demo_shot(), &overrides(flags))?;
+        let (shot, source) = parse::parse(name, demo_shot(), &setup::overrides(flags))?;
         check::check(&shot, &source)?;
         let (plain, _) = parse::parse(name, demo_shot(), &[])?;
         let fixed = |s: &Shot| {
@@ -187,83 +133,21 @@ impl Job {
             scene.meshes[object.mesh as usize].indices.len()
         };
         Ok(Self {
-            digest: digest::of_shot(&shot),
-            triangles: scene.objects.iter().map(triangle_count).sum(),
             whole: asked == all,
             frames: asked.collect(),
-            out: out_folder(flags, PathBuf::from(&shot.output.dir)),
-            scene,
             light: Light::Demo,
             footage: None,
-            view: View::Demo,
-            owners: Vec::new(),
-            source,
-            shot,
+            setup: Setup {
+                digest: digest::of_shot(&shot),
+                triangles: scene.objects.iter().map(triangle_count).sum(),
+                out: setup::out_folder(flags, PathBuf::from(&shot.output.dir)),
+                scene,
+                view: View::Demo,
+                owners: Vec::new(),
+                source,
+                shot,
+            },
         })
-    }
-
-    /// What the renderer says of the scene, with the object of the shot that it is about.
-    pub fn refused_scene(&self, error: &SceneError) -> Error {
-        let told = match error {
-            SceneError::NoTriangles { .. } => self
-                .source
-                .error("object", "all objects are too small to be seen")
-                .fix("raise their scale"),
-            SceneError::Transform { object } | SceneError::Position { object, .. } => {
-                let index = self.owners.get(*object).copied().unwrap_or(*object);
-                let key = format!("object.{index}");
-                let what = "it is flattened to nothing, or reaches beyond 1e9 units";
-                self.source
-                    .error(&key, what)
-                    .fix("check its scale, and the transforms in its mesh file")
-            }
-            other => self.source.error("object", other),
-        };
-        Error {
-            kind: Kind::Input,
-            ..told
-        }
-    }
-
-    /// Settings of a frame.
-    pub fn settings(&self, frame: u32) -> RenderSettings {
-        let (image, render) = (&self.shot.image, &self.shot.render);
-        RenderSettings {
-            size: UVec2::from(image.size),
-            camera: match &self.view {
-                View::Fixed(camera) => *camera,
-                View::Demo => demo::camera(frame - 1),
-            },
-            rays_per_pixel: image.rays_per_pixel,
-            brdf_samples: render.brdf_samples,
-            env_samples: render.env_samples,
-            method: Method::Mis,
-            pattern: match render.pattern {
-                shot::Pattern::OwenSobol => Pattern::OwenSobol,
-                shot::Pattern::Independent => Pattern::Independent,
-                shot::Pattern::Stratified => Pattern::Stratified,
-            },
-            filter: match image.filter {
-                shot::Filter::Box => Filter::Box,
-                shot::Filter::Centre => Filter::Centre,
-            },
-            background: match image.background {
-                shot::Background::Environment => Background::Environment,
-                shot::Background::Transparent => Background::Transparent,
-            },
-            seed: render.seed,
-            frame,
-            exposure_ev: image.exposure_ev,
-            tonemap: match image.tonemap {
-                shot::Tonemap::Srgb => Tonemap::Srgb,
-                shot::Tonemap::Reinhard => Tonemap::Reinhard,
-            },
-            shadow: match self.shot.backplate.as_ref().map(|plate| plate.shadow) {
-                Some(shot::Shadow::Add) => Shadow::Add,
-                Some(shot::Shadow::Multiply) | None => Shadow::Multiply,
-            },
-            layers: !self.shot.output.aovs.is_empty(),
-        }
     }
 
     /// Whether every frame has the same light.
@@ -294,21 +178,14 @@ impl Job {
                 .map_err(|e| Error::new(Kind::Internal, e))?,
         };
         let read = began.elapsed();
-        let prepared = map.prepare(self.shot.probe.rotate_z_deg).map_err(|e| {
-            let error = Error::new(Kind::Input, e);
-            match &self.light {
-                Light::Probe(probe) => error.file(&probe.file(frame)),
-                Light::Demo => error,
-            }
-        });
+        let file = match &self.light {
+            Light::Probe(probe) => Some(probe.file(frame)),
+            Light::Demo => None,
+        };
+        let prepared = self.setup.tables(map, file.as_deref());
         let tables = began.elapsed() - read;
         tracing::info!("light of frame {frame}: read in {read:.2?}, tables in {tables:.2?}");
         prepared
-    }
-
-    /// Whether frames are laid over footage.
-    pub fn has_plate(&self) -> bool {
-        self.footage.is_some()
     }
 
     /// Whether every frame has the same footage, or none.
@@ -325,8 +202,7 @@ impl Job {
             return Ok(None);
         };
         let began = Instant::now();
-        let size = UVec2::from(self.shot.image.size);
-        let plate = footage.load(frame, size, notes)?;
+        let plate = footage.load(frame, self.setup.size(), notes)?;
         tracing::info!("plate of frame {frame}: read in {:.2?}", began.elapsed());
         Ok(Some(plate))
     }
@@ -348,23 +224,21 @@ impl Job {
         }
         let pairs = inputs.iter().zip(&self.frames);
         Ok(pairs
-            .map(|(input, &frame)| digest::of_frame(&self.digest, input, frame))
+            .map(|(input, &frame)| digest::of_frame(&self.setup.digest, input, frame))
             .collect())
     }
 }
 
-/// The flags that are keys of the shot, before those given by --set.
-fn overrides(flags: &RenderFlags) -> Vec<String> {
-    let method = flags.method.iter().map(|m| format!("render.method={m}"));
-    let seed = flags.seed.iter().map(|s| format!("render.seed={s}"));
-    method
-        .chain(seed)
-        .chain(flags.set.iter().cloned())
-        .collect()
-}
-
-fn out_folder(flags: &RenderFlags, of_shot: PathBuf) -> PathBuf {
-    flags.out.clone().unwrap_or(of_shot)
+/// The files of the shot's light.
+///
+/// # Errors
+/// They cannot be named so.
+pub fn probe_files(shot: &Shot, source: &Source, base: &Path) -> Result<FrameFiles> {
+    FrameFiles::new(base, &shot.probe.frames).map_err(|e| {
+        source
+            .error("probe.frames", e.what)
+            .fix(e.fix.unwrap_or_default())
+    })
 }
 
 /// The frames to render, and whether they are all of the shot's: those that it names, or all that light and footage both have.

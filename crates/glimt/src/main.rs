@@ -7,7 +7,7 @@ use glimt::error::{Error, Kind, Result};
 use glimt::job::Job;
 use glimt::notes::Notes;
 use glimt::report::Reporter;
-use glimt::{info, render, synth};
+use glimt::{follow, info, render, synth};
 use std::io::IsTerminal;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -39,7 +39,12 @@ fn run(command: Command, reporter: &Reporter) -> Result<()> {
             let job = Job::demo(&flags)?;
             render::render(job, flags.device, Notes::new(flags.strict), reporter)
         }
-        Command::Render { shot, flags } => {
+        Command::Render {
+            shot,
+            flags,
+            follow,
+        } if follow.follow => follow::render(&shot, &flags, follow.wait, reporter),
+        Command::Render { shot, flags, .. } => {
             let mut notes = Notes::new(flags.strict);
             let job = Job::from_file(&shot, &flags, &mut notes, reporter);
             reporter.notes(notes.take());

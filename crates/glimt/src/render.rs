@@ -3,22 +3,18 @@
 use crate::cli::Device;
 use crate::device;
 use crate::error::{Error, Kind, Result};
+use crate::frame::Frames;
 use crate::job::Job;
 use crate::notes::{Note, Notes};
-use crate::output::aov;
 use crate::output::video::{self, Encoder, Video};
-use crate::output::{Stamp, atomic, exr, png, rgb_over_black};
+use crate::output::{Stamp, atomic, rgb_over_black};
 use crate::report::{FrameStatus, Reporter, count};
-use crate::shot::digest;
-use glam::UVec2;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
 use glimt_render_gpu::host::render::{FrameImage, Renderer};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::kernels::film::tonemap;
 use glimt_render_gpu::sequence::Prefetch;
 use serde_json::json;
-use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -60,13 +56,14 @@ struct VideoPlan {
 pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -> Result<()> {
     let began = Instant::now();
     let job = Arc::new(job);
-    atomic::prepare_folder(&job.out)?;
+    atomic::prepare_folder(&job.setup.out)?;
     let plan = Plan::new(&job, reporter)?;
     check_current(&plan, &mut notes, reporter)?;
     let mut stage = match plan.current.iter().all(|c| *c) {
         true => None,
         false => Some(Stage {
-            scene: SceneBuffers::build(&job.scene).map_err(|e| job.refused_scene(&e))?,
+            scene: SceneBuffers::build(&job.setup.scene)
+                .map_err(|e| job.setup.refused_scene(&e))?,
             renderer: device::open(device)?,
         }),
     };
@@ -75,7 +72,7 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
         Some(stage) => stage.renderer.name(),
         None => "no device".to_owned(),
     };
-    reporter.start(job.frames.len(), &job.out, &name, job.triangles);
+    reporter.start(job.frames.len(), &job.setup.out, &name, job.setup.triangles);
 
     let inputs = read_inputs(&job, &plan, notes)?;
     let rendered = std::thread::scope(|scope| {
@@ -94,13 +91,13 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
     let skipped = job.frames.len() - rendered;
     let video = plan.video.as_ref().map(|video| &video.file);
     let summary = json!({
-        "rendered": rendered, "skipped": skipped, "seconds": seconds, "out": job.out, "video": video,
+        "rendered": rendered, "skipped": skipped, "seconds": seconds, "out": job.setup.out, "video": video,
     });
     let also = video.map_or(String::new(), |v| format!(" and {}", v.display()));
     let text = format!(
         "{} rendered, {skipped} there already, in {seconds:.1} s: {}{also}",
         count(rendered, "frame"),
-        job.out.display()
+        job.setup.out.display()
     );
     reporter.finish(summary, &text);
     Ok(())
@@ -120,22 +117,9 @@ impl<'a> Plan<'a> {
             .zip(&job.frames)
             .map(|(hash, &frame)| Stamp { hash, frame })
             .collect();
-        let output = &job.shot.output;
-        let mut channels: Vec<String> = output
-            .aovs
-            .iter()
-            .map(|a| aov::first_channel(aov::name(*a)))
-            .collect();
-        channels.extend(keeps_display(job).then(|| aov::first_channel(aov::DISPLAY)));
-        let is_current = |stamp: &Stamp| {
-            let hash = Some(&stamp.hash);
-            let exr_there = exr::read_hash(&frame_file(job, stamp.frame, "exr"), &channels);
-            let png_there = png::read_hash(&frame_file(job, stamp.frame, "png"));
-            (output.exr || output.png)
-                && (!output.exr || exr_there.as_ref() == hash)
-                && (!output.png || png_there.as_ref() == hash)
-        };
-        let current: Vec<bool> = stamps.iter().map(is_current).collect();
+        let output = &job.setup.shot.output;
+        let files = Frames::of(&job.setup);
+        let current: Vec<bool> = stamps.iter().map(|s| files.are_there(s)).collect();
 
         let mut plan = Self {
             job,
@@ -146,19 +130,19 @@ impl<'a> Plan<'a> {
         if output.video.is_empty() || job.frames.len() < 2 {
             return Ok(plan);
         }
-        let file = job.out.join(&output.video);
+        let file = job.setup.out.join(&output.video);
         if !job.whole {
             reporter.remark("the video is made when all frames of the shot are asked for");
             return Ok(plan);
         }
-        let hash = plan.video_identity();
+        let hash = files.video_identity(&plan.stamps);
         let alone = !output.exr && !output.png;
         let frames_there = alone || plan.current.iter().all(|c| *c);
         if frames_there && video::is_current(&file, &hash) {
             plan.current.fill(true);
             return Ok(plan);
         }
-        let size = UVec2::from(job.shot.image.size);
+        let size = job.setup.size();
         let encoder = video::prepare(&file, size, output.codec)?;
         plan.video = Some(VideoPlan {
             file,
@@ -167,27 +151,6 @@ impl<'a> Plan<'a> {
         });
         Ok(plan)
     }
-
-    fn video_identity(&self) -> String {
-        let mut hasher = Sha256::new();
-        for stamp in &self.stamps {
-            hasher.update(stamp.hash.as_bytes());
-        }
-        hasher.update(self.job.shot.probe.fps.to_le_bytes());
-        hasher.update(format!("{:?}", self.job.shot.output.codec));
-        digest::hex(&hasher.finalize().into())
-    }
-}
-
-fn frame_file(job: &Job, frame: u32, extension: &str) -> PathBuf {
-    job.out.join(format!("frame.{frame:04}.{extension}"))
-}
-
-/// Whether what is displayed goes into the EXR: a video may have to be made of frames that are there, and what the plate and
-/// the tonemapped objects gave cannot be had from their sum.
-fn keeps_display(job: &Job) -> bool {
-    let output = &job.shot.output;
-    job.has_plate() && output.exr && !output.png && !output.video.is_empty()
 }
 
 /// With `--strict`, light or footage with defects is refused, also that of frames that were rendered without it.
@@ -270,7 +233,7 @@ fn render_frames(
                 reporter.notes(notes);
                 let Inputs { light, plate } = read?;
                 let began = Instant::now();
-                let settings = plan.job.settings(stamp.frame);
+                let settings = plan.job.setup.settings(stamp.frame);
                 let part = |fraction| reporter.part(done, fraction);
                 let image = stage
                     .renderer
@@ -294,15 +257,15 @@ fn render_frames(
 /// Writes frames as they come; the video gets its name at the end alone.
 fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finished>) -> Result<()> {
     let job = plan.job;
-    let output = &job.shot.output;
+    let files = Frames::of(&job.setup);
     let mut video = match &plan.video {
         Some(VideoPlan {
             file,
             hash,
             encoder,
         }) => {
-            let size = UVec2::from(job.shot.image.size);
-            let fps = job.shot.probe.fps;
+            let size = job.setup.size();
+            let fps = job.setup.shot.probe.fps;
             Some(Video::create(file, size, fps, *encoder, hash)?)
         }
         None => None,
@@ -310,14 +273,7 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
     for (done, frame) in (1..).zip(finished) {
         let (number, status) = match frame {
             Finished::Rendered(stamp, image, seconds) => {
-                if output.exr {
-                    let file = frame_file(job, stamp.frame, "exr");
-                    let layers = layers_of(job, &image, stamp.frame);
-                    exr::write(&file, image.size, &image.linear, layers, &stamp)?;
-                }
-                if output.png {
-                    png::write(&frame_file(job, stamp.frame, "png"), &image, &stamp)?;
-                }
+                files.write(&image, &stamp)?;
                 if let Some(video) = &mut video {
                     video.push(&rgb_over_black(&image.display))?;
                 }
@@ -325,7 +281,7 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
             }
             Finished::Skipped(number) => {
                 if let Some(video) = &mut video {
-                    video.push(&rgb_over_black(&fetch_display(job, number)?))?;
+                    video.push(&rgb_over_black(&files.display(number)?))?;
                 }
                 (number, FrameStatus::Skipped)
             }
@@ -334,34 +290,4 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
         reporter.frame(number, status, done, job.frames.len());
     }
     Ok(())
-}
-
-/// The layers that go into a frame's EXR beside the image.
-fn layers_of(job: &Job, image: &FrameImage, frame: u32) -> exr::Layers {
-    let aovs = &job.shot.output.aovs;
-    let mut channels = aov::channels(image, aovs, &job.settings(frame), job.has_plate());
-    if keeps_display(job) {
-        channels.extend(aov::display(image));
-    }
-    let shadow = job.shot.backplate.as_ref().map(|plate| plate.shadow);
-    let formula = (!aovs.is_empty()).then(|| aov::formula(shadow.unwrap_or_default()));
-    exr::Layers { channels, formula }
-}
-
-/// The display image of a frame that is there already: its PNG, or else its EXR, by its layer of that name over a plate, once
-/// more exposed and tonemapped without one.
-fn fetch_display(job: &Job, frame: u32) -> Result<Vec<[u8; 4]>> {
-    if job.shot.output.png {
-        return png::read_pixels(&frame_file(job, frame, "png"));
-    }
-    if keeps_display(job) {
-        return exr::read_display(&frame_file(job, frame, "exr"));
-    }
-    let linear = exr::read_pixels(&frame_file(job, frame, "exr"))?;
-    let settings = job.settings(frame).frame_params();
-    let params = settings.map_err(|e| Error::new(Kind::Usage, e))?;
-    let pixels = 0..linear.len() as u32;
-    Ok(pixels
-        .map(|i| tonemap(i, &params, &linear).to_le_bytes())
-        .collect())
 }

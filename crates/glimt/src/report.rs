@@ -36,6 +36,16 @@ pub enum FrameStatus {
     Rendered(f64),
 }
 
+impl FrameStatus {
+    /// Its name, and the seconds of rendering.
+    fn in_short(self) -> (&'static str, f64) {
+        match self {
+            Self::Skipped => ("skipped", 0.0),
+            Self::Rendered(seconds) => ("rendered", seconds),
+        }
+    }
+}
+
 impl Reporter {
     /// A reporter that talks as asked.
     pub fn new(talk: Talk) -> Self {
@@ -79,12 +89,49 @@ impl Reporter {
         }
     }
 
+    /// Frames are rendered as they appear.
+    pub fn start_following(&self, files: &Path, out: &Path, device: &str, triangles: usize) {
+        self.event(&json!({
+            "event": "start", "follow": files, "out": out, "device": device, "triangles": triangles,
+        }));
+        self.plain(&format!(
+            "following {}, {triangles} triangles, on {device}, into {}",
+            files.display(),
+            out.display()
+        ));
+    }
+
+    /// A frame that was followed is done, `lag` seconds after it came; `dropped` have been dropped so far.
+    pub fn live_frame(&self, frame: u32, status: FrameStatus, lag: f64, dropped: usize) {
+        let (name, seconds) = status.in_short();
+        self.event(&json!({
+            "event": "frame", "frame": frame, "status": name, "seconds": seconds, "lag": lag, "dropped": dropped,
+        }));
+        self.plain(&match status {
+            FrameStatus::Skipped => format!("frame {frame}: was there already"),
+            FrameStatus::Rendered(_) => {
+                format!("frame {frame}: {seconds:.2} s, {lag:.2} s after it came")
+            }
+        });
+    }
+
+    /// A frame that was followed is not rendered. If the reason is a fault of it, --quiet does not hide that.
+    pub fn dropped(&self, frame: u32, file: &Path, reason: &str, is_fault: bool) {
+        self.event(&json!({"event": "dropped", "frame": frame, "file": file, "reason": reason}));
+        match (is_fault, self.talk.json) {
+            (true, false) => {
+                self.line(&format!(
+                    "warning: frame {frame} is dropped: {reason} ({})",
+                    file.display()
+                ));
+            }
+            _ => self.plain(&format!("frame {frame}: dropped, {reason}")),
+        }
+    }
+
     /// A frame is done, and `done` of `frames` with it.
     pub fn frame(&self, frame: u32, status: FrameStatus, done: usize, frames: usize) {
-        let (name, seconds) = match status {
-            FrameStatus::Skipped => ("skipped", 0.0),
-            FrameStatus::Rendered(seconds) => ("rendered", seconds),
-        };
+        let (name, seconds) = status.in_short();
         self.event(&json!({"event": "frame", "frame": frame, "status": name, "seconds": seconds}));
         if let Some(bar) = self.lock().as_ref() {
             // The renderer may be further on already than what is written.

@@ -23,6 +23,20 @@ pub struct Change {
     pub spread: f64,
 }
 
+impl Change {
+    /// Whether all cells changed by one factor, which lets it be another exposure.
+    #[must_use]
+    pub fn is_uniform(self) -> bool {
+        self.spread < 0.05 + 0.1 * self.stops.abs()
+    }
+
+    /// Whether it is a step that another exposure makes.
+    #[must_use]
+    pub fn is_step(self) -> bool {
+        self.stops.abs() > 0.15 && self.is_uniform()
+    }
+}
+
 impl Levels {
     /// The levels of the ball `circle` in an image, rows from the top. Cells outside the image are `None`, and all of them
     /// where `pixels` does not fit `size`.

@@ -359,12 +359,11 @@ fn exposure_jumps(observations: &[Observation], longest: usize) -> Vec<ExposureJ
     let mut jumps = Vec::new();
     let mut i = 1;
     while i < list.len() {
-        let start = change(i, i - 1).filter(|c| c.stops.abs() > 0.15 && uniform(c.stops, c.spread));
+        let start = change(i, i - 1).filter(|c| c.is_step());
         let end = start.and_then(|start| {
             (i + 1..list.len().min(i + 1 + longest)).find(|&j| {
                 let back = change(j, j - 1).is_some_and(|c| {
-                    (c.stops + start.stops).abs() < 0.25 * start.stops.abs()
-                        && uniform(c.stops, c.spread)
+                    (c.stops + start.stops).abs() < 0.25 * start.stops.abs() && c.is_uniform()
                 });
                 back && change(j, i - 1).is_some_and(|c| c.stops.abs() < 0.3 * start.stops.abs())
             })
@@ -390,11 +389,6 @@ fn exposure_jumps(observations: &[Observation], longest: usize) -> Vec<ExposureJ
         }
     }
     jumps
-}
-
-/// Whether the ball's cells changed by one factor.
-fn uniform(stops: f64, spread: f64) -> bool {
-    spread < 0.05 + 0.1 * stops.abs()
 }
 
 fn notes(tracked: &Tracked, observations: &[Observation], no_roll: bool) -> Vec<String> {

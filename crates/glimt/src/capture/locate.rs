@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::input::frames::FrameFiles;
 use crate::notes::Notes;
 use crate::shot;
+use glam::DVec2;
 use glimt_probe::unwarp::Outline;
 use glimt_render_gpu::host::unwarp::BallPose;
 
@@ -119,13 +120,18 @@ pub fn of_track(tracked: &Tracked) -> Poses {
     Poses::Found(tracked.poses.iter().map(upright).collect())
 }
 
-/// A tracked ball as the renderer takes it, whose roll counts the other way round.
+/// A tracked ball as the renderer takes it.
 pub fn pose(tracked: &TrackedPose) -> BallPose {
+    pose_of(tracked.centre, tracked.radius, tracked.roll)
+}
+
+/// A ball as the renderer takes it, whose roll counts the other way round.
+pub fn pose_of(centre: DVec2, radius: f64, roll: f64) -> BallPose {
     BallPose {
         outline: Outline {
-            centre: tracked.centre.as_vec2(),
-            radius: tracked.radius as f32,
+            centre: centre.as_vec2(),
+            radius: radius as f32,
         },
-        roll: -tracked.roll as f32,
+        roll: -roll as f32,
     }
 }

@@ -7,12 +7,11 @@ pub mod unwarp;
 
 use crate::error::{Error, Result};
 use crate::shot;
-use glam::{UVec2, Vec2, Vec3, Vec4};
+use glam::{UVec2, Vec2, Vec3};
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::Outline;
 use glimt_render_gpu::host::unwarp::{BallPose, Look, UnwarpGrid, UnwarpMap, UnwarpOptions};
-use photo::Photo;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -146,21 +145,5 @@ impl Capture {
             reflectance: self.reflectance,
             colour: *colour,
         }
-    }
-
-    /// The light map of a frame.
-    ///
-    /// # Errors
-    /// As [`Capture::map`].
-    pub fn unwarp(
-        &self,
-        frame: u32,
-        file: &Path,
-        photo: &Photo,
-        colour: &ColourMatrix,
-    ) -> Result<Vec<Vec4>> {
-        Ok(self
-            .map(frame, file, photo.size)?
-            .apply(&photo.pixels, &self.look(colour)))
     }
 }

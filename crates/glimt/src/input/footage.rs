@@ -57,7 +57,10 @@ impl Rate {
 }
 
 /// The files of the shot's backplate, if it has one.
-fn files(shot: &Shot, source: &Source, base: &Path) -> Result<Option<FrameFiles>> {
+///
+/// # Errors
+/// They cannot be named so.
+pub fn files(shot: &Shot, source: &Source, base: &Path) -> Result<Option<FrameFiles>> {
     let Some(keys) = &shot.backplate else {
         return Ok(None);
     };
@@ -111,10 +114,29 @@ impl Footage {
         probe: &FrameFiles,
         notes: &mut Notes,
     ) -> Result<Option<Self>> {
-        let (Some(files), Some(keys)) = (files(shot, source, base)?, &shot.backplate) else {
+        let Some(files) = files(shot, source, base)? else {
             return Ok(None);
         };
         let span = span(&files)?;
+        let first = match probe.is_still() {
+            true => span[0],
+            false => probe.existing()?[0],
+        };
+        Self::new(files, shot, first, span, notes).map(Some)
+    }
+
+    /// Footage with frames of these numbers, the first of which is there; `first` is the probe's first.
+    ///
+    /// # Errors
+    /// Its first frame cannot be read.
+    pub fn new(
+        files: FrameFiles,
+        shot: &Shot,
+        first: u32,
+        span: [u32; 2],
+        notes: &mut Notes,
+    ) -> Result<Self> {
+        let keys = shot.backplate.clone().unwrap_or_default();
         let first_file = files.path(span[0]);
         let mut footage = Self {
             size: read_size(&first_file)?,
@@ -125,10 +147,6 @@ impl Footage {
         };
         let fps = shot.probe.fps;
         if let (Some(own), false) = (keys.fps.filter(|own| *own != fps), footage.is_still()) {
-            let first = match probe.is_still() {
-                true => span[0],
-                false => probe.existing()?[0],
-            };
             footage.rate = Rate::Other {
                 first,
                 first_plate: span[0],
@@ -139,7 +157,7 @@ impl Footage {
                 format!("the footage has {own} frames a second, the probe {fps}: they are matched by time"),
             );
         }
-        Ok(Some(footage))
+        Ok(footage)
     }
 
     /// Whether every frame is the same image.
@@ -153,10 +171,14 @@ impl Footage {
         self.is_still() || (first..=last).contains(&self.rate.of(frame))
     }
 
+    /// The number of the footage's frame that belongs to a frame of the shot, whether it is there or not.
+    pub fn number(&self, frame: u32) -> u32 {
+        self.rate.of(frame).clamp(0, u32::MAX.into()) as u32
+    }
+
     /// The file that belongs to a frame of the shot.
     pub fn file(&self, frame: u32) -> PathBuf {
-        let number = self.rate.of(frame).clamp(0, u32::MAX.into());
-        self.files.path(number as u32)
+        self.files.path(self.number(frame))
     }
 
     /// The frames that both probe and footage have; says which are left out.
@@ -240,6 +262,12 @@ impl Footage {
                 break;
             }
         }
+        self.tell_stretch(image, notes);
+        Ok(())
+    }
+
+    /// Says so where the image has other proportions.
+    pub fn tell_stretch(&self, image: UVec2, notes: &mut Notes) {
         let proportions = |size: UVec2| f64::from(size.x) / f64::from(size.y);
         let stretched = proportions(image) / proportions(self.size);
         if self.fit == Fit::Stretch && !((stretched - 1.0).abs() <= 0.01) {
@@ -252,7 +280,6 @@ impl Footage {
                 ),
             );
         }
-        Ok(())
     }
 
     /// Hash of the file that belongs to each of these frames of the shot.
@@ -271,14 +298,21 @@ impl Footage {
     /// # Errors
     /// The file cannot be read, is broken or of another size than the first; or it has defects and `notes` is strict.
     pub fn load(&self, frame: u32, image: UVec2, notes: &mut Notes) -> Result<Plate> {
-        let file = self.file(frame);
-        let PlateImage { size, colours } = read(&file, notes)?;
+        self.load_file(&self.file(frame), image, notes)
+    }
+
+    /// Reads one of the footage's files and brings it to the image's size.
+    ///
+    /// # Errors
+    /// The file cannot be read or is broken; or it has defects and `notes` is strict.
+    pub fn load_file(&self, file: &Path, image: UVec2, notes: &mut Notes) -> Result<Plate> {
+        let PlateImage { size, colours } = read(file, notes)?;
         let plate = match colours {
             Colours::Srgb8(codes) if size == image => Plate::from_srgb8(size, &codes),
             Colours::Linear(linear) if size == image => Plate::from_linear(size, &linear),
             other => Plate::from_linear(image, &self.fitted(size, &other.into_linear(), image)),
         };
-        plate.map_err(|e| Error::new(Kind::Internal, e).file(&file))
+        plate.map_err(|e| Error::new(Kind::Internal, e).file(file))
     }
 
     fn fitted(&self, size: UVec2, linear: &[Vec3], image: UVec2) -> Vec<Vec3> {

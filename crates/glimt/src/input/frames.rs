@@ -72,11 +72,27 @@ impl FrameFiles {
     /// # Errors
     /// The folder cannot be read, or holds no frame.
     pub fn existing(&self) -> Result<Vec<u32>> {
+        let frames = self
+            .listed()
+            .map_err(|e| Error::reading(self.folder(), &e))?;
+        if frames.is_empty() {
+            let what = format!("no file is named {}", self.pattern());
+            return Err(Error::input(self.folder(), what)
+                .fix("check probe.frames: each # stands for a digit of the frame's number"));
+        }
+        Ok(frames)
+    }
+
+    /// The numbers of the frames that are there, in order, maybe none; frame 1 of a still.
+    ///
+    /// # Errors
+    /// The folder cannot be read.
+    pub fn listed(&self) -> std::io::Result<Vec<u32>> {
         let Self::Sequence {
-            dir,
             prefix,
             digits,
             suffix,
+            ..
         } = self
         else {
             return Ok(vec![1]);
@@ -89,23 +105,38 @@ impl FrameFiles {
             let padded = text.len() == *digits || (text.len() > *digits && !text.starts_with('0'));
             (plain && padded).then(|| text.parse().ok())?
         };
-        let folder = if dir.as_os_str().is_empty() {
-            Path::new(".")
-        } else {
-            dir
-        };
-        let entries = std::fs::read_dir(folder).map_err(|e| Error::reading(folder, &e))?;
-        let mut frames: Vec<u32> = entries
+        let mut frames: Vec<u32> = std::fs::read_dir(self.folder())?
             .flatten()
             .filter_map(|entry| number(&entry.file_name().to_string_lossy()))
             .collect();
         frames.sort_unstable();
-        if frames.is_empty() {
-            let what = format!("no file is named {prefix}{}{suffix}", "#".repeat(*digits));
-            return Err(Error::input(folder, what)
-                .fix("check probe.frames: each # stands for a digit of the frame's number"));
-        }
         Ok(frames)
+    }
+
+    /// The folder that they are in.
+    pub fn folder(&self) -> &Path {
+        let dir = match self {
+            Self::Still(file) => file.parent().unwrap_or(Path::new("")),
+            Self::Sequence { dir, .. } => dir,
+        };
+        if dir.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            dir
+        }
+    }
+
+    /// Their name, with `#` for the digits of the number.
+    pub fn pattern(&self) -> String {
+        match self {
+            Self::Still(file) => file.display().to_string(),
+            Self::Sequence {
+                prefix,
+                digits,
+                suffix,
+                ..
+            } => format!("{prefix}{}{suffix}", "#".repeat(*digits)),
+        }
     }
 
     /// The frames from `first` to `last`, all of which must exist.

@@ -2,6 +2,7 @@
 
 use super::frames::FrameFiles;
 use super::{HdrImage, read_header, read_image};
+use crate::capture::photo::Photo;
 use crate::capture::{Capture, Poses, locate, photo};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
@@ -11,6 +12,7 @@ use glam::{UVec2, Vec2, Vec4};
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::{angular, latlong};
 use glimt_render_gpu::host::env::{EnvMap, MAX_RADIANCE};
+use glimt_render_gpu::host::unwarp::BallPose;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -102,28 +104,7 @@ impl Probe {
         };
         let first = files.path(frames[0]);
         let size = read_size(&first)?;
-        match mapping {
-            Mapping::Angular if size.x != size.y => {
-                return Err(Error::input(
-                    &first,
-                    format!(
-                        "an angular map is square, and this is {} × {}",
-                        size.x, size.y
-                    ),
-                )
-                .fix(
-                    "crop it to the square around the disc, or set probe.mapping = \"lat-long\"",
-                ));
-            }
-            Mapping::LatLong if size.x != 2 * size.y => notes.note(
-                &first,
-                format!(
-                    "{} × {} is not 2:1; it is taken as a lat-long map all the same",
-                    size.x, size.y
-                ),
-            ),
-            _ => {}
-        }
+        check_shape(mapping, size, &first, notes)?;
         let others = if files.is_still() { &[] } else { &frames[1..] };
         for &frame in others {
             let path = files.path(frame);
@@ -140,14 +121,42 @@ impl Probe {
             }
             _ => None,
         };
-        Ok(Self {
+        Ok(Self::new(files, keys, size, capture))
+    }
+
+    /// A probe whose images have this size.
+    fn new(
+        files: FrameFiles,
+        keys: &shot::Probe,
+        size: UVec2,
+        capture: Option<Arc<Capture>>,
+    ) -> Self {
+        Self {
             files,
-            mapping,
+            mapping: keys.mapping,
             scale: keys.scale,
             size,
             capture,
             colour: ColourMatrix::IDENTITY,
-        })
+        }
+    }
+
+    /// A probe that is still being filmed, by its first image; `pose` is where the mirror ball is in it, if it shows one.
+    ///
+    /// # Errors
+    /// The image does not fit the mapping.
+    pub fn live(
+        files: FrameFiles,
+        keys: &shot::Probe,
+        first: &Path,
+        size: UVec2,
+        pose: Option<BallPose>,
+        notes: &mut Notes,
+    ) -> Result<Self> {
+        check_shape(keys.mapping, size, first, notes)?;
+        let ball = keys.ball.clone().unwrap_or_default();
+        let capture = pose.map(|pose| Arc::new(Capture::new(&ball, Poses::Fixed(pose))));
+        Ok(Self::new(files, keys, size, capture))
     }
 
     /// Sets how its colours are changed.
@@ -186,12 +195,19 @@ impl Probe {
             let paths = frames.par_iter().map(|&frame| self.files.path(frame));
             paths.map(|path| of_file(&path)).collect::<Result<_>>()?
         };
-        let with_pose = |(file, frame): (Hash, &u32)| {
-            let pose = self.capture.as_ref().and_then(|c| c.poses().of(*frame));
-            // Both print so that they read back as the same numbers.
-            join([&file, &of_text(&format!("{pose:?} {:?}", self.colour))])
-        };
+        let with_pose = |(file, frame): (Hash, &u32)| self.digest_at(&file, self.pose(*frame));
         Ok(files.into_iter().zip(frames).map(with_pose).collect())
+    }
+
+    /// Hash of an image with this one, in which the ball is there.
+    pub fn digest_at(&self, file: &Hash, pose: Option<BallPose>) -> Hash {
+        // Both print so that they read back as the same numbers.
+        join([file, &of_text(&format!("{pose:?} {:?}", self.colour))])
+    }
+
+    /// Where the ball is in a frame, in film of one.
+    fn pose(&self, frame: u32) -> Option<BallPose> {
+        self.capture.as_ref()?.poses().of(frame)
     }
 
     /// Reads the light of a frame.
@@ -200,16 +216,31 @@ impl Probe {
     /// The file cannot be read, is broken, or has bad texels and `notes` is strict.
     pub fn load(&self, frame: u32, notes: &mut Notes) -> Result<EnvMap> {
         let file = self.files.path(frame);
-        let (size, mut texels) = match &self.capture {
-            Some(capture) => {
-                let photo = photo::read(&file, notes)?;
-                check_size(&file, photo.size, self.size, &self.files.path(frame))?;
-                (
-                    capture.size(),
-                    capture.unwarp(frame, &file, &photo, &self.colour)?,
-                )
+        let image = read(self.mapping, &file, notes)?;
+        self.light_of(image, &file, self.pose(frame), notes)
+    }
+
+    /// The light of an image that was read from `file`, in which the ball is at `pose`.
+    ///
+    /// # Errors
+    /// It has another size than the probe, or does not hold the ball.
+    pub fn light_of(
+        &self,
+        image: Photo,
+        file: &Path,
+        pose: Option<BallPose>,
+        notes: &mut Notes,
+    ) -> Result<EnvMap> {
+        self.fits(file, image.size)?;
+        let (size, mut texels) = match (&self.capture, pose) {
+            (Some(capture), Some(pose)) => {
+                let map = capture.map_at(&pose, file, image.size)?;
+                (capture.size(), map.apply(&image.pixels, &capture.look(&self.colour)))
             }
-            None => self.read_map(&file, notes)?,
+            (Some(_), None) => {
+                return Err(Error::input(file, "the ball was not looked for in it"));
+            }
+            (None, _) => self.map_of(image),
         };
         if self.scale != 1.0 {
             for texel in &mut texels {
@@ -217,36 +248,83 @@ impl Probe {
             }
         }
         if texels.iter().all(|t| t.truncate().max_element() <= 0.0) {
-            notes.warn(&file, "the map is black: it lights nothing");
+            notes.warn(file, "the map is black: it lights nothing");
         }
-        EnvMap::new(size, texels).map_err(|e| Error::input(&file, e))
+        EnvMap::new(size, texels).map_err(|e| Error::input(file, e))
     }
 
-    /// Reads an image of all directions.
-    fn read_map(&self, file: &Path, notes: &mut Notes) -> Result<(UVec2, Vec<Vec4>)> {
-        let HdrImage { header, mut texels } = read_image(file, notes)?;
-        check_size(file, header.size, self.size, file)?;
-        let bad = BadTexels::count(&texels);
-        if bad.total() > 0 {
-            let noun = if bad.total() == 1 {
-                "texel is"
-            } else {
-                "texels are"
-            };
-            let what = format!("{} of {} {noun} no light: {bad}", bad.total(), texels.len());
-            notes.defect(file, &what, "those channels are taken as 0")?;
-            EnvMap::repair(&mut texels);
-        }
+    /// Sees that an image is of the probe's size.
+    ///
+    /// # Errors
+    /// It is not.
+    pub fn fits(&self, file: &Path, size: UVec2) -> Result<()> {
+        let all = self.files.folder().join(self.files.pattern());
+        check_size(file, size, self.size, &all)
+    }
+
+    /// An image of all directions as a lat-long map.
+    fn map_of(&self, image: Photo) -> (UVec2, Vec<Vec4>) {
         let (size, mut texels) = match self.mapping {
-            Mapping::Angular => angular_to_latlong(self.size, &texels),
-            _ => (self.size, texels),
+            Mapping::Angular => angular_to_latlong(image.size, &image.pixels),
+            _ => (image.size, image.pixels),
         };
         if self.colour != ColourMatrix::IDENTITY {
             texels
                 .par_iter_mut()
                 .for_each(|texel| *texel = self.colour.apply(*texel));
         }
-        Ok((size, texels))
+        (size, texels)
+    }
+}
+
+/// Reads an image of a probe: a photograph of a mirror ball, or an image of all directions without its bad texels.
+///
+/// # Errors
+/// The file cannot be read or is broken; or it has bad texels and `notes` is strict.
+pub fn read(mapping: Mapping, file: &Path, notes: &mut Notes) -> Result<Photo> {
+    if mapping == Mapping::MirrorBall {
+        return photo::read(file, notes);
+    }
+    let HdrImage { header, mut texels } = read_image(file, notes)?;
+    let bad = BadTexels::count(&texels);
+    if bad.total() > 0 {
+        let noun = if bad.total() == 1 {
+            "texel is"
+        } else {
+            "texels are"
+        };
+        let what = format!("{} of {} {noun} no light: {bad}", bad.total(), texels.len());
+        notes.defect(file, &what, "those channels are taken as 0")?;
+        EnvMap::repair(&mut texels);
+    }
+    Ok(Photo {
+        size: header.size,
+        pixels: texels,
+    })
+}
+
+/// Sees that an image can hold what its mapping says.
+fn check_shape(mapping: Mapping, size: UVec2, file: &Path, notes: &mut Notes) -> Result<()> {
+    match mapping {
+        Mapping::Angular if size.x != size.y => Err(Error::input(
+            file,
+            format!(
+                "an angular map is square, and this is {} × {}",
+                size.x, size.y
+            ),
+        )
+        .fix("crop it to the square around the disc, or set probe.mapping = \"lat-long\"")),
+        Mapping::LatLong if size.x != 2 * size.y => {
+            notes.note(
+                file,
+                format!(
+                    "{} × {} is not 2:1; it is taken as a lat-long map all the same",
+                    size.x, size.y
+                ),
+            );
+            Ok(())
+        }
+        _ => Ok(()),
     }
 }
 

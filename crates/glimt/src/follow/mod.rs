@@ -1,0 +1,313 @@
+//! Host file: `glimt render --follow`: frames rendered as they appear, the oldest dropped when rendering is behind.
+//!
+//! One thread watches the folder, reads the light of the next frame, finds the ball in it, waits for its backplate and builds
+//! its tables, while the frame before is rendered and the one before that is written.
+
+mod ball;
+mod plates;
+mod take;
+mod tally;
+pub mod watch;
+
+use crate::cli::{Device, RenderFlags};
+use crate::device;
+use crate::error::{Error, Result};
+use crate::frame::Frames;
+use crate::input::frames::FrameFiles;
+use crate::job::probe_files;
+use crate::notes::Notes;
+use crate::output::video::{self, Encoder, Video};
+use crate::output::{Stamp, atomic, rgb_over_black};
+use crate::report::{FrameStatus, Reporter};
+use crate::setup::{self, Setup};
+use crate::shot::{check, parse, range};
+use glimt_render_gpu::host::render::{FrameImage, Renderer};
+use glimt_render_gpu::host::scene_build::SceneBuffers;
+use plates::Plates;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::time::{Duration, Instant, SystemTime};
+use take::{Taken, Taker};
+use tally::Tally;
+use watch::Watcher;
+
+/// What is followed, and how.
+pub struct Follow<'a> {
+    setup: Setup,
+    /// The last frame that is wanted, if a range was asked for.
+    last: Option<u32>,
+    /// How long nothing may happen.
+    wait: Duration,
+    device: Device,
+    began: Instant,
+    reporter: &'a Reporter,
+}
+
+/// A frame on its way to the disk.
+struct Finished {
+    stamp: Stamp,
+    arrived: SystemTime,
+    /// What was rendered, in this many seconds; nothing where its files are there.
+    image: Option<(FrameImage, f64)>,
+}
+
+/// Renders the frames of a shot as they appear, until none has come for `wait` or the last one asked for is done.
+///
+/// # Errors
+/// The shot is wrong, no frame could be rendered, or an output cannot be written. All frames written before stay, whole.
+pub fn render(file: &Path, flags: &RenderFlags, wait: Duration, reporter: &Reporter) -> Result<()> {
+    let began = Instant::now();
+    let mut notes = Notes::new(flags.strict);
+    let (mut shot, source) = parse::read(file, &setup::overrides(flags))?;
+    let base = file.parent().unwrap_or(Path::new(""));
+    check::check(&shot, &source)?;
+    let files = probe_files(&shot, &source, base)?;
+    if files.is_still() {
+        return Err(source
+            .error(
+                "probe.frames",
+                "it is one file, which leaves nothing to follow",
+            )
+            .fix("name a sequence, as light.####.exr, or leave out --follow"));
+    }
+    let range = match (&flags.frames, shot.render.frames.as_str()) {
+        (Some(text), _) => Some(range::parse(text).map_err(|e| e.at("--frames"))?),
+        (None, "") => None,
+        (None, text) => Some(range::parse(text)?),
+    };
+    // From here on frames count as new.
+    let mut watch = Watcher::new(files, range.as_ref().map(|range| *range.start()));
+    watch.look();
+    let mut plates = Plates::of(&shot, &source, base, wait / 2)?;
+    if let Some(plates) = plates.as_mut().filter(|_| !source.gives("image.size")) {
+        shot.image.size = plates.size(wait)?.to_array();
+        check::check(&shot, &source)?;
+    }
+    let setup = Setup::load(shot, source, base, flags, &mut notes);
+    reporter.notes(notes.take());
+    let follow = Follow {
+        setup: setup?,
+        last: range.map(|range| *range.end()),
+        wait,
+        device: flags.device,
+        began,
+        reporter,
+    };
+    follow.setup.check_settings(1)?;
+    follow.run(watch, plates, notes)
+}
+
+impl Follow<'_> {
+    fn run(&self, watch: Watcher, plates: Option<Plates>, notes: Notes) -> Result<()> {
+        let setup = &self.setup;
+        atomic::prepare_folder(&setup.out)?;
+        let output = &setup.shot.output;
+        let film = match output.video.as_str() {
+            "" => None,
+            name => {
+                let file = setup.out.join(name);
+                let encoder = video::prepare(&file, setup.size(), output.codec)?;
+                Some(Film { file, encoder })
+            }
+        };
+        let scene = SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(&e))?;
+        let mut renderer = device::open(self.device)?;
+        let files = watch.files().clone();
+        self.reporter.start_following(
+            &files.folder().join(files.pattern()),
+            &setup.out,
+            &renderer.name(),
+            setup.triangles,
+        );
+        let tally = Tally::new(self.reporter);
+        let stop = AtomicBool::new(false);
+        let stamps = std::thread::scope(|scope| {
+            // A frame is handed over when the renderer asks for it: whoever waits longer is newer.
+            let (give, taken) = sync_channel(0);
+            let (finish, finished) = sync_channel(1);
+            let mut taker = Taker::new(self, &tally, watch, plates, notes);
+            let (stop, film, tally) = (&stop, film.as_ref(), &tally);
+            let taking = scope.spawn(move || take_frames(&mut taker, stop, &give));
+            let writing = scope.spawn(move || self.write_frames(film, tally, finished));
+            let rendered = self.render_frames(&mut *renderer, &scene, &taken, &finish);
+            stop.store(true, Ordering::Relaxed);
+            drop((taken, finish));
+            let taken = taking
+                .join()
+                .unwrap_or_else(|p| std::panic::resume_unwind(p));
+            let written = writing
+                .join()
+                .unwrap_or_else(|p| std::panic::resume_unwind(p));
+            rendered
+                .and(written)
+                .and_then(|stamps| taken.map(|()| stamps))
+        })?;
+        if tally.done() == 0 {
+            return Err(self.nothing(&files, &tally));
+        }
+        let video = match &film {
+            Some(film) if self.make_video(film, &stamps)? => Some(film.file.as_path()),
+            _ => None,
+        };
+        let (summary, text) = tally.summary(self, video);
+        self.reporter.finish(summary, &text);
+        Ok(())
+    }
+
+    /// Renders what is taken and passes it on.
+    fn render_frames(
+        &self,
+        renderer: &mut dyn Renderer,
+        scene: &SceneBuffers,
+        taken: &Receiver<Taken>,
+        finish: &SyncSender<Finished>,
+    ) -> Result<()> {
+        for Taken {
+            stamp,
+            arrived,
+            inputs,
+        } in taken
+        {
+            let began = Instant::now();
+            let image = match inputs {
+                None => None,
+                Some(inputs) => {
+                    let settings = self.setup.settings(stamp.frame);
+                    let plate = inputs.plate.as_deref();
+                    let image = renderer
+                        .render_over(scene, &inputs.light, plate, &settings, &|_| ())
+                        .map_err(device::failure)?;
+                    Some((image, began.elapsed().as_secs_f64()))
+                }
+            };
+            let finished = Finished {
+                stamp,
+                arrived,
+                image,
+            };
+            // A writer that has failed takes no more; its error is told when it is joined.
+            if finish.send(finished).is_err() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes frames as they come, and a video at once where nothing else is written. Returns which there are now.
+    fn write_frames(
+        &self,
+        film: Option<&Film>,
+        tally: &Tally<'_>,
+        finished: Receiver<Finished>,
+    ) -> Result<Vec<Stamp>> {
+        let files = Frames::of(&self.setup);
+        let mut video = None;
+        let mut stamps = Vec::new();
+        for Finished {
+            stamp,
+            arrived,
+            image,
+        } in finished
+        {
+            let mut status = FrameStatus::Skipped;
+            if let Some((image, seconds)) = image {
+                files.write(&image, &stamp)?;
+                if let Some(film) = film.filter(|_| !self.has_files()) {
+                    let video = match &mut video {
+                        Some(video) => video,
+                        none => none.insert(film.begin(self, "live")?),
+                    };
+                    video.push(&rgb_over_black(&image.display))?;
+                }
+                status = FrameStatus::Rendered(seconds);
+            }
+            tally.frame(stamp.frame, status, arrived);
+            stamps.push(stamp);
+        }
+        match video {
+            Some(video) if stamps.len() > 1 => video.finish()?,
+            _ => {}
+        }
+        Ok(stamps)
+    }
+
+    /// Whether frames are written, not a video alone.
+    fn has_files(&self) -> bool {
+        let output = &self.setup.shot.output;
+        output.exr || output.png
+    }
+
+    /// Makes the video of the frames that are there; says whether there is one.
+    fn make_video(&self, film: &Film, stamps: &[Stamp]) -> Result<bool> {
+        if stamps.len() < 2 || !self.has_files() {
+            return Ok(stamps.len() > 1);
+        }
+        let files = Frames::of(&self.setup);
+        let hash = files.video_identity(stamps);
+        if video::is_current(&film.file, &hash) {
+            return Ok(true);
+        }
+        let mut video = film.begin(self, &hash)?;
+        for (done, stamp) in (1..).zip(stamps) {
+            video.push(&rgb_over_black(&files.display(stamp.frame)?))?;
+            self.reporter.stage("video", done, stamps.len());
+        }
+        video.finish()?;
+        Ok(true)
+    }
+
+    /// The error of a run without a frame.
+    fn nothing(&self, files: &FrameFiles, tally: &Tally<'_>) -> Error {
+        let seconds = self.wait.as_secs_f64();
+        if let Some((count, reason)) = tally.lost() {
+            let what = format!("none of the {count} frames that came could be rendered: {reason}");
+            return Error::input(files.folder(), what).fix("see what was said of each of them");
+        }
+        let pattern = files.pattern();
+        let error = match files.folder().is_dir() {
+            true => Error::input(
+                files.folder(),
+                format!("no frame named {pattern} came in {seconds} s"),
+            ),
+            false => Error::input(
+                files.folder(),
+                format!("there is no such folder, and none came in {seconds} s"),
+            ),
+        };
+        error.fix(
+            "check probe.frames and --frames, start the capture first, or wait longer with --wait",
+        )
+    }
+}
+
+/// Hands frames over until there are no more, or no one takes them.
+fn take_frames(taker: &mut Taker<'_>, stop: &AtomicBool, give: &SyncSender<Taken>) -> Result<()> {
+    while let Some(taken) = taker.next(stop)? {
+        if give.send(taken).is_err() {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// A video that is to be made.
+struct Film {
+    file: PathBuf,
+    encoder: Encoder,
+}
+
+impl Film {
+    fn begin(&self, follow: &Follow<'_>, hash: &str) -> Result<Video> {
+        let fps = follow.setup.shot.probe.fps;
+        Video::create(&self.file, follow.setup.size(), fps, self.encoder, hash)
+    }
+}
+
+/// Reads a file that may not be whole: the inner error is one that may pass; the outer one is a defect that `--strict` refuses.
+fn read_live<T>(notes: &mut Notes, read: impl Fn(&mut Notes) -> Result<T>) -> Result<Result<T>> {
+    match read(notes) {
+        Err(error) if notes.strict && read(&mut Notes::new(false)).is_ok() => Err(error),
+        read => Ok(read),
+    }
+}

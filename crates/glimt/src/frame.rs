@@ -1,0 +1,120 @@
+//! Host file: the files of one frame: their names, whether they are there, and writing and reading them back.
+
+use crate::error::{Error, Kind, Result};
+use crate::output::{Stamp, aov, exr, png};
+use crate::setup::Setup;
+use crate::shot::digest;
+use glimt_render_gpu::host::render::FrameImage;
+use glimt_render_gpu::kernels::film::tonemap;
+use sha2::{Digest, Sha256};
+use std::path::PathBuf;
+
+/// The files of the frames of a shot.
+#[derive(Clone, Copy)]
+pub struct Frames<'a> {
+    setup: &'a Setup,
+}
+
+impl<'a> Frames<'a> {
+    /// Those of this shot.
+    pub fn of(setup: &'a Setup) -> Self {
+        Self { setup }
+    }
+
+    /// Whether all files of a frame are there, with this identity.
+    pub fn are_there(self, stamp: &Stamp) -> bool {
+        let output = &self.setup.shot.output;
+        let mut channels: Vec<String> = output
+            .aovs
+            .iter()
+            .map(|a| aov::first_channel(aov::name(*a)))
+            .collect();
+        channels.extend(
+            self.keeps_display()
+                .then(|| aov::first_channel(aov::DISPLAY)),
+        );
+        let hash = Some(&stamp.hash);
+        let exr_there = || exr::read_hash(&self.file(stamp.frame, "exr"), &channels);
+        let png_there = || png::read_hash(&self.file(stamp.frame, "png"));
+        (output.exr || output.png)
+            && (!output.exr || exr_there().as_ref() == hash)
+            && (!output.png || png_there().as_ref() == hash)
+    }
+
+    /// Writes the files of a frame.
+    ///
+    /// # Errors
+    /// One cannot be written.
+    pub fn write(self, image: &FrameImage, stamp: &Stamp) -> Result<()> {
+        let output = &self.setup.shot.output;
+        if output.exr {
+            let file = self.file(stamp.frame, "exr");
+            let layers = self.layers(image, stamp.frame);
+            exr::write(&file, image.size, &image.linear, layers, stamp)?;
+        }
+        if output.png {
+            png::write(&self.file(stamp.frame, "png"), image, stamp)?;
+        }
+        Ok(())
+    }
+
+    /// The identity of a video of these frames.
+    pub fn video_identity(self, stamps: &[Stamp]) -> String {
+        let mut hasher = Sha256::new();
+        for stamp in stamps {
+            hasher.update(stamp.hash.as_bytes());
+        }
+        hasher.update(self.setup.shot.probe.fps.to_le_bytes());
+        hasher.update(format!("{:?}", self.setup.shot.output.codec));
+        digest::hex(&hasher.finalize().into())
+    }
+
+    fn file(self, frame: u32, extension: &str) -> PathBuf {
+        self.setup.out.join(format!("frame.{frame:04}.{extension}"))
+    }
+
+    /// Whether what is displayed goes into the EXR: a video may have to be made of frames that are there, and what the plate and
+    /// the tonemapped objects gave cannot be had from their sum.
+    fn keeps_display(self) -> bool {
+        let output = &self.setup.shot.output;
+        self.setup.has_plate() && output.exr && !output.png && !output.video.is_empty()
+    }
+
+    /// The layers that go into a frame's EXR beside the image.
+    fn layers(self, image: &FrameImage, frame: u32) -> exr::Layers {
+        let aovs = &self.setup.shot.output.aovs;
+        let mut channels = aov::channels(
+            image,
+            aovs,
+            &self.setup.settings(frame),
+            self.setup.has_plate(),
+        );
+        if self.keeps_display() {
+            channels.extend(aov::display(image));
+        }
+        let shadow = self.setup.shot.backplate.as_ref().map(|plate| plate.shadow);
+        let formula = (!aovs.is_empty()).then(|| aov::formula(shadow.unwrap_or_default()));
+        exr::Layers { channels, formula }
+    }
+
+    /// The display image of a frame that is there already: its PNG, or else its EXR, by its layer of that name over a plate, once
+    /// more exposed and tonemapped without one.
+    ///
+    /// # Errors
+    /// The file cannot be read.
+    pub fn display(self, frame: u32) -> Result<Vec<[u8; 4]>> {
+        if self.setup.shot.output.png {
+            return png::read_pixels(&self.file(frame, "png"));
+        }
+        if self.keeps_display() {
+            return exr::read_display(&self.file(frame, "exr"));
+        }
+        let linear = exr::read_pixels(&self.file(frame, "exr"))?;
+        let settings = self.setup.settings(frame).frame_params();
+        let params = settings.map_err(|e| Error::new(Kind::Usage, e))?;
+        let pixels = 0..linear.len() as u32;
+        Ok(pixels
+            .map(|i| tonemap(i, &params, &linear).to_le_bytes())
+            .collect())
+    }
+}

@@ -1,0 +1,198 @@
+//! Host file: what a shot has that no frame changes: its keys, scene, camera and settings, and where its outputs go.
+
+use crate::cli::RenderFlags;
+use crate::demo;
+use crate::error::{Error, Kind, Result};
+use crate::mesh::place;
+use crate::notes::Notes;
+use crate::shot::digest::{self, Hash};
+use crate::shot::parse::Source;
+use crate::shot::{self, Shot};
+use glam::UVec2;
+use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::host::render::{
+    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Shadow, Tonemap,
+};
+use glimt_render_gpu::host::scene::{Camera, SceneDescription};
+use glimt_render_gpu::host::scene_error::SceneError;
+use std::path::{Path, PathBuf};
+
+/// What stays the same in all frames of a shot.
+pub struct Setup {
+    /// The shot, with all its keys.
+    pub shot: Shot,
+    /// Where those were given.
+    pub source: Source,
+    /// What stands in it.
+    pub scene: SceneDescription,
+    /// Triangles, counting each placing of a mesh.
+    pub triangles: usize,
+    /// Hash of the shot and its meshes.
+    pub digest: Hash,
+    /// Folder of the outputs.
+    pub out: PathBuf,
+    /// Where it is seen from.
+    pub view: View,
+    /// Which of the shot's objects each object of the scene is a part of.
+    pub owners: Vec<usize>,
+}
+
+/// Where a frame is seen from.
+#[derive(Clone, Copy, Debug)]
+pub enum View {
+    /// From the same place in all.
+    Fixed(Camera),
+    /// As the built-in shot is.
+    Demo,
+}
+
+impl Setup {
+    /// Loads what a shot that has been checked names, but for light and footage.
+    ///
+    /// # Errors
+    /// A mesh cannot be read.
+    pub fn load(
+        shot: Shot,
+        source: Source,
+        base: &Path,
+        flags: &RenderFlags,
+        notes: &mut Notes,
+    ) -> Result<Self> {
+        let placed = place::place(&shot, &source, base, notes)?;
+        Ok(Self {
+            digest: digest::join([&digest::of_shot(&shot), &placed.digest]),
+            triangles: placed.triangles,
+            out: out_folder(flags, base.join(&shot.output.dir)),
+            scene: placed.scene,
+            view: View::Fixed(placed.camera),
+            owners: placed.owners,
+            source,
+            shot,
+        })
+    }
+
+    /// Size of the image.
+    pub fn size(&self) -> UVec2 {
+        UVec2::from(self.shot.image.size)
+    }
+
+    /// Whether frames are laid over footage.
+    pub fn has_plate(&self) -> bool {
+        self.shot.backplate.is_some()
+    }
+
+    /// The tables of a light map, which came from `file`.
+    ///
+    /// # Errors
+    /// The map is too large.
+    pub fn tables(&self, map: EnvMap, file: Option<&Path>) -> Result<PreparedEnv> {
+        map.prepare(self.shot.probe.rotate_z_deg).map_err(|e| {
+            let error = Error::new(Kind::Input, e);
+            match file {
+                Some(file) => error.file(file),
+                None => error,
+            }
+        })
+    }
+
+    /// The renderer's own checks, told with the key that they are about.
+    ///
+    /// # Errors
+    /// A setting that it refuses.
+    pub fn check_settings(&self, frame: u32) -> Result<()> {
+        let refused = |e: SettingsError| {
+            let key = match e {
+                SettingsError::Empty => "image",
+                SettingsError::NoSamples | SettingsError::TooMany => "render",
+                SettingsError::Exposure => "image.exposure_ev",
+                SettingsError::FieldOfView => "camera.fov_x_deg",
+                SettingsError::Camera => "camera",
+                SettingsError::PlateSize => "backplate",
+            };
+            self.source.error(key, e)
+        };
+        self.settings(frame)
+            .frame_params()
+            .map(drop)
+            .map_err(refused)
+    }
+
+    /// What the renderer says of the scene, with the object of the shot that it is about.
+    pub fn refused_scene(&self, error: &SceneError) -> Error {
+        let told = match error {
+            SceneError::NoTriangles { .. } => self
+                .source
+                .error("object", "all objects are too small to be seen")
+                .fix("raise their scale"),
+            SceneError::Transform { object } | SceneError::Position { object, .. } => {
+                let index = self.owners.get(*object).copied().unwrap_or(*object);
+                let key = format!("object.{index}");
+                let what = "it is flattened to nothing, or reaches beyond 1e9 units";
+                self.source
+                    .error(&key, what)
+                    .fix("check its scale, and the transforms in its mesh file")
+            }
+            other => self.source.error("object", other),
+        };
+        Error {
+            kind: Kind::Input,
+            ..told
+        }
+    }
+
+    /// Settings of a frame.
+    pub fn settings(&self, frame: u32) -> RenderSettings {
+        let (image, render) = (&self.shot.image, &self.shot.render);
+        RenderSettings {
+            size: UVec2::from(image.size),
+            camera: match &self.view {
+                View::Fixed(camera) => *camera,
+                View::Demo => demo::camera(frame - 1),
+            },
+            rays_per_pixel: image.rays_per_pixel,
+            brdf_samples: render.brdf_samples,
+            env_samples: render.env_samples,
+            method: Method::Mis,
+            pattern: match render.pattern {
+                shot::Pattern::OwenSobol => Pattern::OwenSobol,
+                shot::Pattern::Independent => Pattern::Independent,
+                shot::Pattern::Stratified => Pattern::Stratified,
+            },
+            filter: match image.filter {
+                shot::Filter::Box => Filter::Box,
+                shot::Filter::Centre => Filter::Centre,
+            },
+            background: match image.background {
+                shot::Background::Environment => Background::Environment,
+                shot::Background::Transparent => Background::Transparent,
+            },
+            seed: render.seed,
+            frame,
+            exposure_ev: image.exposure_ev,
+            tonemap: match image.tonemap {
+                shot::Tonemap::Srgb => Tonemap::Srgb,
+                shot::Tonemap::Reinhard => Tonemap::Reinhard,
+            },
+            shadow: match self.shot.backplate.as_ref().map(|plate| plate.shadow) {
+                Some(shot::Shadow::Add) => Shadow::Add,
+                Some(shot::Shadow::Multiply) | None => Shadow::Multiply,
+            },
+            layers: !self.shot.output.aovs.is_empty(),
+        }
+    }
+}
+
+/// The flags that are keys of the shot, before those given by --set.
+pub fn overrides(flags: &RenderFlags) -> Vec<String> {
+    let method = flags.method.iter().map(|m| format!("render.method={m}"));
+    let seed = flags.seed.iter().map(|s| format!("render.seed={s}"));
+    method
+        .chain(seed)
+        .chain(flags.set.iter().cloned())
+        .collect()
+}
+
+/// Where outputs go: as the flags say, else as the shot does.
+pub fn out_folder(flags: &RenderFlags, of_shot: PathBuf) -> PathBuf {
+    flags.out.clone().unwrap_or(of_shot)
+}
