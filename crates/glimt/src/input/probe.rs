@@ -235,7 +235,10 @@ impl Probe {
         let (size, mut texels) = match (&self.capture, pose) {
             (Some(capture), Some(pose)) => {
                 let map = capture.map_at(&pose, file, image.size)?;
-                (capture.size(), map.apply(&image.pixels, &capture.look(&self.colour)))
+                (
+                    capture.size(),
+                    map.apply(&image.pixels, &capture.look(&self.colour)),
+                )
             }
             (Some(_), None) => {
                 return Err(Error::input(file, "the ball was not looked for in it"));
