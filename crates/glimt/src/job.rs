@@ -58,6 +58,18 @@ impl Job {
             let frame = keys.frame.unwrap_or(frames[0]);
             let plate = footage.as_ref().map(|footage| footage.file(frame));
             let photo = probe.file(frame);
+            let missing = [Some(&photo), plate.as_ref()]
+                .into_iter()
+                .flatten()
+                .find(|file| keys.frame.is_some() && !file.is_file());
+            if let Some(file) = missing {
+                return Err(source
+                    .error(
+                        "probe.colour.frame",
+                        format!("{} is not there", file.display()),
+                    )
+                    .fix("choose a frame that probe and backplate have, or leave it out for the first"));
+            }
             let colour = colour::correction(keys, &source, &photo, plate.as_deref(), notes)?;
             probe.set_colour(colour);
         }

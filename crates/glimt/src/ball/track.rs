@@ -33,6 +33,8 @@ pub struct Options {
     pub drift_sigmas: f64,
     /// Longest run of frames that is taken for one of another exposure.
     pub longest_jump: usize,
+    /// Whether frames were compared for their roll, so that it is worth saying where none was measured.
+    pub rolls: bool,
 }
 
 impl Default for Options {
@@ -43,6 +45,7 @@ impl Default for Options {
             drift_px: 0.25,
             drift_sigmas: 3.0,
             longest_jump: 12,
+            rolls: true,
         }
     }
 }
@@ -256,7 +259,8 @@ pub fn stabilise(observations: &[Observation], options: &Options) -> Result<Trac
         exposure_jumps: exposure_jumps(observations, options.longest_jump),
         notes: Vec::new(),
     };
-    tracked.notes = notes(&tracked, observations, rolls.is_empty());
+    let no_roll = options.rolls && rolls.is_empty() && observations.len() > 1;
+    tracked.notes = notes(&tracked, observations, no_roll);
     Ok(tracked)
 }
 

@@ -124,20 +124,9 @@ pub fn correction(
         matrix = DMat3::from_diagonal(DVec3::from(gains.map(f64::from))) * matrix;
     }
     if keys.grey.is_some() || !keys.patches.is_empty() {
-        let image = photo::read(photo, &mut Notes::default())?;
-        let mut mean = |key: &str, area: Box4| {
-            let colour = mean_of(area, image.size, &image.pixels)
-                .ok_or_else(|| outside(source, key, area, image.size, photo))?;
-            if colour.max_element() >= 0.999 && crate::input::is_display(photo)? {
-                notes.warn(
-                    photo,
-                    format!("{key}: the patch is clipped, and says little of its colour"),
-                );
-            }
-            Ok(matrix * colour)
-        };
+        let photo = Image::photo(photo)?;
         if let Some(area) = keys.grey {
-            let patch = mean("probe.colour.grey", area)?;
+            let patch = matrix * photo.mean("probe.colour.grey", area, source, notes)?;
             let gains = grey_gains(patch).ok_or_else(|| {
                 source
                     .error("probe.colour.grey", "a channel of the patch is black")
@@ -150,16 +139,21 @@ pub fn correction(
                     .error("probe.colour.patches", "there is no backplate to match")
                     .fix("add [backplate], or use probe.colour.grey")
             })?;
-            let image = plate::read(file, &mut Notes::default())?;
-            let size = image.size;
-            let linear = image.colours.into_linear();
-            let pixels: Vec<Vec4> = linear.iter().map(|c| c.extend(1.0)).collect();
+            let plate = Image::plate(file)?;
             let mut pairs = Vec::new();
             for (i, patch) in keys.patches.iter().enumerate() {
-                let probe = mean(&format!("probe.colour.patches.{i}.probe"), patch.probe)?;
-                let key = format!("probe.colour.patches.{i}.plate");
-                let plate = mean_of(patch.plate, size, &pixels)
-                    .ok_or_else(|| outside(source, &key, patch.plate, size, file))?;
+                let mut lit = |image: &Image<'_>, which: &str, area: Box4| {
+                    let key = format!("probe.colour.patches.{i}.{which}");
+                    let mean = image.mean(&key, area, source, notes)?;
+                    if mean.max_element() > 0.0 {
+                        return Ok(mean);
+                    }
+                    Err(source
+                        .error(&key, "the patch is black")
+                        .fix("choose a patch that light falls on"))
+                };
+                let probe = matrix * lit(&photo, "probe", patch.probe)?;
+                let plate = lit(&plate, "plate", patch.plate)?;
                 pairs.push(Pair { probe, plate });
             }
             let found = fit(&pairs).ok_or_else(|| {
@@ -170,7 +164,7 @@ pub fn correction(
                     )
                     .fix("choose patches that light falls on")
             })?;
-            notes.note(photo, told(&found, pairs.len()));
+            notes.note(photo.file, told(&found, pairs.len()));
             matrix = found.matrix * matrix;
         }
     }
@@ -179,6 +173,51 @@ pub fn correction(
         matrix.y_axis.as_vec3(),
         matrix.z_axis.as_vec3(),
     )))
+}
+
+/// An image that patches are read in.
+struct Image<'a> {
+    file: &'a Path,
+    size: UVec2,
+    pixels: Vec<Vec4>,
+    /// Whether it holds nothing brighter than white.
+    display: bool,
+}
+
+impl<'a> Image<'a> {
+    fn photo(file: &'a Path) -> Result<Self> {
+        let image = photo::read(file, &mut Notes::default())?;
+        Ok(Self {
+            file,
+            size: image.size,
+            pixels: image.pixels,
+            display: crate::input::is_display(file)?,
+        })
+    }
+
+    fn plate(file: &'a Path) -> Result<Self> {
+        let image = plate::read(file, &mut Notes::default())?;
+        let linear = image.colours.into_linear();
+        Ok(Self {
+            file,
+            size: image.size,
+            pixels: linear.iter().map(|c| c.extend(1.0)).collect(),
+            display: crate::input::is_display(file)?,
+        })
+    }
+
+    /// Mean colour of a box.
+    fn mean(&self, key: &str, area: Box4, source: &Source, notes: &mut Notes) -> Result<DVec3> {
+        let mean = mean_of(area, self.size, &self.pixels)
+            .ok_or_else(|| outside(source, key, area, self.size, self.file))?;
+        if self.display && mean.max_element() >= 0.999 {
+            notes.warn(
+                self.file,
+                format!("{key}: the patch is clipped, and says little of its colour"),
+            );
+        }
+        Ok(mean)
+    }
 }
 
 fn told(found: &Fit, count: usize) -> String {

@@ -57,8 +57,12 @@ pub fn track(
         progress(done + 1);
     }
     drop_wild_rolls(&mut observations);
-    let tracked = ball::stabilise(&observations, &Options::default())
-        .map_err(|e| refused(&e, files, &observations))?;
+    let options = Options {
+        rolls: steady,
+        ..Options::default()
+    };
+    let tracked =
+        ball::stabilise(&observations, &options).map_err(|e| refused(&e, files, &observations))?;
     for text in &tracked.notes {
         notes.warn(&files.path(frames[0]), text);
     }

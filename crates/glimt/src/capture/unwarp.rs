@@ -6,6 +6,7 @@ use crate::cli::{Device, UnwarpFlags};
 use crate::device;
 use crate::error::{Error, Kind, Result};
 use crate::input::frames::FrameFiles;
+use crate::input::probe::check_size;
 use crate::notes::Notes;
 use crate::output::{Stamp, atomic, exr, png, write_text};
 use crate::report::{FrameStatus, Reporter, count};
@@ -37,28 +38,41 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
             files.require(*asked.start(), *asked.end())?
         }
         None if files.is_still() => files.require(1, 1)?,
-        None => files.existing()?,
+        None => files.existing().map_err(|e| {
+            e.fix("check the path: each # stands for a digit of the frame's number")
+        })?,
     };
+    let first = files.path(numbers[0]);
+    let size = photo::read_size(&first)?;
+    for &frame in &numbers[1..] {
+        let file = files.path(frame);
+        check_size(&file, photo::read_size(&file)?, size, &first)?;
+    }
+    tell_gaps(&files, &numbers, &mut notes);
     atomic::prepare_folder(&flags.out)?;
     let mut unwarper = Unwarper::open(flags.device)?;
     reporter.start_filming(numbers.len(), &flags.out, &unwarper.processor.name());
 
+    reporter.notes(notes.take());
+    let told = flags.out.join("track.json");
     let poses = match Poses::given(&ball) {
-        Some(given) => given,
+        Some(given) => {
+            write_text(&told, &format!("{:#}", given_track(&numbers, &given)))?;
+            given
+        }
         None => {
             let found = |done| reporter.stage("looking for the ball", done, numbers.len());
             let tracked = locate::track(&files, &numbers, ball.steady, &mut notes, &found);
             reporter.notes(notes.take());
             let tracked = tracked?;
             let poses = locate::of_track(&tracked);
-            write_text(
-                &flags.out.join("track.json"),
-                &format!("{:#}", track(&tracked, &poses)),
-            )?;
+            write_text(&told, &format!("{:#}", track(&tracked, &poses)))?;
             poses
         }
     };
     let capture = Capture::new(&ball, poses);
+    // Frames whose ball was looked for were read already.
+    let unread = matches!(capture.poses(), Poses::Fixed(_));
     let (mut written, mut mask) = (0, Vec::new());
     for (done, &frame) in (1..).zip(&numbers) {
         let file = files.path(frame);
@@ -66,7 +80,14 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
         let target = flags.out.join(name("latlong", frame, "exr"));
         let started = Instant::now();
         let mut status = FrameStatus::Skipped;
-        if exr::read_hash(&target, &[]).as_ref() != Some(&stamp.hash) {
+        let mask_file = flags.out.join(name("mask", frame, "png"));
+        let mask_there = done > 1 || mask_file.is_file();
+        if exr::read_hash(&target, &[]).as_ref() == Some(&stamp.hash) && mask_there {
+            // What is there may have been made without --strict.
+            if flags.strict && unread {
+                photo::read(&file, &mut notes)?;
+            }
+        } else {
             let photo = photo::read(&file, &mut notes);
             reporter.notes(notes.take());
             let photo = photo?;
@@ -76,11 +97,7 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
             let own = mask_of(&map);
             // One mask serves until it changes.
             if own != mask {
-                png::write_mask(
-                    &flags.out.join(name("mask", frame, "png")),
-                    map.size(),
-                    &own,
-                )?;
+                png::write_mask(&mask_file, map.size(), &own)?;
                 mask = own;
             }
             written += 1;
@@ -127,8 +144,27 @@ fn keys(flags: &UnwarpFlags) -> Result<Ball> {
     let (shot, source): (Shot, _) =
         parse::parse(Path::new("the command line"), text.to_owned(), &set)?;
     let ball = shot.probe.ball.unwrap_or_default();
-    check::check_ball(&ball, &source)?;
+    // The text above is no file in which a line could be looked up.
+    check::check_ball(&ball, &source).map_err(|e| Error {
+        place: e.place.filter(|_| e.file.is_none()),
+        ..e
+    })?;
     Ok(ball)
+}
+
+/// Says which frames are missing between the first and the last.
+fn tell_gaps(files: &FrameFiles, numbers: &[u32], notes: &mut Notes) {
+    for pair in numbers.windows(2) {
+        let which = match pair[1] - pair[0] {
+            0 | 1 => continue,
+            2 => format!("frame {} is", pair[0] + 1),
+            _ => format!("frames {} to {} are", pair[0] + 1, pair[1] - 1),
+        };
+        notes.warn(
+            &files.path(pair[0] + 1),
+            format!("{which} missing: no map is made for what is not there"),
+        );
+    }
 }
 
 fn name(what: &str, frame: u32, extension: &str) -> String {
@@ -179,6 +215,18 @@ fn track(tracked: &crate::ball::Tracked, poses: &Poses) -> serde_json::Value {
         "notes": tracked.notes,
         "frames": tracked.poses.iter().map(frame).collect::<Vec<_>>(),
     })
+}
+
+/// The same where it was given.
+fn given_track(frames: &[u32], poses: &Poses) -> serde_json::Value {
+    let frame = |&frame: &u32| {
+        let outline = poses.of(frame).map(|pose| pose.outline);
+        json!({
+            "frame": frame, "centre_px": outline.map(|o| o.centre.to_array()), "radius_px": outline.map(|o| o.radius),
+            "roll_deg": 0.0, "state": "given",
+        })
+    };
+    json!({ "frames": frames.iter().map(frame).collect::<Vec<_>>() })
 }
 
 /// What unwarps: the CPU, or a GPU with the table that it has at the moment.

@@ -329,7 +329,11 @@ fn check_shape(mapping: Mapping, size: UVec2, file: &Path, notes: &mut Notes) ->
     }
 }
 
-fn check_size(file: &Path, size: UVec2, wanted: UVec2, first: &Path) -> Result<()> {
+/// Sees that a frame has the size of the first.
+///
+/// # Errors
+/// It has not.
+pub fn check_size(file: &Path, size: UVec2, wanted: UVec2, first: &Path) -> Result<()> {
     if size == wanted {
         return Ok(());
     }

@@ -273,6 +273,14 @@ fn check_colour(colour: &Colour, source: &Source) -> Result<()> {
             .error("probe.colour", "a factor is not a number below 1e6")
             .fix("1 leaves a channel as it is"));
     }
+    if colour
+        .gains
+        .is_some_and(|gains| gains.iter().any(|g| *g < 0.0))
+    {
+        return Err(source
+            .error("probe.colour.gains", "one is below 0")
+            .fix("1 leaves a channel as it is"));
+    }
     if colour.grey.is_some() && !colour.patches.is_empty() {
         return Err(source
             .error("probe.colour.grey", "patches are given too")

@@ -64,8 +64,9 @@ pub(super) fn truth_json(synth: &Synth, frames: &[FrameTruth]) -> Value {
     })
 }
 
-/// Half-angle of a cone about the camera, seen from the ball, that holds the rig with a margin; 0 where there is none.
-fn rig_half_angle(synth: &Synth) -> f32 {
+/// Half-angle in radians of a cone about the camera, seen from the ball, that holds the rig with a margin; 0 where there is
+/// none.
+pub fn rig_half_angle(synth: &Synth) -> f32 {
     if !synth.rig.on {
         return 0.0;
     }
