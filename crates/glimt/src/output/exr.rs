@@ -120,9 +120,6 @@ fn store(
     };
     let hash = AttributeValue::Text(Text::from(stamp.hash.as_str()));
     attributes.other.insert(Text::from(HASH_KEY), hash);
-    let frame = AttributeValue::I32(stamp.frame.cast_signed());
-    attributes.other.insert(Text::from(FRAME_KEY), frame);
-
     if let Some(formula) = formula {
         let formula = AttributeValue::Text(Text::from(formula));
         attributes.other.insert(Text::from(FORMULA_KEY), formula);
@@ -146,6 +143,10 @@ fn store(
         blue,
         white,
     });
+    // Attributes of one list are written in the order of a hash map, another one each time: one in each makes the same
+    // file of the same image.
+    let frame = AttributeValue::I32(stamp.frame.cast_signed());
+    image.attributes.other.insert(Text::from(FRAME_KEY), frame);
 
     let mut pending = Pending::create(file)?;
     image
