@@ -15,6 +15,7 @@ use crate::shot::{Shot, check, parse, range};
 use glam::UVec2;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::time::Instant;
 
@@ -48,12 +49,13 @@ impl Job {
 
         let files = probe_files(&shot, &source, base)?;
         let footage = Footage::find(&shot, &source, base, &files, notes)?;
-        let (frames, whole) = choose_frames(&shot, &files, footage.as_ref(), flags, notes)?;
+        let (frames, of_shot) = choose_frames(&shot, &files, footage.as_ref(), flags, notes)?;
         if let Some(footage) = &footage {
             footage.require(&frames, UVec2::from(shot.image.size), notes)?;
         }
-        let found = |done| reporter.stage("looking for the ball", done, frames.len());
-        let mut probe = Probe::open(files, &frames, &shot.probe, notes, &found)?;
+        let found = |done, all| reporter.stage("looking for the ball", done, all);
+        let range = of_shot.clone();
+        let mut probe = Probe::open(files, &frames, range, &shot.probe, notes, &found)?;
         if let Some(keys) = &shot.probe.colour {
             let frame = keys.frame.unwrap_or(frames[0]);
             let plate = footage.as_ref().map(|footage| footage.file(frame));
@@ -75,8 +77,8 @@ impl Job {
         }
         let job = Self {
             setup: Setup::load(shot, source, base, flags, notes)?,
+            whole: frames.iter().copied().eq(of_shot),
             frames,
-            whole,
             probe,
             footage,
         };
@@ -161,14 +163,14 @@ pub fn probe_files(shot: &Shot, source: &Source, base: &Path) -> Result<FrameFil
     })
 }
 
-/// The frames to render, and whether they are all of the shot's: those that it names, or all that light and footage both have.
+/// The frames to render, and those of the shot: those that it names, or all that light and footage both have.
 fn choose_frames(
     shot: &Shot,
     files: &FrameFiles,
     footage: Option<&Footage>,
     flags: &RenderFlags,
     notes: &mut Notes,
-) -> Result<(Vec<u32>, bool)> {
+) -> Result<(Vec<u32>, RangeInclusive<u32>)> {
     let of_shot = match shot.render.frames.as_str() {
         "" => match footage {
             Some(footage) => footage.shared(files, notes)?,
@@ -184,5 +186,5 @@ fn choose_frames(
         None => of_shot.clone(),
     };
     let frames = files.require(*asked.start(), *asked.end())?;
-    Ok((frames, asked == of_shot))
+    Ok((frames, of_shot))
 }

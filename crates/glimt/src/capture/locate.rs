@@ -12,7 +12,8 @@ use glam::DVec2;
 use glimt_probe::unwarp::Outline;
 use glimt_render_gpu::host::unwarp::BallPose;
 
-/// Finds the ball in all of these frames and steadies what was found; `progress` is told how many frames are done.
+/// Finds the ball in all of these frames and steadies what was found; `progress` is told how many frames are done, and of how
+/// many.
 ///
 /// # Errors
 /// A frame cannot be read, or too few of them show a ball.
@@ -21,7 +22,7 @@ pub fn track(
     frames: &[u32],
     steady: bool,
     notes: &mut Notes,
-    progress: &(dyn Fn(usize) + Sync),
+    progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Tracked> {
     let mut observations = Vec::with_capacity(frames.len());
     let mut hint = None;
@@ -54,7 +55,7 @@ pub fn track(
             roll,
             levels,
         });
-        progress(done + 1);
+        progress(done + 1, looked_at.len());
     }
     drop_wild_rolls(&mut observations);
     let options = Options {
@@ -124,7 +125,7 @@ pub fn poses(
     frames: &[u32],
     keys: &shot::Ball,
     notes: &mut Notes,
-    progress: &(dyn Fn(usize) + Sync),
+    progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Poses> {
     let tracked = track(files, frames, keys.steady, notes, progress)?;
     if files.is_still() {

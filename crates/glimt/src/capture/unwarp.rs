@@ -61,8 +61,13 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
             given
         }
         None => {
-            let found = |done| reporter.stage("looking for the ball", done, numbers.len());
-            let tracked = locate::track(&files, &numbers, ball.steady, &mut notes, &found);
+            let found = |done, all| reporter.stage("looking for the ball", done, all);
+            // In all that there are: what is smoothed over a shot must not hang on which part of it is asked for.
+            let all = match files.is_still() {
+                true => numbers.clone(),
+                false => files.existing()?,
+            };
+            let tracked = locate::track(&files, &all, ball.steady, &mut notes, &found);
             reporter.notes(notes.take());
             let tracked = tracked?;
             let poses = locate::of_track(&tracked);

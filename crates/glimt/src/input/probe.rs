@@ -14,6 +14,7 @@ use glimt_probe::{angular, latlong};
 use glimt_render_gpu::host::env::{EnvMap, MAX_RADIANCE};
 use glimt_render_gpu::host::unwarp::BallPose;
 use rayon::prelude::*;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -86,16 +87,18 @@ pub struct Probe {
 
 impl Probe {
     /// Checks the headers of all frames: that they are images, of one size, and fit the mapping. In film of a mirror ball,
-    /// the ball is looked for in all of them; `progress` is told how many are done.
+    /// the ball is looked for in all that `shot` has, whichever are asked for: what is smoothed over a shot must not hang on which
+    /// part of it is rendered. `progress` is told how many are done, and of how many.
     ///
     /// # Errors
     /// The first frame that is not as it should be.
     pub fn open(
         files: FrameFiles,
         frames: &[u32],
+        shot: RangeInclusive<u32>,
         keys: &shot::Probe,
         notes: &mut Notes,
-        progress: &(dyn Fn(usize) + Sync),
+        progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Self> {
         let mapping = keys.mapping;
         let read_size = |file: &Path| match mapping {
@@ -115,7 +118,14 @@ impl Probe {
                 let ball = keys.ball.clone().unwrap_or_default();
                 let poses = match Poses::given(&ball) {
                     Some(given) => given,
-                    None => locate::poses(&files, frames, &ball, notes, progress)?,
+                    None => {
+                        let mut all = match files.is_still() {
+                            true => frames.to_vec(),
+                            false => files.existing()?,
+                        };
+                        all.retain(|frame| shot.contains(frame) || frames.contains(frame));
+                        locate::poses(&files, &all, &ball, notes, progress)?
+                    }
                 };
                 Some(Arc::new(Capture::new(&ball, poses)))
             }
