@@ -71,7 +71,9 @@ pub enum FindError {
         sides: Vec<Side>,
     },
     /// There are two balls, the likelier one first.
-    #[error("two balls were found, {0} and {1}; crop the frames to one, or give its centre and radius")]
+    #[error(
+        "two balls were found, {0} and {1}; crop the frames to one, or give its centre and radius"
+    )]
     Two(Circle, Circle),
     /// The ball is so small that a pixel of it shows several degrees.
     #[error("the ball {0} is too small; a radius of 20 px is the least")]
@@ -87,7 +89,7 @@ fn names(sides: &[Side]) -> String {
 }
 
 /// Least confidence of a ball.
-const CONFIDENT: f64 = 0.45;
+const CONFIDENT: f64 = 0.4;
 /// The same in the reduced image.
 const HOPEFUL: f64 = 0.25;
 /// Least radius of a ball in pixels.
@@ -146,7 +148,6 @@ pub(super) fn find_in(pyramid: &Pyramid, hint: Option<Circle>) -> Result<Found, 
         sure + r.seen * r.circle.radius.sqrt()
     };
     list.sort_by(|a, b| rank(&b.1).total_cmp(&rank(&a.1)));
-    if std::env::var("DBGC").is_ok() { for (c, r) in &list { println!("cand {} -> {} seen {:.2} vis {:.2} in {:.2}", c.scaled(f64::from(1_u32 << coarsest)), r.circle.scaled(f64::from(1_u32 << coarsest)), r.seen, r.visible, r.in_image); } }
     let scale = f64::from(1_u32 << coarsest);
     let Some(best) = choose(&list) else {
         return Err(FindError::NoBall { best: None });
@@ -213,7 +214,7 @@ fn choose(list: &[(Circle, Refined)]) -> Option<Refined> {
         let holds = r.circle.centre.distance(best.circle.centre) + best.circle.radius
             < 1.03 * r.circle.radius;
         let larger = r.circle.radius > 1.03 * best.circle.radius;
-        if holds && larger && r.seen > HOPEFUL.max(0.4 * best.seen) {
+        if holds && larger && r.seen > HOPEFUL {
             best = *r;
         }
     }
@@ -227,9 +228,18 @@ fn descend(pyramid: &Pyramid, circle: Circle, level: usize) -> Option<Found> {
     let mut last: Option<(Refined, usize)> = None;
     for level in (0..=level).rev() {
         let plane = &pyramid.levels[level];
-        let wide = refine(plane, at, Search { blur: Some(blur.unwrap_or(USUAL_BLUR)), ..MIDDLE })?;
+        let wide = refine(
+            plane,
+            at,
+            Search {
+                blur: Some(blur.unwrap_or(USUAL_BLUR)),
+                ..MIDDLE
+            },
+        )?;
         let mut fine = refine(plane, wide.circle, FINE)?;
-        if level == 0 {
+        let moved = fine.circle.centre.distance(wide.circle.centre)
+            + (fine.circle.radius - wide.circle.radius).abs();
+        if level == 0 && moved > 0.4 {
             // Once more from where it ended: sectors and bands are laid about the start.
             fine = refine(plane, fine.circle, FINE)?;
         }

@@ -150,7 +150,11 @@ impl Tracker {
         let gain = 1.0 / f64::from(self.count.min(self.options.memory.max(1)));
         let off = circle.radius - self.radius;
         // The first frames find the scatter; later ones cannot pull beyond it.
-        let limit = if self.count < 8 { f64::INFINITY } else { 3.0 * self.scatter };
+        let limit = if self.count < 8 {
+            f64::INFINITY
+        } else {
+            3.0 * self.scatter
+        };
         self.radius += gain * off.clamp(-limit, limit);
         let size = 1.2533 * off.abs().min(limit);
         self.scatter += gain.max(0.05) * (size.max(0.01) - self.scatter);

@@ -60,7 +60,10 @@ impl Plane {
         let (i, j) = (fx as usize, fy as usize);
         let (i1, j1) = ((i + 1).min(self.width - 1), (j + 1).min(self.height - 1));
         let (u, v) = ((fx - i as f64) as f32, (fy - j as f64) as f32);
-        let (a, b) = (self.data[j * self.width + i], self.data[j * self.width + i1]);
+        let (a, b) = (
+            self.data[j * self.width + i],
+            self.data[j * self.width + i1],
+        );
         let (c, d) = (
             self.data[j1 * self.width + i],
             self.data[j1 * self.width + i1],

@@ -99,7 +99,7 @@ const BIN: f64 = 0.3;
 /// A sector's share is bounded by this.
 const CAP: f64 = 12.0;
 /// Error of the blur's form, over the step that is blurred.
-const SHAPE: f64 = 0.05;
+const SHAPE: f64 = 0.02;
 /// Constants that each sector is fitted with.
 const UNKNOWNS: usize = 7;
 /// A sector counts as seen from this gain on.
@@ -137,15 +137,6 @@ pub(super) fn refine(plane: &Plane, start: Circle, search: Search) -> Option<Ref
     let (blur, profiles, at) = &tries[best];
     let (at, blur_px) = between(&tries, &sums, best).unwrap_or((*at, BLURS[*blur]));
     let at = &at;
-    if std::env::var("DBG").is_ok() && search.blur.is_some() && search.step < 0.2 {
-        let t: Vec<f64> = std::env::var("DBG").unwrap().split(',').map(|x| x.parse().unwrap()).collect();
-        println!("refine start {start} at {at:?} blur {}", BLURS[*blur]);
-        for p in profiles.iter() {
-            let d = DVec3::new(t[0] - start.centre.x, t[1] - start.centre.y, t[2] - start.radius);
-            let rho = d.z + d.x * p.cos + d.y * p.sin;
-            println!("  ang {:6.1} best {:6.2} true {:6.2} excess true {:8.1} at {:8.1} gain {:9.1}", p.sin.atan2(p.cos).to_degrees(), p.best, rho, p.excess_at(d, search.range), p.excess_at(*at, search.range), p.gain);
-        }
-    }
     let (seen, visible) = seen(profiles, *at, search.range, count);
     Some(Refined {
         circle: Circle {
@@ -161,7 +152,7 @@ pub(super) fn refine(plane: &Plane, start: Circle, search: Search) -> Option<Ref
     })
 }
 
-/// The band's pixels by sector. Sectors that are not wholly in the image are left out.
+/// The band's pixels by sector. Sectors that leave the image with more than the far part of their background are left out.
 fn gather(plane: &Plane, circle: Circle, search: Search, count: usize) -> Vec<Sector> {
     let outer = search.range + search.outside;
     let inner = (search.range + search.inside).min(0.8 * circle.radius);
@@ -197,14 +188,6 @@ fn gather(plane: &Plane, circle: Circle, search: Search, count: usize) -> Vec<Se
         }
     }
     let (w, h) = (plane.width as f64, plane.height as f64);
-    let inside = |k: usize| {
-        [0.0, 1.0].iter().all(|end| {
-            let angle = TAU * (k as f64 + end) / count as f64;
-            let p = c + r1 * DVec2::new(angle.cos(), angle.sin());
-            p.x >= 0.0 && p.y >= 0.0 && p.x <= w && p.y <= h
-        })
-    };
-    // Wholly in the image but for the far part of the background is good enough.
     let enough = |k: usize| {
         [0.0, 1.0].iter().all(|end| {
             let angle = TAU * (k as f64 + end) / count as f64;
@@ -213,7 +196,7 @@ fn gather(plane: &Plane, circle: Circle, search: Search, count: usize) -> Vec<Se
         })
     };
     (0..count)
-        .filter(|&k| inside(k) || enough(k))
+        .filter(|&k| enough(k))
         .map(|k| {
             let angle = TAU * (k as f64 + 0.5) / count as f64;
             Sector {
@@ -268,7 +251,15 @@ fn bins(pixels: &[[f32; 3]], inner: f64, outer: f64) -> Vec<Bin> {
 ///
 /// Outside, a picture is as smooth as its noise lets it be; inside, the whole world is squeezed into a few pixels, and no
 /// few terms describe it. So either side has a variance of its own, taken where the range does not reach.
-fn profile(sector: &Sector, Search { range, step: spacing, .. }: Search, blur: usize) -> Profile {
+fn profile(
+    sector: &Sector,
+    Search {
+        range,
+        step: spacing,
+        ..
+    }: Search,
+    blur: usize,
+) -> Profile {
     let places = (2.0 * range / spacing).round() as usize + 1;
     let nothing = |excess: Vec<f64>| Profile {
         cos: sector.cos,
@@ -313,12 +304,13 @@ fn profile(sector: &Sector, Search { range, step: spacing, .. }: Search, blur: u
         *row = [1.0, bin.t, x, x * x];
         out.pixel / bin.n + out.misfit
     });
-    let (at, least) = left
-        .iter()
-        .enumerate()
-        .fold((0, f64::INFINITY), |a, (i, &b)| {
-            if b < a.1 { (i, b) } else { a }
-        });
+    let (at, least) =
+        left.iter().enumerate().fold(
+            (0, f64::INFINITY),
+            |a, (i, &b)| {
+                if b < a.1 { (i, b) } else { a }
+            },
+        );
     for value in &mut left {
         *value -= least;
     }
@@ -425,11 +417,9 @@ impl Profile {
         let p = |k: usize| self.excess[k.min(last)];
         let (a, b, c, d) = (p(i.saturating_sub(1)), p(i), p(i + 1), p(i + 2));
         // Catmull-Rom.
-        let value = b
-            + 0.5
-                * f
-                * (c - a
-                    + f * (2.0 * a - 5.0 * b + 4.0 * c - d + f * (3.0 * (b - c) + d - a)));
+        let value = b + 0.5
+            * f
+            * (c - a + f * (2.0 * a - 5.0 * b + 4.0 * c - d + f * (3.0 * (b - c) + d - a)));
         value.max(0.0)
     }
 }
@@ -497,9 +487,7 @@ fn badness(tries: &[Try], range: f64) -> Vec<f64> {
     for k in 0..tries[0].1.len() {
         let fit: Vec<f64> = tries
             .iter()
-            .map(|(_, profiles, at)| {
-                profiles[k].least + bounded(profiles[k].excess_at(*at, range))
-            })
+            .map(|(_, profiles, at)| profiles[k].least + bounded(profiles[k].excess_at(*at, range)))
             .collect();
         let least = fit.iter().copied().fold(f64::INFINITY, f64::min);
         for (sum, f) in sums.iter_mut().zip(fit) {

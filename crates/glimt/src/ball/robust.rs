@@ -84,7 +84,11 @@ fn together(residuals: &[f64]) -> f64 {
     let kept: Vec<f64> = residuals.iter().map(|r| r.clamp(-limit, limit)).collect();
     let all: f64 = kept.iter().map(|r| r * r).sum();
     let pairs: f64 = kept.windows(2).map(|p| p[0] * p[1]).sum();
-    let rho = if all > 0.0 { (pairs / all).clamp(0.0, 0.95) } else { 0.0 };
+    let rho = if all > 0.0 {
+        (pairs / all).clamp(0.0, 0.95)
+    } else {
+        0.0
+    };
     ((1.0 + rho) / (1.0 - rho)).sqrt()
 }
 

@@ -183,8 +183,16 @@ fn coarse_turn(a: &Rings, b: &Rings) -> f64 {
             (0..a.rings)
                 .map(|ring| {
                     let (a, b) = (a.row(ring), b.row(ring));
-                    let head: f32 = a[..n - shift].iter().zip(&b[shift..]).map(|(x, y)| x * y).sum();
-                    let tail: f32 = a[n - shift..].iter().zip(&b[..shift]).map(|(x, y)| x * y).sum();
+                    let head: f32 = a[..n - shift]
+                        .iter()
+                        .zip(&b[shift..])
+                        .map(|(x, y)| x * y)
+                        .sum();
+                    let tail: f32 = a[n - shift..]
+                        .iter()
+                        .zip(&b[..shift])
+                        .map(|(x, y)| x * y)
+                        .sum();
                     head + tail
                 })
                 .sum()
@@ -211,7 +219,10 @@ fn fine_turn(a: &Rings, b: &Rings, start: f64) -> Option<Roll> {
     let mut unknowns = DVec3::new(start, 0.0, 0.0);
     let mut last = None;
     // Limits fall, so that at first everything is heard.
-    for (round, limit) in [1.5, 0.8, 0.5, 0.35, 0.3, 0.3, 0.3, 0.3].into_iter().enumerate() {
+    for (round, limit) in [1.5, 0.8, 0.5, 0.35, 0.3, 0.3, 0.3, 0.3]
+        .into_iter()
+        .enumerate()
+    {
         let normal = normal_equations(a, b, unknowns, per_radian, limit);
         let step = normal.solve()?;
         unknowns += step;
@@ -334,6 +345,10 @@ impl Normal {
 
     fn correlation(&self) -> f64 {
         let scale = (self.aa * self.bb).sqrt();
-        if scale > 0.0 { (self.ab / scale).max(0.0) } else { 0.0 }
+        if scale > 0.0 {
+            (self.ab / scale).max(0.0)
+        } else {
+            0.0
+        }
     }
 }

@@ -273,9 +273,7 @@ fn check(observations: &[Observation], options: &Options) -> Result<(), TrackErr
         .iter()
         .find_map(|o| Some((o.frame, o.found.as_ref().err()?.clone())));
     match first {
-        Some((frame, error))
-            if found == 0 || (found as f64) < options.least_share * of as f64 =>
-        {
+        Some((frame, error)) if found == 0 || (found as f64) < options.least_share * of as f64 => {
             Err(TrackError::Lost {
                 found,
                 of,
@@ -453,7 +451,13 @@ fn frames_in_words(frames: &[u32]) -> String {
     }
     let words: Vec<String> = runs
         .iter()
-        .map(|(a, b)| if a == b { a.to_string() } else { format!("{a}-{b}") })
+        .map(|(a, b)| {
+            if a == b {
+                a.to_string()
+            } else {
+                format!("{a}-{b}")
+            }
+        })
         .collect();
     let noun = if frames.len() == 1 { "frame" } else { "frames" };
     format!("{noun} {}", words.join(", "))
