@@ -59,7 +59,7 @@ fn film(
             let centre = size.as_dvec2() * 0.5 + random.gauss2() * 5.0;
             let truth = circle(centre.x, centre.y, radius + random.between(-3.0, 3.0));
             let mut scene = Scene::new(&world, size, truth);
-            scene.azimuth = random.between(0.0, 6.28);
+            scene.azimuth = random.between(0.0, 6.0);
             scene.roll = 0.02 * random.gauss();
             scene.blur = random.between(0.0, 0.6);
             scene.noise = random.between(0.005, 0.02);
@@ -397,8 +397,8 @@ fn two_photographs() {
     };
     // Looked at with the circle drawn over them.
     let truths = [
-        ("room", circle(2042.9, 2050.2, 1979.5)),
-        ("lamp", circle(2060.0, 2064.7, 1914.4)),
+        ("room", circle(2042.7, 2051.0, 1980.0)),
+        ("lamp", circle(2061.4, 2065.0, 1914.3)),
     ];
     for (name, truth) in truths {
         let file = data.join(format!("mirrorball_ldr/{name}.jpg"));

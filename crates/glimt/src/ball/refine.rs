@@ -38,8 +38,6 @@ pub(super) struct Refined {
     pub(super) seen: f64,
     /// Share of all sectors that do.
     pub(super) visible: f64,
-    /// Share of the sectors that lie in the image.
-    pub(super) in_image: f64,
     /// Index of the blur that fits best.
     pub(super) blur: usize,
     /// Its standard deviation in pixels, between those that were tried.
@@ -146,7 +144,6 @@ pub(super) fn refine(plane: &Plane, start: Circle, search: Search) -> Option<Ref
         covariance: covariance(profiles, *at, search.range),
         seen,
         visible,
-        in_image,
         blur: *blur,
         blur_px,
     })
@@ -358,6 +355,10 @@ fn left_over<const N: usize>(bins: &[Bin], fill: impl FnMut(&Bin, &mut [f64; N])
 }
 
 /// Sum of squares over the variances that linear least squares leave, and what the likelihood adds to it.
+#[expect(
+    clippy::needless_range_loop,
+    reason = "Cholesky reads as it is written in books"
+)]
 fn fit<const N: usize>(
     bins: &[Bin],
     mut fill: impl FnMut(&Bin, &mut [f64; N]) -> f64,
