@@ -144,6 +144,7 @@ fn describe(mesh: &TriangleMesh) -> SceneDescription {
             mesh: 0,
             transform: Mat4::IDENTITY,
             material: None,
+            catcher: false,
         }],
     }
 }

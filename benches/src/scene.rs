@@ -66,11 +66,13 @@ pub fn on_a_plane(mesh: &TriangleMesh) -> SceneDescription {
                 mesh: 0,
                 transform: stand,
                 material: None,
+                catcher: false,
             },
             Object {
                 mesh: 1,
                 transform: Mat4::IDENTITY,
                 material: None,
+                catcher: false,
             },
         ],
     }

@@ -136,6 +136,7 @@ impl AnalyticScene {
             mesh,
             transform: Mat4::IDENTITY,
             material: None,
+            catcher: false,
         };
         SceneDescription {
             meshes: vec![

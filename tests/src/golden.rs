@@ -73,8 +73,21 @@ const EXPORTS: &[Export] = &[
                 "lat_long_texel_solid_angle_sr",
                 "glimt_probe::latlong::texel_solid_angle_sr",
             ),
+            (
+                "mirror_ball_direction",
+                "glimt_probe::mirror_ball::MirrorBall::image_to_direction",
+            ),
+            (
+                "mirror_ball_image",
+                "glimt_probe::mirror_ball::MirrorBall::direction_to_image",
+            ),
+            (
+                "mirror_ball_solid_angle_sr_per_area",
+                "glimt_probe::mirror_ball::MirrorBall::solid_angle_sr_per_area",
+            ),
+            ("gather_texel", "glimt_probe::gather::gather"),
         ],
-        buffers: &[],
+        buffers: &[("map_texels", 0, 1), ("map_taps", 0, 2), ("pixels", 0, 3)],
     },
     Export {
         file: "crates/sampling/wgsl/sampling.wgsl",

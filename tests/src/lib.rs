@@ -1,6 +1,7 @@
 //! Host file: helpers of the tests.
 
 pub mod analytic;
+pub mod ball;
 pub mod data;
 pub mod differential;
 pub mod golden;

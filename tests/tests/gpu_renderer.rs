@@ -60,6 +60,7 @@ fn scene() -> SceneBuffers {
         mesh,
         transform: Mat4::IDENTITY,
         material: None,
+        catcher: false,
     };
     SceneBuffers::build(&SceneDescription {
         meshes: vec![ball, plane],
@@ -305,7 +306,7 @@ fn a_light_can_be_uploaded_while_another_renders() {
         let (image, uploaded) = std::thread::scope(|scope| {
             let upload = scope.spawn(|| GpuEnv::new(&context, &lights[turn % 2]).unwrap());
             let image = renderer
-                .render(&scene_buffers, &current, &settings(), &|_| ())
+                .render(&scene_buffers, &current, None, &settings(), &|_| ())
                 .unwrap();
             (image, upload.join().unwrap())
         });

@@ -14,6 +14,8 @@ use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescrip
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::diagnose::{self, EnvRecord, HitRecord, SurfaceRecord};
 use glimt_render_gpu::kernels::frame::FrameParams;
+use glimt_render_gpu::kernels::layers::LayerSample;
+use glimt_render_gpu::kernels::shade::shade_mis_layers;
 use glimt_tests::gpu::adapter_or_skip;
 
 /// Directions and positions, relative to the largest.
@@ -25,6 +27,10 @@ const DECISIONS: f64 = 1e-3;
 
 /// A bumpy sheet in the sun.
 fn scene() -> SceneBuffers {
+    SceneBuffers::build(&describe()).unwrap()
+}
+
+fn describe() -> SceneDescription {
     let n = 40u32;
     let mut sheet = Mesh {
         name: "sheet".into(),
@@ -48,12 +54,13 @@ fn scene() -> SceneBuffers {
             sheet.indices.extend([[a, a + 1, b + 1], [a, b + 1, b]]);
         }
     }
-    let description = SceneDescription {
+    SceneDescription {
         meshes: vec![sheet],
         objects: vec![Object {
             mesh: 0,
             transform: Mat4::IDENTITY,
             material: None,
+            catcher: false,
         }],
         materials: vec![Material::BlinnPhong {
             diffuse: Vec3::new(0.4, 0.3, 0.2),
@@ -61,8 +68,7 @@ fn scene() -> SceneBuffers {
             exponent: 60.0,
         }],
         textures: Vec::new(),
-    };
-    SceneBuffers::build(&description).unwrap()
+    }
 }
 
 fn env() -> PreparedEnv {
@@ -255,6 +261,52 @@ fn brdf_samples_agree() {
         near(a[3], b[3], POWERS * largest)
     })
     .unwrap();
+}
+
+/// What a ray shows in a scene of which a part is a catcher: an object, the catcher with and without its light, or nothing.
+#[test]
+fn layers_agree() {
+    let Some(mut f) = Fixture::new() else { return };
+    let mut description = describe();
+    // A catcher that cuts through the sheet, so that the sheet's ridges are before it, and shadow it.
+    let mut plane = description.meshes[0].clone();
+    plane.positions.iter_mut().for_each(|p| p.z = 0.1);
+    description.meshes.push(plane);
+    description.objects.push(Object {
+        mesh: 1,
+        catcher: true,
+        ..description.objects[0].clone()
+    });
+    f.scene = SceneBuffers::build(&description).unwrap();
+    let gpu: Vec<LayerSample> = f.run(&generated::SHADE_MIS_LAYERS);
+    let shade = |ray| shade_mis_layers(ray, &f.frame, f.env.view(), f.scene.view());
+    let samples: Vec<LayerSample> = (0..f.rays).map(shade).collect();
+    let cpu = |ray: u32| samples[ray as usize];
+    let largest = samples
+        .iter()
+        .map(|s| (s.radiance + s.blocked).max_element());
+    let largest = largest.fold(0.0, f32::max);
+    let kind = |s: &LayerSample| (s.alpha, s.catcher);
+    hold("kind", &gpu, cpu, DECISIONS, |a, b| kind(a) == kind(b)).unwrap();
+    hold("radiance", &gpu, cpu, DECISIONS, |a, b| {
+        near3(a.radiance, b.radiance, 1e-4 * largest)
+    })
+    .unwrap();
+    let blocked = |a: &LayerSample, b: &LayerSample| {
+        near3(a.blocked, b.blocked, 1e-4 * largest)
+            && (a.blocked == Vec3::ZERO) == (b.blocked == Vec3::ZERO)
+    };
+    hold("blocked", &gpu, cpu, DECISIONS, blocked).unwrap();
+    let unshadowed = |ray| LayerSample {
+        blocked: Vec3::ZERO,
+        ..cpu(ray)
+    };
+    assert!(hold("no shadow", &gpu, unshadowed, DECISIONS, blocked).is_err());
+    let share = |kind: fn(&LayerSample) -> bool| {
+        gpu.iter().filter(|s| kind(s)).count() as f64 / gpu.len() as f64
+    };
+    assert!(share(|s| s.alpha == 1.0) > 0.1 && share(|s| s.catcher == 1.0) > 0.1);
+    assert!(share(|s| s.blocked != Vec3::ZERO) > 0.02);
 }
 
 #[test]

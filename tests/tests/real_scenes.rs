@@ -199,6 +199,7 @@ fn nudged_ray(shot: &Shot, ray: u32, frame: &FrameParams, random: &mut Xoshiro12
     };
     estimator
         .reflected(&point, &pattern, env, scene)
+        .lit
         .extend(1.0)
 }
 

@@ -304,6 +304,7 @@ fn one_triangle(material: Material) -> SceneBuffers {
             mesh: 0,
             transform: glam::Mat4::IDENTITY,
             material: None,
+            catcher: false,
         }],
         ..SceneDescription::default()
     })

@@ -30,6 +30,7 @@ fn object(mesh: u32, transform: Mat4) -> Object {
         mesh,
         transform,
         material: None,
+        catcher: false,
     }
 }
 

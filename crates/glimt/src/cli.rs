@@ -1,6 +1,7 @@
 //! Host file: the command line.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use glam::UVec2;
 use std::path::PathBuf;
 
 /// Renders virtual objects into filmed footage, lit by a filmed HDR light probe.
@@ -51,6 +52,32 @@ pub enum Command {
         #[command(flatten)]
         flags: RenderFlags,
     },
+    /// Film a simulated mirror ball, with a backplate and the truth: its light, centre, radius and sun in every frame
+    ///
+    /// Writes capture/, plate/, truth/ and a shot that fits. A frame that is there already, made by this version from the same
+    /// settings, light and seed, is skipped.
+    #[command(after_help = SYNTH_EXAMPLES)]
+    Synth {
+        /// Settings (TOML), or a lat-long light map (EXR, HDR); without it, the built-in sky
+        #[arg(value_name = "SYNTH.toml|LIGHT")]
+        input: Option<PathBuf>,
+        /// Common flags.
+        #[command(flatten)]
+        flags: SynthFlags,
+    },
+    /// Turn film of a mirror ball into lat-long maps: the ball is found, steadied and unwarped
+    ///
+    /// Writes latlong.####.exr, mask.####.png (0 seen, 1 hidden behind the ball, 2 rig, 3 the mixed ring at the rim) where
+    /// it changes, and track.json: where the ball was in each frame. A frame that is there already is skipped.
+    #[command(after_help = UNWARP_EXAMPLES)]
+    Unwarp {
+        /// The frames, with #### for their numbers (EXR, HDR; or PNG, JPEG, whose lamps clip); one file is a still
+        #[arg(value_name = "FRAMES")]
+        input: PathBuf,
+        /// Flags.
+        #[command(flatten)]
+        flags: UnwarpFlags,
+    },
     /// Say what a file holds (EXR, HDR, glTF, OBJ, PLY, shot), or which devices there are
     #[command(after_help = INFO_EXAMPLES)]
     Info {
@@ -86,6 +113,67 @@ pub struct RenderFlags {
     /// Refuse inputs with defects (texels that are no light, degenerate triangles) rather than work around them
     #[arg(long)]
     pub strict: bool,
+}
+
+/// Flags of `glimt synth`.
+#[derive(Clone, Debug, Args)]
+pub struct SynthFlags {
+    /// Film these frames alone, as 1-24 or 7
+    #[arg(long, value_name = "A-B", allow_hyphen_values = true)]
+    pub frames: Option<String>,
+    /// Where to compute
+    #[arg(long, value_enum, default_value_t)]
+    pub device: Device,
+    /// Set any key, as capture.radius_mm=40 or lamp.0.flicker=0.5
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Folder for the outputs, instead of output.dir
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Seed of shake, noise and clouds, instead of the key seed
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = seed)]
+    pub seed: Option<u32>,
+    /// Refuse a light map with texels that are no light, rather than take them as 0
+    #[arg(long)]
+    pub strict: bool,
+}
+
+/// Flags of `glimt unwarp`.
+#[derive(Clone, Debug, Args)]
+pub struct UnwarpFlags {
+    /// Unwarp these frames alone, as 1-24 or 7
+    #[arg(long, value_name = "A-B", allow_hyphen_values = true)]
+    pub frames: Option<String>,
+    /// Where to compute
+    #[arg(long, value_enum, default_value_t)]
+    pub device: Device,
+    /// Folder for the outputs
+    #[arg(long, value_name = "DIR", default_value = "unwarped")]
+    pub out: PathBuf,
+    /// Size of the maps, as 1628x814; twice the ball's radius by once, if not given
+    #[arg(long, value_name = "WxH", value_parser = map_size)]
+    pub size: Option<UVec2>,
+    /// From the camera to the ball's centre in millimetres; inf for an orthographic camera [default: 1250]
+    #[arg(long, value_name = "MM")]
+    pub distance_mm: Option<f32>,
+    /// Radius of the ball in millimetres [default: 50]
+    #[arg(long, value_name = "MM")]
+    pub radius_mm: Option<f32>,
+    /// Set any key of the shot's [probe.ball], as rig_deg=8, forward=[0,1,0] or centre_px=[512,384]
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Refuse frames with pixels that are no light, rather than take them as 0
+    #[arg(long)]
+    pub strict: bool,
+}
+
+/// Reads a size.
+fn map_size(text: &str) -> Result<UVec2, String> {
+    let sides = text.split_once(['x', '×', ',']).and_then(|(w, h)| {
+        let side = |word: &str| word.trim().parse().ok();
+        Some(UVec2::new(side(w)?, side(h)?))
+    });
+    sides.ok_or_else(|| "a size is a width and a height, as 1024x512".to_owned())
 }
 
 /// Reads a seed.
@@ -129,12 +217,58 @@ A shot needs a light and an object; every other key has a default:
   frames = \"capture/light.####.exr\"   # one file is a still
   [[object]]
   mesh = \"model.glb\"                  # .glb .gltf .obj .ply .ply.gz, or \"sphere\", \"plane\"
-  ground = true";
+  ground = true
+
+Over footage, with what it shows already as a shadow catcher:
+  [backplate]
+  frames = \"plate/plate.####.png\"     # .png .jpg .exr; one file is a still
+  [[object]]
+  mesh = \"plane\"
+  scale = 20
+  catcher = true";
 
 const DEMO_EXAMPLES: &str = "\
 Examples:
   glimt demo
   glimt demo --frames 1-4 --out /tmp/demo --set image.rays_per_pixel=64";
+
+const SYNTH_EXAMPLES: &str = "\
+Examples:
+  glimt synth                                the built-in sky, 24 frames of 2400 x 1700
+  glimt synth light.hdr --out capture --frames 1-4
+  glimt synth light.hdr --set capture.size=[640,450] --set capture.pixel_um=18.75
+  glimt synth synth.toml --device gpu --seed 7
+
+Every key has a default; a file names those that differ:
+  frames = 48
+  [light]
+  map = \"light.hdr\"
+  [capture]
+  radius_mm = 40
+  jitter_px = 5
+  [stage]                                  # at a finite distance, moving shows another parallax
+  shape = \"box\"
+  size_m = [12, 8, 6]
+  to_m = [1, 0, 0]
+  [sun]                                    # the map's own sun, moved
+  from_deg = [80, 10]
+  to_deg = [20, 50]
+  [[lamp]]
+  azimuth_deg = 200
+  flicker = 0.5
+  [clouds]
+  cover = 0.4
+  [occluder]
+  radius_m = 0.3";
+
+const UNWARP_EXAMPLES: &str = "\
+Examples:
+  glimt unwarp 'capture/ball.####.exr' --out light
+  glimt unwarp 'capture/ball.####.exr' --size 1628x814 --distance-mm 1250 --radius-mm 40 --set rig_deg=6
+  glimt unwarp ball.jpg --distance-mm 400 --radius-mm 50
+  glimt unwarp ball.exr --set centre_px=[1200,850] --set radius_px=800
+
+Film can light a shot without this: [probe] mapping = \"mirror-ball\" does the same on the way.";
 
 const INFO_EXAMPLES: &str = "\
 Examples:

@@ -2,8 +2,9 @@
 
 use crate::cli::Device;
 use crate::error::{Error, Kind, Result};
+use crate::synth::Processor;
 use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::gpu::{self, AdapterPreference, GpuError, GpuRenderer};
+use glimt_render_gpu::gpu::{self, AdapterPreference, GpuContext, GpuError, GpuRenderer};
 use glimt_render_gpu::host::render::{RenderError, Renderer};
 use std::collections::TryReserveError;
 
@@ -13,22 +14,43 @@ use std::collections::TryReserveError;
 /// # Errors
 /// A GPU is asked for, and there is none that can be used.
 pub fn open(device: Device) -> Result<Box<dyn Renderer>> {
-    let open_gpu = || GpuRenderer::new(AdapterPreference::Fastest);
+    choose(
+        device,
+        || Box::new(CpuRenderer::default()) as Box<dyn Renderer>,
+        || Ok(Box::new(GpuRenderer::new(AdapterPreference::Fastest)?)),
+    )
+}
+
+/// Opens a device for kernels of one's own, as [`open()`] does.
+///
+/// # Errors
+/// A GPU is asked for, and there is none that can be used.
+pub fn open_processor(device: Device) -> Result<Processor> {
+    let open_gpu = || GpuContext::new(AdapterPreference::Fastest);
+    choose(
+        device,
+        || Processor::Cpu,
+        || Ok(Processor::Gpu(Box::new(open_gpu()?))),
+    )
+}
+
+fn choose<T>(
+    device: Device,
+    cpu: impl FnOnce() -> T,
+    open_gpu: impl FnOnce() -> std::result::Result<T, GpuError>,
+) -> Result<T> {
     match device {
-        Device::Cpu => Ok(Box::new(CpuRenderer::default())),
-        Device::Gpu => match open_gpu() {
-            Ok(gpu) => Ok(Box::new(gpu)),
-            Err(e) => Err(gpu_failure(&e)),
-        },
+        Device::Cpu => Ok(cpu()),
+        Device::Gpu => open_gpu().map_err(|e| gpu_failure(&e)),
         Device::Auto => {
             // Adapters come the fastest first.
             let real = gpu::enumerate().first().is_some_and(|a| !a.is_software());
             match real.then(open_gpu) {
-                Some(Ok(gpu)) => return Ok(Box::new(gpu)),
+                Some(Ok(gpu)) => return Ok(gpu),
                 Some(Err(e)) => tracing::warn!("the GPU is not used: {e}"),
                 None => {}
             }
-            Ok(Box::new(CpuRenderer::default()))
+            Ok(cpu())
         }
     }
 }
@@ -48,7 +70,8 @@ pub fn failure(error: RenderError) -> Error {
     }
 }
 
-fn gpu_failure(error: &GpuError) -> Error {
+/// What a GPU says, as an error of the program.
+pub fn gpu_failure(error: &GpuError) -> Error {
     let (what, fix) = match error {
         GpuError::NoAdapter => (
             "there is no GPU that runs compute shaders".to_owned(),

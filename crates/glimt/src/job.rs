@@ -1,19 +1,23 @@
 //! Host file: what there is to render: a shot file or the built-in shot, loaded and checked, ready for the pipeline.
 
+use crate::capture::colour;
 use crate::cli::RenderFlags;
 use crate::demo;
 use crate::error::{Error, Kind, Result};
+use crate::input::footage::{self, Footage};
 use crate::input::frames::FrameFiles;
 use crate::input::probe::Probe;
 use crate::mesh::place;
 use crate::notes::Notes;
+use crate::report::Reporter;
 use crate::shot::digest::{self, Hash};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, check, parse, range};
 use glam::UVec2;
 use glimt_render_gpu::host::env::PreparedEnv;
+use glimt_render_gpu::host::plate::Plate;
 use glimt_render_gpu::host::render::{
-    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Tonemap,
+    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Shadow, Tonemap,
 };
 use glimt_render_gpu::host::scene::{Camera, SceneDescription};
 use glimt_render_gpu::host::scene_error::SceneError;
@@ -37,6 +41,7 @@ pub struct Job {
     /// Folder of the outputs.
     pub out: PathBuf,
     light: Light,
+    footage: Option<Footage>,
     view: View,
     source: Source,
     /// Which of the shot's objects each object of the scene is a part of.
@@ -60,18 +65,36 @@ impl Job {
     ///
     /// # Errors
     /// The shot is wrong, or something that it names.
-    pub fn from_file(file: &Path, flags: &RenderFlags, notes: &mut Notes) -> Result<Self> {
-        let (shot, source) = parse::read(file, &overrides(flags))?;
-        check::check(&shot, &source)?;
+    pub fn from_file(
+        file: &Path,
+        flags: &RenderFlags,
+        notes: &mut Notes,
+        reporter: &Reporter,
+    ) -> Result<Self> {
+        let (mut shot, source) = parse::read(file, &overrides(flags))?;
         let base = file.parent().unwrap_or(Path::new(""));
+        footage::adopt_size(&mut shot, &source, base)?;
+        check::check(&shot, &source)?;
 
         let files = FrameFiles::new(base, &shot.probe.frames).map_err(|e| {
             source
                 .error("probe.frames", e.what)
                 .fix(e.fix.unwrap_or_default())
         })?;
-        let (frames, whole) = choose_frames(&shot, &files, flags)?;
-        let probe = Probe::open(files, &frames, &shot.probe, notes)?;
+        let footage = Footage::find(&shot, &source, base, &files, notes)?;
+        let (frames, whole) = choose_frames(&shot, &files, footage.as_ref(), flags, notes)?;
+        if let Some(footage) = &footage {
+            footage.require(&frames, UVec2::from(shot.image.size), notes)?;
+        }
+        let found = |done| reporter.stage("looking for the ball", done, frames.len());
+        let mut probe = Probe::open(files, &frames, &shot.probe, notes, &found)?;
+        if let Some(keys) = &shot.probe.colour {
+            let frame = keys.frame.unwrap_or(frames[0]);
+            let plate = footage.as_ref().map(|footage| footage.file(frame));
+            let photo = probe.file(frame);
+            let colour = colour::correction(keys, &source, &photo, plate.as_deref(), notes)?;
+            probe.set_colour(colour);
+        }
         let placed = place::place(&shot, &source, base, notes)?;
         let job = Self {
             digest: digest::join([&digest::of_shot(&shot), &placed.digest]),
@@ -81,6 +104,7 @@ impl Job {
             out: out_folder(flags, base.join(&shot.output.dir)),
             scene: placed.scene,
             light: Light::Probe(probe),
+            footage,
             view: View::Fixed(placed.camera),
             owners: placed.owners,
             source,
@@ -99,6 +123,7 @@ impl Job {
                 SettingsError::Exposure => "image.exposure_ev",
                 SettingsError::FieldOfView => "camera.fov_x_deg",
                 SettingsError::Camera => "camera",
+                SettingsError::PlateSize => "backplate",
             };
             self.source.error(key, e)
         };
@@ -122,13 +147,18 @@ impl Job {
                 fps: 1.0,
                 ..s.probe.clone()
             };
-            (probe, s.objects.clone(), s.camera.clone())
+            (
+                probe,
+                s.objects.clone(),
+                s.camera.clone(),
+                s.backplate.clone(),
+            )
         };
         if fixed(&shot) != fixed(&plain) {
-            return Err(
-                Error::usage("the demo's light, objects and camera are built in")
-                    .fix("set keys of image, render and output only, or write a shot file"),
-            );
+            return Err(Error::usage(
+                "the demo's light, objects, camera and background are built in",
+            )
+            .fix("set keys of image, render and output only, or write a shot file"));
         }
         let all = range::parse(&shot.render.frames)?;
         let asked = flags
@@ -152,6 +182,7 @@ impl Job {
             out: out_folder(flags, PathBuf::from(&shot.output.dir)),
             scene,
             light: Light::Demo,
+            footage: None,
             view: View::Demo,
             owners: Vec::new(),
             source,
@@ -215,6 +246,11 @@ impl Job {
                 shot::Tonemap::Srgb => Tonemap::Srgb,
                 shot::Tonemap::Reinhard => Tonemap::Reinhard,
             },
+            shadow: match self.shot.backplate.as_ref().map(|plate| plate.shadow) {
+                Some(shot::Shadow::Add) => Shadow::Add,
+                Some(shot::Shadow::Multiply) | None => Shadow::Multiply,
+            },
+            layers: !self.shot.output.aovs.is_empty(),
         }
     }
 
@@ -258,22 +294,50 @@ impl Job {
         prepared
     }
 
+    /// Whether frames are laid over footage.
+    pub fn has_plate(&self) -> bool {
+        self.footage.is_some()
+    }
+
+    /// Whether every frame has the same footage, or none.
+    pub fn is_still_plate(&self) -> bool {
+        self.footage.as_ref().is_none_or(Footage::is_still)
+    }
+
+    /// The footage behind a frame, if there is any.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub fn plate(&self, frame: u32, notes: &mut Notes) -> Result<Option<Plate>> {
+        let Some(footage) = &self.footage else {
+            return Ok(None);
+        };
+        let began = Instant::now();
+        let size = UVec2::from(self.shot.image.size);
+        let plate = footage.load(frame, size, notes)?;
+        tracing::info!("plate of frame {frame}: read in {:.2?}", began.elapsed());
+        Ok(Some(plate))
+    }
+
     /// The identity of each frame, in the order of [`Job::frames`].
     ///
     /// # Errors
-    /// A file of the light cannot be read.
+    /// A file of the light or the footage cannot be read.
     pub fn identities(&self) -> Result<Vec<String>> {
-        let identity = |light: &Hash, frame: u32| digest::of_frame(&self.digest, light, frame);
-        match &self.light {
-            Light::Demo => Ok(self.frames.iter().map(|&f| identity(&[0; 32], f)).collect()),
-            Light::Probe(probe) => {
-                let lights = probe.digests(&self.frames)?;
-                let pairs = lights.iter().zip(&self.frames);
-                Ok(pairs
-                    .map(|(light, &frame)| identity(light, frame))
-                    .collect())
+        let mut inputs = match &self.light {
+            Light::Demo => vec![[0; 32]; self.frames.len()],
+            Light::Probe(probe) => probe.digests(&self.frames)?,
+        };
+        if let Some(footage) = &self.footage {
+            let plates = footage.digests(&self.frames)?;
+            for (input, plate) in inputs.iter_mut().zip(&plates) {
+                *input = digest::join([&*input, plate]);
             }
         }
+        let pairs = inputs.iter().zip(&self.frames);
+        Ok(pairs
+            .map(|(input, &frame)| digest::of_frame(&self.digest, input, frame))
+            .collect())
     }
 }
 
@@ -291,13 +355,22 @@ fn out_folder(flags: &RenderFlags, of_shot: PathBuf) -> PathBuf {
     flags.out.clone().unwrap_or(of_shot)
 }
 
-/// The frames to render, and whether they are all of the shot's.
-fn choose_frames(shot: &Shot, files: &FrameFiles, flags: &RenderFlags) -> Result<(Vec<u32>, bool)> {
+/// The frames to render, and whether they are all of the shot's: those that it names, or all that light and footage both have.
+fn choose_frames(
+    shot: &Shot,
+    files: &FrameFiles,
+    footage: Option<&Footage>,
+    flags: &RenderFlags,
+    notes: &mut Notes,
+) -> Result<(Vec<u32>, bool)> {
     let of_shot = match shot.render.frames.as_str() {
-        "" => {
-            let there = files.existing()?;
-            there[0]..=there[there.len() - 1]
-        }
+        "" => match footage {
+            Some(footage) => footage.shared(files, notes)?,
+            None => {
+                let there = files.existing()?;
+                there[0]..=there[there.len() - 1]
+            }
+        },
         text => range::parse(text)?,
     };
     let asked = match &flags.frames {

@@ -4,9 +4,11 @@
 //! [`mesh`] for what is read, [`output`] for what is written, and [`render`] for the pipeline between them.
 
 pub mod ball;
+pub mod capture;
 pub mod cli;
 pub mod demo;
 pub mod device;
+pub mod disc;
 pub mod error;
 pub mod info;
 pub mod input;
@@ -17,3 +19,4 @@ pub mod output;
 pub mod render;
 pub mod report;
 pub mod shot;
+pub mod synth;

@@ -1,12 +1,13 @@
 //! Host file: the command line, from arguments to an exit status.
 
 use clap::Parser;
+use glimt::capture::unwarp;
 use glimt::cli::{Cli, Command};
 use glimt::error::{Error, Kind, Result};
 use glimt::job::Job;
 use glimt::notes::Notes;
 use glimt::report::Reporter;
-use glimt::{info, render};
+use glimt::{info, render, synth};
 use std::io::IsTerminal;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -40,10 +41,12 @@ fn run(command: Command, reporter: &Reporter) -> Result<()> {
         }
         Command::Render { shot, flags } => {
             let mut notes = Notes::new(flags.strict);
-            let job = Job::from_file(&shot, &flags, &mut notes);
+            let job = Job::from_file(&shot, &flags, &mut notes, reporter);
             reporter.notes(notes.take());
             render::render(job?, flags.device, notes, reporter)
         }
+        Command::Synth { input, flags } => synth::run(input.as_deref(), &flags, reporter),
+        Command::Unwarp { input, flags } => unwarp::run(&input, &flags, reporter),
         Command::Info { file: None, .. } => {
             info::devices(reporter);
             Ok(())

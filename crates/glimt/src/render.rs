@@ -5,12 +5,14 @@ use crate::device;
 use crate::error::{Error, Kind, Result};
 use crate::job::Job;
 use crate::notes::{Note, Notes};
+use crate::output::aov;
 use crate::output::video::{self, Encoder, Video};
 use crate::output::{Stamp, atomic, exr, png, rgb_over_black};
 use crate::report::{FrameStatus, Reporter, count};
 use crate::shot::digest;
 use glam::UVec2;
 use glimt_render_gpu::host::env::PreparedEnv;
+use glimt_render_gpu::host::plate::Plate;
 use glimt_render_gpu::host::render::{FrameImage, Renderer};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::film::tonemap;
@@ -75,11 +77,11 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
     };
     reporter.start(job.frames.len(), &job.out, &name, job.triangles);
 
-    let lights = read_lights(&job, &plan, notes)?;
+    let inputs = read_inputs(&job, &plan, notes)?;
     let rendered = std::thread::scope(|scope| {
         let (finish, finished) = sync_channel(1);
         let writer = scope.spawn(|| write_frames(&plan, reporter, finished));
-        let rendered = render_frames(&plan, stage.as_mut(), lights, &finish, reporter);
+        let rendered = render_frames(&plan, stage.as_mut(), inputs, &finish, reporter);
         // The writer waits for more as long as there is a sender.
         drop(finish);
         let written = writer
@@ -119,9 +121,15 @@ impl<'a> Plan<'a> {
             .map(|(hash, &frame)| Stamp { hash, frame })
             .collect();
         let output = &job.shot.output;
+        let mut channels: Vec<String> = output
+            .aovs
+            .iter()
+            .map(|a| aov::first_channel(aov::name(*a)))
+            .collect();
+        channels.extend(keeps_display(job).then(|| aov::first_channel(aov::DISPLAY)));
         let is_current = |stamp: &Stamp| {
             let hash = Some(&stamp.hash);
-            let exr_there = exr::read_hash(&frame_file(job, stamp.frame, "exr"));
+            let exr_there = exr::read_hash(&frame_file(job, stamp.frame, "exr"), &channels);
             let png_there = png::read_hash(&frame_file(job, stamp.frame, "png"));
             (output.exr || output.png)
                 && (!output.exr || exr_there.as_ref() == hash)
@@ -175,7 +183,14 @@ fn frame_file(job: &Job, frame: u32, extension: &str) -> PathBuf {
     job.out.join(format!("frame.{frame:04}.{extension}"))
 }
 
-/// With `--strict`, light with defects is refused, also that of frames that were rendered without it.
+/// Whether what is displayed goes into the EXR: a video may have to be made of frames that are there, and what the plate and
+/// the tonemapped objects gave cannot be had from their sum.
+fn keeps_display(job: &Job) -> bool {
+    let output = &job.shot.output;
+    job.has_plate() && output.exr && !output.png && !output.video.is_empty()
+}
+
+/// With `--strict`, light or footage with defects is refused, also that of frames that were rendered without it.
 fn check_current(plan: &Plan<'_>, notes: &mut Notes, reporter: &Reporter) -> Result<()> {
     if !notes.strict {
         return Ok(());
@@ -183,37 +198,56 @@ fn check_current(plan: &Plan<'_>, notes: &mut Notes, reporter: &Reporter) -> Res
     let pairs = plan.stamps.iter().zip(&plan.current);
     let current = pairs.filter(|(_, current)| **current).map(|(s, _)| s.frame);
     // A still is one image for all frames.
-    let most = if plan.job.is_still() { 1 } else { usize::MAX };
+    let most = match plan.job.is_still() && plan.job.is_still_plate() {
+        true => 1,
+        false => usize::MAX,
+    };
     for frame in current.take(most) {
         let checked = plan.job.check_light(frame, notes);
+        let checked = checked.and_then(|()| plan.job.plate(frame, notes).map(drop));
         reporter.notes(notes.take());
         checked?;
     }
     Ok(())
 }
 
-/// The light of a frame, and what there is to say about it.
-type Light = (Result<Arc<PreparedEnv>>, Vec<Note>);
+/// What a frame is rendered from.
+struct Inputs {
+    light: Arc<PreparedEnv>,
+    plate: Option<Arc<Plate>>,
+}
 
-/// Reads the light of each frame that is to be rendered and builds its tables, one frame ahead of the renderer.
-/// A still is read once.
-fn read_lights(job: &Arc<Job>, plan: &Plan<'_>, mut notes: Notes) -> Result<Prefetch<Light>> {
+/// The inputs of a frame, and what there is to say about them.
+type Read = (Result<Inputs>, Vec<Note>);
+
+/// Reads light and footage of each frame that is to be rendered and builds the light's tables, one frame ahead of the
+/// renderer. A still is read once.
+fn read_inputs(job: &Arc<Job>, plan: &Plan<'_>, mut notes: Notes) -> Result<Prefetch<Read>> {
     let pairs = plan.stamps.iter().zip(&plan.current);
     let missing: Vec<u32> = pairs
         .filter(|(_, current)| !**current)
         .map(|(s, _)| s.frame)
         .collect();
     let job = Arc::clone(job);
-    let mut still: Option<Arc<PreparedEnv>> = None;
-    let read = move |frame| {
-        let light = match &still {
-            Some(light) => Ok(Arc::clone(light)),
-            None => job.light(frame, &mut notes).map(Arc::new),
+    let mut last: Option<Inputs> = None;
+    let mut inputs = move |frame, notes: &mut Notes| -> Result<Inputs> {
+        let light = match &last {
+            Some(last) if job.is_still() => Arc::clone(&last.light),
+            _ => Arc::new(job.light(frame, notes)?),
         };
-        if let (true, Ok(light)) = (job.is_still(), &light) {
-            still = Some(Arc::clone(light));
-        }
-        (light, notes.take())
+        let plate = match &last {
+            Some(last) if job.is_still_plate() => last.plate.clone(),
+            _ => job.plate(frame, notes)?.map(Arc::new),
+        };
+        last = Some(Inputs {
+            light: Arc::clone(&light),
+            plate: plate.clone(),
+        });
+        Ok(Inputs { light, plate })
+    };
+    let read = move |frame| {
+        let inputs = inputs(frame, &mut notes);
+        (inputs, notes.take())
     };
     Prefetch::new(missing, 1, read).map_err(|e| Error::new(Kind::Internal, e))
 }
@@ -222,7 +256,7 @@ fn read_lights(job: &Arc<Job>, plan: &Plan<'_>, mut notes: Notes) -> Result<Pref
 fn render_frames(
     plan: &Plan<'_>,
     mut stage: Option<&mut Stage>,
-    mut lights: Prefetch<Light>,
+    mut inputs: Prefetch<Read>,
     finish: &SyncSender<Finished>,
     reporter: &Reporter,
 ) -> Result<usize> {
@@ -230,17 +264,17 @@ fn render_frames(
     for (done, (stamp, &current)) in plan.stamps.iter().zip(&plan.current).enumerate() {
         let frame = match (&mut stage, current) {
             (Some(stage), false) => {
-                let Some((light, notes)) = lights.next() else {
+                let Some((read, notes)) = inputs.next() else {
                     break;
                 };
                 reporter.notes(notes);
-                let light = light?;
+                let Inputs { light, plate } = read?;
                 let began = Instant::now();
                 let settings = plan.job.settings(stamp.frame);
                 let part = |fraction| reporter.part(done, fraction);
                 let image = stage
                     .renderer
-                    .render_frame(&stage.scene, &light, &settings, &part)
+                    .render_over(&stage.scene, &light, plate.as_deref(), &settings, &part)
                     .map_err(device::failure)?;
                 rendered += 1;
                 Finished::Rendered(stamp.clone(), image, began.elapsed().as_secs_f64())
@@ -278,7 +312,8 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
             Finished::Rendered(stamp, image, seconds) => {
                 if output.exr {
                     let file = frame_file(job, stamp.frame, "exr");
-                    exr::write(&file, image.size, &image.linear, &stamp)?;
+                    let layers = layers_of(job, &image, stamp.frame);
+                    exr::write(&file, image.size, &image.linear, layers, &stamp)?;
                 }
                 if output.png {
                     png::write(&frame_file(job, stamp.frame, "png"), &image, &stamp)?;
@@ -301,10 +336,26 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
     Ok(())
 }
 
-/// The display image of a frame that is there already: its PNG, or else its EXR once more exposed and tonemapped.
+/// The layers that go into a frame's EXR beside the image.
+fn layers_of(job: &Job, image: &FrameImage, frame: u32) -> exr::Layers {
+    let aovs = &job.shot.output.aovs;
+    let mut channels = aov::channels(image, aovs, &job.settings(frame), job.has_plate());
+    if keeps_display(job) {
+        channels.extend(aov::display(image));
+    }
+    let shadow = job.shot.backplate.as_ref().map(|plate| plate.shadow);
+    let formula = (!aovs.is_empty()).then(|| aov::formula(shadow.unwrap_or_default()));
+    exr::Layers { channels, formula }
+}
+
+/// The display image of a frame that is there already: its PNG, or else its EXR, by its layer of that name over a plate, once
+/// more exposed and tonemapped without one.
 fn fetch_display(job: &Job, frame: u32) -> Result<Vec<[u8; 4]>> {
     if job.shot.output.png {
         return png::read_pixels(&frame_file(job, frame, "png"));
+    }
+    if keeps_display(job) {
+        return exr::read_display(&frame_file(job, frame, "exr"));
     }
     let linear = exr::read_pixels(&frame_file(job, frame, "exr"))?;
     let settings = job.settings(frame).frame_params();

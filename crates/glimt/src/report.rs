@@ -50,14 +50,21 @@ impl Reporter {
         self.event(&json!({
             "event": "start", "frames": frames, "out": out, "device": device, "triangles": triangles,
         }));
+        let what = format!("{}, {triangles} triangles", count(frames, "frame"));
+        self.begin(&what, frames, out, device);
+    }
+
+    /// Filming of `frames` frames begins.
+    pub fn start_filming(&self, frames: usize, out: &Path, device: &str) {
+        self.event(&json!({"event": "start", "frames": frames, "out": out, "device": device}));
+        self.begin(&count(frames, "frame"), frames, out, device);
+    }
+
+    fn begin(&self, what: &str, frames: usize, out: &Path, device: &str) {
         if self.talk.quiet || self.talk.json {
             return;
         }
-        let out = out.display();
-        self.line(&format!(
-            "{}, {triangles} triangles, on {device}, into {out}",
-            count(frames, "frame")
-        ));
+        self.line(&format!("{what}, on {device}, into {}", out.display()));
         if std::io::stderr().is_terminal() {
             let style = ProgressStyle::with_template("{bar:32} {msg}, {elapsed} gone, {eta} to go")
                 .unwrap_or_else(|_| ProgressStyle::default_bar());
@@ -97,6 +104,19 @@ impl Reporter {
         if let Some(bar) = self.lock().as_ref() {
             let part = (f64::from(fraction) * STEPS as f64) as u64;
             bar.set_position(done as u64 * STEPS + part.min(STEPS));
+        }
+    }
+
+    /// A step before the first frame: `done` of `all` parts of it are.
+    pub fn stage(&self, what: &str, done: usize, all: usize) {
+        self.event(&json!({"event": "stage", "what": what, "done": done, "all": all}));
+        if let Some(bar) = self.lock().as_ref() {
+            bar.set_message(format!("{what}: {done}/{all}"));
+            return;
+        }
+        // A line for each would drown what matters; ten tell that it goes on.
+        if done == all || done * 10 / all != (done - 1) * 10 / all {
+            self.plain(&format!("{what}: {done}/{all}"));
         }
     }
 

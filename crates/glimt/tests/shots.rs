@@ -58,14 +58,6 @@ fn what_is_not_there_yet_is_refused() {
         t.run(&["render", "shot.toml"]).fails(2, words);
     };
     refused(
-        "catcher = true\n",
-        &["shot.toml:8:1", "catchers are not supported yet"],
-    );
-    refused(
-        "[backplate]\nframes = \"a.png\"\n",
-        &["shot.toml:8", "backplates are not supported yet"],
-    );
-    refused(
         "[render]\nmethod = \"smc\"\n",
         &["render.method", "\"mis\""],
     );

@@ -32,7 +32,8 @@
 //!
 //! # One source, two processors
 //!
-//! All modules are *shared files*: plain Rust without heap or standard library that also lowers to WGSL. With the
+//! All modules but [`unwarp`], which makes tables, are *shared files*: plain Rust without heap or standard library that
+//! also lowers to WGSL. With the
 //! feature `shader-source` their text is at hand as `SHADER_SOURCE`.
 //!
 //! # Bibliography
@@ -45,10 +46,14 @@
 #![no_std]
 
 pub mod angular;
+pub mod gather;
 pub mod latlong;
 pub mod mirror_ball;
+#[cfg(feature = "bytemuck")]
+mod pod;
 pub mod rotate;
 pub mod trig;
+pub mod unwarp;
 
 /// The crate's name and its shared files, `(path below src/, text)`, for a front end that lowers them to WGSL.
 #[cfg(feature = "shader-source")]
@@ -57,6 +62,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
     &[
         ("lib.rs", include_str!("lib.rs")),
         ("angular.rs", include_str!("angular.rs")),
+        ("gather.rs", include_str!("gather.rs")),
         ("latlong.rs", include_str!("latlong.rs")),
         ("mirror_ball.rs", include_str!("mirror_ball.rs")),
         ("rotate.rs", include_str!("rotate.rs")),

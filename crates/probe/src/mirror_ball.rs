@@ -174,6 +174,15 @@ impl MirrorBall {
         })
     }
 
+    /// Cosine of the angle of incidence at which the mirror is seen at the image point `p`; 0 off the ball.
+    #[inline]
+    #[must_use]
+    pub fn cos_incidence(&self, p: Vec2) -> f32 {
+        let s2 = p.length_squared().min(1.0);
+        let k2 = self.radius_over_distance * self.radius_over_distance;
+        libm::sqrtf((1.0 - s2) * (1.0 - k2) / (1.0 - k2 * (1.0 - s2)))
+    }
+
     /// Image point that shows the direction `d` (unit length); `None` in the hidden cone.
     ///
     /// Straight behind an orthographic camera's ball, where the whole rim would do, it is the rightmost point. The inverse
@@ -231,7 +240,7 @@ impl MirrorBall {
     /// the square of the outline's radius in pixels it is that of one pixel. 0 off the ball.
     ///
     /// `(sin θ / s) dθ/ds`. For an orthographic camera it is 4 everywhere; otherwise it grows without bound towards the
-    /// rim, so it is taken at `|p| ≤ 0.9999`. Its integral over the disc is `2π (1 + √(1 − (r/D)²))`, all but the hidden
+    /// rim, so it is taken at `|p| ≤ 0.999999`. Its integral over the disc is `2π (1 + √(1 − (r/D)²))`, all but the hidden
     /// cone.
     ///
     /// ```
@@ -247,7 +256,7 @@ impl MirrorBall {
         if s2 > 1.0 {
             return 0.0;
         }
-        let s2 = s2.min(0.9998);
+        let s2 = s2.min(0.999_998);
         let k = self.radius_over_distance;
         let k2 = k * k;
         let w = 1.0 / (1.0 - k2 * (1.0 - s2));

@@ -28,6 +28,37 @@ pub const ENTRIES: &[EntrySpec] = &[
         "glimt_render_gpu::kernels::film::reconstruct",
     ),
     entry("tonemap", "glimt_render_gpu::kernels::film::tonemap"),
+    entry("unwarp", "glimt_render_gpu::kernels::unwarp::unwarp"),
+    entry(
+        "shade_mis_layers",
+        "glimt_render_gpu::kernels::shade::shade_mis_layers",
+    ),
+    entry(
+        "reconstruct_layers",
+        "glimt_render_gpu::kernels::layers::reconstruct_layers",
+    ),
+    entry(
+        "composite_over_plate",
+        "glimt_render_gpu::kernels::composite::composite_over_plate",
+    ),
+    entry(
+        "display_over_plate",
+        "glimt_render_gpu::kernels::composite::display_over_plate",
+    ),
+    entry(
+        "composite_alone",
+        "glimt_render_gpu::kernels::composite::composite_alone",
+    ),
+    entry("film_ball", "glimt_render_gpu::kernels::capture::film_ball"),
+    entry(
+        "film_plate",
+        "glimt_render_gpu::kernels::capture::film_plate",
+    ),
+    entry(
+        "film_latlong",
+        "glimt_render_gpu::kernels::capture::film_latlong",
+    ),
+    entry("expose", "glimt_render_gpu::kernels::sensor::expose"),
     entry(
         "diagnose_uniforms",
         "glimt_render_gpu::kernels::diagnose::uniforms",

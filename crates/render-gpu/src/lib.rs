@@ -21,7 +21,7 @@
 //!         ..Mesh::default()
 //!     }],
 //!     materials: vec![Material::BlinnPhong { diffuse: Vec3::splat(0.5), specular: Vec3::ZERO, exponent: 0.0 }],
-//!     objects: vec![Object { mesh: 0, transform: Mat4::IDENTITY, material: None }],
+//!     objects: vec![Object { mesh: 0, transform: Mat4::IDENTITY, material: None, catcher: false }],
 //!     ..SceneDescription::default()
 //! })?;
 //! let sky = EnvMap::new(UVec2::new(2, 1), vec![Vec4::ONE; 2])?.prepare(0.0)?;
@@ -39,6 +39,7 @@
 //! - E. Veach, L. Guibas: *Optimally combining sampling techniques for Monte Carlo rendering*, SIGGRAPH 1995.
 //! - S. Woop, C. Benthin, I. Wald: *Watertight ray/triangle intersection*, JCGT 2(1), 2013.
 //! - T. Ize: *Robust BVH ray traversal*, JCGT 2(2), 2013.
+//! - P. Debevec: *Rendering synthetic objects into real scenes*, SIGGRAPH 1998 (differential rendering, § 5.2).
 //! - A. Kensler: *Correlated multi-jittered sampling*, Pixar technical memo 13-01, 2013.
 
 pub mod cpu;
@@ -61,6 +62,8 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("kernels/mod.rs", include_str!("kernels/mod.rs")),
         ("kernels/bvh.rs", include_str!("kernels/bvh.rs")),
         ("kernels/camera.rs", include_str!("kernels/camera.rs")),
+        ("kernels/composite.rs", include_str!("kernels/composite.rs")),
+        ("kernels/capture.rs", include_str!("kernels/capture.rs")),
         ("kernels/diagnose.rs", include_str!("kernels/diagnose.rs")),
         (
             "kernels/environment.rs",
@@ -69,13 +72,17 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("kernels/estimator.rs", include_str!("kernels/estimator.rs")),
         ("kernels/film.rs", include_str!("kernels/film.rs")),
         ("kernels/frame.rs", include_str!("kernels/frame.rs")),
+        ("kernels/layers.rs", include_str!("kernels/layers.rs")),
         ("kernels/material.rs", include_str!("kernels/material.rs")),
         ("kernels/mis.rs", include_str!("kernels/mis.rs")),
         ("kernels/pattern.rs", include_str!("kernels/pattern.rs")),
         ("kernels/ray.rs", include_str!("kernels/ray.rs")),
         ("kernels/scene.rs", include_str!("kernels/scene.rs")),
+        ("kernels/sensor.rs", include_str!("kernels/sensor.rs")),
         ("kernels/shade.rs", include_str!("kernels/shade.rs")),
+        ("kernels/stage.rs", include_str!("kernels/stage.rs")),
         ("kernels/texture.rs", include_str!("kernels/texture.rs")),
         ("kernels/triangle.rs", include_str!("kernels/triangle.rs")),
+        ("kernels/unwarp.rs", include_str!("kernels/unwarp.rs")),
     ],
 );

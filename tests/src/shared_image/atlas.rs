@@ -3,6 +3,7 @@
 use glam::{UVec2, Vec2, Vec3, Vec4};
 use glimt_brdf::{BlinnPhong, Lambert};
 use glimt_envmap_cdf::CompensatedCdf;
+use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::{angular, rotate};
 use glimt_sampling::{ShadingFrame, UniformSource, Xoshiro128PlusPlus, unit_vec2};
 use glimt_sampling::{mis, warp};
@@ -10,7 +11,7 @@ use glimt_sampling::{mis, warp};
 /// Width and height of a page.
 pub const PAGE_SIZE: u32 = 32;
 /// Number of pages.
-pub const PAGES: u32 = 7;
+pub const PAGES: u32 = 8;
 
 /// One value of the atlas. The pages follow each other.
 #[must_use]
@@ -25,7 +26,8 @@ pub fn atlas(id: u32, env: CompensatedCdf<'_>) -> Vec4 {
         3 => weights(u),
         4 => compensated(cell, env),
         5 => matte(u),
-        _ => metal(u),
+        6 => metal(u),
+        _ => mirror_ball(u),
     }
 }
 
@@ -87,4 +89,17 @@ fn metal(u: Vec2) -> Vec4 {
     let wo = Vec3::new(0.6, 0.0, 0.8);
     let sample = surface.sample(wo, source.next_u32(), unit_vec2(source.next_uvec2()));
     surface.eval(wo, sample.wi).extend(sample.pdf_sr)
+}
+
+fn mirror_ball(u: Vec2) -> Vec4 {
+    let ball = MirrorBall::new(Vec3::new(0.8, 0.6, 0.0), Vec3::Z, 0.3);
+    let ball = ball.image_turned(rotate::cos_sin_degrees(20.0));
+    let p = 2.0 * u - Vec2::ONE;
+    if let Some(seen) = ball.reflect(p) {
+        let back = ball
+            .direction_to_image(seen.direction)
+            .unwrap_or(Vec2::ZERO);
+        return (seen.direction + seen.normal).extend(back.x + 2.0 * back.y + seen.cos_incidence);
+    }
+    Vec4::ZERO
 }

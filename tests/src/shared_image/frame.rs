@@ -10,26 +10,26 @@ use glimt_render_gpu::host::scene::{
 };
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::environment::Environment;
-use glimt_render_gpu::kernels::frame::FrameParams;
+use glimt_render_gpu::kernels::frame::{BACKGROUND_TRANSPARENT, FrameParams, SHADOW_ADD};
 use glimt_render_gpu::kernels::scene::Scene;
 use glimt_render_gpu::kernels::{diagnose, film, shade};
 use naga_front_rust::Program;
 
 use super::{Output, Pair, launch, words};
 
-const SIZE: UVec2 = UVec2::new(40, 30);
-const RAYS: u32 = 4;
+pub(super) const SIZE: UVec2 = UVec2::new(40, 30);
+pub(super) const RAYS: u32 = 4;
 
-/// A frame by each sample pattern, then the stages of the first.
+/// A frame by each sample pattern, then the stages of the first, then frames whose floor is a catcher.
 ///
 /// # Panics
 /// Where the GPU or the front end fails.
 #[must_use]
 pub fn frame_pairs(program: &Program, context: &GpuContext) -> Vec<Pair> {
-    let stage = Stage {
+    let mut stage = Stage {
         program,
         context,
-        scene: scene(),
+        scene: scene(false),
         env: environment(),
     };
     let mut pairs = vec![
@@ -54,14 +54,25 @@ pub fn frame_pairs(program: &Program, context: &GpuContext) -> Vec<Pair> {
             diagnose::brdf_sample(ray, frame, scene)
         }),
     ]);
+    stage.scene = scene(true);
+    let base = params(Pattern::OwenSobol, Tonemap::Srgb);
+    let transparent = FrameParams {
+        background: BACKGROUND_TRANSPARENT,
+        shadow: SHADOW_ADD,
+        ..base
+    };
+    pairs.extend([
+        stage.layered("multiplied-shadow", &base),
+        stage.layered("added-shadow", &transparent),
+    ]);
     pairs
 }
 
-struct Stage<'a> {
-    program: &'a Program,
-    context: &'a GpuContext,
-    scene: SceneBuffers,
-    env: PreparedEnv,
+pub(super) struct Stage<'a> {
+    pub(super) program: &'a Program,
+    pub(super) context: &'a GpuContext,
+    pub(super) scene: SceneBuffers,
+    pub(super) env: PreparedEnv,
 }
 
 impl Stage<'_> {
@@ -129,7 +140,7 @@ impl Stage<'_> {
         }
     }
 
-    fn shade(&self, kernel: &str, frame: &FrameParams, out: &Output, rays: u32) {
+    pub(super) fn shade(&self, kernel: &str, frame: &FrameParams, out: &Output, rays: u32) {
         let scene = GpuScene::new(self.context, &self.scene).expect("a small scene");
         let env = GpuEnv::new(self.context, &self.env).expect("a small map");
         let mut args = vec![("frame", Arg::Value(bytemuck::bytes_of(frame)))];
@@ -180,7 +191,7 @@ fn environment() -> PreparedEnv {
 }
 
 /// A glossy tetrahedron and a metal one before a textured, bumpy wall, on a matte floor.
-fn scene() -> SceneBuffers {
+fn scene(catcher: bool) -> SceneBuffers {
     let tetrahedron = Mesh {
         name: "tetrahedron".to_owned(),
         positions: vec![
@@ -197,6 +208,7 @@ fn scene() -> SceneBuffers {
         mesh,
         transform: Mat4::from_translation(place),
         material,
+        catcher: false,
     };
     let description = SceneDescription {
         meshes: vec![
@@ -211,7 +223,10 @@ fn scene() -> SceneBuffers {
             texture(false, [Wrap::Repeat, Wrap::Repeat]),
         ],
         objects: vec![
-            object(0, Vec3::ZERO, None),
+            Object {
+                catcher,
+                ..object(0, Vec3::ZERO, None)
+            },
             object(1, vec3(-0.8, 0.0, 0.0), None),
             object(1, vec3(0.9, 0.2, 0.0), Some(2)),
             object(2, vec3(0.0, 1.5, 1.2), None),

@@ -3,7 +3,10 @@
 //! `scripts/mutate-shared.sh` builds them from sources in which one constant is changed.
 
 pub mod atlas;
+mod capture;
 mod frame;
+mod layered;
+mod light;
 
 use bytemuck::NoUninit;
 use glam::{UVec2, Vec4};
@@ -14,7 +17,9 @@ use naga_front_rust::{EntryDesc, Program};
 use crate::golden;
 use crate::gpu::entry_of;
 
+pub use capture::capture_pair;
 pub use frame::frame_pairs;
+pub use light::light_pair;
 
 /// One image on both processors, as words.
 #[derive(Clone, Debug)]

@@ -37,6 +37,7 @@ pub fn scene() -> SceneDescription {
         mesh,
         transform: Mat4::IDENTITY,
         material: None,
+        catcher: false,
     };
     SceneDescription {
         meshes: vec![ground.into_mesh(), sculpture.into_mesh()],

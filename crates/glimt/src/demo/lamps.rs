@@ -1,7 +1,7 @@
 //! Host file: coloured lamps that sway and flicker, written into the light map as discs.
 
 use super::shot_time;
-use super::sun::add_disc;
+use crate::disc::add_disc;
 use glam::{UVec2, Vec3, Vec4, dvec3, vec3};
 use std::f64::consts::TAU;
 
@@ -83,6 +83,6 @@ pub(super) fn add(texels: &mut [Vec4], size: UVec2, frame: u32) {
 }
 
 /// A restless number in [0, 1]: two sines whose periods share no multiple.
-fn flicker(frame: f64, phase: f64) -> f32 {
+pub(crate) fn flicker(frame: f64, phase: f64) -> f32 {
     (0.5 + 0.25 * ((1.9 * frame + phase).sin() + (3.1 * frame + 2.0 * phase).sin())) as f32
 }

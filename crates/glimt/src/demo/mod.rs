@@ -10,11 +10,14 @@ mod solid;
 mod sun;
 
 pub use armillary::scene;
+pub(crate) use lamps::flicker;
+pub(crate) use sky::clear_sky;
 pub use sky::environment;
+pub(crate) use sun::irradiance as sun_irradiance;
 
 use glam::{UVec2, Vec3, vec3};
 use glimt_render_gpu::host::render::{
-    Background, Filter, Method, Pattern, RenderSettings, Tonemap,
+    Background, Filter, Method, Pattern, RenderSettings, Shadow, Tonemap,
 };
 use glimt_render_gpu::host::scene::Camera;
 
@@ -66,5 +69,7 @@ pub fn settings(frame: u32) -> RenderSettings {
         frame,
         exposure_ev: -4.75,
         tonemap: Tonemap::Srgb,
+        shadow: Shadow::Multiply,
+        layers: false,
     }
 }

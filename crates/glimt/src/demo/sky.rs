@@ -18,12 +18,23 @@ use std::f32::consts::{FRAC_1_PI, FRAC_PI_2};
 pub fn environment(frame: u32, size: UVec2) -> Result<EnvMap, EnvError> {
     let mut texels = vec![Vec4::ZERO; size.x as usize * size.y as usize];
     if !texels.is_empty() {
-        fill_sky(&mut texels, size, frame);
+        fill_sky(&mut texels, size, sun::direction(frame).as_vec3());
         sun::add(&mut texels, size, frame);
         lamps::add(&mut texels, size, frame);
-        fill_ground(&mut texels, size);
+        fill_ground(&mut texels, size, Vec3::ZERO);
     }
     EnvMap::new(size, texels)
+}
+
+/// The same sky and ground with nothing in the sky: no disc of the sun and no lamps. The sun stands in direction `sun` (unit
+/// length; below the horizon counts as on it), and `irradiance` on what faces it is counted on the ground.
+pub(crate) fn clear_sky(size: UVec2, sun: Vec3, irradiance: Vec3) -> Vec<Vec4> {
+    let mut texels = vec![Vec4::ZERO; size.x as usize * size.y as usize];
+    if !texels.is_empty() {
+        fill_sky(&mut texels, size, sun);
+        fill_ground(&mut texels, size, irradiance * sun.z.max(0.0));
+    }
+    texels
 }
 
 /// Rows whose centre is above the horizon.
@@ -31,8 +42,7 @@ fn sky_rows(size: UVec2) -> usize {
     size.y.div_ceil(2) as usize
 }
 
-fn fill_sky(texels: &mut [Vec4], size: UVec2, frame: u32) {
-    let sun = sun::direction(frame).as_vec3();
+fn fill_sky(texels: &mut [Vec4], size: UVec2, sun: Vec3) {
     let state = SkyState::new(&SkyParams {
         elevation: sun.z.asin().clamp(0.0, FRAC_PI_2),
         turbidity: sun::TURBIDITY as f32,
@@ -60,10 +70,11 @@ fn fill_sky(texels: &mut [Vec4], size: UVec2, frame: u32) {
 }
 
 /// Fills the lower half with the radiance of the floor under the upper half, with a little haze towards the horizon.
-fn fill_ground(texels: &mut [Vec4], size: UVec2) {
+/// `further` is irradiance on it that the map does not hold.
+fn fill_ground(texels: &mut [Vec4], size: UVec2, further: Vec3) {
     let columns = size.x as usize;
     let (sky, ground) = texels.split_at_mut(sky_rows(size) * columns);
-    let mut irradiance = Vec3::ZERO;
+    let mut irradiance = further;
     let mut horizon = Vec3::ZERO;
     for (row, texels) in sky.chunks(columns).enumerate() {
         let sum: Vec3 = texels.iter().map(|t| t.truncate()).sum();

@@ -4,6 +4,7 @@ mod image;
 mod mesh;
 
 use crate::error::{Error, Result};
+use crate::input::footage;
 use crate::notes::Notes;
 use crate::report::Reporter;
 use crate::shot::{check, parse};
@@ -36,7 +37,9 @@ pub fn file(file: &Path, set: &[String], reporter: &Reporter) -> Result<()> {
 
 /// The shot with every key.
 fn shot(file: &Path, set: &[String]) -> Result<(serde_json::Value, String)> {
-    let (shot, source) = parse::read(file, set)?;
+    let (mut shot, source) = parse::read(file, set)?;
+    let base = file.parent().unwrap_or(Path::new(""));
+    footage::adopt_size(&mut shot, &source, base)?;
     check::check(&shot, &source)?;
     let fail = |e: &dyn std::fmt::Display| Error::new(crate::error::Kind::Internal, e);
     let value = serde_json::to_value(&shot).map_err(|e| fail(&e))?;

@@ -1,10 +1,13 @@
 //! Host file: HDR images in: what kind of file it is, how large, and its texels as linear Rec. 709 radiance.
 
 pub mod exr;
+pub mod footage;
 pub mod frames;
 pub mod hdr;
+pub mod plate;
 pub mod primaries;
 pub mod probe;
+pub mod resample;
 
 use crate::error::{Error, Result};
 use crate::notes::Notes;
@@ -76,19 +79,7 @@ pub enum Format {
 /// # Errors
 /// The file cannot be read, or is no HDR image.
 pub fn format_of(file: &Path) -> Result<Format> {
-    let mut start = [0; 8];
-    let mut n = 0;
-    let mut reader = File::open(file).map_err(|e| Error::reading(file, &e))?;
-    while n < start.len() {
-        match reader.read(&mut start[n..]) {
-            Ok(0) => break,
-            Ok(read) => n += read,
-            Err(e) => return Err(Error::reading(file, &e)),
-        }
-    }
-    let start = &start[..n];
-    match start {
-        [] => Err(Error::input(file, "the file is empty").fix("copy or export it again")),
+    match start_of(file)?[..] {
         [0x76, 0x2f, 0x31, 0x01, ..] => Ok(Format::Exr),
         [b'#', b'?', ..] => Ok(Format::Hdr),
         [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, ..] => Err(Error::input(
@@ -99,6 +90,31 @@ pub fn format_of(file: &Path) -> Result<Format> {
         _ => Err(Error::input(file, "it is neither OpenEXR nor Radiance HDR")
             .fix("convert it to one of these")),
     }
+}
+
+/// The first bytes of a file, up to eight, by which its format is known.
+fn start_of(file: &Path) -> Result<Vec<u8>> {
+    let mut start = Vec::new();
+    let reader = File::open(file).map_err(|e| Error::reading(file, &e))?;
+    let mut reader = reader.take(8);
+    reader
+        .read_to_end(&mut start)
+        .map_err(|e| Error::reading(file, &e))?;
+    if start.is_empty() {
+        return Err(Error::input(file, "the file is empty").fix("copy or export it again"));
+    }
+    Ok(start)
+}
+
+/// Whether a file is a display image, PNG or JPEG, by its first bytes.
+///
+/// # Errors
+/// The file cannot be read, or is empty.
+pub fn is_display(file: &Path) -> Result<bool> {
+    Ok(matches!(
+        start_of(file)?[..],
+        [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, ..]
+    ))
 }
 
 /// Reads the header of an HDR image.

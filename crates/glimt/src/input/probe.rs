@@ -2,15 +2,18 @@
 
 use super::frames::FrameFiles;
 use super::{HdrImage, read_header, read_image};
+use crate::capture::{Capture, Poses, locate, photo};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
-use crate::shot::digest::{Hash, of_file};
+use crate::shot::digest::{Hash, join, of_file, of_text};
 use crate::shot::{self, Mapping};
 use glam::{UVec2, Vec2, Vec4};
+use glimt_probe::gather::ColourMatrix;
 use glimt_probe::{angular, latlong};
 use glimt_render_gpu::host::env::{EnvMap, MAX_RADIANCE};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Texels that are no radiance, by what is wrong with them. A texel counts once, for the first of these.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
@@ -74,10 +77,14 @@ pub struct Probe {
     mapping: Mapping,
     scale: f32,
     size: UVec2,
+    /// Where the ball is, in film of one.
+    capture: Option<Arc<Capture>>,
+    colour: ColourMatrix,
 }
 
 impl Probe {
-    /// Checks the headers of all frames: that they are images, of one size, and fit the mapping.
+    /// Checks the headers of all frames: that they are images, of one size, and fit the mapping. In film of a mirror ball,
+    /// the ball is looked for in all of them; `progress` is told how many are done.
     ///
     /// # Errors
     /// The first frame that is not as it should be.
@@ -86,10 +93,15 @@ impl Probe {
         frames: &[u32],
         keys: &shot::Probe,
         notes: &mut Notes,
+        progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self> {
         let mapping = keys.mapping;
+        let read_size = |file: &Path| match mapping {
+            Mapping::MirrorBall => photo::read_size(file),
+            _ => Ok(read_header(file)?.size),
+        };
         let first = files.path(frames[0]);
-        let size = read_header(&first)?.size;
+        let size = read_size(&first)?;
         match mapping {
             Mapping::Angular if size.x != size.y => {
                 return Err(Error::input(
@@ -115,14 +127,37 @@ impl Probe {
         let others = if files.is_still() { &[] } else { &frames[1..] };
         for &frame in others {
             let path = files.path(frame);
-            check_size(&path, read_header(&path)?.size, size, &first)?;
+            check_size(&path, read_size(&path)?, size, &first)?;
         }
+        let capture = match mapping {
+            Mapping::MirrorBall => {
+                let ball = keys.ball.clone().unwrap_or_default();
+                let poses = match Poses::given(&ball) {
+                    Some(given) => given,
+                    None => locate::poses(&files, frames, &ball, notes, progress)?,
+                };
+                Some(Arc::new(Capture::new(&ball, poses)))
+            }
+            _ => None,
+        };
         Ok(Self {
             files,
             mapping,
             scale: keys.scale,
             size,
+            capture,
+            colour: ColourMatrix::IDENTITY,
         })
+    }
+
+    /// Sets how its colours are changed.
+    pub fn set_colour(&mut self, colour: ColourMatrix) {
+        self.colour = colour;
+    }
+
+    /// Film of a mirror ball, if it is.
+    pub fn capture(&self) -> Option<&Arc<Capture>> {
+        self.capture.as_ref()
     }
 
     /// Size of its images.
@@ -140,16 +175,23 @@ impl Probe {
         self.files.path(frame)
     }
 
-    /// Hash of the file of each of these frames.
+    /// Hash of the file of each of these frames, and of where the ball is in it.
     ///
     /// # Errors
     /// A file cannot be read.
     pub fn digests(&self, frames: &[u32]) -> Result<Vec<Hash>> {
-        if self.files.is_still() {
-            return Ok(vec![of_file(&self.files.path(1))?; frames.len()]);
-        }
-        let paths = frames.par_iter().map(|&frame| self.files.path(frame));
-        paths.map(|path| of_file(&path)).collect()
+        let files = if self.files.is_still() {
+            vec![of_file(&self.files.path(1))?; frames.len()]
+        } else {
+            let paths = frames.par_iter().map(|&frame| self.files.path(frame));
+            paths.map(|path| of_file(&path)).collect::<Result<_>>()?
+        };
+        let with_pose = |(file, frame): (Hash, &u32)| {
+            let pose = self.capture.as_ref().and_then(|c| c.poses().of(*frame));
+            // Both print so that they read back as the same numbers.
+            join([&file, &of_text(&format!("{pose:?} {:?}", self.colour))])
+        };
+        Ok(files.into_iter().zip(frames).map(with_pose).collect())
     }
 
     /// Reads the light of a frame.
@@ -158,24 +200,16 @@ impl Probe {
     /// The file cannot be read, is broken, or has bad texels and `notes` is strict.
     pub fn load(&self, frame: u32, notes: &mut Notes) -> Result<EnvMap> {
         let file = self.files.path(frame);
-        let image = read_image(&file, notes)?;
-        check_size(&file, image.header.size, self.size, &self.files.path(frame))?;
-        let HdrImage { mut texels, .. } = image;
-
-        let bad = BadTexels::count(&texels);
-        if bad.total() > 0 {
-            let noun = if bad.total() == 1 {
-                "texel is"
-            } else {
-                "texels are"
-            };
-            let what = format!("{} of {} {noun} no light: {bad}", bad.total(), texels.len());
-            notes.defect(&file, &what, "those channels are taken as 0")?;
-            EnvMap::repair(&mut texels);
-        }
-        let (size, mut texels) = match self.mapping {
-            Mapping::Angular => angular_to_latlong(self.size, &texels),
-            _ => (self.size, texels),
+        let (size, mut texels) = match &self.capture {
+            Some(capture) => {
+                let photo = photo::read(&file, notes)?;
+                check_size(&file, photo.size, self.size, &self.files.path(frame))?;
+                (
+                    capture.size(),
+                    capture.unwarp(frame, &file, &photo, &self.colour)?,
+                )
+            }
+            None => self.read_map(&file, notes)?,
         };
         if self.scale != 1.0 {
             for texel in &mut texels {
@@ -186,6 +220,33 @@ impl Probe {
             notes.warn(&file, "the map is black: it lights nothing");
         }
         EnvMap::new(size, texels).map_err(|e| Error::input(&file, e))
+    }
+
+    /// Reads an image of all directions.
+    fn read_map(&self, file: &Path, notes: &mut Notes) -> Result<(UVec2, Vec<Vec4>)> {
+        let HdrImage { header, mut texels } = read_image(file, notes)?;
+        check_size(file, header.size, self.size, file)?;
+        let bad = BadTexels::count(&texels);
+        if bad.total() > 0 {
+            let noun = if bad.total() == 1 {
+                "texel is"
+            } else {
+                "texels are"
+            };
+            let what = format!("{} of {} {noun} no light: {bad}", bad.total(), texels.len());
+            notes.defect(file, &what, "those channels are taken as 0")?;
+            EnvMap::repair(&mut texels);
+        }
+        let (size, mut texels) = match self.mapping {
+            Mapping::Angular => angular_to_latlong(self.size, &texels),
+            _ => (self.size, texels),
+        };
+        if self.colour != ColourMatrix::IDENTITY {
+            texels
+                .par_iter_mut()
+                .for_each(|texel| *texel = self.colour.apply(*texel));
+        }
+        Ok((size, texels))
     }
 }
 

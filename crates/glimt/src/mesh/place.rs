@@ -65,6 +65,7 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
             mesh: entry.first_mesh + part.mesh as u32,
             transform: transform * part.transform,
             material,
+            catcher: object.catcher,
         }));
         owners.resize(scene.objects.len(), index);
         cameras.extend(model.cameras.iter().map(|camera| {
@@ -80,7 +81,8 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
                     .fix("the world ends at 1e9 units: lower its scale, or move it nearer"));
             }
             grow(&mut all, bounds);
-            if name != "plane" {
+            // What is in the footage already is no more the subject than a floor.
+            if name != "plane" && !object.catcher {
                 grow(&mut subject, bounds);
             }
         }

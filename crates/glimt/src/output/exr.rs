@@ -1,13 +1,16 @@
-//! Host file: linear frames as OpenEXR: 32-bit float RGBA, premultiplied, Rec. 709 primaries, ZIP.
+//! Host file: linear frames as OpenEXR: 32-bit float RGBA, premultiplied, with further layers beside them where they are asked
+//! for; or RGB of 32 or 16 bits. Rec. 709 primaries, ZIP.
 
+use super::aov::{Channel, DISPLAY, FORMULA_KEY};
 use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending};
 use crate::error::{Error, Result};
 use crate::input::primaries::REC_709;
 use ::exr::math::Vec2;
 use ::exr::meta::attribute::{AttributeValue, Chromaticities, Text};
 use ::exr::prelude::{
-    Blocks, Compression, Encoding, Image, Layer, LayerAttributes, LineOrder, SpecificChannels,
-    WritableImage,
+    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, Layer,
+    LayerAttributes, LineOrder, ReadChannels, ReadLayers, ReadSpecificChannel, SmallVec,
+    WritableImage, f16,
 };
 use glam::{UVec2, Vec4};
 use std::fs::File;
@@ -17,11 +20,100 @@ use std::path::Path;
 /// Key of the frame's number.
 const FRAME_KEY: &str = "glimtFrame";
 
+/// What is written beside a frame's pixels.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layers {
+    /// Channels of any names but R, G, B and A.
+    pub channels: Vec<Channel>,
+    /// How the image is made of them.
+    pub formula: Option<&'static str>,
+}
+
 /// Writes a frame, whole or not at all.
 ///
 /// # Errors
 /// The file cannot be written.
-pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result<()> {
+pub fn write(
+    file: &Path,
+    size: UVec2,
+    pixels: &[Vec4],
+    layers: Layers,
+    stamp: &Stamp,
+) -> Result<()> {
+    let names = ["R", "G", "B", "A"];
+    let further = layers.channels.into_iter().map(|channel| {
+        let samples = match channel.half {
+            true => FlatSamples::F16(channel.samples.into_iter().map(f16::from_f32).collect()),
+            false => FlatSamples::F32(channel.samples),
+        };
+        AnyChannel::new(channel.name.as_str(), samples)
+    });
+    let channels = planes(pixels, &names, false).chain(further).collect();
+    store(
+        file,
+        size,
+        channels,
+        Compression::ZIP16,
+        layers.formula,
+        stamp,
+    )
+}
+
+/// How a frame without alpha is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Storage {
+    /// 32-bit floats, ZIP.
+    Float,
+    /// 32-bit floats as they are: of an image with noise, ZIP takes a third of the time and gains 6 %.
+    Noisy,
+    /// 16-bit floats, ZIP; values above 65504 become that.
+    Half,
+}
+
+/// Writes a frame without alpha, whole or not at all.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write_rgb(
+    file: &Path,
+    size: UVec2,
+    pixels: &[Vec4],
+    stamp: &Stamp,
+    storage: Storage,
+) -> Result<()> {
+    let channels = planes(pixels, &["R", "G", "B"], storage == Storage::Half).collect();
+    let compression = match storage {
+        Storage::Noisy => Compression::Uncompressed,
+        _ => Compression::ZIP16,
+    };
+    store(file, size, channels, compression, None, stamp)
+}
+
+/// One channel for each name, of the pixels' components in turn.
+fn planes<'a>(
+    pixels: &'a [Vec4],
+    names: &'a [&'static str],
+    half: bool,
+) -> impl Iterator<Item = AnyChannel<FlatSamples>> + 'a {
+    let plane = move |c: usize| match half {
+        true => {
+            let narrow = |p: &Vec4| f16::from_f32(p[c].min(f16::MAX.to_f32()));
+            FlatSamples::F16(pixels.iter().map(narrow).collect())
+        }
+        false => FlatSamples::F32(pixels.iter().map(|p| p[c]).collect()),
+    };
+    let names = names.iter().enumerate();
+    names.map(move |(c, name)| AnyChannel::new(*name, plane(c)))
+}
+
+fn store(
+    file: &Path,
+    size: UVec2,
+    channels: SmallVec<[AnyChannel<FlatSamples>; 4]>,
+    compression: Compression,
+    formula: Option<&'static str>,
+    stamp: &Stamp,
+) -> Result<()> {
     let mut attributes = LayerAttributes {
         software_name: Some(Text::from(SOFTWARE)),
         ..LayerAttributes::default()
@@ -31,19 +123,20 @@ pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result
     let frame = AttributeValue::I32(stamp.frame.cast_signed());
     attributes.other.insert(Text::from(FRAME_KEY), frame);
 
-    let width = size.x as usize;
+    if let Some(formula) = formula {
+        let formula = AttributeValue::Text(Text::from(formula));
+        attributes.other.insert(Text::from(FORMULA_KEY), formula);
+    }
+
     let layer = Layer::new(
-        (width, size.y as usize),
+        (size.x as usize, size.y as usize),
         attributes,
         Encoding {
-            compression: Compression::ZIP16,
+            compression,
             blocks: Blocks::ScanLines,
             line_order: LineOrder::Increasing,
         },
-        SpecificChannels::rgba(|at: Vec2<usize>| {
-            let pixel = pixels[at.y() * width + at.x()];
-            (pixel.x, pixel.y, pixel.z, pixel.w)
-        }),
+        AnyChannels::sort(channels),
     );
     let mut image = Image::from_layer(layer);
     let [red, green, blue, white] = REC_709.map(|p| Vec2(p[0], p[1]));
@@ -65,10 +158,22 @@ pub fn write(file: &Path, size: UVec2, pixels: &[Vec4], stamp: &Stamp) -> Result
     pending.commit()
 }
 
-/// The identity that a frame was stored with; `None` if there is no such frame, none of ours, or not all of it.
-pub fn read_hash(file: &Path) -> Option<String> {
+/// The identity that a frame was stored with; `None` if there is no such frame, none of ours, not all of it, or one without
+/// all of these channels.
+pub fn read_hash(file: &Path, channels: &[String]) -> Option<String> {
     let reader = ::exr::block::read(BufReader::new(File::open(file).ok()?), false).ok()?;
-    let attributes = &reader.headers().first()?.own_attributes.other;
+    let header = reader.headers().first()?;
+    let has = |name: &String| {
+        header
+            .channels
+            .list
+            .iter()
+            .any(|c| c.name.eq(name.as_str()))
+    };
+    if !channels.iter().all(has) {
+        return None;
+    }
+    let attributes = &header.own_attributes.other;
     let hash = match attributes.get(&Text::from(HASH_KEY))? {
         AttributeValue::Text(hash) => hash.to_string(),
         _ => return None,
@@ -90,5 +195,31 @@ pub fn read_pixels(file: &Path) -> Result<Vec<Vec4>> {
         },
     );
     let broken = |e| Error::input(file, e).fix("remove it, and render it again");
+    Ok(image.map_err(broken)?.layer_data.channel_data.pixels.0)
+}
+
+/// Reads back what a frame displays, from its layer [`DISPLAY`].
+///
+/// # Errors
+/// The file cannot be read.
+pub fn read_display(file: &Path) -> Result<Vec<[u8; 4]>> {
+    let broken = |e| Error::input(file, e).fix("remove it, and render it again");
+    let image = ::exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .specific_channels()
+        .required(&*format!("{DISPLAY}.R"))
+        .required(&*format!("{DISPLAY}.G"))
+        .required(&*format!("{DISPLAY}.B"))
+        .collect_pixels(
+            |size, _| (vec![[0; 4]; size.x() * size.y()], size.x()),
+            |(pixels, width): &mut (Vec<[u8; 4]>, usize), at, (r, g, b): (f32, f32, f32)| {
+                let code = |value: f32| (value * 255.0).round() as u8;
+                pixels[at.y() * *width + at.x()] = [code(r), code(g), code(b), 255];
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .from_file(file);
     Ok(image.map_err(broken)?.layer_data.channel_data.pixels.0)
 }

@@ -1,11 +1,16 @@
 //! Host file: frames out: EXR, PNG and mp4, each whole under its name or not there at all.
 
+pub mod aov;
 pub mod atomic;
 pub mod exr;
 pub mod png;
 pub mod video;
 
+use crate::error::Result;
+use atomic::Pending;
 use glimt_render_gpu::host::render::FrameImage;
+use std::io::Write;
+use std::path::Path;
 
 /// Key of the text that holds a frame's identity, in EXR attributes and PNG text chunks.
 pub const HASH_KEY: &str = "glimtHash";
@@ -39,4 +44,16 @@ pub fn rgb_over_black(pixels: &[[u8; 4]]) -> Vec<u8> {
         .iter()
         .flat_map(|&[r, g, b, a]| [over(r, a), over(g, a), over(b, a)])
         .collect()
+}
+
+/// Writes a text file, whole or not at all.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write_text(file: &Path, text: &str) -> Result<()> {
+    let mut pending = Pending::create(file)?;
+    pending
+        .write_all(text.as_bytes())
+        .map_err(|e| pending.error(&e))?;
+    pending.commit()
 }

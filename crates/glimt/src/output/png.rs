@@ -5,6 +5,7 @@ use crate::error::{Error, Result};
 use ::png::{
     BitDepth, ColorType, Compression, Decoder, Encoder, EncodingError, SrgbRenderingIntent,
 };
+use glam::UVec2;
 use glimt_render_gpu::host::render::FrameImage;
 use std::io::Cursor;
 use std::path::Path;
@@ -39,6 +40,25 @@ pub fn write(file: &Path, image: &FrameImage, stamp: &Stamp) -> Result<()> {
     }
     let mut writer = encoder.write_header().map_err(fail)?;
     writer.write_image_data(&bytes).map_err(fail)?;
+    writer.finish().map_err(fail)?;
+    pending.commit()
+}
+
+/// Writes an image of one byte a pixel that are numbers, not brightnesses, whole or not at all.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write_mask(file: &Path, size: UVec2, values: &[u8]) -> Result<()> {
+    let fail = |e: EncodingError| match e {
+        EncodingError::IoError(e) => Error::writing(file, &e),
+        e => Error::output(file, e),
+    };
+    let mut pending = Pending::create(file)?;
+    let mut encoder = Encoder::new(&mut pending, size.x, size.y);
+    encoder.set_color(ColorType::Grayscale);
+    encoder.set_depth(BitDepth::Eight);
+    let mut writer = encoder.write_header().map_err(fail)?;
+    writer.write_image_data(values).map_err(fail)?;
     writer.finish().map_err(fail)?;
     pending.commit()
 }

@@ -1,7 +1,7 @@
 //! Host file: what a shot must fulfil beyond being well-formed.
 
 use super::parse::Source;
-use super::{Mapping, Method, Shot, range};
+use super::{Ball, Colour, Mapping, Method, Shot, range};
 use crate::error::{Error, Result};
 use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 
@@ -70,27 +70,34 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
         return bad("probe.fps", "it is not between 0 and 1000", "25 is usual");
     }
     if probe.mapping == Mapping::MirrorBall {
-        return bad(
-            "probe.mapping",
-            "\"mirror-ball\" is not supported yet",
-            "supported are \"lat-long\" and \"angular\"",
-        );
-    }
-    if probe.ball.is_some() {
+        check_ball(&probe.ball.clone().unwrap_or_default(), source)?;
+    } else if probe.ball.is_some() {
         return bad(
             "probe.ball",
             "it belongs to mapping = \"mirror-ball\" alone",
             "remove it",
         );
     }
-    if shot.backplate.is_some() {
-        return bad(
-            "backplate",
-            "backplates are not supported yet",
-            "remove the table; image.background = \"transparent\" gives frames to lay over a plate",
-        );
+    if let Some(plate) = &shot.backplate {
+        if plate.frames.is_empty() {
+            return bad(
+                "backplate",
+                "it names no footage",
+                "as frames = \"plate.####.png\"; without the table the light is the background",
+            );
+        }
+        if plate.fps.is_some_and(|fps| !(fps >= 0.1 && fps <= 1000.0)) {
+            return bad(
+                "backplate.fps",
+                "it is not between 0.1 and 1000",
+                "leave it out where the footage runs at probe.fps",
+            );
+        }
     }
 
+    if let Some(colour) = &probe.colour {
+        check_colour(colour, source)?;
+    }
     check_objects(shot, source)?;
 
     let render = &shot.render;
@@ -140,11 +147,11 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
     if output.dir.is_empty() {
         return bad("output.dir", "it is empty", "\".\" is the shot's folder");
     }
-    if let Some(aov) = output.aovs.first() {
+    if !output.aovs.is_empty() && !output.exr {
         return bad(
             "output.aovs",
-            &format!("\"{aov}\": further images are not supported yet"),
-            "leave the list empty",
+            "they are layers of the EXR, and output.exr is false",
+            "set output.exr = true, or leave the list empty",
         );
     }
     if !output.exr && !output.png && output.video.is_empty() {
@@ -161,6 +168,115 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
             "the name does not end in .mp4",
             "as \"shot.mp4\"; empty for no video",
         );
+    }
+    Ok(())
+}
+
+/// Checks the keys of a mirror ball.
+///
+/// # Errors
+/// As [`check`].
+pub fn check_ball(ball: &Ball, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| {
+        Err(source.error(&format!("probe.ball.{key}"), what).fix(fix))
+    };
+    if !(ball.radius_mm > 0.0 && ball.radius_mm.is_finite()) {
+        return bad(
+            "radius_mm",
+            "it is not above 0",
+            "a ball of 100 mm across has 50",
+        );
+    }
+    // The mapping's formulas are exact, and tested, up to 0.95.
+    if !(ball.distance_mm * 0.95 >= ball.radius_mm) {
+        return bad(
+            "distance_mm",
+            "the camera would stand in the ball, or touch it",
+            "it is measured to the ball's centre; inf is an orthographic camera",
+        );
+    }
+    if ball.centre_px.is_some() != ball.radius_px.is_some() {
+        let key = if ball.centre_px.is_some() {
+            "radius_px"
+        } else {
+            "centre_px"
+        };
+        return bad(
+            key,
+            "it is missing: centre_px and radius_px belong together",
+            "give both, or none: then the ball is found",
+        );
+    }
+    if ball.radius_px.is_some_and(|r| !(r >= 4.0 && r < 1e6)) {
+        return bad(
+            "radius_px",
+            "it is not between 4 and 1e6",
+            "leave it out to have the ball found",
+        );
+    }
+    if let Some(centre) = ball.centre_px {
+        finite(source, "probe.ball.centre_px", &centre)?;
+    }
+    for (key, v) in [("forward", ball.forward), ("up", ball.up)] {
+        finite(source, &format!("probe.ball.{key}"), &v)?;
+        if v == [0.0; 3] {
+            return bad(
+                key,
+                "it has no length",
+                "forward = [1, 0, 0] and up = [0, 0, 1] is a level camera",
+            );
+        }
+    }
+    let [forward, up] = [ball.forward, ball.up].map(|v| glam::Vec3::from(v).normalize());
+    if !(forward.cross(up).length() > 1e-3) {
+        return bad(
+            "up",
+            "it lies along forward",
+            "choose a direction across it",
+        );
+    }
+    if ball
+        .size
+        .is_some_and(|s| s.contains(&0) || s.iter().any(|&n| n > MAX_SIDE))
+    {
+        return bad("size", "a side is 0 or above 32768", "as [1024, 512]");
+    }
+    if ball.reflectance.iter().any(|r| !(*r > 0.0 && *r <= 1.0)) {
+        return bad(
+            "reflectance",
+            "a channel is not above 0 and at most 1",
+            "polished steel has about 0.6, silver 0.95",
+        );
+    }
+    if !(ball.rim_px >= 0.0 && ball.rim_px <= 100.0) {
+        return bad("rim_px", "it is not between 0 and 100", "1.5 is usual");
+    }
+    if !(ball.rig_deg >= 0.0 && ball.rig_deg <= 80.0) {
+        return bad(
+            "rig_deg",
+            "it is not between 0 and 80",
+            "0 leaves the camera's reflection in the light",
+        );
+    }
+    Ok(())
+}
+
+fn check_colour(colour: &Colour, source: &Source) -> Result<()> {
+    let numbers = colour
+        .matrix
+        .iter()
+        .flatten()
+        .flatten()
+        .chain(colour.gains.iter().flatten());
+    if numbers.into_iter().any(|n| !(n.abs() <= 1e6)) {
+        return Err(source
+            .error("probe.colour", "a factor is not a number below 1e6")
+            .fix("1 leaves a channel as it is"));
+    }
+    if colour.grey.is_some() && !colour.patches.is_empty() {
+        return Err(source
+            .error("probe.colour.grey", "patches are given too")
+            .fix("keep one of the two: patches match the backplate, grey needs none"));
     }
     Ok(())
 }
@@ -214,11 +330,6 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
                     "it is not between 1e-9 and 1e9, nor the negative of such a number",
                 )
                 .fix("1 leaves it as it is"));
-        }
-        if object.catcher {
-            return Err(source
-                .error(&key("catcher"), "shadow catchers are not supported yet")
-                .fix("remove it"));
         }
         if let Some(material) = &object.material {
             check_material(material, i, source)?;

@@ -2,7 +2,10 @@
 
 use super::Shot;
 use crate::error::{Error, Result};
-use glimt_render_gpu::generated::{RECONSTRUCT, SHADE_MIS, TONEMAP};
+use glimt_render_gpu::generated::{
+    COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DISPLAY_OVER_PLATE, RECONSTRUCT, RECONSTRUCT_LAYERS,
+    SHADE_MIS, SHADE_MIS_LAYERS, TONEMAP,
+};
 use sha2::{Digest, Sha256};
 use std::fs::File;
 use std::io::Read;
@@ -40,11 +43,20 @@ pub fn of_shot(shot: &Shot) -> Hash {
     shot.probe.frames.clear();
     shot.probe.fps = default.probe.fps;
     shot.render.frames.clear();
+    if let Some(plate) = &mut shot.backplate {
+        plate.frames.clear();
+        plate.fps = None;
+    }
     for object in &mut shot.objects {
         object.mesh.clear();
     }
     let canonical = serde_json::to_string(&shot).expect("a shot is plain data");
     Sha256::digest(canonical.as_bytes()).into()
+}
+
+/// Hash of a text.
+pub fn of_text(text: &str) -> Hash {
+    Sha256::digest(text.as_bytes()).into()
 }
 
 /// Joins hashes in order.
@@ -56,18 +68,27 @@ pub fn join<'a>(parts: impl IntoIterator<Item = &'a Hash>) -> Hash {
     hasher.finalize().into()
 }
 
-/// The identity of one frame: version, kernels, shot, meshes, light and number, in hexadecimal.
-pub fn of_frame(scene: &Hash, light: &Hash, frame: u32) -> String {
+/// The identity of one frame: version, kernels, shot, meshes, inputs (light and footage) and number, in hexadecimal.
+pub fn of_frame(scene: &Hash, inputs: &Hash, frame: u32) -> String {
     let mut hasher = Sha256::new();
     hasher.update(b"glimt frame ");
     hasher.update(VERSION.as_bytes());
     hasher.update([0]);
     // What the kernels compute, whatever the version says: their shaders are made from them.
-    for entry in [SHADE_MIS, RECONSTRUCT, TONEMAP] {
+    for entry in [
+        SHADE_MIS,
+        RECONSTRUCT,
+        TONEMAP,
+        SHADE_MIS_LAYERS,
+        RECONSTRUCT_LAYERS,
+        COMPOSITE_OVER_PLATE,
+        DISPLAY_OVER_PLATE,
+        COMPOSITE_ALONE,
+    ] {
         hasher.update(entry.wgsl.as_bytes());
     }
     hasher.update(scene);
-    hasher.update(light);
+    hasher.update(inputs);
     hasher.update(frame.to_le_bytes());
     hex(&hasher.finalize().into())
 }

@@ -33,7 +33,7 @@ pub struct Shot {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Image {
-    /// Width and height in pixels.
+    /// Width and height in pixels; where there is a backplate and this is not given, the backplate's.
     pub size: [u32; 2],
     /// Rays through each pixel.
     pub rays_per_pixel: u32,
@@ -82,13 +82,16 @@ pub struct Probe {
     /// Where the mirror ball is, for `mapping = "mirror-ball"`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ball: Option<Ball>,
+    /// How its colours become the backplate's.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub colour: Option<Colour>,
 }
 
-/// A mirror ball in the probe's frames.
+/// A mirror ball in the probe's frames, and what is made of it.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Ball {
-    /// From the centre of projection to the ball's centre, in millimetres.
+    /// From the centre of projection to the ball's centre, in millimetres; `inf` for an orthographic camera.
     pub distance_mm: f32,
     /// Radius of the ball, in millimetres.
     pub radius_mm: f32,
@@ -98,6 +101,57 @@ pub struct Ball {
     /// Radius of the ball in the image; found if not given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_px: Option<f32>,
+    /// Where the camera that films the ball looks, in the world.
+    pub forward: [f32; 3],
+    /// A direction that is up in its image.
+    pub up: [f32; 3],
+    /// Width and height of the lat-long map that is made, in texels; twice the ball's radius in pixels by once, if not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size: Option<[u32; 2]>,
+    /// Pixels that reach nearer to the ball's rim than this less one are not taken, since the background is mixed into them.
+    pub rim_px: f32,
+    /// Half-angle of the cone about the camera that is filled from its surroundings, in degrees: camera and rig, as they are
+    /// reflected.
+    pub rig_deg: f32,
+    /// Share of the light that the ball reflects where it is seen straight on, red, green and blue; towards its rim it grows
+    /// to 1 (Schlick's approximation of Fresnel's equations). 1 leaves the light as filmed.
+    pub reflectance: [f32; 3],
+    /// Whether roll of the camera is measured and removed.
+    pub steady: bool,
+}
+
+/// How the probe's colours become the backplate's: first `matrix`, then `gains`, then what the patches say.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Colour {
+    /// Rows of a matrix for linear red, green and blue.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub matrix: Option<[[f32; 3]; 3]>,
+    /// A factor for each channel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gains: Option<[f32; 3]>,
+    /// A patch of the probe's images that is to be grey.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grey: Option<Box4>,
+    /// Patches that the probe and the backplate both show.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub patches: Vec<Patch>,
+    /// The frame in which patches are read; the first, if not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frame: Option<u32>,
+}
+
+/// A box in an image: left, top, width and height in pixels.
+pub type Box4 = [u32; 4];
+
+/// One surface in two images.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Patch {
+    /// In the probe's.
+    pub probe: Box4,
+    /// In the backplate's.
+    pub plate: Box4,
 }
 
 /// A mesh that stands in the scene. It is scaled, then turned about x, y, z (fixed axes), then moved.
@@ -117,7 +171,7 @@ pub struct Object {
     pub up: Option<Up>,
     /// Set its lowest point on z = 0 before it is moved.
     pub ground: bool,
-    /// Take shadows only, to be laid over a backplate.
+    /// It is in the footage already: it takes shadows, hides what is behind it, and blocks no light.
     pub catcher: bool,
     /// One material in place of the file's.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -136,12 +190,19 @@ pub struct Material {
     pub exponent: f32,
 }
 
-/// Footage to lay the objects over.
+/// Footage to lay the objects over: PNG or JPEG, taken as sRGB, or OpenEXR, linear.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Backplate {
     /// File of a still, or of a sequence with `####` for the frame's number.
     pub frames: String,
+    /// How it takes shadows.
+    pub shadow: Shadow,
+    /// How it is fitted to an image of other proportions.
+    pub fit: Fit,
+    /// Frames per second, if not those of the probe: frames are then matched by time, from each one's first on.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fps: Option<f32>,
 }
 
 /// How it is rendered.
@@ -178,8 +239,8 @@ pub struct Output {
     pub video: String,
     /// Codec of the video.
     pub codec: Codec,
-    /// Further images.
-    pub aovs: Vec<String>,
+    /// Layers beside the image in the EXR.
+    pub aovs: Vec<Aov>,
 }
 
 macro_rules! words {
@@ -189,6 +250,8 @@ macro_rules! words {
         pub enum $name { $($(#[$variant_doc])* #[serde(rename = $word)] $variant),+ }
     };
 }
+
+pub(crate) use words;
 
 words! {
     /// Where in its pixel a ray passes.
@@ -248,6 +311,35 @@ words! {
         Smc = "smc",
         /// Precomputed radiance transfer.
         Prt = "prt",
+    }
+}
+words! {
+    /// How a backplate takes shadows.
+    Shadow {
+        /// Times the share of light that is left.
+        #[default] Multiply = "multiply",
+        /// Minus the light that is lost.
+        Add = "add",
+    }
+}
+words! {
+    /// How a backplate is fitted to an image of other proportions.
+    Fit {
+        /// Stretched.
+        #[default] Stretch = "stretch",
+        /// Its middle, in its own proportions.
+        Crop = "crop",
+    }
+}
+words! {
+    /// A layer beside the image.
+    Aov {
+        /// The objects alone, premultiplied.
+        #[default] Object = "object",
+        /// The share of the plate's light that is left.
+        Catcher = "catcher",
+        /// The catchers' radiance with the objects minus that without.
+        Difference = "difference",
     }
 }
 words! {
@@ -316,6 +408,7 @@ impl Default for Probe {
             scale: 1.0,
             fps: 25.0,
             ball: None,
+            colour: None,
         }
     }
 }
@@ -327,6 +420,13 @@ impl Default for Ball {
             radius_mm: 50.0,
             centre_px: None,
             radius_px: None,
+            forward: [1.0, 0.0, 0.0],
+            up: [0.0, 0.0, 1.0],
+            size: None,
+            rim_px: 1.5,
+            rig_deg: 0.0,
+            reflectance: [1.0; 3],
+            steady: true,
         }
     }
 }

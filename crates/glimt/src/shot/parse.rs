@@ -1,29 +1,52 @@
-//! Host file: from TOML and `--set key=value` to a shot. What is not understood is an error that says where and names
+//! Host file: from TOML and `--set key=value` to a shot, or another document of keys. What is not understood is an error that says where and names
 //! the nearest thing that would be.
 
 use super::Shot;
 use crate::error::{Error, Result, nearest};
+use serde::de::DeserializeOwned;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
-/// A shot with the text that it was read from, for messages about its keys.
+/// What is read from TOML and `--set`: a shot, or the settings of another command. Every key has a default.
+pub trait Document: DeserializeOwned {
+    /// What it is, for messages: "a shot".
+    const NAME: &'static str;
+    /// A setting of it, for messages.
+    const EXAMPLE: &'static str;
+    /// Its arrays of tables.
+    const LISTS: &'static [&'static str];
+    /// Fills in what some keys mean for others that are not given.
+    fn complete(_table: &mut Table) {}
+}
+
+impl Document for Shot {
+    const NAME: &'static str = "a shot";
+    const EXAMPLE: &'static str = "image.rays_per_pixel=64";
+    const LISTS: &'static [&'static str] = &["object"];
+    fn complete(table: &mut Table) {
+        apply_preset(table);
+    }
+}
+
+/// A document with the text that it was read from, for messages about its keys.
 #[derive(Clone, Debug)]
 pub struct Source {
     /// The file's name.
     pub file: std::path::PathBuf,
     text: String,
     set: Vec<String>,
+    given: Table,
 }
 
-/// Reads a shot file and applies `key=value` overrides.
+/// Reads a file and applies `key=value` overrides.
 ///
 /// # Errors
 /// The first unknown key, wrong type or syntax error, with its line and column or the override it stands in.
-pub fn read(file: &Path, set: &[String]) -> Result<(Shot, Source)> {
+pub fn read<T: Document>(file: &Path, set: &[String]) -> Result<(T, Source)> {
     let text = std::fs::read_to_string(file).map_err(|e| match e.kind() {
         std::io::ErrorKind::InvalidData => {
-            Error::input(file, "it is not a text file").fix("a shot is a TOML file")
+            Error::input(file, "it is not a text file").fix(format!("{} is a TOML file", T::NAME))
         }
         _ => Error::reading(file, &e),
     })?;
@@ -34,28 +57,41 @@ pub fn read(file: &Path, set: &[String]) -> Result<(Shot, Source)> {
 ///
 /// # Errors
 /// As [`read`].
-pub fn parse(file: &Path, text: String, set: &[String]) -> Result<(Shot, Source)> {
+pub fn parse<T: Document>(file: &Path, text: String, set: &[String]) -> Result<(T, Source)> {
     let in_file = |error: toml::de::Error| {
         let (line, column) = position(&text, error.span().map_or(0, |s| s.start));
         explain(error.message()).file(file).at_line(line, column)
     };
     let mut table: Table = toml::from_str(&text).map_err(in_file)?;
     // Read once for the places of its errors; the overrides are applied to the table and read again.
-    toml::from_str::<Shot>(&text).map_err(in_file)?;
+    toml::from_str::<T>(&text).map_err(in_file)?;
     for item in set {
-        override_key(&mut table, item)?;
+        override_key::<T>(&mut table, item)?;
     }
-    apply_preset(&mut table);
-    let shot = to_shot(&table).map_err(|e| explain(e.message()).file(file))?;
+    T::complete(&mut table);
+    let document = read_table(&table).map_err(|e| explain(e.message()).file(file))?;
     let source = Source {
         file: file.to_owned(),
         text,
         set: set.to_vec(),
+        given: table,
     };
-    Ok((shot, source))
+    Ok((document, source))
 }
 
 impl Source {
+    /// Whether a key, as `image.size`, is given: in the file, by an override or by a preset.
+    pub fn gives(&self, key: &str) -> bool {
+        let mut table = Some(&self.given);
+        let mut found = false;
+        for part in key.split('.') {
+            let value = table.and_then(|t| t.get(part));
+            found = value.is_some();
+            table = value.and_then(Value::as_table);
+        }
+        found
+    }
+
     /// An error about the value of a key, as `image.size` or `object.0.scale`, at its place in the file.
     pub fn error(&self, key: &str, what: impl std::fmt::Display) -> Error {
         let error = Error::usage(format!("{key}: {what}"));
@@ -73,16 +109,16 @@ impl Source {
     }
 }
 
-fn to_shot(table: &Table) -> std::result::Result<Shot, toml::de::Error> {
+fn read_table<T: Document>(table: &Table) -> std::result::Result<T, toml::de::Error> {
     Value::Table(table.clone()).try_into()
 }
 
 /// Sets one key from `key=value`. A value that is not TOML, or not of the key's type, is taken as a string.
-fn override_key(table: &mut Table, item: &str) -> Result<()> {
+fn override_key<T: Document>(table: &mut Table, item: &str) -> Result<()> {
     let wrong = |error: Error| error.at(format!("--set {item}"));
     let Some((key, text)) = item.split_once('=') else {
         return Err(wrong(
-            Error::usage("there is no `=`").fix("write it as --set image.rays_per_pixel=64"),
+            Error::usage("there is no `=`").fix(format!("write it as --set {}", T::EXAMPLE)),
         ));
     };
     let key = normalise(key);
@@ -94,11 +130,11 @@ fn override_key(table: &mut Table, item: &str) -> Result<()> {
         .unwrap_or_else(|| as_string.clone());
 
     let mut changed = table.clone();
-    insert(&mut changed, &key, value).map_err(wrong)?;
-    if let Err(error) = to_shot(&changed) {
+    insert(&mut changed, T::LISTS, &key, value).map_err(wrong)?;
+    if let Err(error) = read_table::<T>(&changed) {
         let mut quoted = table.clone();
-        insert(&mut quoted, &key, as_string).map_err(wrong)?;
-        if to_shot(&quoted).is_err() {
+        insert(&mut quoted, T::LISTS, &key, as_string).map_err(wrong)?;
+        if read_table::<T>(&quoted).is_err() {
             return Err(wrong(explain(error.message())));
         }
         changed = quoted;
@@ -112,15 +148,17 @@ fn normalise(key: &str) -> String {
     key.trim().replace('[', ".").replace(']', "")
 }
 
-fn insert(table: &mut Table, key: &str, value: Value) -> Result<()> {
+fn insert(table: &mut Table, lists: &[&str], key: &str, value: Value) -> Result<()> {
     let (path, last) = key.rsplit_once('.').unwrap_or(("", key));
     let mut here = table;
     let mut parts = path.split('.').filter(|p| !p.is_empty()).peekable();
     while let Some(part) = parts.next() {
         let slot = match part {
-            "object" if parts.peek().is_some() || last.parse::<usize>().is_ok() => here
-                .entry("object")
-                .or_insert_with(|| Value::Array(Vec::new())),
+            list if lists.contains(&list)
+                && (parts.peek().is_some() || last.parse::<usize>().is_ok()) =>
+            {
+                here.entry(list).or_insert_with(|| Value::Array(Vec::new()))
+            }
             _ => here
                 .entry(part)
                 .or_insert_with(|| Value::Table(Table::new())),

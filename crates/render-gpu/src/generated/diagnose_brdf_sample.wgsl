@@ -62,7 +62,7 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused_a: u32,
+    shadow: u32,
     unused_b: u32,
     unused_c: u32,
 }
@@ -177,10 +177,10 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:82
+// glimt_render_gpu/src/kernels/frame.rs:87
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:83
+    // glimt_render_gpu/src/kernels/frame.rs:88
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -801,26 +801,26 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:96
+// glimt_render_gpu/src/kernels/frame.rs:101
 fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:97
+    // glimt_render_gpu/src/kernels/frame.rs:102
     let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:98
+    // glimt_render_gpu/src/kernels/frame.rs:103
     if (this_9.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:99
+        // glimt_render_gpu/src/kernels/frame.rs:104
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:101
+        // glimt_render_gpu/src/kernels/frame.rs:106
         let _e24 = PixelPattern_pair(pattern, 1u, 0u, 1u);
         let _e25 = unit_vec2_(_e24);
         chosen_2 = _e25;
     }
     let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:103
+    // glimt_render_gpu/src/kernels/frame.rs:108
     let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:109
+    // glimt_render_gpu/src/kernels/frame.rs:114
     let _e39 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
     let _e40 = Ray_new(this_9.eye, _e39);
     return _e40;
@@ -852,42 +852,42 @@ fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:40
+// glimt_render_gpu/src/kernels/triangle.rs:51
 fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:41
+    // glimt_render_gpu/src/kernels/triangle.rs:52
     return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:53
+// glimt_render_gpu/src/kernels/triangle.rs:64
 fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     var chosen_4: f32;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:54
+    // glimt_render_gpu/src/kernels/triangle.rs:65
     let a_3 = (triangle.v0_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:55
-    let b_3 = (triangle.v1_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:56
-    let c_2 = (triangle.v2_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:57
-    let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:58
-    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:59
-        return 340282350000000000000000000000000000000f;
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:61
-    let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
-    // glimt_render_gpu/src/kernels/triangle.rs:62
-    let slope = dot(normal_1, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:63
-    if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:64
-        return 340282350000000000000000000000000000000f;
-    }
     // glimt_render_gpu/src/kernels/triangle.rs:66
-    let t_1 = (dot(a_3, normal_1) / slope);
+    let b_3 = (triangle.v1_ - ray_2.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:67
+    let c_2 = (triangle.v2_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:69
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:70
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:73
+    let slope = dot(normal_1, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:74
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:75
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let t_1 = (dot(a_3, normal_1) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:78
     if ((t_1 > 0f) && (t_1 < t_max)) {
         chosen_4 = t_1;
     } else {
@@ -897,40 +897,62 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     return _e59;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:144
-fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32) -> u32 {
+// glimt_render_gpu/src/kernels/triangle.rs:33
+fn Triangle_is_catcher(this_10: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:34
+    return ((this_10.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:145
+fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
     var nearest: u32;
     var counter_1: u32;
+    var both: bool;
+    var both_1: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:151
+    // glimt_render_gpu/src/kernels/bvh.rs:153
     nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:152
+    // glimt_render_gpu/src/kernels/bvh.rs:154
     counter_1 = leaf.first;
     loop {
         let i = counter_1;
         if (i >= (leaf.first + leaf.count)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:153
-        let _e18 = scene_triangles[i];
-        let _e19 = (*reach);
-        let _e20 = intersect(_e18, ray_3, _e19);
-        // glimt_render_gpu/src/kernels/bvh.rs:154
-        let _e22 = (*reach);
-        if (_e20 < _e22) {
-            // glimt_render_gpu/src/kernels/bvh.rs:155
-            (*reach) = _e20;
-            // glimt_render_gpu/src/kernels/bvh.rs:156
+        // glimt_render_gpu/src/kernels/bvh.rs:155
+        let _e19 = scene_triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_3, _e20);
+        // glimt_render_gpu/src/kernels/bvh.rs:157
+        let _e23 = (*reach);
+        let _e24 = (_e21 < _e23);
+        both = _e24;
+        if _e24 {
+            both_1 = no_catcher;
+            if no_catcher {
+                let _e29 = scene_triangles[i];
+                let _e30 = Triangle_is_catcher(_e29);
+                both_1 = _e30;
+            }
+            let _e31 = both_1;
+            both = !(_e31);
+        }
+        let _e33 = both;
+        if _e33 {
+            // glimt_render_gpu/src/kernels/bvh.rs:158
+            (*reach) = _e21;
+            // glimt_render_gpu/src/kernels/bvh.rs:159
             nearest = i;
         }
         continuing {
-            let _e26 = counter_1;
-            counter_1 = (_e26 + 1u);
+            let _e36 = counter_1;
+            counter_1 = (_e36 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:159
-    let _e30 = nearest;
-    return _e30;
+    // glimt_render_gpu/src/kernels/bvh.rs:162
+    let _e40 = nearest;
+    return _e40;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:77
@@ -967,7 +989,7 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     // glimt_render_gpu/src/kernels/bvh.rs:88
     if (root.count > 0u) {
         // glimt_render_gpu/src/kernels/bvh.rs:89
-        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u);
+        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u, any_);
         return _e31;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:91
@@ -1026,7 +1048,7 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:111
             let _e95 = near;
             let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96);
+            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96, any_);
             best_1 = _e97;
             // glimt_render_gpu/src/kernels/bvh.rs:112
             let _e99 = best_1;
@@ -1049,7 +1071,7 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:119
             let _e120 = far;
             let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121);
+            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121, any_);
             best_1 = _e122;
             // glimt_render_gpu/src/kernels/bvh.rs:120
             let _e124 = best_1;
@@ -1105,19 +1127,19 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:73
+// glimt_render_gpu/src/kernels/triangle.rs:84
 fn barycentrics(triangle_1: Triangle, ray_5: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:74
+    // glimt_render_gpu/src/kernels/triangle.rs:85
     let _e14 = edge_functions((triangle_1.v0_ - ray_5.origin), (triangle_1.v1_ - ray_5.origin), (triangle_1.v2_ - ray_5.origin), ray_5.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:80
+    // glimt_render_gpu/src/kernels/triangle.rs:91
     let sum_2 = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:81
+    // glimt_render_gpu/src/kernels/triangle.rs:92
     if (sum_2 == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:83
+        // glimt_render_gpu/src/kernels/triangle.rs:94
         return vec2((1f / 3f));
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:85
+    // glimt_render_gpu/src/kernels/triangle.rs:96
     return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_2));
 }
 
@@ -1149,11 +1171,11 @@ fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
     return _e4;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:29
-fn Triangle_area_normal(this_10: Triangle) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:40
+fn Triangle_area_normal(this_11: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:30
-    return cross((this_10.v1_ - this_10.v0_), (this_10.v2_ - this_10.v0_));
+    // glimt_render_gpu/src/kernels/triangle.rs:41
+    return cross((this_11.v1_ - this_11.v0_), (this_11.v2_ - this_11.v0_));
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:120
@@ -1175,10 +1197,10 @@ fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_11: TextureView) -> bool {
+fn TextureView_exists(this_12: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_11.width > 0u);
+    return (this_12.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -1223,11 +1245,11 @@ fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_12: TextureView, index_10: u32) -> vec4<f32> {
+fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
     var chosen_6: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word = scene_texels[(this_12.first + index_10)];
+    let word = scene_texels[(this_13.first + index_10)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r = (word & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -1237,7 +1259,7 @@ fn TextureView_texel(this_12: TextureView, index_10: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha = (f32((word >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_12.flags & 1u) != 0u) {
+    if ((this_13.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e41 = scene_texels[r];
         let _e45 = scene_texels[g];
@@ -1252,40 +1274,40 @@ fn TextureView_texel(this_12: TextureView, index_10: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_13: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_14: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_13.flags >> 1u) & 3u);
+    let wrap_u = ((this_14.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_13.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_14.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e22 = wrap(uv.x, wrap_u);
-    let x_8 = ((_e22 * f32(this_13.width)) - 0.5f);
+    let x_8 = ((_e22 * f32(this_14.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e30 = wrap(uv.y, wrap_v);
-    let y_2 = ((_e30 * f32(this_13.height)) - 0.5f);
+    let y_2 = ((_e30 * f32(this_14.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e39 = Tuple_f32_f32_(floor(x_8), floor(y_2));
     let left = _e39.fa;
     let top = _e39.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e45 = neighbour(i32(left), this_13.width, wrap_u);
+    let _e45 = neighbour(i32(left), this_14.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e51 = neighbour((i32(left) + 1i), this_13.width, wrap_u);
+    let _e51 = neighbour((i32(left) + 1i), this_14.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e55 = neighbour(i32(top), this_13.height, wrap_v);
-    let row0_ = (_e55 * this_13.width);
+    let _e55 = neighbour(i32(top), this_14.height, wrap_v);
+    let row0_ = (_e55 * this_14.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e63 = neighbour((i32(top) + 1i), this_13.height, wrap_v);
-    let row1_ = (_e63 * this_13.width);
+    let _e63 = neighbour((i32(top) + 1i), this_14.height, wrap_v);
+    let row1_ = (_e63 * this_14.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e68 = TextureView_texel(this_13, (row0_ + _e45));
-    let _e70 = TextureView_texel(this_13, (row0_ + _e51));
+    let _e68 = TextureView_texel(this_14, (row0_ + _e45));
+    let _e70 = TextureView_texel(this_14, (row0_ + _e51));
     let _e71 = (x_8 - left);
     let upper = ((_e68 * (1f - _e71)) + (_e70 * _e71));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e79 = TextureView_texel(this_13, (row1_ + _e45));
-    let _e81 = TextureView_texel(this_13, (row1_ + _e51));
+    let _e79 = TextureView_texel(this_14, (row1_ + _e45));
+    let _e81 = TextureView_texel(this_14, (row1_ + _e51));
     let _e82 = (x_8 - left);
     let lower = ((_e79 * (1f - _e82)) + (_e81 * _e82));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -1294,12 +1316,12 @@ fn TextureView_sample(this_13: TextureView, uv: vec2<f32>) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:73
-fn Material_bumped_normal(this_14: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+fn Material_bumped_normal(this_15: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/material.rs:81
     let across = (tangent - (normal * dot(normal, tangent)));
     // glimt_render_gpu/src/kernels/material.rs:82
-    let _e12 = TextureView_exists(this_14.normal_texture);
+    let _e12 = TextureView_exists(this_15.normal_texture);
     if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
         // glimt_render_gpu/src/kernels/material.rs:83
         return normal;
@@ -1309,10 +1331,10 @@ fn Material_bumped_normal(this_14: Material, uv_1: vec2<f32>, normal: vec3<f32>,
     // glimt_render_gpu/src/kernels/material.rs:86
     let b_5 = (cross(normal, t_3) * handedness);
     // glimt_render_gpu/src/kernels/material.rs:87
-    let _e27 = TextureView_sample(this_14.normal_texture, uv_1);
+    let _e27 = TextureView_sample(this_15.normal_texture, uv_1);
     let map = ((_e27.xyz * 2f) - vec3(1f));
     // glimt_render_gpu/src/kernels/material.rs:88
-    let tilt = (((t_3 * map.x) + (b_5 * map.y)) * this_14.normal_scale);
+    let tilt = (((t_3 * map.x) + (b_5 * map.y)) * this_15.normal_scale);
     // glimt_render_gpu/src/kernels/material.rs:89
     let _e46 = unit_or((tilt + (normal * map.z)), normal);
     return _e46;
@@ -1332,10 +1354,10 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_15: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_2, this_15.t), dot(v_2, this_15.b), dot(v_2, this_15.n));
+    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -1356,35 +1378,35 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
 }
 
 // glimt_render_gpu/src/kernels/material.rs:46
-fn Material_brdf(this_16: Material, uv_2: vec2<f32>) -> BlinnPhong {
+fn Material_brdf(this_17: Material, uv_2: vec2<f32>) -> BlinnPhong {
     var color: vec3<f32>;
     var metallic_1: f32;
     var roughness_1: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:47
-    if (this_16.kind == 0u) {
+    if (this_17.kind == 0u) {
         // glimt_render_gpu/src/kernels/material.rs:48
-        return BlinnPhong(this_16.color, this_16.specular, this_16.exponent);
+        return BlinnPhong(this_17.color, this_17.specular, this_17.exponent);
     }
     // glimt_render_gpu/src/kernels/material.rs:54
-    color = this_16.color;
+    color = this_17.color;
     // glimt_render_gpu/src/kernels/material.rs:55
-    let _e17 = TextureView_exists(this_16.base_color_texture);
+    let _e17 = TextureView_exists(this_17.base_color_texture);
     if _e17 {
         // glimt_render_gpu/src/kernels/material.rs:56
-        let _e20 = TextureView_sample(this_16.base_color_texture, uv_2);
+        let _e20 = TextureView_sample(this_17.base_color_texture, uv_2);
         let _e22 = color;
         color = (_e22 * _e20.xyz);
     }
     // glimt_render_gpu/src/kernels/material.rs:58
-    metallic_1 = this_16.metallic;
+    metallic_1 = this_17.metallic;
     // glimt_render_gpu/src/kernels/material.rs:59
-    roughness_1 = this_16.roughness;
+    roughness_1 = this_17.roughness;
     // glimt_render_gpu/src/kernels/material.rs:60
-    let _e32 = TextureView_exists(this_16.metallic_roughness_texture);
+    let _e32 = TextureView_exists(this_17.metallic_roughness_texture);
     if _e32 {
         // glimt_render_gpu/src/kernels/material.rs:61
-        let _e35 = TextureView_sample(this_16.metallic_roughness_texture, uv_2);
+        let _e35 = TextureView_sample(this_17.metallic_roughness_texture, uv_2);
         // glimt_render_gpu/src/kernels/material.rs:62
         let _e38 = roughness_1;
         roughness_1 = (_e38 * _e35.y);
@@ -1483,15 +1505,15 @@ fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_17: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_18: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_17).dimension;
+    let dimension_4 = (*this_18).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_17).dimension = (dimension_4 + 1u);
+    (*this_18).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_17).index;
-    let _e13 = (*this_17).seed;
+    let _e11 = (*this_18).index;
+    let _e13 = (*this_18).seed;
     let _e17 = hash2_(_e13, (dimension_4 >> 2u));
     let _e18 = owen_sobol(_e11, dimension_4, _e17);
     return _e18;
@@ -1508,16 +1530,16 @@ fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:57
-fn PixelPattern_triple(this_18: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_19: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:58
-    let index_15 = ((this_18.ray * samples_1) + sample_1);
+    let index_15 = ((this_19.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:59
-    if (this_18.kind == 0u) {
+    if (this_19.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:60
-        let _e14 = PixelPattern_sobol_point(this_18, purpose_4, index_15);
+        let _e14 = PixelPattern_sobol_point(this_19, purpose_4, index_15);
         point = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:61
         let _e17 = OwenSobol_next_uvec2_((&point));
@@ -1526,20 +1548,20 @@ fn PixelPattern_triple(this_18: PixelPattern, purpose_4: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:64
-    let _e22 = PixelPattern_generator(this_18, purpose_4, index_15);
+    let _e22 = PixelPattern_generator(this_19, purpose_4, index_15);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:65
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:66
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    if (this_18.kind == 1u) {
+    if (this_19.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:68
         return vec3<u32>(_e25, _e27);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:70
-    let _e37 = PixelPattern_key(this_18, purpose_4);
-    let _e38 = Tuple_u32_u32_((this_18.rays * samples_1), _e37);
+    let _e37 = PixelPattern_key(this_19, purpose_4);
+    let _e38 = Tuple_u32_u32_((this_19.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:71
@@ -1556,17 +1578,17 @@ fn luminance(rgb: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_19: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_20: BlinnPhong) -> f32 {
     var chosen_10: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_19.specular);
+    let _e4 = luminance(this_20.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_19.diffuse);
-    let both = (_e7 + _e4);
+    let _e7 = luminance(this_20.diffuse);
+    let both_2 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
-    if (both > 0f) {
-        chosen_10 = (_e4 / both);
+    if (both_2 > 0f) {
+        chosen_10 = (_e4 / both_2);
     } else {
         chosen_10 = 0f;
     }
@@ -1781,23 +1803,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_20: HalfVector, exponent_3: f32) -> f32 {
+fn HalfVector_lobe(this_21: HalfVector, exponent_3: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_20.cos2_theta, this_20.sin2_theta, exponent_3);
+    let _e6 = cosine_power(this_21.cos2_theta, this_21.sin2_theta, exponent_3);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_21: HalfVector, exponent_4: f32) -> f32 {
+fn HalfVector_pdf_sr(this_22: HalfVector, exponent_4: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_21, exponent_4);
-    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_21.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_22, exponent_4);
+    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_22.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_23: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -1807,7 +1829,7 @@ fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_22);
+    let _e17 = BlinnPhong_pmf_specular(this_23);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -1815,21 +1837,21 @@ fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_1, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_22.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_23.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_23: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_24: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_15: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_23);
+    let _e8 = BlinnPhong_pmf_specular(this_24);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_23.exponent);
+        let _e12 = sample_power_cosine(u_5, this_24.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_15 = (((2f * dot(wo_2, h)) * h) - wo_2);
@@ -1840,7 +1862,7 @@ fn BlinnPhong_sample(this_23: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec
     }
     let wi_2 = chosen_15;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_23, wo_2, wi_2);
+    let _e25 = BlinnPhong_pdf_sr(this_24, wo_2, wi_2);
     return BrdfSample(wi_2, _e25);
 }
 

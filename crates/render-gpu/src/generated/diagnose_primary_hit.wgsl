@@ -62,7 +62,7 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused_a: u32,
+    shadow: u32,
     unused_b: u32,
     unused_c: u32,
 }
@@ -137,10 +137,10 @@ var<storage, read_write> out: array<HitRecord>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:82
+// glimt_render_gpu/src/kernels/frame.rs:87
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:83
+    // glimt_render_gpu/src/kernels/frame.rs:88
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -761,26 +761,26 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:96
+// glimt_render_gpu/src/kernels/frame.rs:101
 fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:97
+    // glimt_render_gpu/src/kernels/frame.rs:102
     let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:98
+    // glimt_render_gpu/src/kernels/frame.rs:103
     if (this_9.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:99
+        // glimt_render_gpu/src/kernels/frame.rs:104
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:101
+        // glimt_render_gpu/src/kernels/frame.rs:106
         let _e24 = PixelPattern_pair(pattern, 1u, 0u, 1u);
         let _e25 = unit_vec2_(_e24);
         chosen_2 = _e25;
     }
     let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:103
+    // glimt_render_gpu/src/kernels/frame.rs:108
     let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:109
+    // glimt_render_gpu/src/kernels/frame.rs:114
     let _e39 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
     let _e40 = Ray_new(this_9.eye, _e39);
     return _e40;
@@ -812,42 +812,42 @@ fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:40
+// glimt_render_gpu/src/kernels/triangle.rs:51
 fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:41
+    // glimt_render_gpu/src/kernels/triangle.rs:52
     return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:53
+// glimt_render_gpu/src/kernels/triangle.rs:64
 fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     var chosen_4: f32;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:54
+    // glimt_render_gpu/src/kernels/triangle.rs:65
     let a_3 = (triangle.v0_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:55
-    let b_3 = (triangle.v1_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:56
-    let c_2 = (triangle.v2_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:57
-    let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:58
-    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:59
-        return 340282350000000000000000000000000000000f;
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:61
-    let normal = cross((c_2 - a_3), (a_3 - b_3));
-    // glimt_render_gpu/src/kernels/triangle.rs:62
-    let slope = dot(normal, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:63
-    if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:64
-        return 340282350000000000000000000000000000000f;
-    }
     // glimt_render_gpu/src/kernels/triangle.rs:66
-    let t_1 = (dot(a_3, normal) / slope);
+    let b_3 = (triangle.v1_ - ray_2.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:67
+    let c_2 = (triangle.v2_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:69
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:70
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    let normal = cross((c_2 - a_3), (a_3 - b_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:73
+    let slope = dot(normal, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:74
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:75
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let t_1 = (dot(a_3, normal) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:78
     if ((t_1 > 0f) && (t_1 < t_max)) {
         chosen_4 = t_1;
     } else {
@@ -857,40 +857,62 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     return _e59;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:144
-fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32) -> u32 {
+// glimt_render_gpu/src/kernels/triangle.rs:33
+fn Triangle_is_catcher(this_10: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:34
+    return ((this_10.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:145
+fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
     var nearest: u32;
     var counter_1: u32;
+    var both: bool;
+    var both_1: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:151
+    // glimt_render_gpu/src/kernels/bvh.rs:153
     nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:152
+    // glimt_render_gpu/src/kernels/bvh.rs:154
     counter_1 = leaf.first;
     loop {
         let i = counter_1;
         if (i >= (leaf.first + leaf.count)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:153
-        let _e18 = scene_triangles[i];
-        let _e19 = (*reach);
-        let _e20 = intersect(_e18, ray_3, _e19);
-        // glimt_render_gpu/src/kernels/bvh.rs:154
-        let _e22 = (*reach);
-        if (_e20 < _e22) {
-            // glimt_render_gpu/src/kernels/bvh.rs:155
-            (*reach) = _e20;
-            // glimt_render_gpu/src/kernels/bvh.rs:156
+        // glimt_render_gpu/src/kernels/bvh.rs:155
+        let _e19 = scene_triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_3, _e20);
+        // glimt_render_gpu/src/kernels/bvh.rs:157
+        let _e23 = (*reach);
+        let _e24 = (_e21 < _e23);
+        both = _e24;
+        if _e24 {
+            both_1 = no_catcher;
+            if no_catcher {
+                let _e29 = scene_triangles[i];
+                let _e30 = Triangle_is_catcher(_e29);
+                both_1 = _e30;
+            }
+            let _e31 = both_1;
+            both = !(_e31);
+        }
+        let _e33 = both;
+        if _e33 {
+            // glimt_render_gpu/src/kernels/bvh.rs:158
+            (*reach) = _e21;
+            // glimt_render_gpu/src/kernels/bvh.rs:159
             nearest = i;
         }
         continuing {
-            let _e26 = counter_1;
-            counter_1 = (_e26 + 1u);
+            let _e36 = counter_1;
+            counter_1 = (_e36 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:159
-    let _e30 = nearest;
-    return _e30;
+    // glimt_render_gpu/src/kernels/bvh.rs:162
+    let _e40 = nearest;
+    return _e40;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:77
@@ -927,7 +949,7 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     // glimt_render_gpu/src/kernels/bvh.rs:88
     if (root.count > 0u) {
         // glimt_render_gpu/src/kernels/bvh.rs:89
-        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u);
+        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u, any_);
         return _e31;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:91
@@ -986,7 +1008,7 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:111
             let _e95 = near;
             let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96);
+            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96, any_);
             best_1 = _e97;
             // glimt_render_gpu/src/kernels/bvh.rs:112
             let _e99 = best_1;
@@ -1009,7 +1031,7 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:119
             let _e120 = far;
             let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121);
+            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121, any_);
             best_1 = _e122;
             // glimt_render_gpu/src/kernels/bvh.rs:120
             let _e124 = best_1;
@@ -1065,19 +1087,19 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:73
+// glimt_render_gpu/src/kernels/triangle.rs:84
 fn barycentrics(triangle_1: Triangle, ray_5: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:74
+    // glimt_render_gpu/src/kernels/triangle.rs:85
     let _e14 = edge_functions((triangle_1.v0_ - ray_5.origin), (triangle_1.v1_ - ray_5.origin), (triangle_1.v2_ - ray_5.origin), ray_5.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:80
+    // glimt_render_gpu/src/kernels/triangle.rs:91
     let sum_2 = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:81
+    // glimt_render_gpu/src/kernels/triangle.rs:92
     if (sum_2 == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:83
+        // glimt_render_gpu/src/kernels/triangle.rs:94
         return vec2((1f / 3f));
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:85
+    // glimt_render_gpu/src/kernels/triangle.rs:96
     return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_2));
 }
 

@@ -18,7 +18,7 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused_a: u32,
+    shadow: u32,
     unused_b: u32,
     unused_c: u32,
 }
@@ -58,10 +58,10 @@ var<storage, read_write> out: array<vec4<u32>>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:82
+// glimt_render_gpu/src/kernels/frame.rs:87
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:83
+    // glimt_render_gpu/src/kernels/frame.rs:88
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 

@@ -82,6 +82,208 @@ pub const TONEMAP: Entry = Entry {
     ],
 };
 
+/// [`unwarp`](crate::kernels::unwarp::unwarp) as a compute entry point.
+pub const UNWARP: Entry = Entry {
+    name: "unwarp",
+    kernel: "glimt_render_gpu::kernels::unwarp::unwarp",
+    wgsl: include_str!("unwarp.wgsl"),
+    workgroup_size: 64,
+    params_size: 80,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("colour", 16, 48),
+        param("reflectance", 64, 16),
+    ],
+    buffers: &[
+        slot("map.texels", 1, 12, false),
+        slot("map.taps", 2, 4, false),
+        slot("pixels", 3, 16, false),
+        slot("out", 4, 16, true),
+    ],
+};
+
+/// [`shade_mis_layers`](crate::kernels::shade::shade_mis_layers) as a compute entry point.
+pub const SHADE_MIS_LAYERS: Entry = Entry {
+    name: "shade_mis_layers",
+    kernel: "glimt_render_gpu::kernels::shade::shade_mis_layers",
+    wgsl: include_str!("shade_mis_layers.wgsl"),
+    workgroup_size: 64,
+    params_size: 144,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("env.cdf.size", 128, 8),
+        param("env.rotation", 136, 8),
+    ],
+    buffers: &[
+        slot("env.texels", 1, 16, false),
+        slot("env.cdf.marginal", 2, 4, false),
+        slot("env.cdf.conditional", 3, 4, false),
+        slot("scene.nodes", 4, 32, false),
+        slot("scene.triangles", 5, 48, false),
+        slot("scene.corners", 6, 32, false),
+        slot("scene.materials", 7, 96, false),
+        slot("scene.texels", 8, 4, false),
+        slot("out", 9, 32, true),
+    ],
+};
+
+/// [`reconstruct_layers`](crate::kernels::layers::reconstruct_layers) as a compute entry point.
+pub const RECONSTRUCT_LAYERS: Entry = Entry {
+    name: "reconstruct_layers",
+    kernel: "glimt_render_gpu::kernels::layers::reconstruct_layers",
+    wgsl: include_str!("reconstruct_layers.wgsl"),
+    workgroup_size: 64,
+    params_size: 144,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("env.cdf.size", 128, 8),
+        param("env.rotation", 136, 8),
+    ],
+    buffers: &[
+        slot("env.texels", 1, 16, false),
+        slot("env.cdf.marginal", 2, 4, false),
+        slot("env.cdf.conditional", 3, 4, false),
+        slot("samples", 4, 32, false),
+        slot("out", 5, 64, true),
+    ],
+};
+
+/// [`composite_over_plate`](crate::kernels::composite::composite_over_plate) as a compute entry point.
+pub const COMPOSITE_OVER_PLATE: Entry = Entry {
+    name: "composite_over_plate",
+    kernel: "glimt_render_gpu::kernels::composite::composite_over_plate",
+    wgsl: include_str!("composite_over_plate.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("layers", 1, 64, false),
+        slot("plate", 2, 16, false),
+        slot("out", 3, 16, true),
+    ],
+};
+
+/// [`display_over_plate`](crate::kernels::composite::display_over_plate) as a compute entry point.
+pub const DISPLAY_OVER_PLATE: Entry = Entry {
+    name: "display_over_plate",
+    kernel: "glimt_render_gpu::kernels::composite::display_over_plate",
+    wgsl: include_str!("display_over_plate.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("layers", 1, 64, false),
+        slot("plate", 2, 16, false),
+        slot("out", 3, 4, true),
+    ],
+};
+
+/// [`composite_alone`](crate::kernels::composite::composite_alone) as a compute entry point.
+pub const COMPOSITE_ALONE: Entry = Entry {
+    name: "composite_alone",
+    kernel: "glimt_render_gpu::kernels::composite::composite_alone",
+    wgsl: include_str!("composite_alone.wgsl"),
+    workgroup_size: 64,
+    params_size: 128,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+    ],
+    buffers: &[
+        slot("layers", 1, 64, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
+/// [`film_ball`](crate::kernels::capture::film_ball) as a compute entry point.
+pub const FILM_BALL: Entry = Entry {
+    name: "film_ball",
+    kernel: "glimt_render_gpu::kernels::capture::film_ball",
+    wgsl: include_str!("film_ball.wgsl"),
+    workgroup_size: 64,
+    params_size: 256,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("capture", 16, 176),
+        param("stage.params", 192, 64),
+    ],
+    buffers: &[
+        slot("stage.texels", 1, 16, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
+/// [`film_plate`](crate::kernels::capture::film_plate) as a compute entry point.
+pub const FILM_PLATE: Entry = Entry {
+    name: "film_plate",
+    kernel: "glimt_render_gpu::kernels::capture::film_plate",
+    wgsl: include_str!("film_plate.wgsl"),
+    workgroup_size: 64,
+    params_size: 192,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("stage.params", 128, 64),
+    ],
+    buffers: &[
+        slot("stage.texels", 1, 16, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
+/// [`film_latlong`](crate::kernels::capture::film_latlong) as a compute entry point.
+pub const FILM_LATLONG: Entry = Entry {
+    name: "film_latlong",
+    kernel: "glimt_render_gpu::kernels::capture::film_latlong",
+    wgsl: include_str!("film_latlong.wgsl"),
+    workgroup_size: 64,
+    params_size: 112,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("latlong", 16, 32),
+        param("stage.params", 48, 64),
+    ],
+    buffers: &[
+        slot("stage.texels", 1, 16, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
+/// [`expose`](crate::kernels::sensor::expose) as a compute entry point.
+pub const EXPOSE: Entry = Entry {
+    name: "expose",
+    kernel: "glimt_render_gpu::kernels::sensor::expose",
+    wgsl: include_str!("expose.wgsl"),
+    workgroup_size: 64,
+    params_size: 56,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("sensor", 8, 48),
+    ],
+    buffers: &[
+        slot("radiance", 1, 16, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
 /// [`uniforms`](crate::kernels::diagnose::uniforms) as a compute entry point.
 pub const DIAGNOSE_UNIFORMS: Entry = Entry {
     name: "diagnose_uniforms",
@@ -191,11 +393,50 @@ pub const DIAGNOSE_BRDF_SAMPLE: Entry = Entry {
 // keep this file from being made anew.
 #[cfg(test)]
 const _: () = {
+    assert!(size_of::<glimt_probe::gather::ColourMatrix>() == 48);
+    assert!(offset_of!(glimt_probe::gather::ColourMatrix, red) == 0);
+    assert!(offset_of!(glimt_probe::gather::ColourMatrix, green) == 16);
+    assert!(offset_of!(glimt_probe::gather::ColourMatrix, blue) == 32);
+    assert!(size_of::<glimt_probe::gather::TexelTaps>() == 12);
+    assert!(offset_of!(glimt_probe::gather::TexelTaps, tap) == 0);
+    assert!(offset_of!(glimt_probe::gather::TexelTaps, pixel) == 4);
+    assert!(offset_of!(glimt_probe::gather::TexelTaps, grazing) == 8);
     assert!(size_of::<crate::kernels::bvh::BvhNode>() == 32);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, min) == 0);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, count) == 12);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, max) == 16);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, first) == 28);
+    assert!(size_of::<crate::kernels::capture::CaptureParams>() == 176);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, shake_x) == 0);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, width) == 12);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, shake_y) == 16);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, height) == 28);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, shake_z) == 32);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, focal_px) == 44);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, ball_centre) == 48);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, ball_radius) == 60);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, forward) == 64);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, radius_over_distance) == 76);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, right) == 80);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, outline) == 92);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, up) == 96);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, samples) == 108);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, tint) == 112);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, fresnel) == 124);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, eye) == 128);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, unused_a) == 140);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, rig_half_size) == 144);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, unused_b) == 156);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, rig_radiance) == 160);
+    assert!(offset_of!(crate::kernels::capture::CaptureParams, unused_c) == 172);
+    assert!(size_of::<crate::kernels::capture::LatLongParams>() == 32);
+    assert!(offset_of!(crate::kernels::capture::LatLongParams, position) == 0);
+    assert!(offset_of!(crate::kernels::capture::LatLongParams, grid) == 12);
+    assert!(offset_of!(crate::kernels::capture::LatLongParams, size) == 16);
+    assert!(offset_of!(crate::kernels::capture::LatLongParams, unused) == 24);
+    assert!(size_of::<crate::kernels::composite::PlatePixel>() == 16);
+    assert!(offset_of!(crate::kernels::composite::PlatePixel, linear) == 0);
+    assert!(offset_of!(crate::kernels::composite::PlatePixel, code) == 12);
     assert!(size_of::<crate::kernels::diagnose::EnvRecord>() == 32);
     assert!(offset_of!(crate::kernels::diagnose::EnvRecord, direction) == 0);
     assert!(offset_of!(crate::kernels::diagnose::EnvRecord, pdf_sr) == 12);
@@ -232,9 +473,22 @@ const _: () = {
     assert!(offset_of!(crate::kernels::frame::FrameParams, frame) == 88);
     assert!(offset_of!(crate::kernels::frame::FrameParams, tonemap) == 92);
     assert!(offset_of!(crate::kernels::frame::FrameParams, exposure) == 96);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, unused_a) == 100);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, shadow) == 100);
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_b) == 104);
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_c) == 108);
+    assert!(size_of::<crate::kernels::layers::LayerSample>() == 32);
+    assert!(offset_of!(crate::kernels::layers::LayerSample, radiance) == 0);
+    assert!(offset_of!(crate::kernels::layers::LayerSample, alpha) == 12);
+    assert!(offset_of!(crate::kernels::layers::LayerSample, blocked) == 16);
+    assert!(offset_of!(crate::kernels::layers::LayerSample, catcher) == 28);
+    assert!(size_of::<crate::kernels::layers::PixelLayers>() == 64);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, object) == 0);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, lit) == 16);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, catcher) == 28);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, blocked) == 32);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, unused_a) == 44);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, behind) == 48);
+    assert!(offset_of!(crate::kernels::layers::PixelLayers, unused_b) == 60);
     assert!(size_of::<crate::kernels::material::Material>() == 96);
     assert!(offset_of!(crate::kernels::material::Material, color) == 0);
     assert!(offset_of!(crate::kernels::material::Material, kind) == 12);
@@ -252,6 +506,28 @@ const _: () = {
     assert!(offset_of!(crate::kernels::scene::Corner, u) == 12);
     assert!(offset_of!(crate::kernels::scene::Corner, tangent) == 16);
     assert!(offset_of!(crate::kernels::scene::Corner, v) == 28);
+    assert!(size_of::<crate::kernels::sensor::SensorParams>() == 48);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, longest_gain) == 0);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, step) == 4);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, exposures) == 8);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, full_well) == 12);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, read_noise) == 16);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, electrons_per_code) == 20);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, seed) == 24);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, frame) == 28);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_a) == 32);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_b) == 36);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_c) == 40);
+    assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_d) == 44);
+    assert!(size_of::<crate::kernels::stage::StageParams>() == 64);
+    assert!(offset_of!(crate::kernels::stage::StageParams, half_size) == 0);
+    assert!(offset_of!(crate::kernels::stage::StageParams, shape) == 12);
+    assert!(offset_of!(crate::kernels::stage::StageParams, occluder_centre) == 16);
+    assert!(offset_of!(crate::kernels::stage::StageParams, occluder_radius) == 28);
+    assert!(offset_of!(crate::kernels::stage::StageParams, occluder_radiance) == 32);
+    assert!(offset_of!(crate::kernels::stage::StageParams, unused) == 44);
+    assert!(offset_of!(crate::kernels::stage::StageParams, size) == 48);
+    assert!(offset_of!(crate::kernels::stage::StageParams, rotation) == 56);
     assert!(size_of::<crate::kernels::texture::TextureView>() == 16);
     assert!(offset_of!(crate::kernels::texture::TextureView, first) == 0);
     assert!(offset_of!(crate::kernels::texture::TextureView, width) == 4);

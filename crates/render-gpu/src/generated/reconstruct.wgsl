@@ -18,7 +18,7 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused_a: u32,
+    shadow: u32,
     unused_b: u32,
     unused_c: u32,
 }

@@ -62,7 +62,7 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused_a: u32,
+    shadow: u32,
     unused_b: u32,
     unused_c: u32,
 }
@@ -140,6 +140,11 @@ struct ShadingPoint {
     brdf: BlinnPhong,
 }
 
+struct Reflected {
+    lit: vec3<f32>,
+    blocked: vec3<f32>,
+}
+
 struct Tuple_u32_u32_ {
     fa: u32,
     fb: u32,
@@ -207,10 +212,17 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:82
+// glimt_render_gpu/src/kernels/shade.rs:30
+fn mis(frame: FrameParams) -> Mis {
+
+    // glimt_render_gpu/src/kernels/shade.rs:31
+    return Mis(frame.brdf_samples, frame.env_samples);
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:87
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:83
+    // glimt_render_gpu/src/kernels/frame.rs:88
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -259,10 +271,10 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:171
-fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+fn OwenSobol_new(seed: u32, frame_1: u32, pixel: u32, sample_index: u32) -> OwenSobol {
 
     // glimt_sampling/src/sobol.rs:172
-    let _e6 = hash3_(seed, frame, pixel);
+    let _e6 = hash3_(seed, frame_1, pixel);
     let _e10 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e10, (sample_index & 65535u), 0u);
 }
@@ -614,10 +626,10 @@ fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
 }
 
 // glimt_sampling/src/xoshiro.rs:49
-fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_2: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
 
     // glimt_sampling/src/xoshiro.rs:50
-    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_2, seed_3, 2654435769u));
     let _e8 = Xoshiro128PlusPlus_from_state(_e7);
     return _e8;
 }
@@ -831,26 +843,26 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:96
+// glimt_render_gpu/src/kernels/frame.rs:101
 fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:97
+    // glimt_render_gpu/src/kernels/frame.rs:102
     let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:98
+    // glimt_render_gpu/src/kernels/frame.rs:103
     if (this_9.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:99
+        // glimt_render_gpu/src/kernels/frame.rs:104
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:101
+        // glimt_render_gpu/src/kernels/frame.rs:106
         let _e24 = PixelPattern_pair(pattern, 1u, 0u, 1u);
         let _e25 = unit_vec2_(_e24);
         chosen_2 = _e25;
     }
     let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:103
+    // glimt_render_gpu/src/kernels/frame.rs:108
     let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:109
+    // glimt_render_gpu/src/kernels/frame.rs:114
     let _e39 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
     let _e40 = Ray_new(this_9.eye, _e39);
     return _e40;
@@ -882,42 +894,42 @@ fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:40
+// glimt_render_gpu/src/kernels/triangle.rs:51
 fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:41
+    // glimt_render_gpu/src/kernels/triangle.rs:52
     return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:53
+// glimt_render_gpu/src/kernels/triangle.rs:64
 fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     var chosen_4: f32;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:54
+    // glimt_render_gpu/src/kernels/triangle.rs:65
     let a_3 = (triangle.v0_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:55
-    let b_3 = (triangle.v1_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:56
-    let c_2 = (triangle.v2_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:57
-    let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:58
-    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:59
-        return 340282350000000000000000000000000000000f;
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:61
-    let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
-    // glimt_render_gpu/src/kernels/triangle.rs:62
-    let slope = dot(normal_1, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:63
-    if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:64
-        return 340282350000000000000000000000000000000f;
-    }
     // glimt_render_gpu/src/kernels/triangle.rs:66
-    let t_2 = (dot(a_3, normal_1) / slope);
+    let b_3 = (triangle.v1_ - ray_2.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:67
+    let c_2 = (triangle.v2_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:69
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:70
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:73
+    let slope = dot(normal_1, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:74
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:75
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let t_2 = (dot(a_3, normal_1) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:78
     if ((t_2 > 0f) && (t_2 < t_max)) {
         chosen_4 = t_2;
     } else {
@@ -927,40 +939,62 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     return _e59;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:144
-fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32) -> u32 {
+// glimt_render_gpu/src/kernels/triangle.rs:33
+fn Triangle_is_catcher(this_10: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:34
+    return ((this_10.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:145
+fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
     var nearest: u32;
     var counter_1: u32;
+    var both: bool;
+    var both_1: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:151
+    // glimt_render_gpu/src/kernels/bvh.rs:153
     nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:152
+    // glimt_render_gpu/src/kernels/bvh.rs:154
     counter_1 = leaf.first;
     loop {
         let i = counter_1;
         if (i >= (leaf.first + leaf.count)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:153
-        let _e18 = scene_triangles[i];
-        let _e19 = (*reach);
-        let _e20 = intersect(_e18, ray_3, _e19);
-        // glimt_render_gpu/src/kernels/bvh.rs:154
-        let _e22 = (*reach);
-        if (_e20 < _e22) {
-            // glimt_render_gpu/src/kernels/bvh.rs:155
-            (*reach) = _e20;
-            // glimt_render_gpu/src/kernels/bvh.rs:156
+        // glimt_render_gpu/src/kernels/bvh.rs:155
+        let _e19 = scene_triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_3, _e20);
+        // glimt_render_gpu/src/kernels/bvh.rs:157
+        let _e23 = (*reach);
+        let _e24 = (_e21 < _e23);
+        both = _e24;
+        if _e24 {
+            both_1 = no_catcher;
+            if no_catcher {
+                let _e29 = scene_triangles[i];
+                let _e30 = Triangle_is_catcher(_e29);
+                both_1 = _e30;
+            }
+            let _e31 = both_1;
+            both = !(_e31);
+        }
+        let _e33 = both;
+        if _e33 {
+            // glimt_render_gpu/src/kernels/bvh.rs:158
+            (*reach) = _e21;
+            // glimt_render_gpu/src/kernels/bvh.rs:159
             nearest = i;
         }
         continuing {
-            let _e26 = counter_1;
-            counter_1 = (_e26 + 1u);
+            let _e36 = counter_1;
+            counter_1 = (_e36 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:159
-    let _e30 = nearest;
-    return _e30;
+    // glimt_render_gpu/src/kernels/bvh.rs:162
+    let _e40 = nearest;
+    return _e40;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:77
@@ -997,7 +1031,7 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     // glimt_render_gpu/src/kernels/bvh.rs:88
     if (root.count > 0u) {
         // glimt_render_gpu/src/kernels/bvh.rs:89
-        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u);
+        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u, any_);
         return _e31;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:91
@@ -1056,7 +1090,7 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:111
             let _e95 = near;
             let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96);
+            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96, any_);
             best_1 = _e97;
             // glimt_render_gpu/src/kernels/bvh.rs:112
             let _e99 = best_1;
@@ -1079,7 +1113,7 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:119
             let _e120 = far;
             let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121);
+            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121, any_);
             best_1 = _e122;
             // glimt_render_gpu/src/kernels/bvh.rs:120
             let _e124 = best_1;
@@ -1135,19 +1169,19 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:73
+// glimt_render_gpu/src/kernels/triangle.rs:84
 fn barycentrics(triangle_1: Triangle, ray_5: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:74
+    // glimt_render_gpu/src/kernels/triangle.rs:85
     let _e14 = edge_functions((triangle_1.v0_ - ray_5.origin), (triangle_1.v1_ - ray_5.origin), (triangle_1.v2_ - ray_5.origin), ray_5.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:80
+    // glimt_render_gpu/src/kernels/triangle.rs:91
     let sum_3 = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:81
+    // glimt_render_gpu/src/kernels/triangle.rs:92
     if (sum_3 == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:83
+        // glimt_render_gpu/src/kernels/triangle.rs:94
         return vec2((1f / 3f));
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:85
+    // glimt_render_gpu/src/kernels/triangle.rs:96
     return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_3));
 }
 
@@ -1179,11 +1213,11 @@ fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
     return _e4;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:29
-fn Triangle_area_normal(this_10: Triangle) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:40
+fn Triangle_area_normal(this_11: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:30
-    return cross((this_10.v1_ - this_10.v0_), (this_10.v2_ - this_10.v0_));
+    // glimt_render_gpu/src/kernels/triangle.rs:41
+    return cross((this_11.v1_ - this_11.v0_), (this_11.v2_ - this_11.v0_));
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:120
@@ -1205,10 +1239,10 @@ fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_11: TextureView) -> bool {
+fn TextureView_exists(this_12: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_11.width > 0u);
+    return (this_12.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -1253,11 +1287,11 @@ fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_12: TextureView, index_10: u32) -> vec4<f32> {
+fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
     var chosen_6: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word = scene_texels[(this_12.first + index_10)];
+    let word = scene_texels[(this_13.first + index_10)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r_1 = (word & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -1267,7 +1301,7 @@ fn TextureView_texel(this_12: TextureView, index_10: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha = (f32((word >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_12.flags & 1u) != 0u) {
+    if ((this_13.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e41 = scene_texels[r_1];
         let _e45 = scene_texels[g];
@@ -1282,40 +1316,40 @@ fn TextureView_texel(this_12: TextureView, index_10: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_13: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_14: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_13.flags >> 1u) & 3u);
+    let wrap_u = ((this_14.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_13.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_14.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e22 = wrap(uv.x, wrap_u);
-    let x_9 = ((_e22 * f32(this_13.width)) - 0.5f);
+    let x_9 = ((_e22 * f32(this_14.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e30 = wrap(uv.y, wrap_v);
-    let y_2 = ((_e30 * f32(this_13.height)) - 0.5f);
+    let y_2 = ((_e30 * f32(this_14.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e39 = Tuple_f32_f32_(floor(x_9), floor(y_2));
     let left = _e39.fa;
     let top = _e39.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e45 = neighbour(i32(left), this_13.width, wrap_u);
+    let _e45 = neighbour(i32(left), this_14.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e51 = neighbour((i32(left) + 1i), this_13.width, wrap_u);
+    let _e51 = neighbour((i32(left) + 1i), this_14.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e55 = neighbour(i32(top), this_13.height, wrap_v);
-    let row0_ = (_e55 * this_13.width);
+    let _e55 = neighbour(i32(top), this_14.height, wrap_v);
+    let row0_ = (_e55 * this_14.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e63 = neighbour((i32(top) + 1i), this_13.height, wrap_v);
-    let row1_ = (_e63 * this_13.width);
+    let _e63 = neighbour((i32(top) + 1i), this_14.height, wrap_v);
+    let row1_ = (_e63 * this_14.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e68 = TextureView_texel(this_13, (row0_ + _e45));
-    let _e70 = TextureView_texel(this_13, (row0_ + _e51));
+    let _e68 = TextureView_texel(this_14, (row0_ + _e45));
+    let _e70 = TextureView_texel(this_14, (row0_ + _e51));
     let _e71 = (x_9 - left);
     let upper = ((_e68 * (1f - _e71)) + (_e70 * _e71));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e79 = TextureView_texel(this_13, (row1_ + _e45));
-    let _e81 = TextureView_texel(this_13, (row1_ + _e51));
+    let _e79 = TextureView_texel(this_14, (row1_ + _e45));
+    let _e81 = TextureView_texel(this_14, (row1_ + _e51));
     let _e82 = (x_9 - left);
     let lower = ((_e79 * (1f - _e82)) + (_e81 * _e82));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -1324,12 +1358,12 @@ fn TextureView_sample(this_13: TextureView, uv: vec2<f32>) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:73
-fn Material_bumped_normal(this_14: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+fn Material_bumped_normal(this_15: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/material.rs:81
     let across = (tangent - (normal * dot(normal, tangent)));
     // glimt_render_gpu/src/kernels/material.rs:82
-    let _e12 = TextureView_exists(this_14.normal_texture);
+    let _e12 = TextureView_exists(this_15.normal_texture);
     if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
         // glimt_render_gpu/src/kernels/material.rs:83
         return normal;
@@ -1339,10 +1373,10 @@ fn Material_bumped_normal(this_14: Material, uv_1: vec2<f32>, normal: vec3<f32>,
     // glimt_render_gpu/src/kernels/material.rs:86
     let b_5 = (cross(normal, t_4) * handedness);
     // glimt_render_gpu/src/kernels/material.rs:87
-    let _e27 = TextureView_sample(this_14.normal_texture, uv_1);
+    let _e27 = TextureView_sample(this_15.normal_texture, uv_1);
     let map = ((_e27.xyz * 2f) - vec3(1f));
     // glimt_render_gpu/src/kernels/material.rs:88
-    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_14.normal_scale);
+    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_15.normal_scale);
     // glimt_render_gpu/src/kernels/material.rs:89
     let _e46 = unit_or((tilt + (normal * map.z)), normal);
     return _e46;
@@ -1362,10 +1396,10 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_15: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_2, this_15.t), dot(v_2, this_15.b), dot(v_2, this_15.n));
+    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -1386,35 +1420,35 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
 }
 
 // glimt_render_gpu/src/kernels/material.rs:46
-fn Material_brdf(this_16: Material, uv_2: vec2<f32>) -> BlinnPhong {
+fn Material_brdf(this_17: Material, uv_2: vec2<f32>) -> BlinnPhong {
     var color: vec3<f32>;
     var metallic_1: f32;
     var roughness_1: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:47
-    if (this_16.kind == 0u) {
+    if (this_17.kind == 0u) {
         // glimt_render_gpu/src/kernels/material.rs:48
-        return BlinnPhong(this_16.color, this_16.specular, this_16.exponent);
+        return BlinnPhong(this_17.color, this_17.specular, this_17.exponent);
     }
     // glimt_render_gpu/src/kernels/material.rs:54
-    color = this_16.color;
+    color = this_17.color;
     // glimt_render_gpu/src/kernels/material.rs:55
-    let _e17 = TextureView_exists(this_16.base_color_texture);
+    let _e17 = TextureView_exists(this_17.base_color_texture);
     if _e17 {
         // glimt_render_gpu/src/kernels/material.rs:56
-        let _e20 = TextureView_sample(this_16.base_color_texture, uv_2);
+        let _e20 = TextureView_sample(this_17.base_color_texture, uv_2);
         let _e22 = color;
         color = (_e22 * _e20.xyz);
     }
     // glimt_render_gpu/src/kernels/material.rs:58
-    metallic_1 = this_16.metallic;
+    metallic_1 = this_17.metallic;
     // glimt_render_gpu/src/kernels/material.rs:59
-    roughness_1 = this_16.roughness;
+    roughness_1 = this_17.roughness;
     // glimt_render_gpu/src/kernels/material.rs:60
-    let _e32 = TextureView_exists(this_16.metallic_roughness_texture);
+    let _e32 = TextureView_exists(this_17.metallic_roughness_texture);
     if _e32 {
         // glimt_render_gpu/src/kernels/material.rs:61
-        let _e35 = TextureView_sample(this_16.metallic_roughness_texture, uv_2);
+        let _e35 = TextureView_sample(this_17.metallic_roughness_texture, uv_2);
         // glimt_render_gpu/src/kernels/material.rs:62
         let _e38 = roughness_1;
         roughness_1 = (_e38 * _e35.y);
@@ -1513,15 +1547,15 @@ fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_17: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_18: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_17).dimension;
+    let dimension_4 = (*this_18).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_17).dimension = (dimension_4 + 1u);
+    (*this_18).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_17).index;
-    let _e13 = (*this_17).seed;
+    let _e11 = (*this_18).index;
+    let _e13 = (*this_18).seed;
     let _e17 = hash2_(_e13, (dimension_4 >> 2u));
     let _e18 = owen_sobol(_e11, dimension_4, _e17);
     return _e18;
@@ -1538,16 +1572,16 @@ fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:57
-fn PixelPattern_triple(this_18: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_19: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:58
-    let index_17 = ((this_18.ray * samples_1) + sample_1);
+    let index_17 = ((this_19.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:59
-    if (this_18.kind == 0u) {
+    if (this_19.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:60
-        let _e14 = PixelPattern_sobol_point(this_18, purpose_4, index_17);
+        let _e14 = PixelPattern_sobol_point(this_19, purpose_4, index_17);
         point = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:61
         let _e17 = OwenSobol_next_uvec2_((&point));
@@ -1556,20 +1590,20 @@ fn PixelPattern_triple(this_18: PixelPattern, purpose_4: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:64
-    let _e22 = PixelPattern_generator(this_18, purpose_4, index_17);
+    let _e22 = PixelPattern_generator(this_19, purpose_4, index_17);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:65
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:66
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    if (this_18.kind == 1u) {
+    if (this_19.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:68
         return vec3<u32>(_e25, _e27);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:70
-    let _e37 = PixelPattern_key(this_18, purpose_4);
-    let _e38 = Tuple_u32_u32_((this_18.rays * samples_1), _e37);
+    let _e37 = PixelPattern_key(this_19, purpose_4);
+    let _e38 = Tuple_u32_u32_((this_19.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:71
@@ -1586,17 +1620,17 @@ fn luminance(rgb: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_19: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_20: BlinnPhong) -> f32 {
     var chosen_10: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_19.specular);
+    let _e4 = luminance(this_20.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_19.diffuse);
-    let both_1 = (_e7 + _e4);
+    let _e7 = luminance(this_20.diffuse);
+    let both_2 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
-    if (both_1 > 0f) {
-        chosen_10 = (_e4 / both_1);
+    if (both_2 > 0f) {
+        chosen_10 = (_e4 / both_2);
     } else {
         chosen_10 = 0f;
     }
@@ -1811,23 +1845,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_20: HalfVector, exponent_3: f32) -> f32 {
+fn HalfVector_lobe(this_21: HalfVector, exponent_3: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_20.cos2_theta, this_20.sin2_theta, exponent_3);
+    let _e6 = cosine_power(this_21.cos2_theta, this_21.sin2_theta, exponent_3);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_21: HalfVector, exponent_4: f32) -> f32 {
+fn HalfVector_pdf_sr(this_22: HalfVector, exponent_4: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_21, exponent_4);
-    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_21.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_22, exponent_4);
+    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_22.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_23: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -1837,7 +1871,7 @@ fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_22);
+    let _e17 = BlinnPhong_pmf_specular(this_23);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -1845,21 +1879,21 @@ fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_1, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_22.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_23.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_23: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_24: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_15: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_23);
+    let _e8 = BlinnPhong_pmf_specular(this_24);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_23.exponent);
+        let _e12 = sample_power_cosine(u_5, this_24.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_15 = (((2f * dot(wo_2, h)) * h) - wo_2);
@@ -1870,15 +1904,15 @@ fn BlinnPhong_sample(this_23: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec
     }
     let wi_4 = chosen_15;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_23, wo_2, wi_4);
+    let _e25 = BlinnPhong_pdf_sr(this_24, wo_2, wi_4);
     return BrdfSample(wi_4, _e25);
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_24: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_25: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_24.t * v_3.x) + (this_24.b * v_3.y)) + (this_24.n * v_3.z));
+    return (((this_25.t * v_3.x) + (this_25.b * v_3.y)) + (this_25.n * v_3.z));
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -1933,12 +1967,12 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
 fn direction_to_texel(d_2: vec3<f32>, size_2: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_11 = max(size_2, vec2(1u));
+    let size_12 = max(size_2, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_11));
+    let position = (_e8 * vec2<f32>(size_12));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_11 - vec2(1u)));
+    return min(vec2<u32>(position), (size_12 - vec2(1u)));
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:30
@@ -2015,19 +2049,19 @@ fn cos_sin_pi(x_7: f32) -> vec2<f32> {
 fn texel_solid_angle_sr(row: u32, size_5: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_12 = max(size_5, vec2(1u));
+    let size_13 = max(size_5, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_2 = min(row, (size_12.y - 1u));
+    let row_2 = min(row, (size_13.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_2, ((size_12.y - 1u) - row_2));
+    let from_pole = min(row_2, ((size_13.y - 1u) - row_2));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_12.y));
+    let half_row = (0.5f / f32(size_13.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_12.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_13.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:162
@@ -2059,11 +2093,11 @@ fn multi_sample_density(n_f: u32, pdf_f: f32, n_g: u32, pdf_g: f32) -> f32 {
     return ((f32(n_f) * pdf_f) + (f32(n_g) * pdf_g));
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:75
-fn Mis_density(this_25: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
+// glimt_render_gpu/src/kernels/mis.rs:74
+fn Mis_density(this_26: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/mis.rs:76
-    let _e7 = multi_sample_density(this_25.brdf_samples, brdf_pdf_sr, this_25.env_samples, env_pdf_sr);
+    // glimt_render_gpu/src/kernels/mis.rs:75
+    let _e7 = multi_sample_density(this_26.brdf_samples, brdf_pdf_sr, this_26.env_samples, env_pdf_sr);
     return _e7;
 }
 
@@ -2085,7 +2119,7 @@ fn normalisation(exponent_5: f32) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_26: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_27: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_3.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2093,59 +2127,59 @@ fn BlinnPhong_eval(this_26: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_26.diffuse * 0.31830987f);
+    let diffuse = (this_27.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_26.specular.x, this_26.specular.y), this_26.specular.z) <= 0f) {
+    if (max(max(this_27.specular.x, this_27.specular.y), this_27.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_26.exponent);
+    let _e31 = normalisation(this_27.exponent);
     let _e32 = HalfVector_new(wo_3, wi_2);
-    let _e34 = HalfVector_lobe(_e32, this_26.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_27.exponent);
     let lobe = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_26.specular * lobe));
+    return (diffuse + (this_27.specular * lobe));
 }
 
-// glimt_render_gpu/src/kernels/estimator.rs:42
+// glimt_render_gpu/src/kernels/estimator.rs:76
 fn LightSample_new(point_1: ShadingPoint, direction_8: vec3<f32>, wi_3: vec3<f32>, radiance: vec3<f32>, density: f32) -> LightSample {
 
-    // glimt_render_gpu/src/kernels/estimator.rs:49
+    // glimt_render_gpu/src/kernels/estimator.rs:83
     let in_front = ((wi_3.z > 0f) && (dot(point_1.geometric_normal, direction_8) > 0f));
-    // glimt_render_gpu/src/kernels/estimator.rs:50
+    // glimt_render_gpu/src/kernels/estimator.rs:84
     if (!(in_front) || !((density > 0.000000000000000000000000000000000000011754944f))) {
-        // glimt_render_gpu/src/kernels/estimator.rs:51
+        // glimt_render_gpu/src/kernels/estimator.rs:85
         return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/estimator.rs:54
+    // glimt_render_gpu/src/kernels/estimator.rs:88
     let _e32 = BlinnPhong_eval(point_1.brdf, point_1.wo, wi_3);
     let weight = (_e32 * (wi_3.z / density));
-    // glimt_render_gpu/src/kernels/estimator.rs:55
+    // glimt_render_gpu/src/kernels/estimator.rs:89
     return LightSample(direction_8, (radiance * weight));
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:30
-fn Mis_brdf_sample(this_27: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> LightSample {
+// glimt_render_gpu/src/kernels/mis.rs:29
+fn Mis_brdf_sample(this_28: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> LightSample {
 
+    // glimt_render_gpu/src/kernels/mis.rs:36
+    let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_28.brdf_samples);
     // glimt_render_gpu/src/kernels/mis.rs:37
-    let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_27.brdf_samples);
-    // glimt_render_gpu/src/kernels/mis.rs:38
     let _e16 = unit_vec2_(_e10.xy);
     let _e17 = BlinnPhong_sample(point_2.brdf, point_2.wo, _e10.z, _e16);
-    // glimt_render_gpu/src/kernels/mis.rs:39
+    // glimt_render_gpu/src/kernels/mis.rs:38
     if !((_e17.pdf_sr > 0f)) {
-        // glimt_render_gpu/src/kernels/mis.rs:40
+        // glimt_render_gpu/src/kernels/mis.rs:39
         return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/mis.rs:42
+    // glimt_render_gpu/src/kernels/mis.rs:41
     let _e34 = ShadingFrame_to_world(point_2.frame, _e17.wi);
-    // glimt_render_gpu/src/kernels/mis.rs:43
+    // glimt_render_gpu/src/kernels/mis.rs:42
     let _e36 = Environment_texel(env_cdf_size, env_rotation, _e34);
-    // glimt_render_gpu/src/kernels/mis.rs:44
+    // glimt_render_gpu/src/kernels/mis.rs:43
     let _e39 = EnvCdf_texel_pdf_sr(env_cdf_size, _e36);
-    let _e40 = Mis_density(this_27, _e17.pdf_sr, _e39);
-    // glimt_render_gpu/src/kernels/mis.rs:45
+    let _e40 = Mis_density(this_28, _e17.pdf_sr, _e39);
+    // glimt_render_gpu/src/kernels/mis.rs:44
     let _e43 = Environment_radiance(env_cdf_size, env_rotation, _e36);
     let _e44 = LightSample_new(point_2, _e34, _e17.wi, _e43, _e40);
     return _e44;
@@ -2172,28 +2206,38 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_9: vec3<f32>) -> bool {
     return !(_e8);
 }
 
-// glimt_render_gpu/src/kernels/estimator.rs:64
-fn LightSample_traced(this_28: LightSample, point_4: ShadingPoint) -> vec3<f32> {
-    var chosen_19: vec3<f32>;
-    var both: bool;
+// glimt_render_gpu/src/kernels/estimator.rs:98
+fn LightSample_traced(this_29: LightSample, point_4: ShadingPoint) -> Reflected {
+    var chosen_19: Reflected;
 
-    // glimt_render_gpu/src/kernels/estimator.rs:65
-    let _e12 = (max(max(this_28.contribution.x, this_28.contribution.y), this_28.contribution.z) > 0f);
-    both = _e12;
-    if _e12 {
-        let _e15 = Scene_is_lit(point_4, this_28.direction);
-        both = _e15;
+    // glimt_render_gpu/src/kernels/estimator.rs:99
+    if !((max(max(this_29.contribution.x, this_29.contribution.y), this_29.contribution.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/estimator.rs:100
+        return Reflected(vec3(0f), vec3(0f));
     }
-    let _e16 = both;
-    if _e16 {
-        // glimt_render_gpu/src/kernels/estimator.rs:66
-        chosen_19 = this_28.contribution;
+    // glimt_render_gpu/src/kernels/estimator.rs:102
+    let _e22 = Scene_is_lit(point_4, this_29.direction);
+    if _e22 {
+        // glimt_render_gpu/src/kernels/estimator.rs:103
+        chosen_19 = Reflected(this_29.contribution, vec3(0f));
     } else {
-        // glimt_render_gpu/src/kernels/estimator.rs:68
-        chosen_19 = vec3(0f);
+        // glimt_render_gpu/src/kernels/estimator.rs:108
+        chosen_19 = Reflected(vec3(0f), this_29.contribution);
     }
-    let _e22 = chosen_19;
-    return _e22;
+    let _e33 = chosen_19;
+    return _e33;
+}
+
+// glimt_render_gpu/src/kernels/estimator.rs:37
+fn Reflected_gather(this_30: ptr<function, Reflected>, light: Reflected) {
+
+    // glimt_render_gpu/src/kernels/estimator.rs:38
+    let _e6 = (*this_30).lit;
+    (*this_30).lit = (_e6 + light.lit);
+    // glimt_render_gpu/src/kernels/estimator.rs:39
+    let _e11 = (*this_30).blocked;
+    (*this_30).blocked = (_e11 + light.blocked);
+    return;
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:47
@@ -2300,27 +2344,27 @@ fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> ve
     var chosen_22: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_13 = max(size_9, vec2(1u));
+    let size_14 = max(size_9, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_3 = min(texel_4.y, (size_13.y - 1u));
+    let row_3 = min(texel_4.y, (size_14.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_3) >= size_13.y);
+    let southern = ((2u * row_3) >= size_14.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_20 = (size_13.y - row_3);
+        chosen_20 = (size_14.y - row_3);
     } else {
         chosen_20 = row_3;
     }
     let upper_1 = chosen_20;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_21 = ((size_13.y - row_3) - 1u);
+        chosen_21 = ((size_14.y - row_3) - 1u);
     } else {
         chosen_21 = (row_3 + 1u);
     }
     let lower_1 = chosen_21;
     // glimt_probe/src/latlong.rs:149
-    let half_2 = (0.5f / f32(size_13.y));
+    let half_2 = (0.5f / f32(size_14.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper_1) * half_2));
     let sin_upper = _e41.y;
@@ -2343,7 +2387,7 @@ fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> ve
     }
     let cos_theta_1 = chosen_22;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_13.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_14.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
@@ -2389,143 +2433,149 @@ fn Environment_sample(cdf_size_3: vec2<u32>, rotation_3: vec2<f32>, u_10: vec2<u
     return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:51
-fn Mis_env_sample(this_29: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LightSample {
+// glimt_render_gpu/src/kernels/mis.rs:50
+fn Mis_env_sample(this_31: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LightSample {
 
+    // glimt_render_gpu/src/kernels/mis.rs:57
+    let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_31.env_samples);
     // glimt_render_gpu/src/kernels/mis.rs:58
-    let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_29.env_samples);
-    // glimt_render_gpu/src/kernels/mis.rs:59
     let _e12 = Environment_sample(env_cdf_size_1, env_rotation_1, _e10);
-    // glimt_render_gpu/src/kernels/mis.rs:60
+    // glimt_render_gpu/src/kernels/mis.rs:59
     if !((_e12.pdf_sr > 0f)) {
-        // glimt_render_gpu/src/kernels/mis.rs:61
+        // glimt_render_gpu/src/kernels/mis.rs:60
         return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/mis.rs:63
+    // glimt_render_gpu/src/kernels/mis.rs:62
     let _e29 = ShadingFrame_to_local(point_5.frame, _e12.direction);
-    // glimt_render_gpu/src/kernels/mis.rs:64
+    // glimt_render_gpu/src/kernels/mis.rs:63
     let _e33 = BlinnPhong_pdf_sr(point_5.brdf, point_5.wo, _e29);
-    let _e35 = Mis_density(this_29, _e33, _e12.pdf_sr);
-    // glimt_render_gpu/src/kernels/mis.rs:65
+    let _e35 = Mis_density(this_31, _e33, _e12.pdf_sr);
+    // glimt_render_gpu/src/kernels/mis.rs:64
     let _e39 = Environment_radiance(env_cdf_size_1, env_rotation_1, _e12.texel);
     let _e40 = LightSample_new(point_5, _e12.direction, _e29, _e39, _e35);
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:82
-fn Mis_reflected(this_30: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> vec3<f32> {
-    var sum_2: vec3<f32>;
+// glimt_render_gpu/src/kernels/mis.rs:81
+fn Mis_reflected(this_32: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> Reflected {
+    var sum_2: Reflected;
     var counter_2: u32;
     var counter_3: u32;
 
+    // glimt_render_gpu/src/kernels/mis.rs:88
+    sum_2 = Reflected(vec3(0f), vec3(0f));
     // glimt_render_gpu/src/kernels/mis.rs:89
-    sum_2 = vec3(0f);
-    // glimt_render_gpu/src/kernels/mis.rs:90
     counter_2 = 0u;
     loop {
         let i_1 = counter_2;
-        if (i_1 >= this_30.brdf_samples) {
+        if (i_1 >= this_32.brdf_samples) {
             break;
         }
+        // glimt_render_gpu/src/kernels/mis.rs:90
+        let _e20 = Mis_brdf_sample(this_32, i_1, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/mis.rs:91
-        let _e17 = Mis_brdf_sample(this_30, i_1, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
-        let _e18 = LightSample_traced(_e17, point_6);
-        let _e19 = sum_2;
-        sum_2 = (_e19 + _e18);
+        let _e22 = LightSample_traced(_e20, point_6);
+        Reflected_gather((&sum_2), _e22);
         continuing {
-            let _e21 = counter_2;
-            counter_2 = (_e21 + 1u);
+            let _e23 = counter_2;
+            counter_2 = (_e23 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/mis.rs:95
+    // glimt_render_gpu/src/kernels/mis.rs:93
     counter_3 = 0u;
     loop {
         let i_2 = counter_3;
-        if (i_2 >= this_30.env_samples) {
+        if (i_2 >= this_32.env_samples) {
             break;
         }
-        // glimt_render_gpu/src/kernels/mis.rs:96
-        let _e31 = Mis_env_sample(this_30, i_2, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
-        let _e32 = LightSample_traced(_e31, point_6);
-        let _e33 = sum_2;
-        sum_2 = (_e33 + _e32);
+        // glimt_render_gpu/src/kernels/mis.rs:94
+        let _e33 = Mis_env_sample(this_32, i_2, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
+        // glimt_render_gpu/src/kernels/mis.rs:95
+        let _e35 = LightSample_traced(_e33, point_6);
+        Reflected_gather((&sum_2), _e35);
         continuing {
-            let _e35 = counter_3;
-            counter_3 = (_e35 + 1u);
+            let _e36 = counter_3;
+            counter_3 = (_e36 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/mis.rs:98
-    let _e39 = sum_2;
-    return _e39;
+    // glimt_render_gpu/src/kernels/mis.rs:97
+    let _e40 = sum_2;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:66
+fn bilinear(size_11: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:67
+    let _e4 = direction_to_uv(d_3);
+    let p_1 = ((_e4 * vec2<f32>(size_11)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:69
+    let next = vec2<u32>((p_1 + vec2(1f)));
+    // glimt_render_gpu/src/kernels/environment.rs:70
+    let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
+    // glimt_render_gpu/src/kernels/environment.rs:71
+    let x0_ = (((next.x + size_11.x) - 1u) % size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:72
+    let x1_ = (next.x % size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:73
+    let row0_1 = ((max(next.y, 1u) * size_11.x) - size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:74
+    let row1_1 = (min(next.y, (size_11.y - 1u)) * size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:75
+    let _e53 = env_texels[(row0_1 + x0_)];
+    let _e57 = env_texels[(row0_1 + x1_)];
+    let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:76
+    let _e68 = env_texels[(row1_1 + x0_)];
+    let _e72 = env_texels[(row1_1 + x1_)];
+    let lower_2 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:77
+    return ((upper_2 * (1f - f.y)) + (lower_2 * f.y)).xyz;
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:57
 fn Environment_background(cdf_size_4: vec2<u32>, rotation_4: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:58
-    // glimt_render_gpu/src/kernels/environment.rs:59
-    let _e6 = Environment_to_map(cdf_size_4, rotation_4, direction_10);
-    let _e7 = direction_to_uv(_e6);
-    let p_1 = ((_e7 * vec2<f32>(cdf_size_4)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:60
-    let corner_1 = floor(p_1);
-    // glimt_render_gpu/src/kernels/environment.rs:61
-    let f = (p_1 - corner_1);
-    // glimt_render_gpu/src/kernels/environment.rs:63
-    let x0_ = (u32((corner_1.x + f32(cdf_size_4.x))) % cdf_size_4.x);
-    // glimt_render_gpu/src/kernels/environment.rs:64
-    let x1_ = ((x0_ + 1u) % cdf_size_4.x);
-    // glimt_render_gpu/src/kernels/environment.rs:65
-    let y0_ = u32(max(corner_1.y, 0f));
-    // glimt_render_gpu/src/kernels/environment.rs:66
-    let y1_ = min(u32((corner_1.y + 1f)), (cdf_size_4.y - 1u));
-    // glimt_render_gpu/src/kernels/environment.rs:67
-    let _e46 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x0_, y0_));
-    let _e48 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x1_, y0_));
-    let upper_2 = ((_e46 * (1f - f.x)) + (_e48 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:70
-    let _e57 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x0_, y1_));
-    let _e59 = Environment_radiance(cdf_size_4, rotation_4, vec2<u32>(x1_, y1_));
-    let lower_2 = ((_e57 * (1f - f.x)) + (_e59 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:73
-    return ((upper_2 * (1f - f.y)) + (lower_2 * f.y));
+    let _e5 = Environment_to_map(cdf_size_4, rotation_4, direction_10);
+    let _e6 = bilinear(cdf_size_4, _e5);
+    return _e6;
 }
 
-// glimt_render_gpu/src/kernels/shade.rs:23
-fn shade(ray_10: u32, frame_2: FrameParams, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, estimator: Mis) -> vec4<f32> {
+// glimt_render_gpu/src/kernels/shade.rs:39
+fn shade(ray_10: u32, frame_3: FrameParams, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, estimator: Mis) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/shade.rs:30
-    let _e7 = FrameParams_pattern_of(frame_2, ray_10);
-    // glimt_render_gpu/src/kernels/shade.rs:31
-    let _e9 = FrameParams_camera_ray(frame_2, _e7);
-    // glimt_render_gpu/src/kernels/shade.rs:32
+    // glimt_render_gpu/src/kernels/shade.rs:46
+    let _e7 = FrameParams_pattern_of(frame_3, ray_10);
+    // glimt_render_gpu/src/kernels/shade.rs:47
+    let _e9 = FrameParams_camera_ray(frame_3, _e7);
+    // glimt_render_gpu/src/kernels/shade.rs:48
     let _e11 = Scene_closest_hit(_e9);
     let hit_1 = _e11.value;
     if _e11.is_some {
-        // glimt_render_gpu/src/kernels/shade.rs:33
+        // glimt_render_gpu/src/kernels/shade.rs:49
         let _e16 = Scene_shading_point(_e9, hit_1);
-        // glimt_render_gpu/src/kernels/shade.rs:34
+        // glimt_render_gpu/src/kernels/shade.rs:50
         let _e18 = Mis_reflected(estimator, _e16, _e7, env_cdf_size_3, env_rotation_3);
-        return vec4<f32>(_e18, 1f);
+        return vec4<f32>(_e18.lit, 1f);
     }
-    // glimt_render_gpu/src/kernels/shade.rs:38
-    if (frame_2.background == 0u) {
-        // glimt_render_gpu/src/kernels/shade.rs:39
-        let _e27 = Environment_background(env_cdf_size_3, env_rotation_3, _e9.direction);
-        return vec4<f32>(_e27, 1f);
+    // glimt_render_gpu/src/kernels/shade.rs:55
+    if (frame_3.background == 0u) {
+        // glimt_render_gpu/src/kernels/shade.rs:56
+        let _e28 = Environment_background(env_cdf_size_3, env_rotation_3, _e9.direction);
+        return vec4<f32>(_e28, 1f);
     }
-    // glimt_render_gpu/src/kernels/shade.rs:41
+    // glimt_render_gpu/src/kernels/shade.rs:58
     return vec4(0f);
 }
 
-// glimt_render_gpu/src/kernels/shade.rs:13
-fn shade_mis_1(ray_11: u32, frame_3: FrameParams, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>) -> vec4<f32> {
+// glimt_render_gpu/src/kernels/shade.rs:14
+fn shade_mis_1(ray_11: u32, frame_4: FrameParams, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/shade.rs:14
-    let estimator_1 = Mis(frame_3.brdf_samples, frame_3.env_samples);
-    // glimt_render_gpu/src/kernels/shade.rs:18
-    let _e10 = shade(ray_11, frame_3, env_cdf_size_4, env_rotation_4, estimator_1);
-    return _e10;
+    // glimt_render_gpu/src/kernels/shade.rs:15
+    let _e6 = mis(frame_4);
+    let _e7 = shade(ray_11, frame_4, env_cdf_size_4, env_rotation_4, _e6);
+    return _e7;
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -18,7 +18,7 @@ struct FrameParams {
     frame: u32,
     tonemap: u32,
     exposure: f32,
-    unused_a: u32,
+    shadow: u32,
     unused_b: u32,
     unused_c: u32,
 }
@@ -30,68 +30,83 @@ struct Params {
 }
 
 @group(0) @binding(1) 
-var<storage> linear_1: array<vec4<f32>>;
+var<storage> linear_2: array<vec4<f32>>;
 @group(0) @binding(2) 
 var<storage, read_write> out: array<u32>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/film.rs:44
-fn srgb_encode(linear: f32) -> f32 {
-    var chosen: f32;
+// glimt_render_gpu/src/kernels/film.rs:36
+fn tone_curve(frame: FrameParams, exposed: vec3<f32>) -> vec3<f32> {
+    var chosen: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/film.rs:45
-    if (linear <= 0.0031308f) {
-        // glimt_render_gpu/src/kernels/film.rs:46
-        chosen = (12.92f * linear);
+    // glimt_render_gpu/src/kernels/film.rs:37
+    if (frame.tonemap == 1u) {
+        // glimt_render_gpu/src/kernels/film.rs:38
+        chosen = (vec3(1f) - (vec3(1f) / (vec3(1f) + exposed)));
     } else {
-        // glimt_render_gpu/src/kernels/film.rs:48
-        chosen = ((1.055f * pow(linear, (1f / 2.4f))) - 0.055f);
+        // glimt_render_gpu/src/kernels/film.rs:40
+        chosen = min(exposed, vec3(1f));
     }
-    let _e18 = chosen;
+    let _e22 = chosen;
+    return _e22;
+}
+
+// glimt_render_gpu/src/kernels/film.rs:58
+fn srgb_encode(linear: f32) -> f32 {
+    var chosen_1: f32;
+
+    // glimt_render_gpu/src/kernels/film.rs:59
+    if (linear <= 0.0031308f) {
+        // glimt_render_gpu/src/kernels/film.rs:60
+        chosen_1 = (12.92f * linear);
+    } else {
+        // glimt_render_gpu/src/kernels/film.rs:62
+        chosen_1 = ((1.055f * pow(linear, (1f / 2.4f))) - 0.055f);
+    }
+    let _e18 = chosen_1;
     return _e18;
 }
 
-// glimt_render_gpu/src/kernels/film.rs:54
+// glimt_render_gpu/src/kernels/film.rs:68
 fn code(value: f32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/film.rs:55
+    // glimt_render_gpu/src/kernels/film.rs:69
     return u32(((clamp(value, 0f, 1f) * 255f) + 0.5f));
 }
 
+// glimt_render_gpu/src/kernels/film.rs:48
+fn display_code(linear_1: vec3<f32>, alpha: f32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/film.rs:49
+    let _e5 = srgb_encode(linear_1.x);
+    let _e6 = code(_e5);
+    let _e8 = srgb_encode(linear_1.y);
+    let _e9 = code(_e8);
+    let _e15 = srgb_encode(linear_1.z);
+    let _e16 = code(_e15);
+    let _e21 = code(alpha);
+    return (((_e6 | (_e9 << 8u)) | (_e16 << 16u)) | (_e21 << 24u));
+}
+
 // glimt_render_gpu/src/kernels/film.rs:23
-fn tonemap_1(pixel: u32, frame: FrameParams) -> u32 {
-    var chosen_1: vec3<f32>;
+fn tonemap_1(pixel: u32, frame_1: FrameParams) -> u32 {
 
     // glimt_render_gpu/src/kernels/film.rs:24
-    let value_1 = linear_1[pixel];
+    let value_1 = linear_2[pixel];
     // glimt_render_gpu/src/kernels/film.rs:25
-    let alpha = clamp(value_1.w, 0f, 1f);
+    let alpha_1 = clamp(value_1.w, 0f, 1f);
     // glimt_render_gpu/src/kernels/film.rs:26
-    if (alpha == 0f) {
+    if (alpha_1 == 0f) {
         // glimt_render_gpu/src/kernels/film.rs:27
         return 0u;
     }
     // glimt_render_gpu/src/kernels/film.rs:29
-    let exposed = max(((value_1.xyz / vec3(alpha)) * frame.exposure), vec3(0f));
+    let exposed_1 = max(((value_1.xyz / vec3(alpha_1)) * frame_1.exposure), vec3(0f));
     // glimt_render_gpu/src/kernels/film.rs:30
-    if (frame.tonemap == 1u) {
-        // glimt_render_gpu/src/kernels/film.rs:31
-        chosen_1 = (vec3(1f) - (vec3(1f) / (vec3(1f) + exposed)));
-    } else {
-        // glimt_render_gpu/src/kernels/film.rs:33
-        chosen_1 = min(exposed, vec3(1f));
-    }
-    let mapped = chosen_1;
-    // glimt_render_gpu/src/kernels/film.rs:35
-    let _e48 = srgb_encode(mapped.x);
-    let _e49 = code(_e48);
-    let _e51 = srgb_encode(mapped.y);
-    let _e52 = code(_e51);
-    let _e58 = srgb_encode(mapped.z);
-    let _e59 = code(_e58);
-    let _e64 = code(alpha);
-    return (((_e49 | (_e52 << 8u)) | (_e59 << 16u)) | (_e64 << 24u));
+    let _e27 = tone_curve(frame_1, exposed_1);
+    let _e28 = display_code(_e27, alpha_1);
+    return _e28;
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -11,6 +11,7 @@ mod kernel;
 mod launch;
 mod renderer;
 mod timing;
+mod unwarp;
 mod upload;
 
 pub use buffer::GpuBuffer;
@@ -18,4 +19,5 @@ pub use device::{AdapterPreference, AdapterSummary, GpuContext, GpuOptions, enum
 pub use error::GpuError;
 pub use launch::{Arg, LaunchReport};
 pub use renderer::{FrameTimes, GpuRenderer};
+pub use unwarp::GpuUnwarp;
 pub use upload::{GpuEnv, GpuScene};

@@ -11,11 +11,17 @@ use super::launch::{Arg, LaunchReport};
 use super::upload::{GpuEnv, GpuScene};
 use super::{GpuBuffer, GpuOptions};
 use crate::entry::Entry;
-use crate::generated::{RECONSTRUCT, SHADE_MIS, TONEMAP};
+use crate::generated::{
+    COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DISPLAY_OVER_PLATE, RECONSTRUCT, RECONSTRUCT_LAYERS,
+    SHADE_MIS, SHADE_MIS_LAYERS, TONEMAP,
+};
 use crate::host::env::PreparedEnv;
+use crate::host::plate::Plate;
 use crate::host::render::{FrameImage, Method, RenderError, RenderSettings, Renderer};
 use crate::host::scene_build::SceneBuffers;
+use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
+use crate::kernels::layers::{LayerSample, PixelLayers};
 
 /// Bytes of a tile's rays: enough to fill any GPU, few enough for any memory.
 const SAMPLE_BYTES: u64 = 64 << 20;
@@ -51,9 +57,13 @@ pub struct GpuRenderer {
 struct TileBuffers {
     pixels: u32,
     rays_per_pixel: u32,
+    in_layers: bool,
     samples: GpuBuffer,
     linear: GpuBuffer,
     display: GpuBuffer,
+    /// For frames in layers; of one pixel for others.
+    layers: GpuBuffer,
+    plate: GpuBuffer,
 }
 
 impl GpuRenderer {
@@ -101,7 +111,7 @@ impl GpuRenderer {
         &self.times
     }
 
-    /// Renders a frame under a light that is on the GPU already.
+    /// Renders a frame under a light that is on the GPU already, over a plate of the same size or without one.
     ///
     /// # Errors
     ///
@@ -110,18 +120,21 @@ impl GpuRenderer {
         &mut self,
         scene: &SceneBuffers,
         env: &GpuEnv,
+        plate: Option<&Plate>,
         settings: &RenderSettings,
         progress: &(dyn Fn(f32) + Sync),
     ) -> Result<FrameImage, RenderError> {
         self.times = FrameTimes::default();
-        let whole = settings.frame_params()?;
+        let whole = settings.frame_params_over(plate)?;
+        let in_layers = settings.in_layers(scene, plate);
         self.keep_scene(scene).map_err(device)?;
-        self.keep_tile(&whole).map_err(device)?;
+        self.keep_tile(&whole, in_layers).map_err(device)?;
         let (Some(scene), Some(tile)) = (&self.scene, &self.tile) else {
             unreachable!("both were just made");
         };
-        let shade = match settings.method {
-            Method::Mis => &SHADE_MIS,
+        let shade = match (settings.method, in_layers) {
+            (Method::Mis, false) => &SHADE_MIS,
+            (Method::Mis, true) => &SHADE_MIS_LAYERS,
         };
         let cost = Some((scene.id(), whole.brdf_samples, whole.env_samples));
         if self.cost != cost {
@@ -133,6 +146,7 @@ impl GpuRenderer {
             size: settings.size,
             linear: Vec::with_capacity(pixels as usize),
             display: Vec::with_capacity(pixels as usize),
+            layers: settings.layers.then(Vec::new),
         };
         let mut first = 0;
         while first < pixels {
@@ -151,6 +165,7 @@ impl GpuRenderer {
                 tile,
                 frame: &frame,
                 count,
+                plate: plate.map(|plate| &plate.pixels()[first as usize..(first + count) as usize]),
             };
             work.render(shade, &tell, &mut self.times, &mut image)
                 .map_err(device)?;
@@ -174,28 +189,34 @@ impl GpuRenderer {
         Ok(())
     }
 
-    fn keep_tile(&mut self, frame: &FrameParams) -> Result<(), GpuError> {
+    fn keep_tile(&mut self, frame: &FrameParams, in_layers: bool) -> Result<(), GpuError> {
+        let largest = self.largest_tile(frame, in_layers);
         let pixels = frame.width * frame.height;
         let fits = |tile: &TileBuffers| {
             tile.rays_per_pixel == frame.rays_per_pixel
-                && (tile.pixels == pixels || tile.pixels == self.largest_tile(frame))
+                && tile.in_layers == in_layers
+                && (tile.pixels == pixels || tile.pixels == largest)
         };
         if !self.tile.as_ref().is_some_and(fits) {
             self.tile = None;
             self.tile = Some(TileBuffers::new(
                 &self.context,
-                self.largest_tile(frame),
+                largest,
                 frame.rays_per_pixel,
+                in_layers,
             )?);
         }
         Ok(())
     }
 
     /// Pixels whose rays fit a binding, and no more than there are.
-    fn largest_tile(&self, frame: &FrameParams) -> u32 {
-        let ray_bytes = size_of::<Vec4>() as u64;
+    fn largest_tile(&self, frame: &FrameParams, in_layers: bool) -> u32 {
         let bytes = self.context.max_binding_bytes().min(SAMPLE_BYTES);
-        let fitting = bytes / (ray_bytes * u64::from(frame.rays_per_pixel));
+        let pixel_bytes = sample_bytes(in_layers) * u64::from(frame.rays_per_pixel);
+        let fitting = match in_layers {
+            false => bytes / pixel_bytes,
+            true => bytes / pixel_bytes.max(size_of::<PixelLayers>() as u64),
+        };
         // One pixel at least; where its rays do not fit, the launch says so.
         fitting.clamp(1, u64::from(frame.width * frame.height)) as u32
     }
@@ -206,10 +227,11 @@ impl Renderer for GpuRenderer {
         format!("GPU, {}", self.context.adapter())
     }
 
-    fn render_frame(
+    fn render_over(
         &mut self,
         scene: &SceneBuffers,
         env: &PreparedEnv,
+        plate: Option<&Plate>,
         settings: &RenderSettings,
         progress: &(dyn Fn(f32) + Sync),
     ) -> Result<FrameImage, RenderError> {
@@ -221,7 +243,7 @@ impl Renderer for GpuRenderer {
         };
         let current = current.map_err(device)?;
         let upload = started.elapsed();
-        let image = self.render(scene, &current, settings, progress);
+        let image = self.render(scene, &current, plate, settings, progress);
         self.envs[0] = Some(current);
         self.times.upload += upload;
         image
@@ -233,15 +255,32 @@ fn device(error: GpuError) -> RenderError {
 }
 
 impl TileBuffers {
-    fn new(context: &GpuContext, pixels: u32, rays_per_pixel: u32) -> Result<Self, GpuError> {
-        let bytes = u64::from(pixels) * size_of::<Vec4>() as u64;
+    fn new(
+        context: &GpuContext,
+        pixels: u32,
+        rays_per_pixel: u32,
+        in_layers: bool,
+    ) -> Result<Self, GpuError> {
+        let (count, rays) = (u64::from(pixels), u64::from(rays_per_pixel));
+        let layered = if in_layers { count } else { 1 };
         Ok(Self {
             pixels,
             rays_per_pixel,
-            samples: context.buffer("samples", bytes * u64::from(rays_per_pixel))?,
-            linear: context.buffer("linear", bytes)?,
-            display: context.buffer("display", u64::from(pixels) * 4)?,
+            in_layers,
+            samples: context.buffer("samples", count * rays * sample_bytes(in_layers))?,
+            linear: context.buffer("linear", count * size_of::<Vec4>() as u64)?,
+            display: context.buffer("display", count * 4)?,
+            layers: context.buffer("layers", layered * size_of::<PixelLayers>() as u64)?,
+            plate: context.buffer("plate", layered * size_of::<PlatePixel>() as u64)?,
         })
+    }
+}
+
+/// Bytes of one ray's sample.
+fn sample_bytes(in_layers: bool) -> u64 {
+    match in_layers {
+        false => size_of::<Vec4>() as u64,
+        true => size_of::<LayerSample>() as u64,
     }
 }
 
@@ -253,6 +292,8 @@ struct Work<'a> {
     tile: &'a TileBuffers,
     frame: &'a FrameParams,
     count: u32,
+    /// The tile's part of the plate.
+    plate: Option<&'a [PlatePixel]>,
 }
 
 impl Work<'_> {
@@ -273,18 +314,24 @@ impl Work<'_> {
             .context
             .launch_telling(shade, &args, 0, rays, progress)?;
 
-        let args = [
-            frame,
-            ("samples", Arg::Buffer(&tile.samples)),
-            ("out", Arg::Buffer(&tile.linear)),
-        ];
-        times.film += self.context.launch(&RECONSTRUCT, &args, 0, self.count)?;
-        let args = [
-            frame,
-            ("linear", Arg::Buffer(&tile.linear)),
-            ("out", Arg::Buffer(&tile.display)),
-        ];
-        times.film += self.context.launch(&TONEMAP, &args, 0, self.count)?;
+        if tile.in_layers {
+            self.composite(times)?;
+        } else {
+            let samples = ("samples", Arg::Buffer(&tile.samples));
+            self.film(&RECONSTRUCT, &[samples], &tile.linear, times)?;
+        }
+        match self.plate {
+            Some(_) => self.film(
+                &DISPLAY_OVER_PLATE,
+                &self.over_plate(),
+                &tile.display,
+                times,
+            )?,
+            None => {
+                let linear = ("linear", Arg::Buffer(&tile.linear));
+                self.film(&TONEMAP, &[linear], &tile.display, times)?;
+            }
+        }
 
         let started = Instant::now();
         image.linear.extend(
@@ -295,7 +342,59 @@ impl Work<'_> {
             self.context
                 .read::<[u8; 4]>(&tile.display, self.count as usize)?,
         );
+        if let Some(layers) = &mut image.layers {
+            layers.extend(
+                self.context
+                    .read::<PixelLayers>(&tile.layers, self.count as usize)?,
+            );
+        }
         times.read_back += started.elapsed();
+        Ok(())
+    }
+
+    /// Linear values of the tile by way of its layers.
+    fn composite(&self, times: &mut FrameTimes) -> Result<(), GpuError> {
+        let tile = self.tile;
+        let mut args = vec![("samples", Arg::Buffer(&tile.samples))];
+        args.extend(self.env.args());
+        self.film(&RECONSTRUCT_LAYERS, &args, &tile.layers, times)?;
+        match self.plate {
+            Some(plate) => {
+                let started = Instant::now();
+                self.context.write(&tile.plate, plate)?;
+                times.upload += started.elapsed();
+                self.film(
+                    &COMPOSITE_OVER_PLATE,
+                    &self.over_plate(),
+                    &tile.linear,
+                    times,
+                )
+            }
+            None => {
+                let layers = ("layers", Arg::Buffer(&tile.layers));
+                self.film(&COMPOSITE_ALONE, &[layers], &tile.linear, times)
+            }
+        }
+    }
+
+    fn over_plate(&self) -> [(&str, Arg<'_>); 2] {
+        [
+            ("layers", Arg::Buffer(&self.tile.layers)),
+            ("plate", Arg::Buffer(&self.tile.plate)),
+        ]
+    }
+
+    /// Runs a kernel of pass 2, one call a pixel.
+    fn film(
+        &self,
+        entry: &Entry,
+        inputs: &[(&str, Arg<'_>)],
+        out: &GpuBuffer,
+        times: &mut FrameTimes,
+    ) -> Result<(), GpuError> {
+        let frame = ("frame", Arg::Value(bytemuck::bytes_of(self.frame)));
+        let args = [&[frame, ("out", Arg::Buffer(out))], inputs].concat();
+        times.film += self.context.launch(entry, &args, 0, self.count)?;
         Ok(())
     }
 }

@@ -3,8 +3,10 @@
 mod attributes;
 pub mod env;
 mod materials;
+pub mod plate;
 pub mod render;
 pub mod scene;
 pub mod scene_build;
 pub mod scene_error;
 mod tree;
+pub mod unwarp;

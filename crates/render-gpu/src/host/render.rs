@@ -3,10 +3,12 @@
 use glam::{UVec2, Vec4};
 
 use super::env::PreparedEnv;
+use super::plate::Plate;
 use super::scene::Camera;
 use super::scene_build::SceneBuffers;
 use crate::kernels::camera::CameraView;
 use crate::kernels::frame::{self, FrameParams};
+use crate::kernels::layers::PixelLayers;
 
 /// All that one frame needs beside the scene and its light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,8 +37,12 @@ pub struct RenderSettings {
     pub frame: u32,
     /// Exposure of the display image: linear values are multiplied by 2^exposure_ev.
     pub exposure_ev: f32,
-    /// Curve of the display image.
+    /// Curve of the display image. Over a plate, exposure and curve are those of the objects alone.
     pub tonemap: Tonemap,
+    /// How a plate takes shadows.
+    pub shadow: Shadow,
+    /// Whether the image comes with its layers.
+    pub layers: bool,
 }
 
 /// An estimator of reflected radiance.
@@ -90,15 +96,30 @@ pub enum Tonemap {
     Reinhard,
 }
 
+/// How a plate takes the shadows of objects on catchers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shadow {
+    /// It is multiplied by the share of the catchers' light that is left: the plate keeps its texture, and the catcher's
+    /// albedo cancels out.
+    #[default]
+    Multiply,
+    /// The light that the catchers lose is subtracted (Debevec 1998): right where the catchers' albedo is the plate's, and
+    /// the light map is in the plate's units after the exposure.
+    Add,
+}
+
 /// A rendered frame, rows from the top.
 #[derive(Clone, Debug)]
 pub struct FrameImage {
     /// Width and height in pixels.
     pub size: UVec2,
-    /// Linear radiance, alpha in w; colours are premultiplied by it.
+    /// Linear radiance, alpha in w; colours are premultiplied by it. Over a plate it is in the plate's units: the objects
+    /// are exposed, but not tonemapped.
     pub linear: Vec<Vec4>,
-    /// The same after exposure and tonemapping: red, green, blue and straight alpha.
+    /// What is displayed, after exposure and tonemapping: red, green, blue and straight alpha.
     pub display: Vec<[u8; 4]>,
+    /// The layers that it was composited of, not exposed, where they were asked for.
+    pub layers: Option<Vec<PixelLayers>>,
 }
 
 /// Something that turns scenes into frames: the CPU or a GPU.
@@ -106,7 +127,21 @@ pub trait Renderer {
     /// What it is, for messages: the processor's or adapter's name.
     fn name(&self) -> String;
 
-    /// Renders one frame. `progress` is told, from any thread, the fraction that is done.
+    /// Renders one frame over a plate of the same size, or over the background of the settings. `progress` is told, from any
+    /// thread, the fraction that is done.
+    ///
+    /// # Errors
+    /// A [`RenderError`].
+    fn render_over(
+        &mut self,
+        scene: &SceneBuffers,
+        env: &PreparedEnv,
+        plate: Option<&Plate>,
+        settings: &RenderSettings,
+        progress: &(dyn Fn(f32) + Sync),
+    ) -> Result<FrameImage, RenderError>;
+
+    /// Renders one frame without a plate.
     ///
     /// # Errors
     /// A [`RenderError`].
@@ -116,7 +151,9 @@ pub trait Renderer {
         env: &PreparedEnv,
         settings: &RenderSettings,
         progress: &(dyn Fn(f32) + Sync),
-    ) -> Result<FrameImage, RenderError>;
+    ) -> Result<FrameImage, RenderError> {
+        self.render_over(scene, env, None, settings, progress)
+    }
 }
 
 /// Why no frame was rendered.
@@ -151,6 +188,9 @@ pub enum SettingsError {
     /// The exposure's factor outgrows 32 bits.
     #[error("2 to the power of the exposure must be finite")]
     Exposure,
+    /// The plate is of another size than the image.
+    #[error("the plate must have the image's size")]
+    PlateSize,
 }
 
 impl RenderSettings {
@@ -171,7 +211,34 @@ impl RenderSettings {
             frame: 0,
             exposure_ev: 0.0,
             tonemap: Tonemap::default(),
+            shadow: Shadow::default(),
+            layers: false,
         }
+    }
+
+    /// Whether such a frame is made in layers: over a plate, with catchers, or where the layers are asked for. Others are spared
+    /// the cost.
+    #[must_use]
+    pub fn in_layers(&self, scene: &SceneBuffers, plate: Option<&Plate>) -> bool {
+        self.layers || plate.is_some() || scene.has_catcher()
+    }
+
+    /// As [`RenderSettings::frame_params`], for a frame over this plate: what is behind the objects is the plate.
+    ///
+    /// # Errors
+    /// A [`SettingsError`].
+    pub fn frame_params_over(&self, plate: Option<&Plate>) -> Result<FrameParams, SettingsError> {
+        let Some(plate) = plate else {
+            return self.frame_params();
+        };
+        if plate.size() != self.size {
+            return Err(SettingsError::PlateSize);
+        }
+        let over = Self {
+            background: Background::Transparent,
+            ..*self
+        };
+        over.frame_params()
     }
 
     /// Checks the settings and makes of them what kernels read, with the first tile at pixel 0.
@@ -229,7 +296,10 @@ impl RenderSettings {
                 Tonemap::Reinhard => frame::TONEMAP_REINHARD,
             },
             exposure,
-            unused_a: 0,
+            shadow: match self.shadow {
+                Shadow::Multiply => frame::SHADOW_MULTIPLY,
+                Shadow::Add => frame::SHADOW_ADD,
+            },
             unused_b: 0,
             unused_c: 0,
         })

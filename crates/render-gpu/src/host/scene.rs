@@ -104,6 +104,9 @@ pub struct Object {
     pub transform: Mat4,
     /// A material for all of the mesh in place of its own.
     pub material: Option<u32>,
+    /// Whether it stands for something that is in the footage already. It takes the objects' shadows and hides what is behind
+    /// it, but blocks no light.
+    pub catcher: bool,
 }
 
 /// A pinhole camera.

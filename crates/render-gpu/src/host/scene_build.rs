@@ -12,7 +12,7 @@ use super::tree::build_tree;
 use crate::kernels::bvh::BvhNode;
 use crate::kernels::material::Material;
 use crate::kernels::scene::{Corner, MIRRORED, Scene};
-use crate::kernels::triangle::Triangle;
+use crate::kernels::triangle::{CATCHER, Triangle};
 
 /// World coordinates must not exceed this, so that areas and volumes stay finite in f32.
 pub const MAX_COORDINATE: f32 = 1e9;
@@ -34,6 +34,7 @@ pub struct SceneBuffers {
     materials: Vec<Material>,
     texels: Vec<u32>,
     dropped: usize,
+    has_catcher: bool,
 }
 
 impl SceneBuffers {
@@ -85,6 +86,7 @@ impl SceneBuffers {
             materials,
             texels,
             dropped,
+            has_catcher: triangles.iter().any(Triangle::is_catcher),
         })
     }
 
@@ -103,6 +105,11 @@ impl SceneBuffers {
     /// this one.
     pub fn id(&self) -> u64 {
         self.id
+    }
+
+    /// Whether there is a catcher.
+    pub fn has_catcher(&self) -> bool {
+        self.has_catcher
     }
 
     /// How many triangles were dropped because they have no area.
@@ -197,7 +204,11 @@ impl Flat {
                     material
                 },
                 v1,
-                object: object_index as u32,
+                object: if object.catcher {
+                    object_index as u32 | CATCHER
+                } else {
+                    object_index as u32
+                },
                 v2,
                 ray_offset: RAY_OFFSET * extent,
             });

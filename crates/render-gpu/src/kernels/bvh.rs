@@ -60,7 +60,7 @@ pub fn closest_hit(
     })
 }
 
-/// Whether the ray hits anything at a distance in `(0, t_max)`.
+/// Whether anything blocks the ray at a distance in `(0, t_max)`. Catchers do not.
 #[must_use]
 pub fn any_hit(nodes: &[BvhNode], triangles: &[Triangle], ray: &Ray, t_max: f32) -> bool {
     let mut t = t_max;
@@ -71,7 +71,7 @@ pub fn any_hit(nodes: &[BvhNode], triangles: &[Triangle], ray: &Ray, t_max: f32)
 const NONE: u32 = u32::MAX;
 
 /// Visits the nodes that the ray meets within `reach`, nearer children first. Returns the triangle that is hit first,
-/// with its distance in `reach`; or, where `any` is set, the first one found.
+/// with its distance in `reach`; or, where `any` is set, the first one found that is no catcher.
 #[inline(always)]
 #[allow(clippy::manual_swap)]
 fn traverse(
@@ -86,7 +86,7 @@ fn traverse(
     }
     let root = nodes[0];
     if root.count > 0 {
-        return visit_leaf(triangles, &root, ray, reach, NONE);
+        return visit_leaf(triangles, &root, ray, reach, NONE, any);
     }
     let mut best = NONE;
     let mut stack = [0u32; STACK_SIZE];
@@ -108,7 +108,7 @@ fn traverse(
         }
         let mut into_near = t_near < *reach;
         if into_near && near.count > 0 {
-            best = visit_leaf(triangles, &near, ray, reach, best);
+            best = visit_leaf(triangles, &near, ray, reach, best, any);
             if any && best != NONE {
                 return best;
             }
@@ -116,7 +116,7 @@ fn traverse(
         }
         let mut into_far = t_far < *reach;
         if into_far && far.count > 0 {
-            best = visit_leaf(triangles, &far, ray, reach, best);
+            best = visit_leaf(triangles, &far, ray, reach, best, any);
             if any && best != NONE {
                 return best;
             }
@@ -139,7 +139,8 @@ fn traverse(
     }
 }
 
-/// The nearest triangle of the leaf within `reach`, which becomes its distance; `best` where there is none.
+/// The nearest triangle of the leaf within `reach`, which becomes its distance; `best` where there is none. With
+/// `no_catcher` set, catchers are passed over.
 #[inline(always)]
 fn visit_leaf(
     triangles: &[Triangle],
@@ -147,11 +148,13 @@ fn visit_leaf(
     ray: &Ray,
     reach: &mut f32,
     best: u32,
+    no_catcher: bool,
 ) -> u32 {
     let mut nearest = best;
     for i in leaf.first..leaf.first + leaf.count {
         let t = intersect(&triangles[i as usize], ray, *reach);
-        if t < *reach {
+        // Asked only of a triangle that is hit, so that the test costs nothing on the way.
+        if t < *reach && !(no_catcher && triangles[i as usize].is_catcher()) {
             *reach = t;
             nearest = i;
         }

@@ -55,21 +55,24 @@ impl Environment<'_> {
     #[inline]
     #[must_use]
     pub fn background(&self, direction: Vec3) -> Vec3 {
-        let size = self.cdf.size;
-        let p = direction_to_uv(self.to_map(direction)) * size.as_vec2() - Vec2::splat(0.5);
-        let corner = p.floor();
-        let f = p - corner;
-        // One map's width more, so that the column left of the seam is not negative.
-        let x0 = (corner.x + size.x as f32) as u32 % size.x;
-        let x1 = (x0 + 1) % size.x;
-        let y0 = corner.y.max(0.0) as u32;
-        let y1 = ((corner.y + 1.0) as u32).min(size.y - 1);
-        let upper = self
-            .radiance(UVec2::new(x0, y0))
-            .lerp(self.radiance(UVec2::new(x1, y0)), f.x);
-        let lower = self
-            .radiance(UVec2::new(x0, y1))
-            .lerp(self.radiance(UVec2::new(x1, y1)), f.x);
-        upper.lerp(lower, f.y)
+        bilinear(self.texels, self.cdf.size, self.to_map(direction))
     }
+}
+
+/// A lat-long map's colour in the direction `d` of its own coordinates (any length but zero), filtered bilinearly: values
+/// stand at texel centres. The filter wraps around sideways and stops at the poles.
+#[inline]
+#[must_use]
+pub fn bilinear(texels: &[Vec4], size: UVec2, d: Vec3) -> Vec3 {
+    let p = direction_to_uv(d) * size.as_vec2() - Vec2::splat(0.5);
+    // One more than the texel on the left and above: p begins at −½.
+    let next = (p + Vec2::ONE).as_uvec2();
+    let f = p + Vec2::ONE - next.as_vec2();
+    let x0 = (next.x + size.x - 1) % size.x;
+    let x1 = next.x % size.x;
+    let row0 = next.y.max(1) * size.x - size.x;
+    let row1 = next.y.min(size.y - 1) * size.x;
+    let upper = texels[(row0 + x0) as usize].lerp(texels[(row0 + x1) as usize], f.x);
+    let lower = texels[(row1 + x0) as usize].lerp(texels[(row1 + x1) as usize], f.x);
+    upper.lerp(lower, f.y).truncate()
 }

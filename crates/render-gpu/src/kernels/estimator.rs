@@ -6,16 +6,50 @@ use super::environment::Environment;
 use super::pattern::PixelPattern;
 use super::scene::{Scene, ShadingPoint};
 
+/// Light that a point reflects, parted by whether it arrives.
+///
+/// The two are sums over different samples of one set. So the light without the objects is `lit + blocked`, which where
+/// nothing is blocked is `lit` to the last bit, whatever a compiler fuses; two sums over all samples would not promise it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reflected {
+    /// Radiance by the light that arrives.
+    pub lit: Vec3,
+    /// Radiance by the light that objects keep away.
+    pub blocked: Vec3,
+}
+
+impl Reflected {
+    /// No light.
+    pub const NONE: Reflected = Reflected {
+        lit: Vec3::ZERO,
+        blocked: Vec3::ZERO,
+    };
+
+    /// Radiance if there were no objects.
+    #[inline]
+    #[must_use]
+    pub fn unoccluded(&self) -> Vec3 {
+        self.lit + self.blocked
+    }
+
+    /// Adds one sample's light.
+    #[inline]
+    pub fn gather(&mut self, light: Reflected) {
+        self.lit += light.lit;
+        self.blocked += light.blocked;
+    }
+}
+
 /// An estimator of reflected radiance, `L_r = ∫ L(ω) ρ(ωo, ω) V(ω) ⟨ω·n⟩ dω` (Kronander 2014, Eq. 1).
 pub trait Estimator {
-    /// Radiance that the point reflects towards ωo, by samples from the pattern.
+    /// Radiance that the point reflects towards ωo, by samples from the pattern: V, and 1 − V in its place.
     fn reflected(
         &self,
         point: &ShadingPoint,
         pattern: &PixelPattern,
         env: Environment<'_>,
         scene: Scene<'_>,
-    ) -> Vec3;
+    ) -> Reflected;
 }
 
 /// A chosen direction with what it contributes if light from there arrives: what a shadow ray has to know.
@@ -58,14 +92,23 @@ impl LightSample {
         }
     }
 
-    /// What arrives of the contribution. The shadow ray is traced only where there is one.
+    /// The contribution, by whether it arrives. The shadow ray is traced only where there is one.
     #[inline]
     #[must_use]
-    pub fn traced(&self, point: &ShadingPoint, scene: Scene<'_>) -> Vec3 {
-        if self.contribution.max_element() > 0.0 && scene.is_lit(point, self.direction) {
-            self.contribution
+    pub fn traced(&self, point: &ShadingPoint, scene: Scene<'_>) -> Reflected {
+        if !(self.contribution.max_element() > 0.0) {
+            return Reflected::NONE;
+        }
+        if scene.is_lit(point, self.direction) {
+            Reflected {
+                lit: self.contribution,
+                blocked: Vec3::ZERO,
+            }
         } else {
-            Vec3::ZERO
+            Reflected {
+                lit: Vec3::ZERO,
+                blocked: self.contribution,
+            }
         }
     }
 }

@@ -27,14 +27,28 @@ pub fn tonemap(pixel: u32, frame: &FrameParams, linear: &[Vec4]) -> u32 {
         return 0;
     }
     let exposed = (value.truncate() / alpha * frame.exposure).max(Vec3::ZERO);
-    let mapped = if frame.tonemap == TONEMAP_REINHARD {
+    display_code(tone_curve(frame, exposed), alpha)
+}
+
+/// The tonemap's curve: from exposed values, at least 0, to linear display values in [0, 1].
+#[inline]
+#[must_use]
+pub fn tone_curve(frame: &FrameParams, exposed: Vec3) -> Vec3 {
+    if frame.tonemap == TONEMAP_REINHARD {
         Vec3::ONE - Vec3::ONE / (Vec3::ONE + exposed)
     } else {
         exposed.min(Vec3::ONE)
-    };
-    code(srgb_encode(mapped.x))
-        | code(srgb_encode(mapped.y)) << 8
-        | code(srgb_encode(mapped.z)) << 16
+    }
+}
+
+/// Linear display values and straight alpha, all in [0, 1], in 8 bits each: red in the lowest byte, encoded by the sRGB
+/// curve, and alpha in the highest, which is not.
+#[inline]
+#[must_use]
+pub fn display_code(linear: Vec3, alpha: f32) -> u32 {
+    code(srgb_encode(linear.x))
+        | code(srgb_encode(linear.y)) << 8
+        | code(srgb_encode(linear.z)) << 16
         | code(alpha) << 24
 }
 

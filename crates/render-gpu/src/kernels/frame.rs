@@ -29,6 +29,11 @@ pub const TONEMAP_SRGB: u32 = 0;
 /// [`FrameParams::tonemap`]: `x / (1 + x)`.
 pub const TONEMAP_REINHARD: u32 = 1;
 
+/// [`FrameParams::shadow`]: the plate is multiplied by the share of light that is left.
+pub const SHADOW_MULTIPLY: u32 = 0;
+/// [`FrameParams::shadow`]: the light that is lost is subtracted from the plate.
+pub const SHADOW_ADD: u32 = 1;
+
 /// All that a frame's kernels know beside the scene and its light. 112 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
@@ -67,8 +72,8 @@ pub struct FrameParams {
     pub tonemap: u32,
     /// Factor on linear values before the tonemap.
     pub exposure: f32,
-    /// Fills the last 16 bytes.
-    pub unused_a: u32,
+    /// One of the `SHADOW_…` constants.
+    pub shadow: u32,
     /// Fills 16 bytes.
     pub unused_b: u32,
     /// Fills 16 bytes.
@@ -126,6 +131,6 @@ mod tests {
         assert_eq!(core::mem::offset_of!(FrameParams, brdf_samples), 64);
         assert_eq!(core::mem::offset_of!(FrameParams, background), 80);
         assert_eq!(core::mem::offset_of!(FrameParams, exposure), 96);
-        assert_eq!(core::mem::offset_of!(FrameParams, unused_a), 100);
+        assert_eq!(core::mem::offset_of!(FrameParams, shadow), 100);
     }
 }

@@ -1,11 +1,10 @@
 //! Shared file: multiple importance sampling of reflected light (Kronander 2014, Eq. 2).
 
-use glam::Vec3;
 use glimt_sampling::mis::multi_sample_density;
 use glimt_sampling::uniform::unit_vec2;
 
 use super::environment::Environment;
-use super::estimator::{Estimator, LightSample};
+use super::estimator::{Estimator, LightSample, Reflected};
 use super::pattern::{BRDF, ENVIRONMENT, PixelPattern};
 use super::scene::{Scene, ShadingPoint};
 
@@ -85,15 +84,15 @@ impl Estimator for Mis {
         pattern: &PixelPattern,
         env: Environment<'_>,
         scene: Scene<'_>,
-    ) -> Vec3 {
-        let mut sum = Vec3::ZERO;
+    ) -> Reflected {
+        let mut sum = Reflected::NONE;
         for i in 0..self.brdf_samples {
-            sum += self
-                .brdf_sample(i, point, pattern, env)
-                .traced(point, scene);
+            let sample = self.brdf_sample(i, point, pattern, env);
+            sum.gather(sample.traced(point, scene));
         }
         for i in 0..self.env_samples {
-            sum += self.env_sample(i, point, pattern, env).traced(point, scene);
+            let sample = self.env_sample(i, point, pattern, env);
+            sum.gather(sample.traced(point, scene));
         }
         sum
     }

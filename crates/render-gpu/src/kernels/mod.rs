@@ -6,16 +6,22 @@
 
 pub mod bvh;
 pub mod camera;
+pub mod capture;
+pub mod composite;
 pub mod diagnose;
 pub mod environment;
 pub mod estimator;
 pub mod film;
 pub mod frame;
+pub mod layers;
 pub mod material;
 pub mod mis;
 pub mod pattern;
 pub mod ray;
 pub mod scene;
+pub mod sensor;
 pub mod shade;
+pub mod stage;
 pub mod texture;
 pub mod triangle;
+pub mod unwarp;

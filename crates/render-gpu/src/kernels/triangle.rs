@@ -4,6 +4,10 @@ use glam::{Vec2, Vec3};
 
 use super::ray::Ray;
 
+/// Bit of [`Triangle::object`] that says that it stands for something in the footage: it is seen and shaded, but blocks no
+/// light, since the light map was filmed with it in place. The rest is the object's index.
+pub const CATCHER: u32 = 1 << 31;
+
 /// A triangle in world coordinates, in the order of the tree's leaves.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
@@ -14,7 +18,7 @@ pub struct Triangle {
     pub material: u32,
     /// Second corner.
     pub v1: Vec3,
-    /// Index of the object that it belongs to.
+    /// Index of the object that it belongs to; with the bit [`CATCHER`] where that is a shadow catcher.
     pub object: u32,
     /// Third corner.
     pub v2: Vec3,
@@ -23,6 +27,13 @@ pub struct Triangle {
 }
 
 impl Triangle {
+    /// Whether it belongs to a shadow catcher.
+    #[inline]
+    #[must_use]
+    pub fn is_catcher(&self) -> bool {
+        self.object & CATCHER != 0
+    }
+
     /// The normal of the face, right-handed about the corners' order; its length is twice the area.
     #[inline]
     #[must_use]

@@ -1,0 +1,127 @@
+//! Host file: where the mirror ball is in each frame of a capture.
+
+use super::{Poses, photo};
+use crate::ball::levels::Levels;
+use crate::ball::roll::Reference;
+use crate::ball::{self, FindError, Observation, Options, TrackError, Tracked, TrackedPose, find};
+use crate::error::{Error, Result};
+use crate::input::frames::FrameFiles;
+use crate::notes::Notes;
+use crate::shot;
+use glimt_probe::unwarp::Outline;
+use glimt_render_gpu::host::unwarp::BallPose;
+
+/// Finds the ball in all of these frames and steadies what was found; `progress` is told how many frames are done.
+///
+/// # Errors
+/// A frame cannot be read, or too few of them show a ball.
+pub fn track(
+    files: &FrameFiles,
+    frames: &[u32],
+    steady: bool,
+    notes: &mut Notes,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Tracked> {
+    let mut observations = Vec::with_capacity(frames.len());
+    let mut hint = None;
+    let mut reference: Option<Reference> = None;
+    // A still is one image for all frames.
+    let looked_at = if files.is_still() {
+        &frames[..1]
+    } else {
+        frames
+    };
+    for (done, &frame) in looked_at.iter().enumerate() {
+        let photo = photo::read(&files.path(frame), notes)?;
+        let found = find(photo.size, &photo.pixels, hint);
+        let (mut roll, mut levels) = (None, None);
+        if let Ok(found) = &found {
+            hint = Some(found.circle);
+            levels = Some(Levels::new(photo.size, &photo.pixels, found.circle));
+            if steady {
+                let own = Reference::new(photo.size, &photo.pixels, found.circle);
+                match (&reference, own) {
+                    (Some(reference), Some(own)) => roll = reference.roll_of(&own),
+                    (None, own) => reference = own,
+                    _ => {}
+                }
+            }
+        }
+        observations.push(Observation {
+            frame,
+            found,
+            roll,
+            levels,
+        });
+        progress(done + 1);
+    }
+    let tracked = ball::stabilise(&observations, &Options::default())
+        .map_err(|e| refused(&e, files, &observations))?;
+    for text in &tracked.notes {
+        notes.warn(&files.path(frames[0]), text);
+    }
+    Ok(tracked)
+}
+
+/// The reason of the first frame without a ball, where there is one: it says more than their number.
+fn refused(error: &TrackError, files: &FrameFiles, observations: &[Observation]) -> Error {
+    let failed = observations
+        .iter()
+        .find_map(|o| o.found.as_ref().err().map(|e| (o.frame, e)));
+    let Some((frame, reason)) = failed else {
+        return Error::input(
+            &files.path(observations.first().map_or(1, |o| o.frame)),
+            error,
+        );
+    };
+    let fix = match reason {
+        FindError::Two(..) => "crop the frames, or give probe.ball.centre_px and radius_px",
+        FindError::Cut { .. } => "film the ball whole, with some background around it",
+        _ => "give probe.ball.centre_px and radius_px, or leave out the frames without a ball",
+    };
+    let error = match observations.len() {
+        1 => Error::input(&files.path(frame), reason),
+        _ => Error::input(&files.path(frame), format!("{reason} ({error})")),
+    };
+    error.fix(fix)
+}
+
+/// The poses of a capture whose shot does not give them.
+///
+/// # Errors
+/// As [`track`].
+pub fn poses(
+    files: &FrameFiles,
+    frames: &[u32],
+    keys: &shot::Ball,
+    notes: &mut Notes,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Poses> {
+    let tracked = track(files, frames, keys.steady, notes, progress)?;
+    if files.is_still() {
+        return Ok(Poses::Fixed(pose(&tracked.poses[0])));
+    }
+    Ok(of_track(&tracked))
+}
+
+/// The poses of a track. A camera that shakes is upright on average, not in the frame that the others were compared with.
+pub fn of_track(tracked: &Tracked) -> Poses {
+    let count = tracked.poses.len() as f64;
+    let mean = tracked.poses.iter().map(|p| p.roll).sum::<f64>() / count;
+    let upright = |tracked: &TrackedPose| {
+        let roll = tracked.roll - mean;
+        (tracked.frame, pose(&TrackedPose { roll, ..*tracked }))
+    };
+    Poses::Found(tracked.poses.iter().map(upright).collect())
+}
+
+/// A tracked ball as the renderer takes it, whose roll counts the other way round.
+pub fn pose(tracked: &TrackedPose) -> BallPose {
+    BallPose {
+        outline: Outline {
+            centre: tracked.centre.as_vec2(),
+            radius: tracked.radius as f32,
+        },
+        roll: -tracked.roll as f32,
+    }
+}

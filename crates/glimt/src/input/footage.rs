@@ -1,0 +1,313 @@
+//! Host file: the backplate of a shot: which frame of the footage belongs to which of the shot, brought to the image's size.
+
+use super::frames::FrameFiles;
+use super::plate::{Colours, PlateImage, read, read_size};
+use super::resample::{Window, resample};
+use crate::error::{Error, Kind, Result};
+use crate::notes::Notes;
+use crate::shot::digest::{Hash, of_file};
+use crate::shot::parse::Source;
+use crate::shot::{Fit, Shot};
+use glam::{UVec2, Vec3};
+use glimt_render_gpu::host::plate::Plate;
+use rayon::prelude::*;
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+
+/// The footage behind the objects.
+#[derive(Clone, Debug)]
+pub struct Footage {
+    files: FrameFiles,
+    fit: Fit,
+    /// Size of its images.
+    size: UVec2,
+    /// Numbers of its first and last frame.
+    span: [u32; 2],
+    rate: Rate,
+}
+
+/// How frames of the footage follow those of the shot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Rate {
+    /// By number.
+    Same,
+    /// By time: `first_plate + round((frame − first) · ratio)`.
+    Other {
+        first: u32,
+        first_plate: u32,
+        ratio: f64,
+    },
+}
+
+impl Rate {
+    /// The number of the footage's frame, which may be one that is not there.
+    fn of(self, frame: u32) -> i64 {
+        match self {
+            Self::Same => i64::from(frame),
+            Self::Other {
+                first,
+                first_plate,
+                ratio,
+            } => {
+                let steps = (f64::from(frame) - f64::from(first)) * ratio;
+                i64::from(first_plate) + steps.round() as i64
+            }
+        }
+    }
+}
+
+/// The files of the shot's backplate, if it has one.
+fn files(shot: &Shot, source: &Source, base: &Path) -> Result<Option<FrameFiles>> {
+    let Some(keys) = &shot.backplate else {
+        return Ok(None);
+    };
+    let files = FrameFiles::new(base, &keys.frames).map_err(|e| {
+        source
+            .error("backplate.frames", e.what)
+            .fix(e.fix.unwrap_or_default())
+    })?;
+    Ok(Some(files))
+}
+
+/// Numbers of the first and last frame that are there.
+fn span(files: &FrameFiles) -> Result<[u32; 2]> {
+    let there = files.existing().map_err(|e| {
+        e.fix("check backplate.frames: each # stands for a digit of the frame's number")
+    })?;
+    Ok([there[0], there[there.len() - 1]])
+}
+
+/// Gives the image the size of the backplate, where there is one and the shot says no size.
+///
+/// # Errors
+/// The first frame of the footage cannot be read.
+pub fn adopt_size(shot: &mut Shot, source: &Source, base: &Path) -> Result<()> {
+    if source.gives("image.size") {
+        return Ok(());
+    }
+    if let Some(files) = files(shot, source, base)?.filter(|_| named(shot)) {
+        let [first, _] = span(&files)?;
+        shot.image.size = read_size(&files.path(first))?.to_array();
+    }
+    Ok(())
+}
+
+/// Whether the backplate has a name; if not, the check of the shot will say so.
+fn named(shot: &Shot) -> bool {
+    shot.backplate
+        .as_ref()
+        .is_some_and(|keys| !keys.frames.is_empty())
+}
+
+impl Footage {
+    /// The footage of a shot, if it has one: finds its frames and how they follow those of the probe.
+    ///
+    /// # Errors
+    /// There is none of its files.
+    pub fn find(
+        shot: &Shot,
+        source: &Source,
+        base: &Path,
+        probe: &FrameFiles,
+        notes: &mut Notes,
+    ) -> Result<Option<Self>> {
+        let (Some(files), Some(keys)) = (files(shot, source, base)?, &shot.backplate) else {
+            return Ok(None);
+        };
+        let span = span(&files)?;
+        let first_file = files.path(span[0]);
+        let mut footage = Self {
+            size: read_size(&first_file)?,
+            fit: keys.fit,
+            span,
+            rate: Rate::Same,
+            files,
+        };
+        let fps = shot.probe.fps;
+        if let (Some(own), false) = (keys.fps.filter(|own| *own != fps), footage.is_still()) {
+            let first = match probe.is_still() {
+                true => span[0],
+                false => probe.existing()?[0],
+            };
+            footage.rate = Rate::Other {
+                first,
+                first_plate: span[0],
+                ratio: f64::from(own) / f64::from(fps),
+            };
+            notes.note(
+                &first_file,
+                format!("the footage has {own} frames a second, the probe {fps}: they are matched by time"),
+            );
+        }
+        Ok(Some(footage))
+    }
+
+    /// Whether every frame is the same image.
+    pub fn is_still(&self) -> bool {
+        self.files.is_still()
+    }
+
+    /// Whether there is footage for a frame of the shot, as far as first and last frame tell.
+    fn covers(&self, frame: u32) -> bool {
+        let [first, last] = self.span.map(i64::from);
+        self.is_still() || (first..=last).contains(&self.rate.of(frame))
+    }
+
+    /// The file that belongs to a frame of the shot.
+    pub fn file(&self, frame: u32) -> PathBuf {
+        let number = self.rate.of(frame).clamp(0, u32::MAX.into());
+        self.files.path(number as u32)
+    }
+
+    /// The frames that both probe and footage have; says which are left out.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn shared(&self, probe: &FrameFiles, notes: &mut Notes) -> Result<RangeInclusive<u32>> {
+        let there = match (probe.is_still(), self.is_still()) {
+            (true, false) => self.own_frames(),
+            _ => probe.existing()?,
+        };
+        let covered: Vec<u32> = there.iter().copied().filter(|f| self.covers(*f)).collect();
+        let (&low, &high) = (there.first().zip(there.last())).unwrap_or((&1, &1));
+        let [from, to] = self.span;
+        let Some((&first, &last)) = covered.first().zip(covered.last()) else {
+            let what = format!(
+                "the backplate has frames {from} to {to}, the probe {low} to {high}: none belong together"
+            );
+            return Err(Error::input(&self.files.path(from), what)
+                .fix("number both alike, or say the backplate's own rate as backplate.fps"));
+        };
+        let file = self.files.path(from);
+        let mut left_out = |whose: &str, other: &str, [a, b]: [i64; 2]| {
+            let which = match b - a {
+                ..0 => return,
+                0 => format!("frame {a} of the {whose} is left out"),
+                _ => format!("frames {a} to {b} of the {whose} are left out"),
+            };
+            notes.warn(&file, format!("{which}: the {other} has none for it"));
+        };
+        let [low, high] = [low, high].map(i64::from);
+        let ends = [i64::from(first), i64::from(last)];
+        left_out("probe", "backplate", [low, ends[0] - 1]);
+        left_out("probe", "backplate", [ends[1] + 1, high]);
+        if !self.is_still() && !probe.is_still() {
+            let before = first.checked_sub(1).map_or(-1, |f| self.rate.of(f));
+            left_out("backplate", "probe", [from.into(), before]);
+            let after = last.checked_add(1).map_or(i64::MAX, |f| self.rate.of(f));
+            left_out("backplate", "probe", [after, to.into()]);
+        }
+        Ok(first..=last)
+    }
+
+    /// The frames of a shot whose light is a still: as long as the footage lasts.
+    fn own_frames(&self) -> Vec<u32> {
+        let [first, last] = self.span;
+        match self.rate {
+            Rate::Same => (first..=last).collect(),
+            Rate::Other { .. } => (first..).take_while(|f| self.covers(*f)).collect(),
+        }
+    }
+
+    /// Sees that all of these frames of the shot have footage, of one size.
+    ///
+    /// # Errors
+    /// The first that has not.
+    pub fn require(&self, frames: &[u32], image: UVec2, notes: &mut Notes) -> Result<()> {
+        for &frame in frames {
+            let file = self.file(frame);
+            if !file.is_file() && !self.is_still() {
+                let [from, to] = self.span;
+                let what = format!("the backplate of frame {frame} is missing");
+                return Err(Error::input(&file, what).fix(format!(
+                    "supply it, or choose other frames with --frames (there are frames {from} to {to})"
+                )));
+            }
+            let size = read_size(&file)?;
+            if size != self.size {
+                let what = format!(
+                    "it is {} × {}, but {} is {} × {}",
+                    size.x,
+                    size.y,
+                    self.files.path(self.span[0]).display(),
+                    self.size.x,
+                    self.size.y
+                );
+                return Err(Error::input(&file, what)
+                    .fix("all frames of a sequence must have one size: resize it"));
+            }
+            if self.is_still() {
+                break;
+            }
+        }
+        let proportions = |size: UVec2| f64::from(size.x) / f64::from(size.y);
+        let stretched = proportions(image) / proportions(self.size);
+        if self.fit == Fit::Stretch && !((stretched - 1.0).abs() <= 0.01) {
+            let (from, to) = (self.size, image);
+            notes.note(
+                &self.files.path(self.span[0]),
+                format!(
+                    "its {} × {} pixels are stretched to {} × {}; backplate.fit = \"crop\" keeps its proportions",
+                    from.x, from.y, to.x, to.y
+                ),
+            );
+        }
+        Ok(())
+    }
+
+    /// Hash of the file that belongs to each of these frames of the shot.
+    ///
+    /// # Errors
+    /// A file cannot be read.
+    pub fn digests(&self, frames: &[u32]) -> Result<Vec<Hash>> {
+        if self.is_still() {
+            return Ok(vec![of_file(&self.file(1))?; frames.len()]);
+        }
+        frames.par_iter().map(|&f| of_file(&self.file(f))).collect()
+    }
+
+    /// Reads the footage of a frame of the shot and brings it to the image's size.
+    ///
+    /// # Errors
+    /// The file cannot be read, is broken or of another size than the first; or it has defects and `notes` is strict.
+    pub fn load(&self, frame: u32, image: UVec2, notes: &mut Notes) -> Result<Plate> {
+        let file = self.file(frame);
+        let PlateImage { size, colours } = read(&file, notes)?;
+        let plate = match colours {
+            Colours::Srgb8(codes) if size == image => Plate::from_srgb8(size, &codes),
+            Colours::Linear(linear) if size == image => Plate::from_linear(size, &linear),
+            other => Plate::from_linear(image, &self.fitted(size, &other.into_linear(), image)),
+        };
+        plate.map_err(|e| Error::new(Kind::Internal, e).file(&file))
+    }
+
+    fn fitted(&self, size: UVec2, linear: &[Vec3], image: UVec2) -> Vec<Vec3> {
+        let window = match self.fit {
+            Fit::Stretch => Window::whole(size),
+            Fit::Crop => Window::middle(size, image),
+        };
+        resample(size, linear, window, image)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_are_matched_by_time() {
+        let rate = Rate::Other {
+            first: 10,
+            first_plate: 1001,
+            ratio: 2.0,
+        };
+        assert_eq!([9, 10, 11, 14].map(|f| rate.of(f)), [999, 1001, 1003, 1009]);
+        let slower = Rate::Other {
+            first: 1,
+            first_plate: 1,
+            ratio: 24.0 / 60.0,
+        };
+        assert_eq!([1, 2, 3, 4, 6].map(|f| slower.of(f)), [1, 1, 2, 2, 3]);
+        assert_eq!(Rate::Same.of(7), 7);
+    }
+}

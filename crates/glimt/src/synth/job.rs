@@ -1,0 +1,276 @@
+//! Host file: `glimt synth`, from its arguments to the files.
+
+use super::check;
+use super::film::{Filming, Processor};
+use super::geometry::FrameTruth;
+use super::settings::{PlateFormat, Synth};
+use super::truth::{mask, shot_toml, truth_json};
+use super::world::World;
+use crate::cli::SynthFlags;
+use crate::device;
+use crate::error::{Error, Result};
+use crate::input::probe::BadTexels;
+use crate::input::{plate, read_image};
+use crate::notes::Notes;
+use crate::output::exr::Storage;
+use crate::output::{Stamp, atomic, exr, png, write_text};
+use crate::report::{FrameStatus, Reporter, count};
+use crate::shot::digest::{self, Hash};
+use crate::shot::{parse, range};
+use glam::{UVec2, Vec4};
+use glimt_render_gpu::generated::{EXPOSE, FILM_BALL, FILM_LATLONG, FILM_PLATE};
+use glimt_render_gpu::host::env::EnvMap;
+use rayon::prelude::*;
+use serde_json::json;
+use sha2::{Digest, Sha256};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Films what the arguments say and writes it. Frames that are there already, of the same identity, are skipped.
+///
+/// # Errors
+/// The first thing that fails; all frames written before it stay, whole.
+pub fn run(input: Option<&Path>, flags: &SynthFlags, reporter: &Reporter) -> Result<()> {
+    let began = Instant::now();
+    let mut notes = Notes::new(flags.strict);
+    let job = Job::load(input, flags, &mut notes);
+    reporter.notes(notes.take());
+    let job = job?;
+    for folder in ["capture", "plate", "truth"] {
+        if folder != "plate" || job.filming.synth().plate.on {
+            atomic::prepare_folder(&job.out.join(folder))?;
+        }
+    }
+    let current: Vec<bool> = job.frames.par_iter().map(|f| job.is_current(*f)).collect();
+    let processor = match current.iter().all(|c| *c) {
+        true => None,
+        false => Some(device::open_processor(flags.device)?),
+    };
+    let name = match &processor {
+        None => "no device".to_owned(),
+        Some(processor) => processor.name(),
+    };
+    reporter.start_filming(job.frames.len(), &job.out, &name);
+    job.write_truth()?;
+    let mut filmed = 0;
+    for (done, (&frame, current)) in (1..).zip(job.frames.iter().zip(current)) {
+        let status = match &processor {
+            Some(processor) if !current => {
+                let began = Instant::now();
+                job.film(processor, frame)?;
+                filmed += 1;
+                FrameStatus::Rendered(began.elapsed().as_secs_f64())
+            }
+            _ => FrameStatus::Skipped,
+        };
+        reporter.frame(frame, status, done, job.frames.len());
+    }
+    let seconds = began.elapsed().as_secs_f64();
+    let skipped = job.frames.len() - filmed;
+    let summary = json!({
+        "rendered": filmed, "skipped": skipped, "seconds": seconds, "out": job.out,
+    });
+    let text = format!(
+        "{} filmed, {skipped} there already, in {seconds:.1} s: {}",
+        count(filmed, "frame"),
+        job.out.display()
+    );
+    reporter.finish(summary, &text);
+    Ok(())
+}
+
+/// What is filmed, and where it goes.
+struct Job {
+    filming: Filming,
+    /// Hash of settings and maps.
+    digest: Hash,
+    frames: Vec<u32>,
+    out: PathBuf,
+}
+
+impl Job {
+    fn load(input: Option<&Path>, flags: &SynthFlags, notes: &mut Notes) -> Result<Self> {
+        let is_toml = |file: &Path| {
+            file.extension()
+                .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
+        };
+        let settings = input.filter(|file| is_toml(file));
+        let seed = flags.seed.iter().map(|seed| format!("seed={seed}"));
+        let set: Vec<String> = seed.chain(flags.set.iter().cloned()).collect();
+        let (mut synth, source) = match settings {
+            Some(file) => parse::read::<Synth>(file, &set)?,
+            None => parse::parse(Path::new("settings"), String::new(), &set)?,
+        };
+        let base = settings.and_then(Path::parent).unwrap_or(Path::new(""));
+        let light = match input.filter(|file| !is_toml(file)) {
+            Some(file) => {
+                synth.light.map = file.to_string_lossy().into_owned();
+                Some(file.to_owned())
+            }
+            None if synth.light.map.is_empty() => None,
+            None => Some(base.join(&synth.light.map)),
+        };
+        check::check(&synth, &source)?;
+        let frames: Vec<u32> = match &flags.frames {
+            Some(text) => {
+                let asked = range::parse(text).map_err(|e| e.at("--frames"))?;
+                let last = synth.frames;
+                if *asked.start() < 1 || *asked.end() > last {
+                    return Err(Error::usage(format!("the capture has the frames 1-{last}"))
+                        .at("--frames")
+                        .fix("choose among them, or raise the key frames"));
+                }
+                asked.collect()
+            }
+            None => (1..=synth.frames).collect(),
+        };
+        let panorama = match synth.plate.panorama.as_str() {
+            "" => None,
+            name => Some(base.join(name)),
+        };
+
+        let mut hasher = Sha256::new();
+        hasher.update(digest::VERSION.as_bytes());
+        for entry in [FILM_BALL, FILM_PLATE, FILM_LATLONG, EXPOSE] {
+            hasher.update(entry.wgsl.as_bytes());
+        }
+        let mut plain = synth.clone();
+        // Contents count, not names.
+        plain.light.map.clear();
+        plain.plate.panorama.clear();
+        plain.output = super::Output::default();
+        hasher.update(serde_json::to_vec(&plain).expect("settings are plain data"));
+        for file in [&light, &panorama] {
+            hasher.update(match file {
+                Some(file) => digest::of_file(file)?,
+                None => [0; 32],
+            });
+        }
+        let map = light.map(|file| read_light(&file, notes)).transpose()?;
+        let panorama = panorama.map(|file| read_panorama(&file)).transpose()?;
+        let out = flags.out.clone();
+        Ok(Self {
+            out: out.unwrap_or_else(|| base.join(&synth.output.dir)),
+            filming: Filming::new(synth, map, panorama),
+            digest: hasher.finalize().into(),
+            frames,
+        })
+    }
+
+    fn stamp(&self, frame: u32) -> Stamp {
+        let frame_hash = digest::join([&self.digest, &Sha256::digest(frame.to_le_bytes()).into()]);
+        Stamp {
+            hash: digest::hex(&frame_hash),
+            frame,
+        }
+    }
+
+    fn ball_file(&self, frame: u32) -> PathBuf {
+        self.out.join(format!("capture/ball.{frame:04}.exr"))
+    }
+
+    fn plate_file(&self, frame: u32) -> PathBuf {
+        let extension = match self.filming.synth().plate.format {
+            PlateFormat::Png => "png",
+            PlateFormat::Exr => "exr",
+        };
+        self.out.join(format!("plate/plate.{frame:04}.{extension}"))
+    }
+
+    fn map_file(&self, frame: u32) -> PathBuf {
+        self.out.join(format!("truth/latlong.{frame:04}.exr"))
+    }
+
+    fn is_current(&self, frame: u32) -> bool {
+        let hash = Some(self.stamp(frame).hash);
+        let plate = &self.filming.synth().plate;
+        let plate_there = || match plate.format {
+            PlateFormat::Png => png::read_hash(&self.plate_file(frame)) == hash,
+            PlateFormat::Exr => exr::read_hash(&self.plate_file(frame), &[]) == hash,
+        };
+        exr::read_hash(&self.ball_file(frame), &[]) == hash
+            && exr::read_hash(&self.map_file(frame), &[]) == hash
+            && (!plate.on || plate_there())
+    }
+
+    /// What does not hang on filming: the numbers of all frames, the mask, and the shot.
+    fn write_truth(&self) -> Result<()> {
+        let synth = self.filming.synth();
+        let truth: Vec<FrameTruth> = (1..=synth.frames)
+            .map(|frame| self.filming.truth_of(frame))
+            .collect();
+        let json = serde_json::to_string_pretty(&truth_json(synth, &truth))
+            .expect("numbers are plain data");
+        write_text(&self.out.join("truth/truth.json"), &json)?;
+        write_text(&self.out.join("shot.toml"), &shot_toml(synth))?;
+        let size = UVec2::from(synth.truth.size);
+        png::write_mask(&self.out.join("truth/mask.png"), size, &mask(synth, size))
+    }
+
+    fn film(&self, processor: &Processor, frame: u32) -> Result<()> {
+        let (filming, stamp) = (&self.filming, self.stamp(frame));
+        let synth = filming.synth();
+        let world: World = filming.world(frame);
+        let ball = filming.film_frame(processor, &world, frame)?;
+        let storage = match (synth.capture.half, synth.noise.exposures) {
+            (true, _) => Storage::Half,
+            (false, 0) => Storage::Float,
+            (false, _) => Storage::Noisy,
+        };
+        exr::write_rgb(
+            &self.ball_file(frame),
+            ball.size,
+            &ball.pixels,
+            &stamp,
+            storage,
+        )?;
+        let size = UVec2::from(synth.truth.size);
+        let map = filming.truth_map(processor, &world, frame, size)?;
+        exr::write_rgb(&self.map_file(frame), size, &map, &stamp, Storage::Float)?;
+        if synth.plate.on {
+            let plate = filming.film_plate(processor, &world, frame)?;
+            let file = self.plate_file(frame);
+            match synth.plate.format {
+                PlateFormat::Png => png::write(&file, &plate, &stamp)?,
+                PlateFormat::Exr => {
+                    exr::write_rgb(&file, plate.size, &plate.linear, &stamp, Storage::Float)?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Reads a lat-long map of light.
+fn read_light(file: &Path, notes: &mut Notes) -> Result<(UVec2, Vec<Vec4>)> {
+    let image = read_image(file, notes)?;
+    let (size, mut texels) = (image.header.size, image.texels);
+    if size.x != 2 * size.y {
+        notes.note(
+            file,
+            format!(
+                "{} × {} is not 2:1; it is taken as a lat-long map all the same",
+                size.x, size.y
+            ),
+        );
+    }
+    let bad = BadTexels::count(&texels);
+    if bad.total() > 0 {
+        let what = format!(
+            "{} of {} texels are no light: {bad}",
+            bad.total(),
+            texels.len()
+        );
+        notes.defect(file, &what, "those channels are taken as 0")?;
+        EnvMap::repair(&mut texels);
+    }
+    Ok((size, texels))
+}
+
+/// Reads a display-referred lat-long picture; its sRGB curve is undone.
+fn read_panorama(file: &Path) -> Result<(UVec2, Vec<Vec4>)> {
+    let image = plate::read(file, &mut Notes::default())?;
+    let size = image.size;
+    let linear = image.colours.into_linear();
+    Ok((size, linear.iter().map(|c| c.extend(1.0)).collect()))
+}

@@ -1,0 +1,151 @@
+// Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
+
+struct PixelLayers {
+    object: vec4<f32>,
+    lit: vec3<f32>,
+    catcher: f32,
+    blocked: vec3<f32>,
+    unused_a: u32,
+    behind: vec3<f32>,
+    unused_b: u32,
+}
+
+struct PlatePixel {
+    linear: vec3<f32>,
+    code: u32,
+}
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    brdf_samples: u32,
+    env_samples: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    shadow: u32,
+    unused_b: u32,
+    unused_c: u32,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    frame: FrameParams,
+}
+
+@group(0) @binding(1) 
+var<storage> layers: array<PixelLayers>;
+@group(0) @binding(2) 
+var<storage> plate: array<PlatePixel>;
+@group(0) @binding(3) 
+var<storage, read_write> out: array<vec4<f32>>;
+@group(0) @binding(0) 
+var<storage> params: Params;
+
+// glimt_render_gpu/src/kernels/layers.rs:62
+fn PixelLayers_is_plate(this_: PixelLayers) -> bool {
+
+    // glimt_render_gpu/src/kernels/layers.rs:63
+    return ((this_.object.w == 0f) && !((max(max(this_.blocked.x, this_.blocked.y), this_.blocked.z) > 0f)));
+}
+
+// glimt_render_gpu/src/kernels/composite.rs:73
+fn exposed(frame: FrameParams, radiance: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/composite.rs:74
+    return clamp((radiance * frame.exposure), vec3(0f), vec3(10000000000000000000000000000000000000f));
+}
+
+// glimt_render_gpu/src/kernels/layers.rs:88
+fn share(part: f32, rest: f32) -> f32 {
+    var chosen: f32;
+
+    // glimt_render_gpu/src/kernels/layers.rs:89
+    if (part > 0f) {
+        // glimt_render_gpu/src/kernels/layers.rs:90
+        chosen = (part / (part + rest));
+    } else {
+        // glimt_render_gpu/src/kernels/layers.rs:92
+        chosen = 0f;
+    }
+    let _e12 = chosen;
+    return _e12;
+}
+
+// glimt_render_gpu/src/kernels/layers.rs:72
+fn PixelLayers_transmission(this_1: PixelLayers) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/layers.rs:73
+    let clear = (1f - this_1.object.w);
+    // glimt_render_gpu/src/kernels/layers.rs:74
+    if !((clear > 0f)) {
+        // glimt_render_gpu/src/kernels/layers.rs:75
+        return vec3(1f);
+    }
+    // glimt_render_gpu/src/kernels/layers.rs:77
+    let _e19 = share(this_1.blocked.x, this_1.lit.x);
+    let _e24 = share(this_1.blocked.y, this_1.lit.y);
+    let _e29 = share(this_1.blocked.z, this_1.lit.z);
+    let lost = vec3<f32>(_e19, _e24, _e29);
+    // glimt_render_gpu/src/kernels/layers.rs:82
+    return max((vec3(1f) - (lost * (this_1.catcher / clear))), vec3(0f));
+}
+
+// glimt_render_gpu/src/kernels/composite.rs:79
+fn over(frame_1: FrameParams, layer: PixelLayers, object: vec3<f32>, behind: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/composite.rs:80
+    let clear_1 = (1f - layer.object.w);
+    // glimt_render_gpu/src/kernels/composite.rs:81
+    if (frame_1.shadow == 1u) {
+        // glimt_render_gpu/src/kernels/composite.rs:82
+        let _e18 = exposed(frame_1, layer.blocked);
+        return max(((object + (behind * clear_1)) - _e18), vec3(0f));
+    }
+    // glimt_render_gpu/src/kernels/composite.rs:84
+    let _e24 = PixelLayers_transmission(layer);
+    return (object + (behind * (_e24 * clear_1)));
+}
+
+// glimt_render_gpu/src/kernels/composite.rs:26
+fn composite_over_plate_1(pixel: u32, frame_2: FrameParams) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/composite.rs:32
+    let layer_1 = layers[pixel];
+    // glimt_render_gpu/src/kernels/composite.rs:33
+    let behind_1 = plate[pixel].linear;
+    // glimt_render_gpu/src/kernels/composite.rs:34
+    let _e13 = PixelLayers_is_plate(layer_1);
+    if _e13 {
+        // glimt_render_gpu/src/kernels/composite.rs:35
+        return vec4<f32>(behind_1, 1f);
+    }
+    // glimt_render_gpu/src/kernels/composite.rs:37
+    let _e20 = exposed(frame_2, layer_1.object.xyz);
+    let _e21 = over(frame_2, layer_1, _e20, behind_1);
+    return vec4<f32>(_e21, 1f);
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn composite_over_plate(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e18 = composite_over_plate_1((_e14 + local), _e17);
+    out[local] = _e18;
+}

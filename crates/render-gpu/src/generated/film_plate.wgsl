@@ -1,0 +1,957 @@
+// Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    brdf_samples: u32,
+    env_samples: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    shadow: u32,
+    unused_b: u32,
+    unused_c: u32,
+}
+
+struct StageParams {
+    half_size: vec3<f32>,
+    shape: u32,
+    occluder_centre: vec3<f32>,
+    occluder_radius: f32,
+    occluder_radiance: vec3<f32>,
+    unused: f32,
+    size: vec2<u32>,
+    rotation: vec2<f32>,
+}
+
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
+}
+
+struct OwenSobol {
+    seed: u32,
+    index: u32,
+    dimension: u32,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+struct CameraView {
+    eye: vec3<f32>,
+    forward: vec3<f32>,
+    right: vec3<f32>,
+    up: vec3<f32>,
+}
+
+struct Ray {
+    origin: vec3<f32>,
+    direction: vec3<f32>,
+    inverse_direction: vec3<f32>,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    frame: FrameParams,
+    stage_params: StageParams,
+}
+
+@group(0) @binding(1) 
+var<storage> stage_texels: array<vec4<f32>>;
+@group(0) @binding(2) 
+var<storage, read_write> out: array<vec4<f32>>;
+@group(0) @binding(0) 
+var<storage> params_4: Params;
+
+// glimt_render_gpu/src/kernels/frame.rs:87
+fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:88
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x;
+    let _e11 = x;
+    x = (_e11 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e14 = x;
+    x = (_e14 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e18 = x;
+    let _e22 = x;
+    x = (_e22 ^ (_e18 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e25 = x;
+    x = (_e25 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e29 = x;
+    let _e30 = x;
+    return (_e29 ^ (_e30 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:171
+fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+
+    // glimt_sampling/src/sobol.rs:172
+    let _e6 = hash3_(seed, frame, pixel);
+    let _e10 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e10, (sample_index & 65535u), 0u);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:75
+fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:76
+    let _e6 = hash2_(this_1.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
+    return _e9;
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+    var x_1: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_1 = (n_1 ^ (n_1 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_1;
+    x_1 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_1;
+    x_1 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e20 = x_1;
+    let _e23 = x_1;
+    x_1 = (_e23 ^ (_e20 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e26 = x_1;
+    let _e27 = x_1;
+    return (_e26 ^ (_e27 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index_1: u32, seed_1: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_1 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_2: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_2 = index_2;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_2;
+    let _e11 = x_2;
+    x_2 = (_e11 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e14 = x_2;
+    let _e20 = x_2;
+    x_2 = (_e20 ^ ((_e14 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e23 = x_2;
+    let _e29 = x_2;
+    x_2 = (_e29 ^ ((_e23 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e32 = x_2;
+    let _e33 = x_2;
+    return (_e32 ^ ((_e33 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_3: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_3;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum;
+        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e38 = v1_;
+        v0_ = _e38;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e42 = bits;
+        bits = (_e42 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e46 = sum;
+    return _e46;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_4: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_4;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_1;
+        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e41 = v1_1;
+        v0_1 = _e41;
+        // glimt_sampling/src/sobol.rs:93
+        let _e43 = v2_;
+        v1_1 = _e43;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e47 = bits_1;
+        bits_1 = (_e47 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e51 = sum_1;
+    return _e51;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
+    var chosen: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_9 = (index_5 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen = index_9;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_9);
+            chosen = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_9);
+                chosen = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_9);
+                chosen = _e22;
+            }
+        }
+    }
+    let _e23 = chosen;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_1 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_1 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_1 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_1 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_1;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_2).dimension;
+    let dimension_2 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_2).dimension = (dimension_2 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_2).seed;
+    let _e19 = hash2_(_e15, (dimension_2 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e22 = (*this_2).index;
+    let _e23 = shuffle(_e22, _e19);
+    // glimt_sampling/src/sobol.rs:195
+    let _e25 = sobol_reversed(_e23, dimension_2);
+    let _e26 = scramble_1(_e25, dimension_2, _e19);
+    let _e29 = sobol_reversed(_e23, (dimension_2 + 1u));
+    let _e32 = scramble_1(_e29, (dimension_2 + 1u), _e19);
+    return vec2<u32>(_e26, _e32);
+}
+
+// glimt_sampling/src/hash.rs:50
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:51
+    let _e4 = hash_u32_(v.x);
+    x_3 = ((_e4 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:54
+    let _e12 = hash_u32_(v.y);
+    y = ((_e12 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:57
+    let _e20 = hash_u32_(v.z);
+    z = ((_e20 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:60
+    let _e28 = hash_u32_(v.w);
+    w = ((_e28 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:64
+    let _e35 = x_3;
+    let _e36 = y;
+    let _e37 = w;
+    x_3 = (_e35 + (_e36 * _e37));
+    // glimt_sampling/src/hash.rs:65
+    let _e41 = y;
+    let _e42 = z;
+    let _e43 = x_3;
+    y = (_e41 + (_e42 * _e43));
+    // glimt_sampling/src/hash.rs:66
+    let _e47 = z;
+    let _e48 = x_3;
+    let _e49 = y;
+    z = (_e47 + (_e48 * _e49));
+    // glimt_sampling/src/hash.rs:67
+    let _e53 = w;
+    let _e54 = y;
+    let _e55 = z;
+    w = (_e53 + (_e54 * _e55));
+    // glimt_sampling/src/hash.rs:68
+    let _e59 = x_3;
+    let _e63 = x_3;
+    x_3 = (_e63 ^ (_e59 >> 16u));
+    // glimt_sampling/src/hash.rs:69
+    let _e66 = y;
+    let _e70 = y;
+    y = (_e70 ^ (_e66 >> 16u));
+    // glimt_sampling/src/hash.rs:70
+    let _e73 = z;
+    let _e77 = z;
+    z = (_e77 ^ (_e73 >> 16u));
+    // glimt_sampling/src/hash.rs:71
+    let _e80 = w;
+    let _e84 = w;
+    w = (_e84 ^ (_e80 >> 16u));
+    // glimt_sampling/src/hash.rs:72
+    let _e87 = x_3;
+    let _e88 = y;
+    let _e89 = w;
+    x_3 = (_e87 + (_e88 * _e89));
+    // glimt_sampling/src/hash.rs:73
+    let _e93 = y;
+    let _e94 = z;
+    let _e95 = x_3;
+    y = (_e93 + (_e94 * _e95));
+    // glimt_sampling/src/hash.rs:74
+    let _e99 = z;
+    let _e100 = x_3;
+    let _e101 = y;
+    z = (_e99 + (_e100 * _e101));
+    // glimt_sampling/src/hash.rs:75
+    let _e105 = w;
+    let _e106 = y;
+    let _e107 = z;
+    w = (_e105 + (_e106 * _e107));
+    // glimt_sampling/src/hash.rs:76
+    let _e111 = x_3;
+    let _e112 = x_3;
+    let _e117 = y;
+    let _e118 = y;
+    let _e123 = z;
+    let _e124 = z;
+    let _e129 = w;
+    let _e130 = w;
+    return vec4<u32>((_e111 ^ (_e112 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e123 ^ (_e124 >> 16u)), (_e129 ^ (_e130 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_ = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_ == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:80
+fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:81
+    let _e6 = hash3_(this_3.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
+    return _e9;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s = (*this_4).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s.x + s.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_1 = (s.z ^ s.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s.w ^ s.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:85
+fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:86
+    let _e5 = hash2_(this_6.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:122
+fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
+    var x_4: u32;
+    var round_key: u32;
+    var counter: i32;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:123
+    if (length_ <= 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:124
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:126
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
+    // glimt_render_gpu/src/kernels/pattern.rs:127
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:128
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:129
+    loop {
+        // glimt_render_gpu/src/kernels/pattern.rs:130
+        round_key = key;
+        // glimt_render_gpu/src/kernels/pattern.rs:131
+        counter = 0i;
+        loop {
+            let _e31 = counter;
+            if (_e31 >= 3i) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pattern.rs:132
+            let _e34 = round_key;
+            let _e35 = hash_u32_(_e34);
+            round_key = _e35;
+            // glimt_render_gpu/src/kernels/pattern.rs:134
+            let _e37 = x_4;
+            let _e38 = round_key;
+            x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:135
+            let _e44 = x_4;
+            let _e46 = (bits_2 / 2u);
+            let _e56 = x_4;
+            x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            continuing {
+                let _e58 = counter;
+                counter = (_e58 + 1i);
+            }
+        }
+        // glimt_render_gpu/src/kernels/pattern.rs:137
+        let _e62 = x_4;
+        if (_e62 < length_) {
+            // glimt_render_gpu/src/kernels/pattern.rs:138
+            let _e65 = x_4;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:113
+fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:114
+    return ((cell * (4294967295u / count)) + (jitter / count));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:93
+fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:94
+    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    // glimt_render_gpu/src/kernels/pattern.rs:95
+    let _e12 = (count_1 / columns);
+    let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    // glimt_render_gpu/src/kernels/pattern.rs:96
+    let _e21 = hash2_(key_1, 1u);
+    let _e22 = permute(index_8, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:97
+    let _e26 = hash2_(key_1, 2u);
+    let _e27 = permute((_e22 % columns), columns, _e26);
+    // glimt_render_gpu/src/kernels/pattern.rs:98
+    let _e31 = hash2_(key_1, 3u);
+    let _e32 = permute((_e22 / columns), rows, _e31);
+    // glimt_render_gpu/src/kernels/pattern.rs:99
+    let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
+    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    return vec2<u32>(_e38, _e40);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:42
+fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed: OwenSobol;
+    var borrowed_1: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:43
+    let index_10 = ((this_7.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:44
+    if (this_7.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:45
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_10);
+        borrowed = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed));
+        return _e16;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:47
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_10);
+    borrowed_1 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
+    // glimt_render_gpu/src/kernels/pattern.rs:48
+    if (this_7.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:49
+        return _e20;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:51
+    let _e29 = PixelPattern_key(this_7, purpose_3);
+    let _e30 = jittered_pair(index_10, (this_7.rays * samples), _e20, _e29);
+    return _e30;
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_sampling/src/uniform.rs:22
+fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+
+    // glimt_sampling/src/uniform.rs:23
+    let _e4 = unit_f32_(u_1.x);
+    let _e6 = unit_f32_(u_1.y);
+    return vec2<f32>(_e4, _e6);
+}
+
+// glimt_render_gpu/src/kernels/camera.rs:23
+fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/camera.rs:24
+    let x_6 = (((2f * p.x) / f32(size.x)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:25
+    let y_1 = (((2f * p.y) / f32(size.y)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:26
+    return normalize(((this_8.forward + (this_8.right * x_6)) - (this_8.up * y_1)));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:48
+fn inverse(x_5: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/ray.rs:49
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_5), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_5) & 2147483648u))));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:34
+fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
+
+    // glimt_render_gpu/src/kernels/ray.rs:35
+    let _e5 = inverse(direction.x);
+    let _e7 = inverse(direction.y);
+    let _e9 = inverse(direction.z);
+    return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:101
+fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
+    var chosen_2: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/frame.rs:102
+    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:103
+    if (this_9.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:104
+        chosen_2 = vec2(0.5f);
+    } else {
+        // glimt_render_gpu/src/kernels/frame.rs:106
+        let _e24 = PixelPattern_pair(pattern, 1u, 0u, 1u);
+        let _e25 = unit_vec2_(_e24);
+        chosen_2 = _e25;
+    }
+    let place = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:108
+    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:114
+    let _e39 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    let _e40 = Ray_new(this_9.eye, _e39);
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/stage.rs:93
+fn Stage_occluder_distance(params: StageParams, origin_1: vec3<f32>, d: vec3<f32>) -> f32 {
+    var chosen_3: f32;
+
+    // glimt_render_gpu/src/kernels/stage.rs:94
+    let radius = params.occluder_radius;
+    // glimt_render_gpu/src/kernels/stage.rs:95
+    if (radius <= 0f) {
+        // glimt_render_gpu/src/kernels/stage.rs:96
+        return 1000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/stage.rs:98
+    let to_centre = (params.occluder_centre - origin_1);
+    // glimt_render_gpu/src/kernels/stage.rs:99
+    let along = dot(to_centre, d);
+    // glimt_render_gpu/src/kernels/stage.rs:100
+    let aside = (to_centre - (d * along));
+    // glimt_render_gpu/src/kernels/stage.rs:101
+    let left = ((radius * radius) - dot(aside, aside));
+    // glimt_render_gpu/src/kernels/stage.rs:102
+    let t = (along - sqrt(max(left, 0f)));
+    // glimt_render_gpu/src/kernels/stage.rs:103
+    if ((left > 0f) && (t > 0f)) {
+        chosen_3 = t;
+    } else {
+        chosen_3 = 1000000000000000000000000000000f;
+    }
+    let _e36 = chosen_3;
+    return _e36;
+}
+
+// glimt_render_gpu/src/kernels/stage.rs:109
+fn wall_distance(origin_2: f32, d_1: f32, half: f32) -> f32 {
+    var chosen_4: f32;
+    var chosen_5: f32;
+
+    // glimt_render_gpu/src/kernels/stage.rs:110
+    if (d_1 > 0.000000000001f) {
+        // glimt_render_gpu/src/kernels/stage.rs:111
+        chosen_4 = ((half - origin_2) / d_1);
+    } else {
+        if (d_1 < -0.000000000001f) {
+            // glimt_render_gpu/src/kernels/stage.rs:113
+            chosen_5 = ((-(half) - origin_2) / d_1);
+        } else {
+            // glimt_render_gpu/src/kernels/stage.rs:115
+            chosen_5 = 1000000000000000000000000000000f;
+        }
+        let _e20 = chosen_5;
+        chosen_4 = _e20;
+    }
+    let _e21 = chosen_4;
+    return _e21;
+}
+
+// glimt_render_gpu/src/kernels/stage.rs:74
+fn Stage_point_seen(params_1: StageParams, origin_3: vec3<f32>, d_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/stage.rs:75
+    if (params_1.shape == 0u) {
+        // glimt_render_gpu/src/kernels/stage.rs:76
+        return d_2;
+    }
+    // glimt_render_gpu/src/kernels/stage.rs:78
+    let half_1 = params_1.half_size;
+    // glimt_render_gpu/src/kernels/stage.rs:79
+    if (params_1.shape == 1u) {
+        // glimt_render_gpu/src/kernels/stage.rs:80
+        let b_2 = dot(origin_3, d_2);
+        // glimt_render_gpu/src/kernels/stage.rs:81
+        let c_1 = (dot(origin_3, origin_3) - (half_1.x * half_1.x));
+        // glimt_render_gpu/src/kernels/stage.rs:82
+        return (origin_3 + (d_2 * (sqrt(max(((b_2 * b_2) - c_1), 0f)) - b_2)));
+    }
+    // glimt_render_gpu/src/kernels/stage.rs:84
+    let _e36 = wall_distance(origin_3.x, d_2.x, half_1.x);
+    let _e40 = wall_distance(origin_3.y, d_2.y, half_1.y);
+    let _e45 = wall_distance(origin_3.z, d_2.z, half_1.z);
+    let t_1 = min(min(_e36, _e40), _e45);
+    // glimt_render_gpu/src/kernels/stage.rs:87
+    return (origin_3 + (d_2 * max(t_1, 0f)));
+}
+
+// glimt_probe/src/rotate.rs:33
+fn rotate_z(d_3: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
+
+    // glimt_probe/src/rotate.rs:34
+    return vec3<f32>(((d_3.x * cos_sin.x) - (d_3.y * cos_sin.y)), ((d_3.x * cos_sin.y) + (d_3.y * cos_sin.x)), d_3.z);
+}
+
+// glimt_probe/src/latlong.rs:45
+fn direction_to_uv(d_4: vec3<f32>) -> vec2<f32> {
+    var chosen_6: f32;
+    var chosen_7: f32;
+
+    // glimt_probe/src/latlong.rs:46
+    let horizontal = sqrt(((d_4.x * d_4.x) + (d_4.y * d_4.y)));
+    // glimt_probe/src/latlong.rs:47
+    if (horizontal <= 0f) {
+        // glimt_probe/src/latlong.rs:48
+        if (d_4.z < 0f) {
+            chosen_6 = 1f;
+        } else {
+            chosen_6 = 0f;
+        }
+        let v_1 = chosen_6;
+        // glimt_probe/src/latlong.rs:49
+        return vec2<f32>(0.5f, v_1);
+    }
+    // glimt_probe/src/latlong.rs:52
+    let v_2 = (atan2(horizontal, d_4.z) * 0.31830987f);
+    // glimt_probe/src/latlong.rs:53
+    let u_2 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_4.y, d_4.x)));
+    // glimt_probe/src/latlong.rs:54
+    if (u_2 < 1f) {
+        chosen_7 = max(u_2, 0f);
+    } else {
+        chosen_7 = 0f;
+    }
+    let _e47 = chosen_7;
+    return vec2<f32>(_e47, clamp(v_2, 0f, 1f));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:66
+fn bilinear(size_1: vec2<u32>, d_5: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:67
+    let _e4 = direction_to_uv(d_5);
+    let p_1 = ((_e4 * vec2<f32>(size_1)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:69
+    let next = vec2<u32>((p_1 + vec2(1f)));
+    // glimt_render_gpu/src/kernels/environment.rs:70
+    let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
+    // glimt_render_gpu/src/kernels/environment.rs:71
+    let x0_ = (((next.x + size_1.x) - 1u) % size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:72
+    let x1_ = (next.x % size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:73
+    let row0_ = ((max(next.y, 1u) * size_1.x) - size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:74
+    let row1_ = (min(next.y, (size_1.y - 1u)) * size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:75
+    let _e53 = stage_texels[(row0_ + x0_)];
+    let _e57 = stage_texels[(row0_ + x1_)];
+    let upper = ((_e53 * (1f - f.x)) + (_e57 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:76
+    let _e68 = stage_texels[(row1_ + x0_)];
+    let _e72 = stage_texels[(row1_ + x1_)];
+    let lower = ((_e68 * (1f - f.x)) + (_e72 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:77
+    return ((upper * (1f - f.y)) + (lower * f.y)).xyz;
+}
+
+// glimt_render_gpu/src/kernels/stage.rs:64
+fn Stage_map_radiance(params_2: StageParams, origin_4: vec3<f32>, d_6: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/stage.rs:65
+    let back = vec2<f32>(params_2.rotation.x, -(params_2.rotation.y));
+    // glimt_render_gpu/src/kernels/stage.rs:66
+    let _e12 = Stage_point_seen(params_2, origin_4, d_6);
+    let _e13 = rotate_z(_e12, back);
+    // glimt_render_gpu/src/kernels/stage.rs:67
+    let _e16 = bilinear(params_2.size, _e13);
+    return _e16;
+}
+
+// glimt_render_gpu/src/kernels/stage.rs:54
+fn Stage_radiance(params_3: StageParams, origin_5: vec3<f32>, d_7: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/stage.rs:55
+    let _e5 = Stage_occluder_distance(params_3, origin_5, d_7);
+    if (_e5 < 1000000000000000000000000000000f) {
+        // glimt_render_gpu/src/kernels/stage.rs:56
+        return params_3.occluder_radiance;
+    }
+    // glimt_render_gpu/src/kernels/stage.rs:58
+    let _e11 = Stage_map_radiance(params_3, origin_5, d_7);
+    return _e11;
+}
+
+// glimt_render_gpu/src/kernels/capture.rs:208
+fn film_plate_1(pixel_2: u32, frame_2: FrameParams, stage_params: StageParams) -> vec4<f32> {
+    var sum_2: vec3<f32>;
+    var counter_1: u32;
+
+    // glimt_render_gpu/src/kernels/capture.rs:209
+    let first = (pixel_2 * frame_2.rays_per_pixel);
+    // glimt_render_gpu/src/kernels/capture.rs:210
+    sum_2 = vec3(0f);
+    // glimt_render_gpu/src/kernels/capture.rs:211
+    counter_1 = first;
+    loop {
+        let i = counter_1;
+        if (i >= (first + frame_2.rays_per_pixel)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/capture.rs:212
+        let _e18 = FrameParams_pattern_of(frame_2, i);
+        let _e19 = FrameParams_camera_ray(frame_2, _e18);
+        // glimt_render_gpu/src/kernels/capture.rs:213
+        let _e23 = Stage_radiance(stage_params, _e19.origin, _e19.direction);
+        let _e24 = sum_2;
+        sum_2 = (_e24 + _e23);
+        continuing {
+            let _e26 = counter_1;
+            counter_1 = (_e26 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/capture.rs:215
+    let _e30 = sum_2;
+    return vec4<f32>((_e30 / vec3(f32(frame_2.rays_per_pixel))), 1f);
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn film_plate(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params_4.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params_4.first;
+    let _e17 = params_4.frame;
+    let _e19 = params_4.stage_params;
+    let _e20 = film_plate_1((_e14 + local), _e17, _e19);
+    out[local] = _e20;
+}

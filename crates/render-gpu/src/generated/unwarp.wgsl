@@ -1,0 +1,133 @@
+// Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
+
+struct TexelTaps {
+    tap: u32,
+    pixel: u32,
+    grazing: f32,
+}
+
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    colour: ColourMatrix,
+    reflectance: vec4<f32>,
+}
+
+@group(0) @binding(1) 
+var<storage> map_texels: array<TexelTaps>;
+@group(0) @binding(2) 
+var<storage> map_taps: array<u32>;
+@group(0) @binding(3) 
+var<storage> pixels: array<vec4<f32>>;
+@group(0) @binding(4) 
+var<storage, read_write> out: array<vec4<f32>>;
+@group(0) @binding(0) 
+var<storage> params: Params;
+
+// glimt_probe/src/gather.rs:129
+fn weight(tap: u32) -> f32 {
+
+    // glimt_probe/src/gather.rs:130
+    return f32(i32((tap & 65535u)));
+}
+
+// glimt_probe/src/gather.rs:72
+fn ColourMatrix_apply(this_: ColourMatrix, colour: vec4<f32>) -> vec4<f32> {
+
+    // glimt_probe/src/gather.rs:73
+    let changed = (((this_.red * colour.x) + (this_.green * colour.y)) + (this_.blue * colour.z));
+    // glimt_probe/src/gather.rs:75
+    return max(changed, vec4<f32>(0f, 0f, 0f, 1f));
+}
+
+// glimt_probe/src/gather.rs:100
+fn gather(texel: u32, colour_1: ColourMatrix, reflectance: vec4<f32>) -> vec4<f32> {
+    var pixel: u32;
+    var even: vec4<f32>;
+    var odd: vec4<f32>;
+    var i: u32;
+
+    // glimt_probe/src/gather.rs:107
+    let begin = map_texels[texel];
+    // glimt_probe/src/gather.rs:108
+    let end = map_texels[(texel + 1u)].tap;
+    // glimt_probe/src/gather.rs:109
+    // glimt_probe/src/gather.rs:110
+    pixel = begin.pixel;
+    // glimt_probe/src/gather.rs:112
+    even = vec4(0f);
+    // glimt_probe/src/gather.rs:113
+    odd = vec4(0f);
+    // glimt_probe/src/gather.rs:114
+    i = 0u;
+    // glimt_probe/src/gather.rs:115
+    loop {
+        let _e33 = i;
+        if !(((_e33 + 2u) <= (end - begin.tap))) {
+            break;
+        }
+        // glimt_probe/src/gather.rs:116
+        let _e39 = pixel;
+        let _e40 = i;
+        let _e44 = map_taps[(begin.tap + _e40)];
+        let a = (_e39 + (_e44 >> 16u));
+        // glimt_probe/src/gather.rs:117
+        let _e50 = i;
+        let _e56 = map_taps[(begin.tap + (_e50 + 1u))];
+        let b = (a + (_e56 >> 16u));
+        // glimt_probe/src/gather.rs:118
+        let _e64 = pixels[a];
+        let _e65 = i;
+        let _e69 = map_taps[(begin.tap + _e65)];
+        let _e70 = weight(_e69);
+        let _e72 = even;
+        even = (_e72 + (_e64 * _e70));
+        // glimt_probe/src/gather.rs:119
+        let _e77 = pixels[b];
+        let _e78 = i;
+        let _e84 = map_taps[(begin.tap + (_e78 + 1u))];
+        let _e85 = weight(_e84);
+        let _e87 = odd;
+        odd = (_e87 + (_e77 * _e85));
+        // glimt_probe/src/gather.rs:120
+        pixel = b;
+        // glimt_probe/src/gather.rs:121
+        let _e92 = i;
+        i = (_e92 + 2u);
+    }
+    // glimt_probe/src/gather.rs:123
+    let reflected = (reflectance + ((vec4(1f) - reflectance) * begin.grazing));
+    // glimt_probe/src/gather.rs:124
+    let _e102 = even;
+    let _e103 = odd;
+    let _e108 = ColourMatrix_apply(colour_1, (((_e102 + _e103) * 0.000015259022f) / reflected));
+    return _e108;
+}
+
+// glimt_render_gpu/src/kernels/unwarp.rs:9
+fn unwarp_1(texel_1: u32, colour_2: ColourMatrix, reflectance_1: vec4<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/unwarp.rs:16
+    let _e5 = gather(texel_1, colour_2, reflectance_1);
+    return _e5;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn unwarp(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.colour;
+    let _e19 = params.reflectance;
+    let _e20 = unwarp_1((_e14 + local), _e17, _e19);
+    out[local] = _e20;
+}
