@@ -4,6 +4,7 @@ use super::Circle;
 use super::coarse::candidates;
 use super::edge::{BLURS, USUAL_BLUR, nearest};
 use super::plane::Pyramid;
+use super::polish::polish;
 use super::refine::{Refined, Search, refine};
 use glam::{UVec2, Vec4};
 use rayon::prelude::*;
@@ -22,7 +23,7 @@ pub struct Found {
     pub sigma_radius_px: f64,
     /// Share of the outline that shows a rim, in [0, 1]. The rest is covered by a mount, or has no contrast.
     pub visible_fraction: f64,
-    /// Blur of the rim, the standard deviation in pixels.
+    /// Blur of the rim beyond a pixel's own width, the standard deviation in pixels.
     pub blur_px: f64,
 }
 
@@ -94,6 +95,8 @@ const CONFIDENT: f64 = 0.4;
 const HOPEFUL: f64 = 0.25;
 /// Least radius of a ball in pixels.
 const SMALLEST: f64 = 20.0;
+/// Least radius of a ball in pixels whose outline is polished.
+const POLISHED: f64 = 250.0;
 /// Candidates of the coarse search that are looked at closely.
 const CANDIDATES: usize = 16;
 
@@ -105,7 +108,8 @@ const CANDIDATES: usize = 16;
 ///
 /// Circles are voted for by edges of the image reduced to 400 pixels; the best are refined there, and the likeliest from
 /// level to level down to whole pixels, each time by fitting the rim's own form in sectors. Where the rim is blurred over
-/// many pixels, the last levels say no more and are left out.
+/// many pixels, the last levels say no more and are left out; where it is sharp, the last tenths of a pixel come from where
+/// the picture ceases to be the smooth background.
 ///
 /// # Errors
 /// See [`FindError`]. An image of one colour, or black, has [`FindError::NoBall`].
@@ -259,7 +263,15 @@ fn descend(pyramid: &Pyramid, circle: Circle, level: usize) -> Option<Found> {
         blur = Some(nearest(2.0 * BLURS[fine.blur]));
         at = fine.circle.scaled(2.0);
     }
-    let (refined, level) = last?;
+    let (mut refined, level) = last?;
+    if level == 0 && refined.seen >= CONFIDENT && refined.circle.radius >= POLISHED {
+        let polished = polish(&pyramid.levels[0], refined.circle);
+        if let Some(polished) = polished {
+            refined.circle = polished.circle;
+            refined.covariance = polished.covariance;
+            refined.blur_px = polished.blur_px;
+        }
+    }
     let scale = f64::from(1_u32 << level);
     let c = refined.covariance;
     Some(Found {

@@ -74,7 +74,7 @@ struct Sector {
 }
 
 /// What is left over in a sector, for each place of the rim.
-struct Profile {
+pub(super) struct Profile {
     cos: f64,
     sin: f64,
     /// −2 ln of the likelihood, less its least.
@@ -90,7 +90,7 @@ struct Profile {
 }
 
 /// A blur's index, the sectors fitted with it, and the move for which their sum is least.
-type Try = (usize, Vec<Profile>, DVec3);
+pub(super) type Try = (usize, Vec<Profile>, DVec3);
 
 /// Radial width of a bin in pixels.
 const BIN: f64 = 0.3;
@@ -408,6 +408,23 @@ fn fit<const N: usize>(
 }
 
 impl Profile {
+    /// A sector in a direction, and what each place of its rim costs.
+    pub(super) fn new(direction: DVec2, mut excess: Vec<f64>, spacing: f64) -> Self {
+        let least = excess.iter().copied().fold(f64::INFINITY, f64::min);
+        for value in &mut excess {
+            *value -= least;
+        }
+        Self {
+            cos: direction.x,
+            sin: direction.y,
+            excess,
+            spacing,
+            best: f64::INFINITY,
+            least,
+            gain: 0.0,
+        }
+    }
+
     /// Excess of a circle that is moved and grown by `at`, interpolated between the steps.
     fn excess_at(&self, at: DVec3, range: f64) -> f64 {
         let rho = at.z + at.x * self.cos + at.y * self.sin;
@@ -437,7 +454,7 @@ fn total(profiles: &[Profile], at: DVec3, range: f64) -> f64 {
 }
 
 /// Where the sum over the sectors is least: over a grid first, then in ever smaller steps.
-fn minimum(profiles: &[Profile], range: f64) -> DVec3 {
+pub(super) fn minimum(profiles: &[Profile], range: f64) -> DVec3 {
     let step = if range > 2.0 { 0.5 } else { 0.25 };
     let n = (range / step) as i32;
     let axis = -n..=n;
@@ -483,7 +500,7 @@ fn minimum(profiles: &[Profile], range: f64) -> DVec3 {
 }
 
 /// How badly each try fits the sectors, each sector's say being bounded.
-fn badness(tries: &[Try], range: f64) -> Vec<f64> {
+pub(super) fn badness(tries: &[Try], range: f64) -> Vec<f64> {
     let mut sums = vec![0.0; tries.len()];
     for k in 0..tries[0].1.len() {
         let fit: Vec<f64> = tries
@@ -498,7 +515,7 @@ fn badness(tries: &[Try], range: f64) -> Vec<f64> {
     sums
 }
 
-fn least(values: &[f64]) -> usize {
+pub(super) fn least(values: &[f64]) -> usize {
     (0..values.len()).fold(0, |a, b| if values[b] < values[a] { b } else { a })
 }
 
@@ -543,7 +560,7 @@ fn seen(profiles: &[Profile], at: DVec3, range: f64, count: usize) -> (f64, f64)
 }
 
 /// Covariance by the sandwich of curvature and scatter over the sectors, which needs no model of the noise.
-fn covariance(profiles: &[Profile], at: DVec3, range: f64) -> DMat3 {
+pub(super) fn covariance(profiles: &[Profile], at: DVec3, range: f64) -> DMat3 {
     let h = 0.125;
     let axes = [DVec3::X * h, DVec3::Y * h, DVec3::Z * h];
     let sum = |at| total(profiles, at, range);
