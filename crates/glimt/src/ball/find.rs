@@ -4,6 +4,7 @@ use super::Circle;
 use super::coarse::candidates;
 use super::edge::{BLURS, USUAL_BLUR, nearest};
 use super::plane::Pyramid;
+use super::polish::polish;
 use super::refine::{Refined, Search, refine};
 use glam::{UVec2, Vec4};
 use rayon::prelude::*;
@@ -22,7 +23,7 @@ pub struct Found {
     pub sigma_radius_px: f64,
     /// Share of the outline that shows a rim, in [0, 1]. The rest is covered by a mount, or has no contrast.
     pub visible_fraction: f64,
-    /// Blur of the rim, the standard deviation in pixels.
+    /// Blur of the rim beyond a pixel's own width, the standard deviation in pixels.
     pub blur_px: f64,
 }
 
@@ -89,11 +90,13 @@ fn names(sides: &[Side]) -> String {
 }
 
 /// Least confidence of a ball.
-const CONFIDENT: f64 = 0.45;
+const CONFIDENT: f64 = 0.4;
 /// The same in the reduced image.
 const HOPEFUL: f64 = 0.25;
 /// Least radius of a ball in pixels.
 const SMALLEST: f64 = 20.0;
+/// Least radius of a ball in pixels whose outline is polished.
+const POLISHED: f64 = 250.0;
 /// Candidates of the coarse search that are looked at closely.
 const CANDIDATES: usize = 16;
 
@@ -105,7 +108,8 @@ const CANDIDATES: usize = 16;
 ///
 /// Circles are voted for by edges of the image reduced to 400 pixels; the best are refined there, and the likeliest from
 /// level to level down to whole pixels, each time by fitting the rim's own form in sectors. Where the rim is blurred over
-/// many pixels, the last levels say no more and are left out.
+/// many pixels, the last levels say no more and are left out; where it is sharp, the last tenths of a pixel come from where
+/// the picture ceases to be the smooth background.
 ///
 /// # Errors
 /// See [`FindError`]. An image of one colour, or black, has [`FindError::NoBall`].
@@ -148,18 +152,6 @@ pub(super) fn find_in(pyramid: &Pyramid, hint: Option<Circle>) -> Result<Found, 
         sure + r.seen * r.circle.radius.sqrt()
     };
     list.sort_by(|a, b| rank(&b.1).total_cmp(&rank(&a.1)));
-    if std::env::var("DBGC").is_ok() {
-        for (c, r) in &list {
-            println!(
-                "cand {} -> {} seen {:.2} vis {:.2} in {:.2}",
-                c.scaled(f64::from(1_u32 << coarsest)),
-                r.circle.scaled(f64::from(1_u32 << coarsest)),
-                r.seen,
-                r.visible,
-                r.in_image
-            );
-        }
-    }
     let scale = f64::from(1_u32 << coarsest);
     let Some(best) = choose(&list) else {
         return Err(FindError::NoBall { best: None });
@@ -226,7 +218,7 @@ fn choose(list: &[(Circle, Refined)]) -> Option<Refined> {
         let holds = r.circle.centre.distance(best.circle.centre) + best.circle.radius
             < 1.03 * r.circle.radius;
         let larger = r.circle.radius > 1.03 * best.circle.radius;
-        if holds && larger && r.seen > HOPEFUL.max(0.4 * best.seen) {
+        if holds && larger && r.seen > HOPEFUL {
             best = *r;
         }
     }
@@ -249,7 +241,9 @@ fn descend(pyramid: &Pyramid, circle: Circle, level: usize) -> Option<Found> {
             },
         )?;
         let mut fine = refine(plane, wide.circle, FINE)?;
-        if level == 0 {
+        let moved = fine.circle.centre.distance(wide.circle.centre)
+            + (fine.circle.radius - wide.circle.radius).abs();
+        if level == 0 && moved > 0.4 {
             // Once more from where it ended: sectors and bands are laid about the start.
             fine = refine(plane, fine.circle, FINE)?;
         }
@@ -269,7 +263,15 @@ fn descend(pyramid: &Pyramid, circle: Circle, level: usize) -> Option<Found> {
         blur = Some(nearest(2.0 * BLURS[fine.blur]));
         at = fine.circle.scaled(2.0);
     }
-    let (refined, level) = last?;
+    let (mut refined, level) = last?;
+    if level == 0 && refined.seen >= CONFIDENT && refined.circle.radius >= POLISHED {
+        let polished = polish(&pyramid.levels[0], refined.circle);
+        if let Some(polished) = polished {
+            refined.circle = polished.circle;
+            refined.covariance = polished.covariance;
+            refined.blur_px = polished.blur_px;
+        }
+    }
     let scale = f64::from(1_u32 << level);
     let c = refined.covariance;
     Some(Found {

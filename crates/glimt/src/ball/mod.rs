@@ -13,6 +13,7 @@ mod find;
 pub mod levels;
 mod live;
 mod plane;
+mod polish;
 mod refine;
 mod robust;
 pub mod roll;

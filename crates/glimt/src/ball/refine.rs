@@ -38,8 +38,6 @@ pub(super) struct Refined {
     pub(super) seen: f64,
     /// Share of all sectors that do.
     pub(super) visible: f64,
-    /// Share of the sectors that lie in the image.
-    pub(super) in_image: f64,
     /// Index of the blur that fits best.
     pub(super) blur: usize,
     /// Its standard deviation in pixels, between those that were tried.
@@ -76,7 +74,7 @@ struct Sector {
 }
 
 /// What is left over in a sector, for each place of the rim.
-struct Profile {
+pub(super) struct Profile {
     cos: f64,
     sin: f64,
     /// −2 ln of the likelihood, less its least.
@@ -92,14 +90,14 @@ struct Profile {
 }
 
 /// A blur's index, the sectors fitted with it, and the move for which their sum is least.
-type Try = (usize, Vec<Profile>, DVec3);
+pub(super) type Try = (usize, Vec<Profile>, DVec3);
 
 /// Radial width of a bin in pixels.
 const BIN: f64 = 0.3;
 /// A sector's share is bounded by this.
 const CAP: f64 = 12.0;
 /// Error of the blur's form, over the step that is blurred.
-const SHAPE: f64 = 0.05;
+const SHAPE: f64 = 0.02;
 /// Constants that each sector is fitted with.
 const UNKNOWNS: usize = 7;
 /// A sector counts as seen from this gain on.
@@ -137,31 +135,6 @@ pub(super) fn refine(plane: &Plane, start: Circle, search: Search) -> Option<Ref
     let (blur, profiles, at) = &tries[best];
     let (at, blur_px) = between(&tries, &sums, best).unwrap_or((*at, BLURS[*blur]));
     let at = &at;
-    if std::env::var("DBG").is_ok() && search.blur.is_some() && search.step < 0.2 {
-        let t: Vec<f64> = std::env::var("DBG")
-            .unwrap()
-            .split(',')
-            .map(|x| x.parse().unwrap())
-            .collect();
-        println!("refine start {start} at {at:?} blur {}", BLURS[*blur]);
-        for p in profiles.iter() {
-            let d = DVec3::new(
-                t[0] - start.centre.x,
-                t[1] - start.centre.y,
-                t[2] - start.radius,
-            );
-            let rho = d.z + d.x * p.cos + d.y * p.sin;
-            println!(
-                "  ang {:6.1} best {:6.2} true {:6.2} excess true {:8.1} at {:8.1} gain {:9.1}",
-                p.sin.atan2(p.cos).to_degrees(),
-                p.best,
-                rho,
-                p.excess_at(d, search.range),
-                p.excess_at(*at, search.range),
-                p.gain
-            );
-        }
-    }
     let (seen, visible) = seen(profiles, *at, search.range, count);
     Some(Refined {
         circle: Circle {
@@ -171,13 +144,12 @@ pub(super) fn refine(plane: &Plane, start: Circle, search: Search) -> Option<Ref
         covariance: covariance(profiles, *at, search.range),
         seen,
         visible,
-        in_image,
         blur: *blur,
         blur_px,
     })
 }
 
-/// The band's pixels by sector. Sectors that are not wholly in the image are left out.
+/// The band's pixels by sector. Sectors that leave the image with more than the far part of their background are left out.
 fn gather(plane: &Plane, circle: Circle, search: Search, count: usize) -> Vec<Sector> {
     let outer = search.range + search.outside;
     let inner = (search.range + search.inside).min(0.8 * circle.radius);
@@ -213,14 +185,6 @@ fn gather(plane: &Plane, circle: Circle, search: Search, count: usize) -> Vec<Se
         }
     }
     let (w, h) = (plane.width as f64, plane.height as f64);
-    let inside = |k: usize| {
-        [0.0, 1.0].iter().all(|end| {
-            let angle = TAU * (k as f64 + end) / count as f64;
-            let p = c + r1 * DVec2::new(angle.cos(), angle.sin());
-            p.x >= 0.0 && p.y >= 0.0 && p.x <= w && p.y <= h
-        })
-    };
-    // Wholly in the image but for the far part of the background is good enough.
     let enough = |k: usize| {
         [0.0, 1.0].iter().all(|end| {
             let angle = TAU * (k as f64 + end) / count as f64;
@@ -229,7 +193,7 @@ fn gather(plane: &Plane, circle: Circle, search: Search, count: usize) -> Vec<Se
         })
     };
     (0..count)
-        .filter(|&k| inside(k) || enough(k))
+        .filter(|&k| enough(k))
         .map(|k| {
             let angle = TAU * (k as f64 + 0.5) / count as f64;
             Sector {
@@ -391,6 +355,10 @@ fn left_over<const N: usize>(bins: &[Bin], fill: impl FnMut(&Bin, &mut [f64; N])
 }
 
 /// Sum of squares over the variances that linear least squares leave, and what the likelihood adds to it.
+#[expect(
+    clippy::needless_range_loop,
+    reason = "Cholesky reads as it is written in books"
+)]
 fn fit<const N: usize>(
     bins: &[Bin],
     mut fill: impl FnMut(&Bin, &mut [f64; N]) -> f64,
@@ -440,6 +408,23 @@ fn fit<const N: usize>(
 }
 
 impl Profile {
+    /// A sector in a direction, and what each place of its rim costs.
+    pub(super) fn new(direction: DVec2, mut excess: Vec<f64>, spacing: f64) -> Self {
+        let least = excess.iter().copied().fold(f64::INFINITY, f64::min);
+        for value in &mut excess {
+            *value -= least;
+        }
+        Self {
+            cos: direction.x,
+            sin: direction.y,
+            excess,
+            spacing,
+            best: f64::INFINITY,
+            least,
+            gain: 0.0,
+        }
+    }
+
     /// Excess of a circle that is moved and grown by `at`, interpolated between the steps.
     fn excess_at(&self, at: DVec3, range: f64) -> f64 {
         let rho = at.z + at.x * self.cos + at.y * self.sin;
@@ -469,7 +454,7 @@ fn total(profiles: &[Profile], at: DVec3, range: f64) -> f64 {
 }
 
 /// Where the sum over the sectors is least: over a grid first, then in ever smaller steps.
-fn minimum(profiles: &[Profile], range: f64) -> DVec3 {
+pub(super) fn minimum(profiles: &[Profile], range: f64) -> DVec3 {
     let step = if range > 2.0 { 0.5 } else { 0.25 };
     let n = (range / step) as i32;
     let axis = -n..=n;
@@ -515,7 +500,7 @@ fn minimum(profiles: &[Profile], range: f64) -> DVec3 {
 }
 
 /// How badly each try fits the sectors, each sector's say being bounded.
-fn badness(tries: &[Try], range: f64) -> Vec<f64> {
+pub(super) fn badness(tries: &[Try], range: f64) -> Vec<f64> {
     let mut sums = vec![0.0; tries.len()];
     for k in 0..tries[0].1.len() {
         let fit: Vec<f64> = tries
@@ -530,7 +515,7 @@ fn badness(tries: &[Try], range: f64) -> Vec<f64> {
     sums
 }
 
-fn least(values: &[f64]) -> usize {
+pub(super) fn least(values: &[f64]) -> usize {
     (0..values.len()).fold(0, |a, b| if values[b] < values[a] { b } else { a })
 }
 
@@ -575,7 +560,7 @@ fn seen(profiles: &[Profile], at: DVec3, range: f64, count: usize) -> (f64, f64)
 }
 
 /// Covariance by the sandwich of curvature and scatter over the sectors, which needs no model of the noise.
-fn covariance(profiles: &[Profile], at: DVec3, range: f64) -> DMat3 {
+pub(super) fn covariance(profiles: &[Profile], at: DVec3, range: f64) -> DMat3 {
     let h = 0.125;
     let axes = [DVec3::X * h, DVec3::Y * h, DVec3::Z * h];
     let sum = |at| total(profiles, at, range);

@@ -30,6 +30,8 @@ const COARSE: [usize; 2] = [12, 360];
 const RINGS: usize = 40;
 /// Least correlation.
 const CONFIDENT: f64 = 0.3;
+/// Most Gauss-Newton steps.
+const ROUNDS: usize = 30;
 /// Largest standard error in radians that is a result: half a degree.
 const LARGEST_SIGMA: f64 = 0.009;
 /// The slow part of a ring is its mean over this share of the circle to either side.
@@ -78,7 +80,7 @@ impl Reference {
     }
 
     /// How far the ball `circle` of another image is turned against this one. `None` where [`Reference::new`] would be, or
-    /// where the two have too little in common: a correlation below 0.3, or a standard error above half a degree.
+    /// where the two have too little in common: a correlation below 0.3, steps that do not settle, or a standard error above half a degree.
     #[must_use]
     pub fn roll(&self, size: UVec2, pixels: &[Vec4], circle: Circle) -> Option<Roll> {
         self.roll_of(&Self::new(size, pixels, circle)?)
@@ -218,11 +220,10 @@ fn fine_turn(a: &Rings, b: &Rings, start: f64) -> Option<Roll> {
     let per_radian = a.count as f64 / TAU;
     let mut unknowns = DVec3::new(start, 0.0, 0.0);
     let mut last = None;
-    // Limits fall, so that at first everything is heard.
-    for (round, limit) in [1.5, 0.8, 0.5, 0.35, 0.3, 0.3, 0.3, 0.3]
-        .into_iter()
-        .enumerate()
-    {
+    let mut settled = false;
+    for round in 0..ROUNDS {
+        // The limit falls, so that at first everything is heard.
+        let limit = [1.5, 0.8, 0.5, 0.35].get(round).copied().unwrap_or(0.3);
         let normal = normal_equations(a, b, unknowns, per_radian, limit);
         let step = normal.solve()?;
         unknowns += step;
@@ -232,11 +233,12 @@ fn fine_turn(a: &Rings, b: &Rings, start: f64) -> Option<Roll> {
         unknowns.y = unknowns.y.clamp(-0.03, 0.03);
         unknowns.z = unknowns.z.clamp(-0.03, 0.03);
         last = Some(normal);
+        settled = step.x.abs() < 1e-5;
         if round > 4 && step.x.abs() < 1e-6 {
             break;
         }
     }
-    let normal = last?;
+    let normal = last.filter(|_| settled)?;
     let sigma = normal.sigma()?;
     let confidence = normal.correlation();
     let mut radians = unknowns.x.rem_euclid(TAU);
