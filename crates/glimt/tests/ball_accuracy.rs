@@ -29,8 +29,10 @@ fn error_in(
     seed: u32,
     noise: bool,
 ) -> DVec3 {
-    let mut synth = Synth::default();
-    synth.seed = seed;
+    let mut synth = Synth {
+        seed,
+        ..Synth::default()
+    };
     synth.capture.radius_mm = radius_mm;
     synth.capture.jitter_px = 5.0;
     if !noise {
