@@ -2,6 +2,9 @@
 //! at 30 frames per second from 2400×1700 pixels to 1628×814 texels on 2 threads. Decoding the photograph is apart.
 
 use glam::{UVec2, Vec2, Vec3, Vec4};
+use glimt::capture::photo;
+use glimt::notes::Notes;
+use glimt::output::{Stamp, exr};
 use glimt_benches::{Contest, claim};
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::mirror_ball::MirrorBall;
@@ -109,6 +112,36 @@ fn run() {
             grid.map(&pose(shift), PHOTO, &options)
         })
         .run(5);
+    decode(&photo);
+}
+
+/// What reading the photograph takes, which the claims leave apart.
+fn decode(photo: &[Vec4]) {
+    let folder = std::env::temp_dir();
+    let stamp = Stamp {
+        hash: String::new(),
+        frame: 1,
+    };
+    let file = |name: &str, storage| {
+        let file = folder.join(format!("glimt-bench-{name}-{}.exr", std::process::id()));
+        exr::write_rgb(&file, PHOTO, photo, &stamp, storage).expect("room for a photograph");
+        file
+    };
+    let plain = file("plain", exr::Storage::Noisy);
+    let half = file("half", exr::Storage::Half);
+    let read = |file| photo::read(file, &mut Notes::default()).map(|photo| photo.pixels.len());
+    Contest::new(
+        "Reading a photograph of 2400×1700 pixels",
+        "pixel",
+        f64::from(PHOTO.x * PHOTO.y),
+    )
+    .entry("EXR, 32-bit floats as they are", || read(&plain))
+    .entry("EXR, 16-bit floats, ZIP", || read(&half))
+    .run(5);
+    for file in [plain, half] {
+        // What is left in the folder of temporary files does no harm.
+        let _ = std::fs::remove_file(file);
+    }
 }
 
 /// The pixel that counts most in each texel.

@@ -176,7 +176,7 @@ pub struct UnwarpFlags {
     /// Radius of the ball in millimetres [default: 50]
     #[arg(long, value_name = "MM")]
     pub radius_mm: Option<f32>,
-    /// Set any key of the shot's [probe.ball], as rig_deg=8, forward=[0,1,0] or centre_px=[512,384]
+    /// Set any key of the shot's [probe.ball], as rig_deg=8, rim_px=2 or steady=false
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
     /// Refuse frames with pixels that are no light, rather than take them as 0
