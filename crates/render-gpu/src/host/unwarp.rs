@@ -258,7 +258,7 @@ impl Loose {
         self.merge(width);
         // A texel of very many pixels has none with much of a share.
         let average = self.sum / self.merged.len() as f32;
-        let least = (SMALLEST * self.sum).min(0.1 * average);
+        let least = (SMALLEST * self.sum).min(0.25 * average);
         self.merged.retain(|&(_, weight)| weight >= least);
         let kept: f32 = self.merged.iter().map(|m| m.1).sum();
 
