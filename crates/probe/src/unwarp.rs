@@ -36,16 +36,15 @@ pub struct Outline {
 
 /// What became of a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
 pub enum Visibility {
     /// The photograph shows it.
-    Seen = 0,
+    Seen,
     /// In the cone behind the ball, which no pixel shows.
-    Hidden = 1,
+    Hidden,
     /// Shown by the last pixels before the rim alone, which the background is mixed into.
-    Rim = 2,
+    Rim,
     /// Behind camera and rig.
-    Rig = 3,
+    Rig,
 }
 
 /// Why an [`Unwarp`] cannot be.
@@ -157,12 +156,6 @@ impl Unwarp {
         Unwarp { rig_cos, ..self }
     }
 
-    /// Size of the map in texels.
-    #[must_use]
-    pub fn size(&self) -> UVec2 {
-        self.size
-    }
-
     /// Half-angle in radians of the cone behind the ball that is filled: the hidden one and the rim's.
     #[must_use]
     pub fn filled_half_angle(&self) -> f32 {
@@ -190,12 +183,6 @@ impl Unwarp {
         }
     }
 
-    /// Image point of a direction; of one in the hidden cone, the nearest on the rim.
-    #[must_use]
-    pub fn image_point(&self, d: Vec3) -> Vec2 {
-        image_point(&self.ball, d)
-    }
-
     /// The usable image point nearest to `p`.
     fn clip(&self, p: Vec2) -> Vec2 {
         let length2 = p.length_squared();
@@ -204,12 +191,6 @@ impl Unwarp {
         } else {
             p
         }
-    }
-
-    /// Whether [`Unwarp::texel`] reads the corners that it is given.
-    #[must_use]
-    pub fn takes_corners(&self) -> bool {
-        self.parts == 1
     }
 
     /// Tells the taps of a texel, in no order, some pixels several times; their weights have no particular sum. Says what
@@ -263,7 +244,7 @@ impl Unwarp {
                 };
                 if self.visibility(point(0.5, 0.5)) == Visibility::Seen {
                     let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)]
-                        .map(|(dx, dy)| self.clip(self.image_point(point(dx, dy))));
+                        .map(|(dx, dy)| self.clip(image_point(&self.ball, point(dx, dy))));
                     // Pieces count by their area, as the rows of a quad do.
                     self.quad(corners, at.y * step.y, step.y, tap);
                 }
@@ -291,17 +272,16 @@ impl Unwarp {
         let counts = [along.length(), down.length()].map(|l| libm::ceilf(l / SPACING).max(1.0));
         let spacing = (along.length() / counts[0]).max(down.length() / counts[1]);
         let width = spacing.max(1.0 - thickness).min(1.0);
-        let polar = Polar::new([a, b, c, d]);
+        let polar = curved.then(|| Polar::new([a, b, c, d]));
         for y in 0..counts[1] as u32 {
             let t = (y as f32 + 0.5) / counts[1];
             // The solid angle of a strip goes with the sine of θ.
             let weight = cos_sin_pi(v + t * height).y / (counts[0] * counts[1]);
             for x in 0..counts[0] as u32 {
                 let s = (x as f32 + 0.5) / counts[0];
-                let place = if curved {
-                    polar.at(s, t)
-                } else {
-                    a.lerp(b, s).lerp(c.lerp(d, s), t)
+                let place = match &polar {
+                    Some(polar) => polar.at(s, t),
+                    None => a.lerp(b, s).lerp(c.lerp(d, s), t),
                 };
                 self.read(self.outline.centre + place, width, weight, tap);
             }
@@ -353,7 +333,7 @@ impl Unwarp {
         for arc in 0..ARCS * PIXELS_OF_ARC {
             let turn = cos_sin_pi(2.0 * arc as f32 / (ARCS * PIXELS_OF_ARC) as f32 - 1.0);
             let across = ball.right * turn.x - ball.up * turn.y;
-            let p = self.clip(self.image_point(axis * cos_edge + across * sin_edge));
+            let p = self.clip(image_point(&self.ball, axis * cos_edge + across * sin_edge));
             let cosine = turn.dot(towards);
             let kernel = (1.0 - rho * rho) / (1.0 - 2.0 * rho * cosine + rho * rho);
             let at = image_to_pixel(p, self.outline.centre, self.outline.radius);
@@ -363,6 +343,7 @@ impl Unwarp {
     }
 }
 
+/// Image point of a direction; of one in the hidden cone, the nearest on the rim.
 fn image_point(ball: &MirrorBall, d: Vec3) -> Vec2 {
     ball.direction_to_image(d)
         .unwrap_or_else(|| Vec2::new(d.dot(ball.right), -d.dot(ball.up)).normalize_or(Vec2::X))
