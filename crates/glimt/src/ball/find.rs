@@ -121,6 +121,11 @@ const CANDIDATES: usize = 16;
 /// assert_eq!(find(UVec2::new(128, 96), &grey, None), Err(FindError::NoBall { best: None }));
 /// ```
 pub fn find(size: UVec2, pixels: &[Vec4], hint: Option<Circle>) -> Result<Found, FindError> {
+    find_in(&reduced(size, pixels)?, hint)
+}
+
+/// The image and its reductions, if a ball could be found in it at all.
+pub(super) fn reduced(size: UVec2, pixels: &[Vec4]) -> Result<Pyramid, FindError> {
     if pixels.len() as u64 != u64::from(size.x) * u64::from(size.y) {
         let pixels = pixels.len();
         return Err(FindError::Size { size, pixels });
@@ -128,8 +133,7 @@ pub fn find(size: UVec2, pixels: &[Vec4], hint: Option<Circle>) -> Result<Found,
     if size.min_element() < 64 {
         return Err(FindError::ImageTooSmall(size));
     }
-    let pyramid = Pyramid::new(size, pixels);
-    find_in(&pyramid, hint)
+    Ok(Pyramid::new(size, pixels))
 }
 
 /// [`find`] in an image whose reductions are there already.

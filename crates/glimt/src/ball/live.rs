@@ -1,6 +1,6 @@
 //! Host file: the ball in frames as they come in: each pose from this frame and those before it.
 
-use super::find::find_in;
+use super::find::{find_in, reduced};
 use super::plane::Pyramid;
 use super::roll::Reference;
 use super::{Circle, FindError, Found, State};
@@ -93,14 +93,7 @@ impl Tracker {
     /// # Errors
     /// The reason why there is no ball, as long as there has not been one.
     pub fn push(&mut self, frame: u32, size: UVec2, pixels: &[Vec4]) -> Result<Pose, FindError> {
-        if pixels.len() as u64 != u64::from(size.x) * u64::from(size.y) {
-            let pixels = pixels.len();
-            return Err(FindError::Size { size, pixels });
-        }
-        if size.min_element() < 64 {
-            return Err(FindError::ImageTooSmall(size));
-        }
-        let pyramid = Pyramid::new(size, pixels);
+        let pyramid = reduced(size, pixels)?;
         let found = find_in(&pyramid, self.last);
         let state = match &found {
             Ok(found) if self.accepts(found) => State::Measured,

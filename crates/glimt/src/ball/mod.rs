@@ -12,6 +12,7 @@ mod edge;
 mod find;
 pub mod levels;
 mod live;
+mod look;
 mod plane;
 mod polish;
 mod refine;
@@ -21,6 +22,7 @@ mod track;
 
 pub use find::{FindError, Found, Side, find};
 pub use live::{Pose, Tracker, TrackerOptions};
+pub use look::{Look, look};
 pub use track::{
     Drift, ExposureJump, Observation, Options, Quantity, State, TrackError, Tracked, TrackedPose,
     stabilise,

@@ -318,6 +318,10 @@ fn reject(observations: &[Observation], time: &[f64], options: &Options, states:
     }
 }
 
+/// The most that a camera on a rig rolls against the frames around, in radians. Clouds that drift and lamps that swing can
+/// make another turn look likelier, and in several frames.
+const WILDEST_ROLL: f64 = 0.035;
+
 /// Times and rolls of the frames that have one, without jumps by whole turns or outliers.
 fn rolls(observations: &[Observation], time: &[f64], kept: &[usize]) -> Vec<(f64, f64)> {
     use std::f64::consts::{PI, TAU};
@@ -332,7 +336,7 @@ fn rolls(observations: &[Observation], time: &[f64], kept: &[usize]) -> Vec<(f64
     }
     let values: Vec<f64> = list.iter().map(|(_, roll)| *roll).collect();
     let off = running_median_residuals(&values);
-    let limit = (8.0 * spread(&off)).max(0.01);
+    let limit = (8.0 * spread(&off)).clamp(0.01, WILDEST_ROLL);
     let mut keep = off.iter().map(|d| d.abs() <= limit);
     list.retain(|_| keep.next().unwrap_or(true));
     list

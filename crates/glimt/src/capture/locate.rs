@@ -1,9 +1,10 @@
 //! Host file: where the mirror ball is in each frame of a capture.
 
 use super::{Poses, photo};
-use crate::ball::levels::Levels;
 use crate::ball::roll::Reference;
-use crate::ball::{self, FindError, Observation, Options, TrackError, Tracked, TrackedPose, find};
+use crate::ball::{
+    self, FindError, Look, Observation, Options, TrackError, Tracked, TrackedPose, look,
+};
 use crate::error::{Error, Result};
 use crate::input::frames::FrameFiles;
 use crate::notes::Notes;
@@ -35,19 +36,17 @@ pub fn track(
     };
     for (done, &frame) in looked_at.iter().enumerate() {
         let photo = photo::read(&files.path(frame), notes)?;
-        let found = find(photo.size, &photo.pixels, hint);
-        let (mut roll, mut levels) = (None, None);
-        if let Ok(found) = &found {
-            hint = Some(found.circle);
-            levels = Some(Levels::new(photo.size, &photo.pixels, found.circle));
-            if steady {
-                let own = Reference::new(photo.size, &photo.pixels, found.circle);
-                match (&reference, own) {
-                    (Some(reference), Some(own)) => roll = reference.roll_of(&own),
-                    (None, own) => reference = own,
-                    _ => {}
-                }
-            }
+        let Look {
+            found,
+            levels,
+            rings,
+        } = look(photo.size, &photo.pixels, hint, steady);
+        hint = found.as_ref().map_or(hint, |found| Some(found.circle));
+        let mut roll = None;
+        match (&reference, rings) {
+            (Some(reference), Some(own)) => roll = reference.roll_of(&own),
+            (None, own) => reference = own,
+            _ => {}
         }
         observations.push(Observation {
             frame,
@@ -57,7 +56,6 @@ pub fn track(
         });
         progress(done + 1, looked_at.len());
     }
-    drop_wild_rolls(&mut observations);
     let options = Options {
         rolls: steady,
         ..Options::default()
@@ -68,29 +66,6 @@ pub fn track(
         notes.warn(&files.path(frames[0]), text);
     }
     Ok(tracked)
-}
-
-/// The most that a camera rolls from one frame to the next, in radians.
-const WILDEST_ROLL: f64 = 0.035;
-
-/// Forgets rolls that no camera on a rig makes: clouds that drift and lamps that swing can make another turn look likelier.
-fn drop_wild_rolls(observations: &mut [Observation]) {
-    let rolls: Vec<Option<f64>> = observations
-        .iter()
-        .map(|o| o.roll.map(|r| r.radians))
-        .collect();
-    for (i, observation) in observations.iter_mut().enumerate() {
-        let around = &rolls[i.saturating_sub(3)..(i + 4).min(rolls.len())];
-        let mut near: Vec<f64> = around.iter().flatten().copied().collect();
-        near.sort_by(f64::total_cmp);
-        let usual = near.get(near.len() / 2).copied().unwrap_or(0.0);
-        if observation
-            .roll
-            .is_some_and(|r| (r.radians - usual).abs() > WILDEST_ROLL)
-        {
-            observation.roll = None;
-        }
-    }
 }
 
 /// The reason of the first frame without a ball, where there is one: it says more than their number.
