@@ -12,7 +12,7 @@ use crate::output::{Stamp, atomic, exr, png, write_text};
 use crate::report::{FrameStatus, Reporter, count};
 use crate::shot::digest::{self, Hash};
 use crate::shot::{Ball, Shot, check, parse, range};
-use crate::synth::Processor;
+use crate::synth::{MASK_HIDDEN, MASK_RIG, MASK_RIM, MASK_SEEN, Processor};
 use glam::Vec4;
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::unwarp::Visibility;
@@ -191,13 +191,13 @@ fn stamp(file: &Path, frame: u32, ball: &Ball, capture: &Capture) -> Result<Stam
     })
 }
 
-/// 0 where the ball showed a direction; 1 in the cone behind it, 2 behind camera and rig, 3 in the ring before the rim.
+/// What became of each texel, in the values that a simulated capture's own mask has.
 fn mask_of(map: &UnwarpMap) -> Vec<u8> {
     let value = |seen: &Visibility| match seen {
-        Visibility::Seen => 0,
-        Visibility::Hidden => 1,
-        Visibility::Rig => 2,
-        Visibility::Rim => 3,
+        Visibility::Seen => MASK_SEEN,
+        Visibility::Hidden => MASK_HIDDEN,
+        Visibility::Rig => MASK_RIG,
+        Visibility::Rim => MASK_RIM,
     };
     map.visibility().iter().map(value).collect()
 }

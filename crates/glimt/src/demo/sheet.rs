@@ -23,7 +23,7 @@ const GAP: u32 = 10;
 /// Linear value of what is between the panels, and of the ground on which a render without its plate is shown.
 const SURROUND: f32 = 0.012;
 const GROUND: f32 = 0.35;
-/// Exposure of probe and map: that of the shot.
+/// Exposure of probe and map: a little below the shot's, so that the sky keeps its blue.
 const EXPOSURE: f32 = 1.0 / 32.0;
 
 /// A picture of linear colours.

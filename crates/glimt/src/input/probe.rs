@@ -315,7 +315,7 @@ pub fn read(mapping: Mapping, file: &Path, notes: &mut Notes) -> Result<Photo> {
 }
 
 /// Sees that an image can hold what its mapping says.
-fn check_shape(mapping: Mapping, size: UVec2, file: &Path, notes: &mut Notes) -> Result<()> {
+pub fn check_shape(mapping: Mapping, size: UVec2, file: &Path, notes: &mut Notes) -> Result<()> {
     match mapping {
         Mapping::Angular if size.x != size.y => Err(Error::input(
             file,

@@ -9,17 +9,15 @@ use super::world::World;
 use crate::cli::SynthFlags;
 use crate::device;
 use crate::error::{Error, Result};
-use crate::input::probe::BadTexels;
-use crate::input::{plate, read_image};
+use crate::input::{plate, probe};
 use crate::notes::Notes;
 use crate::output::exr::Storage;
 use crate::output::{Stamp, atomic, exr, png, write_text};
 use crate::report::{FrameStatus, Reporter, count};
 use crate::shot::digest::{self, Hash};
-use crate::shot::{parse, range};
+use crate::shot::{Mapping, parse, range};
 use glam::{UVec2, Vec4};
 use glimt_render_gpu::generated::{EXPOSE, FILM_BALL, FILM_LATLONG, FILM_PLATE};
-use glimt_render_gpu::host::env::EnvMap;
 use rayon::prelude::*;
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -243,28 +241,9 @@ impl Job {
 
 /// Reads a lat-long map of light.
 fn read_light(file: &Path, notes: &mut Notes) -> Result<(UVec2, Vec<Vec4>)> {
-    let image = read_image(file, notes)?;
-    let (size, mut texels) = (image.header.size, image.texels);
-    if size.x != 2 * size.y {
-        notes.note(
-            file,
-            format!(
-                "{} × {} is not 2:1; it is taken as a lat-long map all the same",
-                size.x, size.y
-            ),
-        );
-    }
-    let bad = BadTexels::count(&texels);
-    if bad.total() > 0 {
-        let what = format!(
-            "{} of {} texels are no light: {bad}",
-            bad.total(),
-            texels.len()
-        );
-        notes.defect(file, &what, "those channels are taken as 0")?;
-        EnvMap::repair(&mut texels);
-    }
-    Ok((size, texels))
+    let image = probe::read(Mapping::LatLong, file, notes)?;
+    probe::check_shape(Mapping::LatLong, image.size, file, notes)?;
+    Ok((image.size, image.pixels))
 }
 
 /// Reads a display-referred lat-long picture; its sRGB curve is undone.

@@ -42,5 +42,5 @@ pub use settings::{
     Ball, Capture, Clouds, Lamp, Light, Noise, Occluder, Output, Plate, PlateFormat, Rig, Shape,
     Stage, Sun, Synth, Truth,
 };
-pub use truth::{MASK_HIDDEN, MASK_RIG, MASK_SEEN, rig_half_angle};
+pub use truth::{MASK_HIDDEN, MASK_RIG, MASK_RIM, MASK_SEEN, rig_half_angle};
 pub use world::World;

@@ -15,6 +15,8 @@ pub const MASK_SEEN: u8 = 0;
 pub const MASK_HIDDEN: u8 = 1;
 /// In a mask: where the ball would show this direction, it shows the rig.
 pub const MASK_RIG: u8 = 2;
+/// In a mask of an unwarped map: the direction is shown by the ring before the rim alone, which is not trusted.
+pub const MASK_RIM: u8 = 3;
 
 /// What the ball shows of each direction: one of the `MASK_…` values for each texel of a lat-long map, by its centre.
 pub(super) fn mask(synth: &Synth, size: UVec2) -> Vec<u8> {
