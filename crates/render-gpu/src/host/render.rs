@@ -300,7 +300,7 @@ impl RenderSettings {
                 Shadow::Multiply => frame::SHADOW_MULTIPLY,
                 Shadow::Add => frame::SHADOW_ADD,
             },
-            unused_b: 0,
+            film_frame: self.frame,
             unused_c: 0,
         })
     }
