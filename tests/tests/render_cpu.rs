@@ -362,7 +362,7 @@ fn tiles_and_threads_change_no_bit() {
     };
     let whole = render(&scene, &env, &settings);
     for tile_pixels in [1, 7, 64, 100_000] {
-        let tiled = CpuRenderer { tile_pixels }
+        let tiled = CpuRenderer::with_tiles(tile_pixels)
             .render_frame(&scene, &env, &settings, &|_| ())
             .unwrap();
         assert!(tiled.linear == whole.linear && tiled.display == whole.display);

@@ -24,15 +24,9 @@ impl<'a> Frames<'a> {
     /// Whether all files of a frame are there, with this identity.
     pub fn are_there(self, stamp: &Stamp) -> bool {
         let output = &self.setup.shot.output;
-        let mut channels: Vec<String> = output
-            .aovs
-            .iter()
-            .map(|a| aov::first_channel(aov::name(*a)))
-            .collect();
-        channels.extend(
-            self.keeps_display()
-                .then(|| aov::first_channel(aov::DISPLAY)),
-        );
+        let mut channels: Vec<String> =
+            output.aovs.iter().map(|a| aov::first_channel(*a)).collect();
+        channels.extend(self.keeps_display().then(aov::first_display_channel));
         let hash = Some(&stamp.hash);
         let exr_there = || exr::read_hash(&self.file(stamp.frame, "exr"), &channels);
         let png_there = || png::read_hash(&self.file(stamp.frame, "png"));
@@ -93,7 +87,7 @@ impl<'a> Frames<'a> {
             channels.extend(aov::display(image));
         }
         let shadow = self.setup.shot.backplate.as_ref().map(|plate| plate.shadow);
-        let formula = (!aovs.is_empty()).then(|| aov::formula(shadow.unwrap_or_default()));
+        let formula = aov::any_layer(aovs).then(|| aov::formula(shadow.unwrap_or_default()));
         exr::Layers { channels, formula }
     }
 

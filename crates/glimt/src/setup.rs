@@ -4,6 +4,7 @@ use crate::cli::RenderFlags;
 use crate::error::{Error, Kind, Result};
 use crate::mesh::place;
 use crate::notes::Notes;
+use crate::output::aov;
 use crate::shot::digest::{self, Hash};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot};
@@ -94,6 +95,7 @@ impl Setup {
             let key = match e {
                 SettingsError::Empty => "image",
                 SettingsError::NoSamples | SettingsError::TooMany => "render",
+                SettingsError::Smc => "render.smc",
                 SettingsError::Exposure => "image.exposure_ev",
                 SettingsError::FieldOfView => "camera.fov_x_deg",
                 SettingsError::Camera => "camera",
@@ -139,7 +141,14 @@ impl Setup {
             rays_per_pixel: image.rays_per_pixel,
             brdf_samples: render.brdf_samples,
             env_samples: render.env_samples,
-            method: Method::Mis,
+            method: match render.method {
+                shot::Method::Bis => Method::Bis,
+                shot::Method::Smc => Method::Smc,
+                // Shots of other methods are refused when they are checked.
+                shot::Method::Mis | shot::Method::Prt => Method::Mis,
+            },
+            bis: render.bis.settings(),
+            smc: render.smc.settings(),
             pattern: match render.pattern {
                 shot::Pattern::OwenSobol => Pattern::OwenSobol,
                 shot::Pattern::Independent => Pattern::Independent,
@@ -164,7 +173,8 @@ impl Setup {
                 Some(shot::Shadow::Add) => Shadow::Add,
                 Some(shot::Shadow::Multiply) | None => Shadow::Multiply,
             },
-            layers: !self.shot.output.aovs.is_empty(),
+            layers: aov::any_layer(&self.shot.output.aovs),
+            diagnostics: aov::any_diagnostic(&self.shot.output.aovs),
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Host file: what a shot must fulfil beyond being well-formed.
 
+use super::methods::{self, Bis, Smc};
 use super::parse::Source;
-use super::{Ball, Colour, Mapping, Method, Shot, range};
+use super::{Aov, Ball, Colour, Mapping, Method, Shot, range};
 use crate::error::{Error, Result};
 use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 
@@ -101,13 +102,15 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
     check_objects(shot, source)?;
 
     let render = &shot.render;
-    if render.method != Method::Mis {
+    if render.method == Method::Prt {
         return bad(
             "render.method",
-            "only \"mis\" is supported yet",
-            "leave it out, or set it to \"mis\"",
+            "\"prt\" is not supported yet",
+            "take \"mis\", \"bis\" or \"smc\"",
         );
     }
+    check_bis(&render.bis, source)?;
+    check_smc(&render.smc, source)?;
     let samples = [
         ("render.brdf_samples", render.brdf_samples),
         ("render.env_samples", render.env_samples),
@@ -128,6 +131,15 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
                 "lower one of the two",
             );
         }
+    }
+    let diagnosed = [Aov::Ess, Aov::ZRatio, Aov::Age, Aov::Started];
+    let diagnosed = shot.output.aovs.iter().find(|aov| diagnosed.contains(aov));
+    if render.method != Method::Smc && diagnosed.is_some() {
+        return bad(
+            "output.aovs",
+            "\"ess\", \"z-ratio\", \"age\" and \"started\" belong to the method \"smc\"",
+            "leave them out, or set render.method = \"smc\"",
+        );
     }
     if render.brdf_samples + render.env_samples == 0 {
         return bad(
@@ -256,6 +268,81 @@ pub fn check_ball(ball: &Ball, source: &Source) -> Result<()> {
             "rig_deg",
             "it is not between 0 and 80",
             "0 leaves the camera's reflection in the light",
+        );
+    }
+    Ok(())
+}
+
+fn check_bis(bis: &Bis, source: &Source) -> Result<()> {
+    for (key, n) in [("candidates", bis.candidates), ("samples", bis.samples)] {
+        if n == 0 || n > 65_536 {
+            return Err(source
+                .error(
+                    &format!("render.bis.{key}"),
+                    "it is not between 1 and 65536",
+                )
+                .fix("the paper has 400 candidates and 20 samples"));
+        }
+    }
+    Ok(())
+}
+
+fn check_smc(smc: &Smc, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| {
+        Err(source.error(&format!("render.smc.{key}"), what).fix(fix))
+    };
+    if smc.particles == 0 || smc.particles > 4096 {
+        return bad("particles", "it is not between 1 and 4096", "8 is usual");
+    }
+    if smc.candidates == 0 || smc.candidates > 65_536 {
+        return bad("candidates", "it is not between 1 and 65536", "64 is usual");
+    }
+    if smc.intermediate > 1000 {
+        return bad("intermediate", "it is above 1000", "3 is usual");
+    }
+    if smc.source == methods::Source::Environment {
+        return bad(
+            "source",
+            "the light alone misses directions where it is black and the target is not",
+            "take \"brdf\" or \"mixture\"",
+        );
+    }
+    for (key, share) in [
+        ("cap_share", smc.cap_share),
+        ("light_share", smc.light_share),
+    ] {
+        if !(share >= 0.0 && share <= 1.0) {
+            return bad(key, "it is not between 0 and 1", "0.5 is usual");
+        }
+    }
+    if !(smc.ess_threshold >= 0.0 && smc.ess_threshold <= 2.0) {
+        return bad(
+            "ess_threshold",
+            "it is not between 0 and 2",
+            "0.67 is usual, 0 for never",
+        );
+    }
+    if !(smc.floor >= 0.0 && smc.floor <= 1e6) {
+        return bad("floor", "it is not between 0 and 1e6", "0.01 is usual");
+    }
+    if !(smc.cap_deg > 0.0 && smc.cap_deg <= 180.0) {
+        return bad("cap_deg", "it is not between 0 and 180", "5 is usual");
+    }
+    if !(smc.reinitialise == 0.0 || smc.reinitialise >= 1.0 && smc.reinitialise <= 1e30) {
+        return bad(
+            "reinitialise",
+            "it is a factor below 1",
+            "2 is usual, 0 for never",
+        );
+    }
+    if !(smc.depth_tolerance >= 0.0) {
+        return bad("depth_tolerance", "it is not 0 or more", "0.02 is usual");
+    }
+    if !(smc.normal_tolerance_deg >= 0.0 && smc.normal_tolerance_deg <= 180.0) {
+        return bad(
+            "normal_tolerance_deg",
+            "it is not between 0 and 180",
+            "25 is usual",
         );
     }
     Ok(())

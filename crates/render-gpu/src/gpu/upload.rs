@@ -105,6 +105,11 @@ impl GpuEnv {
         Ok(())
     }
 
+    /// Its texels.
+    pub(super) fn texels(&self) -> &GpuBuffer {
+        &self.texels
+    }
+
     /// The arguments of a kernel that takes `env`.
     #[must_use]
     pub fn args(&self) -> [(&'static str, Arg<'_>); 5] {

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use glam::{DMat3, Mat3, Vec2, Vec3, Vec4};
+use glam::{DMat3, Mat3, Mat4, Vec2, Vec3, Vec4};
 
 use super::attributes::{area_weighted_normals, uv_tangents};
 use super::materials::{pack_material, pack_textures};
@@ -35,6 +35,7 @@ pub struct SceneBuffers {
     texels: Vec<u32>,
     dropped: usize,
     has_catcher: bool,
+    transforms: Vec<Mat4>,
 }
 
 impl SceneBuffers {
@@ -87,6 +88,7 @@ impl SceneBuffers {
             texels,
             dropped,
             has_catcher: triangles.iter().any(Triangle::is_catcher),
+            transforms: description.objects.iter().map(|o| o.transform).collect(),
         })
     }
 
@@ -99,6 +101,12 @@ impl SceneBuffers {
             materials: &self.materials,
             texels: &self.texels,
         }
+    }
+
+    /// Where each object is: from its mesh's coordinates to the world's.
+    #[must_use]
+    pub fn transforms(&self) -> &[Mat4] {
+        &self.transforms
     }
 
     /// A number that no other scene of this process has, but for clones: tells an executor whether it has uploaded
