@@ -281,11 +281,15 @@ impl GpuRenderer {
         let pixels = u64::from(frame.width * frame.height);
         // One pixel at least; where its rays do not fit, the launch says so.
         let fitting = fitting.clamp(1, pixels);
-        if settings.method != Method::Smc || fitting == pixels {
+        let rays = GpuSmc::fitting_pixels(&self.context, settings);
+        if settings.method != Method::Smc || fitting.min(rays) == pixels {
             return fitting as u32;
         }
         // Half of what the frame before may show at once, so that a tile sees beyond its own edges.
-        let half = GpuSmc::fitting_pixels(&self.context, settings) / 2;
+        let half = match rays >= pixels {
+            true => pixels,
+            false => rays / 2,
+        };
         let granule = u64::from(smc::TILE_GRANULE);
         (fitting.min(half) / granule * granule).max(granule) as u32
     }
