@@ -182,7 +182,7 @@ impl GpuRenderer {
                 [settings.smc.particles, settings.smc.candidates, steps, 0]
             }
         };
-        let cost = Some((scene.id(), settings.method, counts));
+        let cost = Some((scene.surface_id(), settings.method, counts));
         if self.cost != cost {
             self.context.forget_pace(shade).map_err(device)?;
             self.cost = cost;
@@ -231,17 +231,18 @@ impl GpuRenderer {
     }
 
     fn keep_scene(&mut self, scene: &SceneBuffers) -> Result<(), GpuError> {
-        if self
-            .scene
-            .as_ref()
-            .is_none_or(|known| known.id() != scene.id())
-        {
-            let started = Instant::now();
-            // The old one goes first: there may not be room for two.
-            self.scene = None;
-            self.scene = Some(GpuScene::new(&self.context, scene)?);
-            self.times.upload += started.elapsed();
-        }
+        let started = Instant::now();
+        // Another scene goes first: there may not be room for two. One that cannot be updated is none.
+        let known = self.scene.take();
+        let same = known.filter(|known| known.surface_id() == scene.surface_id());
+        self.scene = Some(match same {
+            Some(mut posed) => {
+                posed.update(&self.context, scene)?;
+                posed
+            }
+            None => GpuScene::new(&self.context, scene)?,
+        });
+        self.times.upload += started.elapsed();
         Ok(())
     }
 

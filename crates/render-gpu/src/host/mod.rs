@@ -2,6 +2,7 @@
 
 mod attributes;
 pub mod env;
+mod geometry;
 mod materials;
 pub mod methods;
 pub mod plate;
