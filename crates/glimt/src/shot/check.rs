@@ -2,7 +2,7 @@
 
 use super::methods::{self, Bis, Smc};
 use super::parse::Source;
-use super::{Aov, Ball, Colour, Mapping, Method, Shot, range};
+use super::{Aov, Ball, Camera, Colour, Mapping, Method, Shot, range};
 use crate::error::{Error, Result};
 use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 
@@ -400,6 +400,52 @@ fn check_camera(shot: &Shot, source: &Source) -> Result<()> {
             .error("camera.gltf", "eye or target is given too")
             .fix("keep one of the two ways to place the camera"));
     }
+    check_keys(camera, source)
+}
+
+fn check_keys(camera: &Camera, source: &Source) -> Result<()> {
+    if camera.keys.is_empty() {
+        return Ok(());
+    }
+    if !camera.gltf.is_empty() || camera.eye.is_some() || camera.target.is_some() {
+        let other = if camera.gltf.is_empty() {
+            "eye or target"
+        } else {
+            "gltf"
+        };
+        return Err(source
+            .error("camera.key", format!("camera.{other} is given too"))
+            .fix("keep one of the ways to place the camera; keys say eye and target themselves"));
+    }
+    for (i, key) in camera.keys.iter().enumerate() {
+        let name = |part: &str| format!("camera.key.{i}.{part}");
+        within_world(source, &name("eye"), &key.eye)?;
+        within_world(source, &name("target"), &key.target)?;
+        if let Some(up) = key.up {
+            finite(source, &name("up"), &up)?;
+        }
+        if key.fov_x_deg.is_some_and(|fov| !(fov > 0.0 && fov < 180.0)) {
+            return Err(source
+                .error(&name("fov_x_deg"), "it is not between 0 and 180")
+                .fix("40 is usual"));
+        }
+        // Frames are counted in f32 between keys.
+        if key.frame > 1 << 24 {
+            return Err(source
+                .error(&name("frame"), "it is above 16777216")
+                .fix("check the number"));
+        }
+        let before = i.checked_sub(1).map(|before| camera.keys[before].frame);
+        if let Some(before) = before.filter(|before| *before >= key.frame) {
+            let what = match before == key.frame {
+                true => format!("two keys are at frame {before}"),
+                false => format!("it comes after the key at frame {before}"),
+            };
+            return Err(source
+                .error(&name("frame"), what)
+                .fix("list the keys by growing frames, each once"));
+        }
+    }
     Ok(())
 }
 
@@ -428,6 +474,26 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
         }
         if let Some(material) = &object.material {
             check_material(material, i, source)?;
+        }
+        if !(object.animation_offset_s.abs() <= 1e6) {
+            return Err(source
+                .error(&key("animation_offset_s"), "it is not between -1e6 and 1e6")
+                .fix("0 begins with the animation's beginning"));
+        }
+        for (j, spin) in object.spins.iter().enumerate() {
+            let key = |name: &str| key(&format!("spin.{j}.{name}"));
+            within_world(source, &key("centre"), &spin.centre)?;
+            within_world(source, &key("axis"), &spin.axis)?;
+            if !(glam::Vec3::from(spin.axis).length() > 1e-6) {
+                return Err(source
+                    .error(&key("axis"), "it has no length")
+                    .fix("[0, 0, 1] turns about the node's own z axis"));
+            }
+            if !(spin.deg_per_frame.abs() <= 1e6) {
+                return Err(source
+                    .error(&key("deg_per_frame"), "it is not between -1e6 and 1e6")
+                    .fix("360 is a turn from each frame to the next, which looks still"));
+            }
         }
     }
     Ok(())

@@ -23,7 +23,7 @@ pub trait Document: DeserializeOwned {
 impl Document for Shot {
     const NAME: &'static str = "a shot";
     const EXAMPLE: &'static str = "image.rays_per_pixel=64";
-    const LISTS: &'static [&'static str] = &["object"];
+    const LISTS: &'static [&'static str] = &["object", "key", "spin"];
     fn complete(table: &mut Table) {
         apply_preset(table);
     }
