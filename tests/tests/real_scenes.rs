@@ -10,7 +10,7 @@
 use std::path::Path;
 
 use glam::{Vec3, Vec4};
-use glimt::cli::{Device, RenderFlags, Talk};
+use glimt::cli::{RenderFlags, Talk};
 use glimt::job::Job;
 use glimt::notes::Notes;
 use glimt::report::Reporter;
@@ -86,13 +86,8 @@ fn shot(model: &str, map: &str, set: &[&str]) -> Shot {
         Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{model}.{map}.{}.toml", set.len()));
     std::fs::write(&file, text).unwrap();
     let flags = RenderFlags {
-        frames: None,
-        device: Device::Auto,
-        method: None,
         set: set.iter().map(|&s| s.to_owned()).collect(),
-        out: None,
-        seed: None,
-        strict: false,
+        ..RenderFlags::default()
     };
     let mut notes = Notes::new(false);
     let reporter = Reporter::new(Talk {

@@ -94,7 +94,7 @@ pub enum Command {
 }
 
 /// Flags of the commands that render.
-#[derive(Clone, Debug, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct RenderFlags {
     /// Render these frames alone, as 1-24 or 7
     #[arg(long, value_name = "A-B", allow_hyphen_values = true)]
@@ -117,6 +117,28 @@ pub struct RenderFlags {
     /// Refuse inputs with defects (texels that are no light, degenerate triangles) rather than work around them
     #[arg(long)]
     pub strict: bool,
+    /// What the sequential sampler goes on from.
+    #[command(flatten)]
+    pub past: PastFlags,
+}
+
+/// Flags of the method "smc", whose frames go on from one another.
+#[derive(Clone, Debug, Default, Args)]
+pub struct PastFlags {
+    /// With the method smc: render so many frames before the first, without writing them
+    #[arg(
+        long,
+        value_name = "W",
+        default_value = "0",
+        conflicts_with = "state_in"
+    )]
+    pub preroll: u32,
+    /// With the method smc: go on from a state that --state-out saved
+    #[arg(long, value_name = "FILE")]
+    pub state_in: Option<PathBuf>,
+    /// With the method smc: save what the next frame would go on from
+    #[arg(long, value_name = "FILE")]
+    pub state_out: Option<PathBuf>,
 }
 
 /// Flags of frames that are still to come.
@@ -237,6 +259,9 @@ Examples:
   glimt render shot.toml --frames 1-24 --out /tmp/draft --set image.rays_per_pixel=4
   glimt render shot.toml --device gpu --seed 7 --json
   glimt render shot.toml --follow --wait 30             # frames as they are filmed, until none comes for 30 s
+  glimt render shot.toml --method smc --frames 1-48 --state-out half.state
+  glimt render shot.toml --method smc --frames 49-96 --state-in half.state     # as if in one run
+  glimt render shot.toml --method smc --frames 60-72 --preroll 10
   glimt render shot.toml --set object.0.material.diffuse=[0.8,0.2,0.1] --set render.preset=kronander
 
 A shot needs a light and an object; every other key has a default:

@@ -1,30 +1,37 @@
 //! Host file: what there is to render: a shot file or the built-in shot, loaded and checked, ready for the pipeline.
 
 use crate::capture::colour;
-use crate::cli::RenderFlags;
-use crate::error::Result;
+use crate::cli::{PastFlags, RenderFlags};
+use crate::error::{Error, Result};
 use crate::input::footage::{self, Footage};
 use crate::input::frames::FrameFiles;
 use crate::input::probe::Probe;
 use crate::notes::Notes;
+use crate::output::state::{self, Saved};
 use crate::report::Reporter;
 use crate::setup::{self, Setup};
-use crate::shot::digest;
+use crate::shot::digest::{self, Hash};
 use crate::shot::parse::Source;
-use crate::shot::{Shot, check, parse, range};
+use crate::shot::{Method, Shot, check, parse, range};
 use glam::UVec2;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
 use std::ops::RangeInclusive;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Everything that rendering a shot needs.
 pub struct Job {
     /// What stays the same in all frames.
     pub setup: Setup,
-    /// The frames to render, in order.
+    /// The frames to render, in order; the first [`Job::preroll`] of them are not written.
     pub frames: Vec<u32>,
+    /// How many frames only lead up to the others.
+    pub preroll: usize,
+    /// What the sequential sampler goes on from.
+    pub state_in: Option<Saved>,
+    /// Where what comes after the last frame goes on from is saved.
+    pub state_out: Option<PathBuf>,
     /// Whether these are all frames of the shot.
     pub whole: bool,
     probe: Probe,
@@ -49,7 +56,9 @@ impl Job {
 
         let files = probe_files(&shot, &source, base)?;
         let footage = Footage::find(&shot, &source, base, &files, notes)?;
-        let (frames, of_shot) = choose_frames(&shot, &files, footage.as_ref(), flags, notes)?;
+        let (asked, of_shot) = choose_frames(&shot, &files, footage.as_ref(), flags, notes)?;
+        check_past(&flags.past, shot.render.method)?;
+        let (frames, preroll) = with_preroll(asked, &of_shot, &files, &flags.past, notes)?;
         if let Some(footage) = &footage {
             footage.require(&frames, UVec2::from(shot.image.size), notes)?;
         }
@@ -75,10 +84,18 @@ impl Job {
             let colour = colour::correction(keys, &source, &photo, plate.as_deref(), notes)?;
             probe.set_colour(colour);
         }
+        let setup = Setup::load(shot, source, base, *of_shot.start(), flags, notes)?;
+        let state_in = match &flags.past.state_in {
+            Some(file) => Some(read_state(file, &setup, frames[0], notes)?),
+            None => None,
+        };
         let job = Self {
-            setup: Setup::load(shot, source, base, *of_shot.start(), flags, notes)?,
+            setup,
             whole: frames.iter().copied().eq(of_shot),
             frames,
+            preroll,
+            state_in,
+            state_out: flags.past.state_out.clone(),
             probe,
             footage,
         };
@@ -135,11 +152,16 @@ impl Job {
         Ok(Some(plate))
     }
 
-    /// The identity of each frame, in the order of [`Job::frames`].
+    /// Whether each frame goes on from the one before it.
+    pub fn is_chain(&self) -> bool {
+        self.setup.shot.render.method == Method::Smc
+    }
+
+    /// The identity of each frame, in the order of [`Job::frames`], and the hash of all that the last one came from.
     ///
     /// # Errors
     /// A file of the light or the footage cannot be read.
-    pub fn identities(&self) -> Result<Vec<String>> {
+    pub fn identities(&self) -> Result<(Vec<String>, Hash)> {
         let mut inputs = self.probe.digests(&self.frames)?;
         if let Some(footage) = &self.footage {
             let plates = footage.digests(&self.frames)?;
@@ -147,11 +169,86 @@ impl Job {
                 *input = digest::join([&*input, plate]);
             }
         }
-        let pairs = inputs.iter().zip(&self.frames);
-        Ok(pairs
-            .map(|(input, &frame)| digest::of_frame(&self.setup.digest, input, frame))
-            .collect())
+        let mut chain = self.state_in.as_ref().map_or([0; 32], |saved| saved.chain);
+        let mut identities = Vec::new();
+        for (input, &frame) in inputs.iter().zip(&self.frames) {
+            let own = match self.is_chain() {
+                true => {
+                    chain = digest::join([&chain, input, &digest::of_text(&frame.to_string())]);
+                    &chain
+                }
+                false => input,
+            };
+            identities.push(digest::of_frame(&self.setup.digest, own, frame));
+        }
+        Ok((identities, chain))
     }
+}
+
+/// Only one method goes on from frame to frame.
+fn check_past(flags: &PastFlags, method: Method) -> Result<()> {
+    let given = [
+        ("--preroll", flags.preroll > 0),
+        ("--state-in", flags.state_in.is_some()),
+        ("--state-out", flags.state_out.is_some()),
+    ];
+    match given.iter().find(|(_, given)| *given) {
+        Some((flag, _)) if method != Method::Smc => Err(Error::usage(format!(
+            "{flag} is for the method \"smc\": with others each frame stands alone"
+        ))
+        .fix("leave it out, or add --method smc")),
+        _ => Ok(()),
+    }
+}
+
+/// The frames asked for, with those that lead up to them; and how many those are.
+fn with_preroll(
+    asked: Vec<u32>,
+    of_shot: &RangeInclusive<u32>,
+    files: &FrameFiles,
+    flags: &PastFlags,
+    notes: &mut Notes,
+) -> Result<(Vec<u32>, usize)> {
+    let first = asked[0];
+    let begin = first
+        .saturating_sub(flags.preroll)
+        .max(*of_shot.start())
+        .min(first);
+    if begin == first {
+        return Ok((asked, 0));
+    }
+    if first - begin < flags.preroll {
+        let text = format!(
+            "of {} frames before frame {first} the shot has {}: the preroll begins there",
+            flags.preroll,
+            first - begin
+        );
+        notes.note(Path::new("--preroll"), text);
+    }
+    let mut frames = files.require(begin, first - 1)?;
+    let preroll = frames.len();
+    frames.extend(asked);
+    Ok((frames, preroll))
+}
+
+/// A saved state, checked to be of this shot.
+fn read_state(file: &Path, setup: &Setup, first: u32, notes: &mut Notes) -> Result<Saved> {
+    let saved = state::read(file)?;
+    let past = &saved.state.past;
+    if saved.setup != setup.digest {
+        return Err(
+            Error::input(file, "the state is of another shot, or of other settings")
+                .fix("save one with --state-out from this shot, with the same keys and seed"),
+        );
+    }
+    if past.frame.checked_add(1) != Some(first) {
+        let text = format!(
+            "the state is of frame {}, and frame {first} goes on from it",
+            past.frame
+        );
+        notes.note(file, text);
+    }
+    Ok(saved)
 }
 
 /// The files of the shot's light.

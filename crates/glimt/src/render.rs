@@ -6,9 +6,11 @@ use crate::error::{Error, Kind, Result};
 use crate::frame::Frames;
 use crate::job::Job;
 use crate::notes::{Note, Notes};
+use crate::output::state::{self, Saved};
 use crate::output::video::{self, Encoder, Video};
 use crate::output::{Stamp, atomic, rgb_over_black};
 use crate::report::{FrameStatus, Reporter, count};
+use crate::shot::digest::Hash;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
 use glimt_render_gpu::host::render::{FrameImage, Renderer};
@@ -35,8 +37,12 @@ struct Plan<'a> {
     job: &'a Job,
     /// Identity of each frame.
     stamps: Vec<Stamp>,
-    /// Whether each frame is there already.
+    /// Whether each frame is there already, or need not be, as it only leads up to others.
     current: Vec<bool>,
+    /// Whether each frame is computed: those that are not there, and those that they go on from.
+    computed: Vec<bool>,
+    /// Hash of all that the last frame came from.
+    chain: Hash,
     /// The video, where one is to be made.
     video: Option<VideoPlan>,
 }
@@ -59,20 +65,17 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
     atomic::prepare_folder(&job.setup.out)?;
     let plan = Plan::new(&job, reporter)?;
     check_current(&plan, &mut notes, reporter)?;
-    let mut stage = match plan.current.iter().all(|c| *c) {
-        true => None,
-        false => Some(Stage {
-            scene: SceneBuffers::build(&job.setup.scene)
-                .map_err(|e| job.setup.refused_scene(job.setup.first, &e))?,
-            renderer: device::open(device)?,
-        }),
+    let mut stage = match plan.computed.contains(&true) {
+        true => Some(Stage::set(&job, device)?),
+        false => None,
     };
     tracing::info!("scene and device are ready after {:.2?}", began.elapsed());
     let name = match &stage {
         Some(stage) => stage.renderer.name(),
         None => "no device".to_owned(),
     };
-    reporter.start(job.frames.len(), &job.setup.out, &name, job.setup.triangles);
+    let asked = job.frames.len() - job.preroll;
+    reporter.start(asked, &job.setup.out, &name, job.setup.triangles);
 
     let inputs = read_inputs(&job, &plan, notes)?;
     let rendered = std::thread::scope(|scope| {
@@ -87,11 +90,16 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
         rendered.and_then(|count| written.map(|()| count))
     })?;
 
+    if let Some(stage) = &mut stage {
+        stage.save(&plan)?;
+    }
+
     let seconds = began.elapsed().as_secs_f64();
-    let skipped = job.frames.len() - rendered;
+    let skipped = asked - rendered;
     let video = plan.video.as_ref().map(|video| &video.file);
     let summary = json!({
         "rendered": rendered, "skipped": skipped, "seconds": seconds, "out": job.setup.out, "video": video,
+        "state": job.state_out,
     });
     let also = video.map_or(String::new(), |v| format!(" and {}", v.display()));
     let text = format!(
@@ -109,38 +117,94 @@ struct Stage {
     scene: SceneBuffers,
 }
 
+impl Stage {
+    fn set(job: &Job, device: Device) -> Result<Self> {
+        let mut stage = Self {
+            scene: SceneBuffers::build(&job.setup.scene)
+                .map_err(|e| job.setup.refused_scene(job.setup.first, &e))?,
+            renderer: device::open(device)?,
+        };
+        if let Some(saved) = &job.state_in {
+            let state = Some(saved.state.clone());
+            stage
+                .renderer
+                .set_smc_state(state)
+                .map_err(device::failure)?;
+        }
+        Ok(stage)
+    }
+
+    /// Saves what the next frame would go on from, where that is asked for.
+    fn save(&mut self, plan: &Plan<'_>) -> Result<()> {
+        let Some(file) = &plan.job.state_out else {
+            return Ok(());
+        };
+        if let Some(state) = self.renderer.smc_state().map_err(device::failure)? {
+            let saved = Saved {
+                state,
+                chain: plan.chain,
+                setup: plan.job.setup.digest,
+            };
+            state::write(file, &saved)?;
+        }
+        Ok(())
+    }
+}
+
 impl<'a> Plan<'a> {
     fn new(job: &'a Job, reporter: &Reporter) -> Result<Self> {
-        let stamps: Vec<Stamp> = job
-            .identities()?
+        let (identities, chain) = job.identities()?;
+        let stamps: Vec<Stamp> = identities
             .into_iter()
             .zip(&job.frames)
             .map(|(hash, &frame)| Stamp { hash, frame })
             .collect();
-        let output = &job.setup.shot.output;
         let files = Frames::of(&job.setup);
-        let current: Vec<bool> = stamps.iter().map(|s| files.are_there(s)).collect();
-
+        let there = stamps.iter().enumerate();
+        let current: Vec<bool> = there
+            .map(|(i, stamp)| i < job.preroll || files.are_there(stamp))
+            .collect();
         let mut plan = Self {
             job,
             stamps,
             current,
+            computed: Vec::new(),
+            chain,
             video: None,
         };
+        plan.plan_video(reporter)?;
+        plan.computed = plan.current.iter().map(|current| !current).collect();
+        if job.is_chain() {
+            let state_is_there = |file| state::read_chain(file) == Some(chain);
+            let needed = match &job.state_out {
+                Some(file) if !state_is_there(file) => plan.computed.len(),
+                _ => plan.computed.iter().rposition(|c| *c).map_or(0, |i| i + 1),
+            };
+            plan.computed[..needed].fill(true);
+        }
+        Ok(plan)
+    }
+
+    /// Whether a video is made, and from which frames that must not be current then.
+    fn plan_video(&mut self, reporter: &Reporter) -> Result<()> {
+        let plan = self;
+        let job = plan.job;
+        let output = &job.setup.shot.output;
+        let files = Frames::of(&job.setup);
         if output.video.is_empty() || job.frames.len() < 2 {
-            return Ok(plan);
+            return Ok(());
         }
         let file = job.setup.out.join(&output.video);
         if !job.whole {
             reporter.remark("the video is made when all frames of the shot are asked for");
-            return Ok(plan);
+            return Ok(());
         }
         let hash = files.video_identity(&plan.stamps);
         let alone = !output.exr && !output.png;
         let frames_there = alone || plan.current.iter().all(|c| *c);
         if frames_there && video::is_current(&file, &hash) {
             plan.current.fill(true);
-            return Ok(plan);
+            return Ok(());
         }
         let size = job.setup.size();
         let encoder = video::prepare(&file, size, output.codec)?;
@@ -149,7 +213,7 @@ impl<'a> Plan<'a> {
             hash,
             encoder,
         });
-        Ok(plan)
+        Ok(())
     }
 }
 
@@ -186,9 +250,9 @@ type Read = (Result<Inputs>, Vec<Note>);
 /// Reads light and footage of each frame that is to be rendered and builds the light's tables, one frame ahead of the
 /// renderer. A still is read once.
 fn read_inputs(job: &Arc<Job>, plan: &Plan<'_>, mut notes: Notes) -> Result<Prefetch<Read>> {
-    let pairs = plan.stamps.iter().zip(&plan.current);
+    let pairs = plan.stamps.iter().zip(&plan.computed);
     let missing: Vec<u32> = pairs
-        .filter(|(_, current)| !**current)
+        .filter(|(_, computed)| **computed)
         .map(|(s, _)| s.frame)
         .collect();
     let job = Arc::clone(job);
@@ -224,9 +288,10 @@ fn render_frames(
     reporter: &Reporter,
 ) -> Result<usize> {
     let mut rendered = 0;
-    for (done, (stamp, &current)) in plan.stamps.iter().zip(&plan.current).enumerate() {
-        let frame = match (&mut stage, current) {
-            (Some(stage), false) => {
+    let preroll = plan.job.preroll;
+    for (index, stamp) in plan.stamps.iter().enumerate() {
+        let frame = match (&mut stage, plan.computed[index]) {
+            (Some(stage), true) => {
                 let Some((read, notes)) = inputs.next() else {
                     break;
                 };
@@ -238,16 +303,26 @@ fn render_frames(
                 let refused = |e| setup.refused_scene(stamp.frame, &e);
                 stage.scene.pose(&pose.transforms).map_err(refused)?;
                 let settings = setup.settings(stamp.frame, pose.camera);
-                let part = |fraction| reporter.part(done, fraction);
+                let part = |fraction| reporter.part(index.saturating_sub(preroll), fraction);
                 let image = stage
                     .renderer
                     .render_over(&stage.scene, &light, plate.as_deref(), &settings, &part)
                     .map_err(device::failure)?;
-                rendered += 1;
-                Finished::Rendered(stamp.clone(), image, began.elapsed().as_secs_f64())
+                match plan.current[index] {
+                    // It was only gone on from.
+                    true => Finished::Skipped(stamp.frame),
+                    false => {
+                        rendered += 1;
+                        let seconds = began.elapsed().as_secs_f64();
+                        Finished::Rendered(stamp.clone(), image, seconds)
+                    }
+                }
             }
             _ => Finished::Skipped(stamp.frame),
         };
+        if index < preroll {
+            continue;
+        }
         // A writer that has failed takes no more; its error is told when it is joined.
         if finish.send(frame).is_err() {
             return Ok(rendered);
@@ -291,7 +366,7 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
             }
             Finished::End => return video.map_or(Ok(()), Video::finish),
         };
-        reporter.frame(number, status, done, job.frames.len());
+        reporter.frame(number, status, done, job.frames.len() - job.preroll);
     }
     Ok(())
 }

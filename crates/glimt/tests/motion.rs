@@ -86,13 +86,9 @@ fn animated(nodes: &str, roots: &str, animations: &[(&str, &[Channel<'_>])]) -> 
 
 fn load(t: &Scratch, set: &[&str]) -> Result<Job> {
     let flags = RenderFlags {
-        frames: None,
         device: Device::Cpu,
-        method: None,
         set: set.iter().map(|&s| s.to_owned()).collect(),
-        out: None,
-        seed: None,
-        strict: false,
+        ..RenderFlags::default()
     };
     let reporter = Reporter::new(Talk {
         quiet: true,

@@ -11,7 +11,8 @@ use crate::frame::Frames;
 use crate::input::probe::{self, Probe};
 use crate::notes::Notes;
 use crate::output::Stamp;
-use crate::shot::{Mapping, digest};
+use crate::shot::digest::{self, Hash};
+use crate::shot::{Mapping, Method};
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
 use std::path::Path;
@@ -48,6 +49,8 @@ pub(super) struct Taker<'a> {
     /// The light, once its first frame has come.
     probe: Option<Probe>,
     has_colour: bool,
+    /// Hash of all lights so far, for frames that go on from one another.
+    chain: Hash,
     notes: Notes,
 }
 
@@ -71,6 +74,7 @@ impl<'a> Taker<'a> {
             plates,
             ball,
             probe: None,
+            chain: [0; 32],
             has_colour: false,
             notes,
         }
@@ -195,6 +199,11 @@ impl<'a> Taker<'a> {
         if let Some(laid) = &laid {
             inputs = digest::join([&inputs, &laid.hash]);
         }
+        let is_chain = setup.shot.render.method == Method::Smc;
+        if is_chain {
+            self.chain = digest::join([&self.chain, &inputs]);
+            inputs = self.chain;
+        }
         let hash = digest::of_frame(&setup.digest, &inputs, frame);
         let stamp = Stamp { hash, frame };
         let mut taken = Taken {
@@ -202,7 +211,8 @@ impl<'a> Taker<'a> {
             arrived,
             inputs: None,
         };
-        if Frames::of(setup).are_there(&taken.stamp) {
+        // Of frames that go on from one another none is left out.
+        if !is_chain && Frames::of(setup).are_there(&taken.stamp) {
             return Ok(Some(taken));
         }
         let tables = Instant::now();

@@ -4,6 +4,7 @@ pub mod aov;
 pub mod atomic;
 pub mod exr;
 pub mod png;
+pub mod state;
 pub mod video;
 
 use crate::error::Result;
