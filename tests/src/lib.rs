@@ -12,6 +12,6 @@ pub mod gpu;
     reason = "each form of the language is there to be lowered, the unusual ones above all"
 )]
 pub mod kernels;
-pub mod quadrature;
 pub mod shared_image;
-pub mod stats;
+
+pub use glimt_statistics::{quadrature, stats};

@@ -36,7 +36,9 @@ pub fn normalise(particles: &mut [Particle]) -> f32 {
     }
     let mut sum = 0.0;
     for i in 0..n {
-        sum += libm::expf(particles[i].log_weight - largest);
+        if !is_log_zero(particles[i].log_weight) {
+            sum += libm::expf(particles[i].log_weight - largest);
+        }
     }
     let log_sum = largest + libm::logf(sum);
     for i in 0..n {
