@@ -36,9 +36,7 @@ pub fn normalise(particles: &mut [Particle]) -> f32 {
     }
     let mut sum = 0.0;
     for i in 0..n {
-        if !is_log_zero(particles[i].log_weight) {
-            sum += libm::expf(particles[i].log_weight - largest);
-        }
+        sum += libm::expf(particles[i].log_weight - largest);
     }
     let log_sum = largest + libm::logf(sum);
     for i in 0..n {

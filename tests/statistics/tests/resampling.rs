@@ -117,8 +117,7 @@ fn copies_have_the_moments_of_theory() {
                 check(e[i], format!("mean of {i}"), &|c| f64::from(c[i]));
                 tests += 1;
                 for j in 0..=i {
-                    let product =
-                        |c: &[u32]| (f64::from(c[i]) - e[i]) * (f64::from(c[j]) - e[j]);
+                    let product = |c: &[u32]| (f64::from(c[i]) - e[i]) * (f64::from(c[j]) - e[j]);
                     if let Some(value) = covariance(scheme, &e, n, i, j) {
                         check(value, format!("covariance of {i} and {j}"), &product);
                         tests += 1;
@@ -127,7 +126,10 @@ fn copies_have_the_moments_of_theory() {
             }
         }
     }
-    assert!((500..=1000).contains(&tests), "{tests} tests share the level");
+    assert!(
+        (500..=1000).contains(&tests),
+        "{tests} tests share the level"
+    );
 }
 
 /// Douc, Cappé, Moulines 2005: a count cannot vary less than under systematic resampling; residual and stratified picks vary
@@ -155,7 +157,10 @@ fn variances_are_ordered() {
             for (pair, (less, more)) in pairs.into_iter().enumerate() {
                 let error = less.standard_error.hypot(more.standard_error);
                 let excess = less.mean - more.mean;
-                assert!(excess <= 5.0 * error + 1e-12, "case {case}, item {i}, pair {pair}: {less:?} {more:?}");
+                assert!(
+                    excess <= 5.0 * error + 1e-12,
+                    "case {case}, item {i}, pair {pair}: {less:?} {more:?}"
+                );
                 strict[pair] += u32::from(-excess > 5.0 * error);
             }
         }
@@ -229,7 +234,12 @@ fn a_resampling_draws_the_same_number_of_words_whatever_the_weights() {
                 assert_eq!(skipping.drawn, drawing.drawn);
                 let mut black = source();
                 let mut untouched = vec![7; n];
-                assert!(!ancestors_into(scheme, &[0.0; 3], &mut untouched, &mut black));
+                assert!(!ancestors_into(
+                    scheme,
+                    &[0.0; 3],
+                    &mut untouched,
+                    &mut black
+                ));
                 assert_eq!((black.drawn, untouched), (drawing.drawn, vec![7; n]));
             }
         }
@@ -284,12 +294,18 @@ fn a_set_is_resampled_as_a_list_of_ancestors_is() {
             let mut twin = source;
             let picked = copies(scheme, &weights, n, &mut twin);
             resample(scheme, &mut set, &mut source);
-            assert_eq!(source, twin, "{scheme:?} {key}: the streams are out of step");
+            assert_eq!(
+                source, twin,
+                "{scheme:?} {key}: the streams are out of step"
+            );
             let mut found = vec![0; n];
             for (i, particle) in set.iter().enumerate() {
                 let ancestor = particle.state.x as usize;
                 found[ancestor] += 1;
-                assert!(picked[i] == 0 || ancestor == i, "{scheme:?} {key}: {i} has moved");
+                assert!(
+                    picked[i] == 0 || ancestor == i,
+                    "{scheme:?} {key}: {i} has moved"
+                );
                 assert!((particle.weight() * n as f32 - 1.0).abs() < 1e-5);
             }
             assert_eq!(found, picked, "{scheme:?} {key}: {weights:?}");
