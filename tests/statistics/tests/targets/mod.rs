@@ -3,14 +3,14 @@
 
 #![allow(dead_code, reason = "each test file takes what it needs")]
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use glam::{UVec3, Vec3};
 use glimt_sampling::warp::{
     pdf_cosine_hemisphere_sr, pdf_power_cosine_sr, pdf_uniform_sphere_sr, sample_cosine_hemisphere,
     sample_power_cosine, sample_uniform_sphere,
 };
-use glimt_sampling::{ShadingFrame, unit_f32, unit_vec2};
+use glimt_sampling::{ShadingFrame, unit_vec2};
 use glimt_smc::{Endpoints, Sampled, StateSampler, Target, split_word};
 use glimt_statistics::quadrature::{Direction, integrate_band};
 
@@ -21,14 +21,14 @@ pub(crate) enum Phi {
     One,
     /// The direction's x.
     X,
-    /// 1 inside the cone about +z of half-angle 3π/8, 0 elsewhere: vanishes where γ does not.
+    /// 1 where z > ¼, 0 elsewhere: vanishes where γ does not.
     Visible,
 }
 
 pub(crate) const PHIS: [Phi; 3] = [Phi::One, Phi::X, Phi::Visible];
 
-/// cos 3π/8: the edge between the third and the fourth of eight rows of a lat-long map.
-const VISIBLE_Z: f64 = 0.382_683_432_365_089_8;
+/// The edge between the third and the fourth of eight rows of equal area.
+const VISIBLE_Z: f64 = 0.25;
 
 impl Phi {
     pub(crate) fn at(self, d: Vec3) -> f64 {
@@ -43,6 +43,9 @@ impl Phi {
 /// A density γ_t, t = 0, 1, …
 pub(crate) trait Film: Sync {
     fn gamma(&self, t: u32, d: Vec3) -> f32;
+
+    /// At least γ_t anywhere, for any t.
+    fn bound(&self) -> f32;
 
     /// ∫ γ_t φ, in f64.
     fn exact(&self, t: u32, phi: Phi) -> f64;
@@ -86,7 +89,7 @@ fn integral(f: impl Fn(Direction) -> f64, from: f64, phi: Phi) -> f64 {
 
 /// Where the light is in frame t: it climbs and turns.
 pub(crate) fn light(t: u32) -> Vec3 {
-    let angle = 0.4 + 0.12 * t as f32;
+    let angle = 0.4 + 0.08 * t as f32;
     Vec3::new(angle.sin() * 0.8, 0.6 * angle.sin(), angle.cos())
 }
 
@@ -95,7 +98,7 @@ pub(crate) fn light(t: u32) -> Vec3 {
 pub(crate) struct Product;
 
 impl Product {
-    const KAPPA: [f32; 2] = [6.0, 2.0];
+    const KAPPA: [f32; 2] = [3.5, 1.5];
     const FIXED: Vec3 = Vec3::new(0.48, -0.6, 0.64);
 
     /// `κ_1 μ_t + κ_2 m`.
@@ -108,6 +111,10 @@ impl Film for Product {
     fn gamma(&self, t: u32, d: Vec3) -> f32 {
         (Self::KAPPA[0] * (light(t).dot(d) - 1.0)).exp()
             * (Self::KAPPA[1] * (Self::FIXED.dot(d) - 1.0)).exp()
+    }
+
+    fn bound(&self) -> f32 {
+        1.0
     }
 
     fn exact(&self, t: u32, phi: Phi) -> f64 {
@@ -131,7 +138,7 @@ impl Film for Product {
 pub(crate) struct Glossy;
 
 impl Glossy {
-    const KAPPA: f64 = 12.0;
+    const KAPPA: f64 = 8.0;
     const FLOOR: f64 = 0.05;
     const EXPONENT: f32 = 3.0;
     const MIRRORED: Vec3 = Vec3::new(-0.48, 0.64, 0.6);
@@ -151,17 +158,22 @@ impl Film for Glossy {
         light * (0.2 + 0.8 * lobe) * d.z.max(0.0)
     }
 
+    fn bound(&self) -> f32 {
+        1.05
+    }
+
     fn exact(&self, t: u32, phi: Phi) -> f64 {
         integral(|d| Self::value(t, d), 0.0, phi)
     }
 }
 
-/// A lat-long map of 16 × 8 texels: a dim pattern with black texels, and a bright block that moves by a column a frame.
+/// A map of 16 × 8 texels of equal area: a dim pattern with black texels, and a bright block that moves by a column a frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Map;
 
 impl Map {
-    const SIZE: [u32; 2] = [16, 8];
+    const COLUMNS: u32 = 16;
+    const ROWS: u32 = 8;
 
     /// Radiance; a texel that is black is so in all frames.
     fn texel(t: u32, column: u32, row: u32) -> f32 {
@@ -171,31 +183,40 @@ impl Map {
         }
         let distance = (column + 16 - (t + 2) % 16) % 16;
         let bright = distance < 3 && (row == 2 || row == 3);
-        0.1 + 0.05 * pattern as f32 + if bright { 2.0 } else { 0.0 }
+        0.1 + 0.05 * pattern as f32 + if bright { 0.8 } else { 0.0 }
     }
 }
 
 impl Film for Map {
     fn gamma(&self, t: u32, d: Vec3) -> f32 {
-        let row = (d.z.clamp(-1.0, 1.0).acos() / std::f32::consts::PI * 8.0) as u32;
-        let column = (d.y.atan2(d.x) / std::f32::consts::TAU + 0.5) * 16.0;
-        Self::texel(t, (column as u32).min(15), row.min(7))
+        let row = (1.0 - d.z) * 0.5 * Self::ROWS as f32;
+        let column = (d.y.atan2(d.x) / std::f32::consts::TAU + 0.5) * Self::COLUMNS as f32;
+        Self::texel(
+            t,
+            (column as u32).min(Self::COLUMNS - 1),
+            (row as u32).min(Self::ROWS - 1),
+        )
+    }
+
+    fn bound(&self) -> f32 {
+        1.4
     }
 
     fn exact(&self, t: u32, phi: Phi) -> f64 {
         let mut sum = 0.0;
-        for row in 0..Self::SIZE[1] {
-            let theta = [row, row + 1].map(|r| PI * f64::from(r) / 8.0);
-            if phi == Phi::Visible && row >= 3 {
+        for row in 0..Self::ROWS {
+            let z = [row, row + 1].map(|r| 1.0 - 2.0 * f64::from(r) / f64::from(Self::ROWS));
+            if phi == Phi::Visible && z[1] < VISIBLE_Z {
                 break;
             }
-            for column in 0..Self::SIZE[0] {
-                let azimuth = [column, column + 1].map(|c| TAU * (f64::from(c) / 16.0 - 0.5));
+            for column in 0..Self::COLUMNS {
+                let turn = |c: u32| TAU * (f64::from(c) / f64::from(Self::COLUMNS) - 0.5);
+                let phis = [column, column + 1].map(turn);
                 let integral = if phi == Phi::X {
-                    let height = |x: f64| 0.5 * (x - x.sin() * x.cos());
-                    (height(theta[1]) - height(theta[0])) * (azimuth[1].sin() - azimuth[0].sin())
+                    let disc = |z: f64| 0.5 * (z * (1.0 - z * z).max(0.0).sqrt() + z.asin());
+                    (disc(z[0]) - disc(z[1])) * (phis[1].sin() - phis[0].sin())
                 } else {
-                    (theta[0].cos() - theta[1].cos()) * (azimuth[1] - azimuth[0])
+                    (z[0] - z[1]) * (phis[1] - phis[0])
                 };
                 sum += f64::from(Self::texel(t, column, row)) * integral;
             }
@@ -300,9 +321,4 @@ impl StateSampler for Candidates {
             }
         }
     }
-}
-
-/// A uniform number of a word, in f64.
-pub(crate) fn unit(word: u32) -> f64 {
-    f64::from(unit_f32(word))
 }
