@@ -11,11 +11,12 @@ use naga_front_rust::{
 };
 
 /// The shared sources of every crate of the workspace that has them.
-pub const SOURCES: [(&str, &[(&str, &str)]); 5] = [
+pub const SOURCES: [(&str, &[(&str, &str)]); 6] = [
     glimt_probe::SHADER_SOURCE,
     glimt_sampling::SHADER_SOURCE,
     glimt_envmap_cdf::SHADER_SOURCE,
     glimt_brdf::SHADER_SOURCE,
+    glimt_smc::SHADER_SOURCE,
     glimt_render_gpu::SHADER_SOURCE,
 ];
 
@@ -103,6 +104,7 @@ const EXPORTS: &[Export] = &[
                 "shading_frame",
                 "glimt_sampling::math::ShadingFrame::from_normal",
             ),
+            ("sample_cap", "glimt_sampling::warp::sample_cap"),
             ("owen_sobol", "glimt_sampling::sobol::OwenSobol::new"),
             (
                 "owen_sobol_next",
@@ -116,6 +118,36 @@ const EXPORTS: &[Export] = &[
                 "xoshiro_next",
                 "<glimt_sampling::xoshiro::Xoshiro128PlusPlus as glimt_sampling::uniform::UniformSource>::next_u32",
             ),
+            ("ris_sum", "glimt_sampling::ris::RisSum::new"),
+            ("ris_add", "glimt_sampling::ris::RisSum::add"),
+            ("ris_normaliser", "glimt_sampling::ris::RisSum::normaliser"),
+            ("ris_picks", "glimt_sampling::ris::RisPicks::new"),
+            ("ris_take", "glimt_sampling::ris::RisPicks::take"),
+            ("ris_is_done", "glimt_sampling::ris::RisPicks::is_done"),
+            (
+                "resample_comb",
+                "glimt_sampling::resample::Comb::new::<glimt_sampling::xoshiro::Xoshiro128PlusPlus>",
+            ),
+            (
+                "resample_take",
+                "glimt_sampling::resample::Comb::take::<glimt_sampling::xoshiro::Xoshiro128PlusPlus>",
+            ),
+            (
+                "resample_finish",
+                "glimt_sampling::resample::Comb::finish::<glimt_sampling::xoshiro::Xoshiro128PlusPlus>",
+            ),
+        ],
+        buffers: &[],
+    },
+    Export {
+        file: "crates/smc/wgsl/smc.wgsl",
+        functions: &[
+            ("smc_accept", "glimt_smc::metropolis::accept"),
+            ("smc_bridge_density", "glimt_smc::Bridge::density"),
+            ("smc_bridge_steps", "glimt_smc::Bridge::steps"),
+            ("smc_split_word", "glimt_smc::split_word"),
+            ("smc_particle_weight", "glimt_smc::Particle::weight"),
+            ("smc_is_log_zero", "glimt_smc::is_log_zero"),
         ],
         buffers: &[],
     },

@@ -3,17 +3,16 @@
 use crate::target::Endpoints;
 
 /// How the targets between two frames are mixed of both.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Path {
     /// `γ_k = (1 − β_k) γ_{t−1} + β_k γ_t`.
-    #[default]
     Linear,
     /// `γ_k = γ_{t−1}^(1 − β_k) γ_t^β_k`: zero wherever one of the two is.
     Geometric,
 }
 
 /// K targets between two frames, at `β_k = k/(K + 1)`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bridge {
     /// How they are mixed.
     pub path: Path,
@@ -22,6 +21,26 @@ pub struct Bridge {
 }
 
 impl Bridge {
+    /// K linear mixtures: the paper's choice.
+    #[inline]
+    #[must_use]
+    pub fn linear(intermediate: u32) -> Bridge {
+        Bridge {
+            path: Path::Linear,
+            intermediate,
+        }
+    }
+
+    /// K geometric mixtures.
+    #[inline]
+    #[must_use]
+    pub fn geometric(intermediate: u32) -> Bridge {
+        Bridge {
+            path: Path::Geometric,
+            intermediate,
+        }
+    }
+
     /// Steps from one frame to the next: K + 1.
     #[inline]
     #[must_use]
@@ -32,11 +51,11 @@ impl Bridge {
     /// γ_k, k from 0 to K + 1, of which the first and the last are the endpoints to the last bit.
     ///
     /// ```
-    /// use glimt_smc::{Bridge, Endpoints, Path};
+    /// use glimt_smc::{Bridge, Endpoints};
     /// let ends = Endpoints { previous: 1.0, current: 4.0 };
-    /// let linear = Bridge { path: Path::Linear, intermediate: 1 };
+    /// let linear = Bridge::linear(1);
     /// assert_eq!(linear.density(1, ends), 2.5);
-    /// let geometric = Bridge { path: Path::Geometric, intermediate: 1 };
+    /// let geometric = Bridge::geometric(1);
     /// assert!((geometric.density(1, ends) - 2.0).abs() < 1e-6);
     /// assert_eq!((geometric.density(0, ends), geometric.density(2, ends)), (1.0, 4.0));
     /// ```

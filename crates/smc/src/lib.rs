@@ -19,7 +19,7 @@
 //!     }
 //! }
 //!
-//! let sampler = Sampler { bridge: Bridge { intermediate: 3, ..Bridge::default() }, scheme: Scheme::Systematic, ess_threshold: 2.0 / 3.0 };
+//! let sampler = Sampler { bridge: Bridge::linear(3), scheme: Scheme::Systematic, ess_threshold: 2.0 / 3.0 };
 //! let centre = |t: u32| Vec3::new((0.1 * t as f32).cos(), (0.1 * t as f32).sin(), 0.0);
 //! let truth = core::f32::consts::TAU / 8.0 * (1.0 - (-16.0f32).exp());
 //! let (repetitions, mut mean) = (400, 0.0);
@@ -114,3 +114,8 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("weights.rs", include_str!("weights.rs")),
     ],
 );
+
+/// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own, beside
+/// `glimt_sampling::WGSL` if need be. Enums are numbers there, in the order of their variants.
+#[cfg(feature = "shader-source")]
+pub const WGSL: &str = include_str!("../wgsl/smc.wgsl");

@@ -74,7 +74,7 @@ impl Sampler {
         Report {
             log_ratio,
             ess: size,
-            resampled: u32::from(resampled),
+            resampled: if resampled { 1 } else { 0 },
             accepted,
         }
     }

@@ -420,7 +420,7 @@ fn a_long_product_of_small_ratios_does_not_die() {
     weights::normalise(&mut set);
     let mut log_normaliser = 0.0;
     let sampler = Sampler {
-        bridge: Bridge::default(),
+        bridge: Bridge::linear(0),
         ..PLAN
     };
     let cap = CapMove {
