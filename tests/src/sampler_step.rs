@@ -183,7 +183,7 @@ pub fn ancestors(id: u32, plan: &Plan, particles: &mut [Particle]) -> Outcome {
         let word = source.next_u32();
         particles[i] = Particle {
             state: Vec3::splat(i as f32),
-            log_weight: if word % 4 == 0 {
+            log_weight: if word & 3 == 0 {
                 LOG_ZERO
             } else {
                 (word >> 8) as f32 * (4.0 / 16_777_216.0)

@@ -276,7 +276,7 @@ fn a_set_is_resampled_as_a_list_of_ancestors_is() {
             let mut set: Vec<Particle> = (0..n)
                 .map(|i| {
                     let word = source.next_u32();
-                    let log_weight = if word % 4 == 0 {
+                    let log_weight = if word & 3 == 0 {
                         LOG_ZERO
                     } else {
                         5.0 * (word >> 8) as f32 / 16_777_216.0
