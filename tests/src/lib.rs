@@ -15,5 +15,6 @@ pub mod kernels;
 pub mod sampler_sets;
 pub mod sampler_step;
 pub mod shared_image;
+pub mod unbiased;
 
 pub use glimt_statistics::{quadrature, stats};

@@ -81,7 +81,7 @@
 
 mod bridge;
 pub mod metropolis;
-mod particle;
+pub mod particle;
 #[cfg(feature = "bytemuck")]
 mod pod;
 mod proposal;
