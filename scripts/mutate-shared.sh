@@ -18,9 +18,9 @@ export CARGO_INCREMENTAL=1
 export REQUIRE_GPU=1
 pattern=${1:-}
 
-# Files that are shared but hold no code: crate and module roots, plain structs.
+# Files that are shared but hold no code: crate and module roots, plain structs, traits without bodies.
 has_code() {
-    sed '/#\[cfg(test)\]/,$d' "$1" | grep -vE '^\s*//' | grep -qE '\bfn\b|\bconst\b.*=.*[0-9]'
+    sed '/#\[cfg(test)\]/,$d' "$1" | grep -vE '^\s*(//|fn .*;$)' | grep -qE '\bfn\b|\bconst\b.*=.*[0-9]'
 }
 
 # Prints a line for each image: name, hash from the CPU, hash from the GPU.
@@ -41,7 +41,7 @@ git ls-files -z --cached --others --exclude-standard | while IFS= read -r -d '' 
     # With the time of now: cargo would take a file older than the last change's build for unchanged.
     [ ! -f "$file" ] || cp --parents "$file" "$copy"
 done
-for package in glimt-probe glimt-sampling glimt-envmap-cdf glimt-brdf glimt-render-gpu glimt-tests; do
+for package in glimt-probe glimt-sampling glimt-envmap-cdf glimt-brdf glimt-smc glimt-render-gpu glimt-tests; do
     printf '\n[profile.release.package.%s]\nopt-level = 0\n' "$package" >>"$copy/Cargo.toml"
 done
 

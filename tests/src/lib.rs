@@ -12,7 +12,9 @@ pub mod gpu;
     reason = "each form of the language is there to be lowered, the unusual ones above all"
 )]
 pub mod kernels;
-pub mod quadrature;
+pub mod sampler_sets;
+pub mod sampler_step;
 pub mod shared_image;
-pub mod stats;
 pub mod unbiased;
+
+pub use glimt_statistics::{quadrature, stats};

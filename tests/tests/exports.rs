@@ -6,7 +6,10 @@ use glimt_envmap_cdf::EnvCdf;
 use glimt_probe::latlong;
 use glimt_render_gpu::gpu::{Arg, GpuContext};
 use glimt_render_gpu::host::env::EnvMap;
+use glimt_sampling::resample::{Comb, Scheme};
+use glimt_sampling::ris::{RisPicks, RisSum};
 use glimt_sampling::{OwenSobol, UniformSource, Xoshiro128PlusPlus, unit_vec2};
+use glimt_smc::{Bridge, Endpoints, Particle};
 use glimt_tests::gpu::{OwnedEntry, adapter_or_skip};
 
 const COUNT: u32 = 10_000;
@@ -123,6 +126,132 @@ fn value(id: u32) -> vec4<f32> {
     assert!(found <= 1e-6, "{found}");
     let wrong = difference(&gpu, |id| cpu(id + 1));
     assert!(!(wrong <= 1e-6), "another element's numbers pass");
+}
+
+/// Importance resampling and four picks from eight weights, in a shader of one's own.
+#[test]
+fn resampling() {
+    let Some(context) = adapter_or_skip("exports") else {
+        return;
+    };
+    let by_hand = "
+fn value(id: u32) -> vec4<f32> {
+    var weights: array<f32, 8>;
+    var stream = xoshiro_stream(7u, 2u, id);
+    var sum = ris_sum();
+    for (var i = 0; i < 8; i++) {
+        weights[i] = f32(xoshiro_next(&stream) >> 28u);
+        ris_add(&sum, weights[i]);
+    }
+    var picks = ris_picks(sum, 3u, xoshiro_next(&stream));
+    var comb = resample_comb(id % 3u, 4u, 0u, &stream);
+    var taken = vec2(0u);
+    for (var i = 0; i < 8; i++) {
+        taken.x = taken.x * 4u + ris_take(&picks, weights[i]);
+        taken.y = taken.y * 5u + resample_take(&comb, weights[i] / (8.0 * ris_normaliser(sum)) * 4.0, &stream);
+    }
+    let left = resample_finish(&comb, &stream);
+    let cap = sample_cap(unit_pair(vec2(xoshiro_next(&stream), xoshiro_next(&stream))), 0.1);
+    return vec4(vec2<f32>(taken), f32(left) + ris_normaliser(sum) + cap.direction.x, f32(ris_is_done(picks)));
+}";
+    let gpu = run(
+        &context,
+        glimt_sampling::WGSL,
+        by_hand,
+        [&[0], &[0]],
+        UVec2::ONE,
+    );
+    let cpu = |id: u32| {
+        let mut stream = Xoshiro128PlusPlus::stream(7, 2, id);
+        let mut sum = RisSum::new();
+        let weights: [f32; 8] = std::array::from_fn(|_| {
+            let weight = (stream.next_u32() >> 28) as f32;
+            sum.add(weight);
+            weight
+        });
+        let mut picks = RisPicks::new(&sum, 3, stream.next_u32());
+        let scheme = [Scheme::Systematic, Scheme::Stratified, Scheme::Multinomial][id as usize % 3];
+        let mut comb = Comb::new(scheme, 4, 0, &mut stream);
+        let mut taken = UVec2::ZERO;
+        for weight in weights {
+            let expected = weight / (8.0 * sum.normaliser()) * 4.0;
+            taken.x = taken.x * 4 + picks.take(weight);
+            taken.y = taken.y * 5 + comb.take(expected, &mut stream);
+        }
+        let left = comb.finish(&mut stream);
+        let u = unit_vec2(stream.next_uvec2());
+        let cap = glimt_sampling::warp::sample_cap(u, 0.1).direction;
+        let done = f32::from(u8::from(picks.is_done()));
+        taken
+            .as_vec2()
+            .extend(left as f32 + sum.normaliser() + cap.x)
+            .extend(done)
+    };
+    let margin = |(id, gpu): (u32, &Vec4)| {
+        let cpu = cpu(id);
+        let picked_alike = cpu.x == gpu.x && cpu.y == gpu.y && cpu.w == gpu.w;
+        !(picked_alike && (cpu.z - gpu.z).abs() <= 1e-4)
+    };
+    // A tooth that falls on the edge between two items may go to either.
+    let differing = (0..COUNT).zip(&gpu).filter(|pair| margin(*pair)).count();
+    assert!(
+        differing * 1000 <= COUNT as usize,
+        "{differing} of {COUNT} differ"
+    );
+    let wrong = (1..COUNT).zip(&gpu).filter(|pair| margin(*pair)).count();
+    assert!(wrong * 2 > COUNT as usize, "another element's picks pass");
+}
+
+/// What the sampler's steps are made of, beside the generator of another crate.
+#[test]
+fn sequential_sampling() {
+    let Some(context) = adapter_or_skip("exports") else {
+        return;
+    };
+    let by_hand = "
+fn value(id: u32) -> vec4<f32> {
+    var stream = xoshiro_stream(7u, 3u, id);
+    let u = unit_float(xoshiro_next(&stream));
+    let ends = Endpoints(unit_float(xoshiro_next(&stream)), 2.0 * unit_float(xoshiro_next(&stream)));
+    let bridge = Bridge(id % 2u, 3u);
+    let density = smc_bridge_density(bridge, 1u + id % 4u, ends);
+    let split = smc_split_word(xoshiro_next(&stream), 0.3);
+    let weight = smc_particle_weight(Particle(vec3(0.0), -4.0 * u));
+    let accepted = smc_accept(u, 0.5, 1.0, 0.25, 1.0);
+    let flags = select(0u, 1u, split.first) + select(0u, 2u, accepted) + smc_bridge_steps(bridge) * 4u;
+    return vec4(density, weight, f32(split.word >> 8u) / 16777216.0, f32(flags));
+}";
+    let both = format!("{}{}", glimt_sampling::WGSL, glimt_smc::WGSL);
+    let gpu = run(&context, &both, by_hand, [&[0], &[0]], UVec2::ONE);
+    let found = difference(&gpu, |id| {
+        let mut stream = Xoshiro128PlusPlus::stream(7, 3, id);
+        let u = glimt_sampling::unit_f32(stream.next_u32());
+        let mut end = || glimt_sampling::unit_f32(stream.next_u32());
+        let ends = Endpoints {
+            previous: end(),
+            current: 2.0 * end(),
+        };
+        let bridge = if id % 2 == 0 {
+            Bridge::linear(3)
+        } else {
+            Bridge::geometric(3)
+        };
+        let split = glimt_smc::split_word(stream.next_u32(), 0.3);
+        let particle = Particle {
+            state: Vec3::ZERO,
+            log_weight: -4.0 * u,
+        };
+        let accepted = glimt_smc::accept(u, 0.5, 1.0, 0.25, 1.0);
+        let flags = u32::from(split.first) + 2 * u32::from(accepted) + 4 * bridge.steps();
+        Vec4::new(
+            bridge.density(1 + id % 4, ends),
+            particle.weight(),
+            glimt_sampling::unit_f32(split.word),
+            flags as f32,
+        )
+    });
+    // Relative to flags of up to 19; a flag that differs is 5 %.
+    assert!(found <= 1e-4, "{found}");
 }
 
 #[test]

@@ -112,6 +112,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
     ],
 );
 
-/// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own.
+/// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own. Enums are numbers there,
+/// in the order of their variants.
 #[cfg(feature = "shader-source")]
 pub const WGSL: &str = include_str!("../wgsl/sampling.wgsl");

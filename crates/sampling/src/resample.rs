@@ -154,7 +154,7 @@ impl Comb {
 /// Writes the indices of `ancestors.len()` items that are picked with probabilities in proportion to `weights`, in ascending
 /// order.
 ///
-/// Weights are at least 0 and of any scale; an item of weight 0 is never picked. Where all weights are 0, or there are
+/// Weights are at least 0 and finite, of any scale; an item of weight 0 is never picked. Where all weights are 0, or there are
 /// none, nothing is written and the result is false.
 ///
 /// ```
@@ -172,24 +172,29 @@ pub fn ancestors_into<U: UniformSource>(
     source: &mut U,
 ) -> bool {
     let picks = ancestors.len() as u32;
-    let mut total = 0.0;
+    let mut largest = 0.0f32;
     for i in 0..weights.len() {
-        total += weights[i];
+        largest = largest.max(weights[i]);
     }
-    if !(total > 0.0) {
+    if !(largest > 0.0) {
         skip(scheme, picks, source);
         return false;
+    }
+    // In units of the largest weight no sum overflows, and no quotient of small weights.
+    let mut total = 0.0;
+    for i in 0..weights.len() {
+        total += weights[i] / largest;
     }
     let scale = picks as f32 / total;
     let mut sure = 0;
     for i in 0..weights.len() {
-        sure += sure_copies(scheme, weights[i] * scale);
+        sure += sure_copies(scheme, weights[i] / largest * scale);
     }
     let mut comb = Comb::new(scheme, picks, sure, source);
     let mut filled = 0;
     let mut last = 0;
     for i in 0..weights.len() {
-        let copies = comb.take(weights[i] * scale, source);
+        let copies = comb.take(weights[i] / largest * scale, source);
         for _ in 0..copies {
             if filled < picks {
                 ancestors[filled as usize] = i as u32;

@@ -66,7 +66,8 @@ impl RisSum {
         }
     }
 
-    /// Adds a candidate of weight `γ/q ≥ 0`. An impossible one has weight 0 and counts in M.
+    /// Adds a candidate of weight `γ/q`, at least 0 and such that the sum of all is finite. An impossible one has weight 0 and counts
+    /// in M.
     #[inline]
     pub fn add(&mut self, weight: f32) {
         self.candidates += 1;
@@ -93,8 +94,8 @@ impl RisSum {
 #[derive(Clone, Copy, Debug)]
 pub struct RisPicks {
     comb: Comb,
-    /// Expected picks for one unit of weight.
-    scale: f32,
+    sum: f32,
+    samples: f32,
     left: u32,
     candidate: u32,
     end: u32,
@@ -118,11 +119,8 @@ impl RisPicks {
         let possible = weights.sum > 0.0;
         RisPicks {
             comb: Comb::new(Scheme::Systematic, samples, 0, &mut Word(u)),
-            scale: if possible {
-                samples as f32 / weights.sum
-            } else {
-                0.0
-            },
+            sum: weights.sum,
+            samples: samples as f32,
             left: if possible { samples } else { 0 },
             candidate: 0,
             end: weights.end,
@@ -140,8 +138,9 @@ impl RisPicks {
         let picks = if self.candidate == self.end {
             self.left
         } else {
+            // The quotient first: the inverse of a small sum would overflow.
             self.comb
-                .take(weight * self.scale, &mut Word(0))
+                .take(weight / self.sum * self.samples, &mut Word(0))
                 .min(self.left)
         };
         self.left -= picks;

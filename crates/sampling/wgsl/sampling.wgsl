@@ -6,6 +6,11 @@ struct ShadingFrame {
     n: vec3<f32>,
 }
 
+struct DirectionSample {
+    direction: vec3<f32>,
+    pdf_sr: f32,
+}
+
 struct OwenSobol {
     seed: u32,
     index: u32,
@@ -14,6 +19,35 @@ struct OwenSobol {
 
 struct Xoshiro128PlusPlus {
     state: vec4<u32>,
+}
+
+struct RisSum {
+    sum: f32,
+    candidates: u32,
+    end: u32,
+}
+
+struct Word {
+    f0_: u32,
+}
+
+struct Comb {
+    scheme: u32,
+    picks: u32,
+    teeth: u32,
+    made: u32,
+    next: f32,
+    reach: f32,
+    state: f32,
+}
+
+struct RisPicks {
+    comb: Comb,
+    sum: f32,
+    samples: f32,
+    left: u32,
+    candidate: u32,
+    end: u32,
 }
 
 // glimt_sampling/src/uniform.rs:15
@@ -86,6 +120,36 @@ fn shading_frame(n: vec3<f32>) -> ShadingFrame {
     let c_1 = ((n.x * n.y) * a_2);
     // glimt_sampling/src/math.rs:49
     return ShadingFrame(vec3<f32>((1f + (((sign_ * n.x) * n.x) * a_2)), (sign_ * c_1), (-(sign_) * n.x)), vec3<f32>(c_1, (sign_ + ((n.y * n.y) * a_2)), -(n.y)), n);
+}
+
+// glimt_sampling/src/warp.rs:182
+fn cos_sin_turns(turns: f32) -> vec2<f32> {
+    var chosen_1: f32;
+
+    // glimt_sampling/src/warp.rs:183
+    if (turns < 0.5f) {
+        chosen_1 = turns;
+    } else {
+        chosen_1 = (turns - 1f);
+    }
+    let signed = chosen_1;
+    // glimt_sampling/src/warp.rs:184
+    let phi = (6.2831855f * signed);
+    // glimt_sampling/src/warp.rs:185
+    return vec2<f32>(cos(phi), sin(phi));
+}
+
+// glimt_sampling/src/warp.rs:169
+fn sample_cap(u_2: vec2<f32>, height: f32) -> DirectionSample {
+
+    // glimt_sampling/src/warp.rs:170
+    let h = (u_2.x * height);
+    // glimt_sampling/src/warp.rs:172
+    let sin_theta = sqrt(max((h * (2f - h)), 0f));
+    // glimt_sampling/src/warp.rs:173
+    let _e15 = cos_sin_turns(u_2.y);
+    // glimt_sampling/src/warp.rs:174
+    return DirectionSample(vec3<f32>((sin_theta * _e15.x), (sin_theta * _e15.y), (1f - h)), ((0.5f * 0.31830987f) / height));
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -294,7 +358,7 @@ fn recurrence_3_(index_3: u32) -> u32 {
 
 // glimt_sampling/src/sobol.rs:43
 fn sobol_reversed(index_4: u32, dimension: u32) -> u32 {
-    var chosen_1: u32;
+    var chosen_2: u32;
 
     // glimt_sampling/src/sobol.rs:44
     let index_5 = (index_4 & 65535u);
@@ -302,52 +366,52 @@ fn sobol_reversed(index_4: u32, dimension: u32) -> u32 {
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen_1 = index_5;
+        chosen_2 = index_5;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
             let _e16 = pascal(index_5);
-            chosen_1 = _e16;
+            chosen_2 = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
                 let _e20 = recurrence_2_(index_5);
-                chosen_1 = _e20;
+                chosen_2 = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
                 let _e22 = recurrence_3_(index_5);
-                chosen_1 = _e22;
+                chosen_2 = _e22;
             }
         }
     }
-    let _e23 = chosen_1;
+    let _e23 = chosen_2;
     return _e23;
 }
 
 // glimt_sampling/src/sobol.rs:109
 fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
-    var chosen_2: u32;
+    var chosen_3: u32;
 
     // glimt_sampling/src/sobol.rs:110
     let _e6 = (dimension_1 & 3u);
     if (_e6 == 0u) {
         // glimt_sampling/src/sobol.rs:111
-        chosen_2 = 2435803578u;
+        chosen_3 = 2435803578u;
     } else {
         if (_e6 == 1u) {
             // glimt_sampling/src/sobol.rs:112
-            chosen_2 = 391059627u;
+            chosen_3 = 391059627u;
         } else {
             if (_e6 == 2u) {
                 // glimt_sampling/src/sobol.rs:113
-                chosen_2 = 1763603146u;
+                chosen_3 = 1763603146u;
             } else {
                 // glimt_sampling/src/sobol.rs:114
-                chosen_2 = 3020734904u;
+                chosen_3 = 3020734904u;
             }
         }
     }
-    let salt = chosen_2;
+    let salt = chosen_3;
     // glimt_sampling/src/sobol.rs:117
     let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
     // glimt_sampling/src/sobol.rs:118
@@ -503,5 +567,376 @@ fn xoshiro_next(this_1: ptr<function, Xoshiro128PlusPlus>) -> u32 {
     (*this_1).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
+}
+
+// glimt_sampling/src/ris.rs:61
+fn ris_sum() -> RisSum {
+
+    // glimt_sampling/src/ris.rs:62
+    return RisSum(0f, 0u, 0u);
+}
+
+// glimt_sampling/src/ris.rs:72
+fn ris_add(this_2: ptr<function, RisSum>, weight: f32) {
+
+    // glimt_sampling/src/ris.rs:73
+    let _e6 = (*this_2).candidates;
+    (*this_2).candidates = (_e6 + 1u);
+    // glimt_sampling/src/ris.rs:74
+    if (weight > 0f) {
+        // glimt_sampling/src/ris.rs:75
+        let _e13 = (*this_2).sum;
+        (*this_2).sum = (_e13 + weight);
+        // glimt_sampling/src/ris.rs:76
+        let _e17 = (*this_2).candidates;
+        (*this_2).end = _e17;
+    }
+    return;
+}
+
+// glimt_sampling/src/ris.rs:83
+fn ris_normaliser(this_3: RisSum) -> f32 {
+    var chosen_4: f32;
+
+    // glimt_sampling/src/ris.rs:84
+    if (this_3.candidates > 0u) {
+        // glimt_sampling/src/ris.rs:85
+        chosen_4 = (this_3.sum / f32(this_3.candidates));
+    } else {
+        // glimt_sampling/src/ris.rs:87
+        chosen_4 = 0f;
+    }
+    let _e14 = chosen_4;
+    return _e14;
+}
+
+// glimt_sampling/src/ris.rs:109
+fn Word_next_u32_(this_4: ptr<function, Word>) -> u32 {
+
+    // glimt_sampling/src/ris.rs:110
+    let _e4 = (*this_4).f0_;
+    return _e4;
+}
+
+// glimt_sampling/src/resample.rs:135
+fn Comb_place_tooth(this_5: ptr<function, Comb>, source: ptr<function, Word>) {
+
+    // glimt_sampling/src/resample.rs:136
+    let _e5 = (*this_5).made;
+    let _e7 = (*this_5).teeth;
+    if (_e5 >= _e7) {
+        // glimt_sampling/src/resample.rs:137
+        return;
+    }
+    // glimt_sampling/src/resample.rs:139
+    let _e12 = (*this_5).made;
+    let first = f32(_e12);
+    // glimt_sampling/src/resample.rs:140
+    let _e16 = (*this_5).scheme;
+    if (_e16 == 0u) {
+        // glimt_sampling/src/resample.rs:141
+        let _e21 = (*this_5).state;
+        (*this_5).next = (first + _e21);
+    } else {
+        let _e25 = (*this_5).scheme;
+        if (_e25 == 1u) {
+            // glimt_sampling/src/resample.rs:143
+            let _e29 = Word_next_u32_(source);
+            let _e30 = unit_float(_e29);
+            (*this_5).next = (first + _e30);
+        } else {
+            // glimt_sampling/src/resample.rs:146
+            let _e35 = Word_next_u32_(source);
+            let _e36 = unit_float(_e35);
+            let v_1 = (1f - _e36);
+            // glimt_sampling/src/resample.rs:147
+            let _e40 = (*this_5).teeth;
+            let _e42 = (*this_5).made;
+            let left = f32((_e40 - _e42));
+            // glimt_sampling/src/resample.rs:148
+            let _e50 = (*this_5).state;
+            (*this_5).state = (_e50 * pow(v_1, (1f / left)));
+            // glimt_sampling/src/resample.rs:149
+            let _e55 = (*this_5).state;
+            let _e58 = (*this_5).teeth;
+            (*this_5).next = ((1f - _e55) * f32(_e58));
+        }
+    }
+    return;
+}
+
+// glimt_sampling/src/resample.rs:84
+fn Comb_new(scheme: u32, picks: u32, sure: u32, source_1: ptr<function, Word>) -> Comb {
+    var comb: Comb;
+
+    // glimt_sampling/src/resample.rs:85
+    comb = Comb(scheme, picks, (max(picks, sure) - sure), 0u, 0f, 0f, 1f);
+    // glimt_sampling/src/resample.rs:94
+    if (scheme == 0u) {
+        // glimt_sampling/src/resample.rs:95
+        let _e18 = Word_next_u32_(source_1);
+        let _e19 = unit_float(_e18);
+        comb.state = _e19;
+    }
+    // glimt_sampling/src/resample.rs:97
+    Comb_place_tooth((&comb), source_1);
+    // glimt_sampling/src/resample.rs:98
+    let _e23 = comb;
+    return _e23;
+}
+
+// glimt_sampling/src/ris.rs:118
+fn ris_picks(weights: RisSum, samples: u32, u_3: u32) -> RisPicks {
+    var borrowed: Word;
+    var chosen_5: u32;
+
+    // glimt_sampling/src/ris.rs:119
+    let possible = (weights.sum > 0f);
+    // glimt_sampling/src/ris.rs:120
+    borrowed = Word(u_3);
+    let _e13 = Comb_new(0u, samples, 0u, (&borrowed));
+    if possible {
+        // glimt_sampling/src/ris.rs:124
+        chosen_5 = samples;
+    } else {
+        chosen_5 = 0u;
+    }
+    let _e19 = chosen_5;
+    return RisPicks(_e13, weights.sum, f32(samples), _e19, 0u, weights.end);
+}
+
+// glimt_sampling/src/resample.rs:44
+fn sure_copies(scheme_1: u32, expected: f32) -> u32 {
+    var chosen_6: u32;
+
+    // glimt_sampling/src/resample.rs:45
+    if (scheme_1 == 3u) {
+        // glimt_sampling/src/resample.rs:46
+        chosen_6 = u32(expected);
+    } else {
+        // glimt_sampling/src/resample.rs:48
+        chosen_6 = 0u;
+    }
+    let _e11 = chosen_6;
+    return _e11;
+}
+
+// glimt_sampling/src/resample.rs:105
+fn Comb_take(this_6: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, Word>) -> u32 {
+
+    // glimt_sampling/src/resample.rs:106
+    let _e6 = (*this_6).scheme;
+    let _e7 = sure_copies(_e6, expected_1);
+    // glimt_sampling/src/resample.rs:107
+    let _e12 = (*this_6).reach;
+    (*this_6).reach = (_e12 + (expected_1 - f32(_e7)));
+    // glimt_sampling/src/resample.rs:108
+    let before = (*this_6).made;
+    // glimt_sampling/src/resample.rs:109
+    loop {
+        let _e19 = (*this_6).made;
+        let _e21 = (*this_6).teeth;
+        let _e24 = (*this_6).next;
+        let _e26 = (*this_6).reach;
+        if ((_e19 < _e21) && (_e24 < _e26)) {
+            // glimt_sampling/src/resample.rs:110
+            let _e32 = (*this_6).made;
+            (*this_6).made = (_e32 + 1u);
+            // glimt_sampling/src/resample.rs:111
+            Comb_place_tooth(this_6, source_2);
+        } else {
+            break;
+        }
+    }
+    // glimt_sampling/src/resample.rs:113
+    let _e37 = (*this_6).made;
+    return (_e7 + (_e37 - before));
+}
+
+// glimt_sampling/src/ris.rs:133
+fn ris_take(this_7: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+    var chosen_7: u32;
+    var borrowed_1: Comb;
+    var borrowed_2: Word;
+
+    // glimt_sampling/src/ris.rs:134
+    let _e6 = (*this_7).candidate;
+    (*this_7).candidate = (_e6 + 1u);
+    // glimt_sampling/src/ris.rs:135
+    let _e13 = (*this_7).left;
+    if (!((weight_1 > 0f)) || (_e13 == 0u)) {
+        // glimt_sampling/src/ris.rs:136
+        return 0u;
+    }
+    // glimt_sampling/src/ris.rs:138
+    let _e22 = (*this_7).candidate;
+    let _e24 = (*this_7).end;
+    if (_e22 == _e24) {
+        // glimt_sampling/src/ris.rs:139
+        let _e28 = (*this_7).left;
+        chosen_7 = _e28;
+    } else {
+        // glimt_sampling/src/ris.rs:142
+        let _e32 = (*this_7).comb;
+        borrowed_1 = _e32;
+        let _e34 = (*this_7).sum;
+        let _e37 = (*this_7).samples;
+        borrowed_2 = Word(0u);
+        let _e42 = Comb_take((&borrowed_1), ((weight_1 / _e34) * _e37), (&borrowed_2));
+        let _e43 = borrowed_1;
+        (*this_7).comb = _e43;
+        let _e45 = (*this_7).left;
+        chosen_7 = min(_e42, _e45);
+    }
+    let picks_2 = chosen_7;
+    // glimt_sampling/src/ris.rs:146
+    let _e50 = (*this_7).left;
+    (*this_7).left = (_e50 - picks_2);
+    // glimt_sampling/src/ris.rs:147
+    return picks_2;
+}
+
+// glimt_sampling/src/ris.rs:153
+fn ris_is_done(this_8: RisPicks) -> bool {
+
+    // glimt_sampling/src/ris.rs:154
+    return (this_8.left == 0u);
+}
+
+// glimt_sampling/src/resample.rs:135
+fn Comb_place_tooth_1(this_9: ptr<function, Comb>, source_3: ptr<function, Xoshiro128PlusPlus>) {
+
+    // glimt_sampling/src/resample.rs:136
+    let _e5 = (*this_9).made;
+    let _e7 = (*this_9).teeth;
+    if (_e5 >= _e7) {
+        // glimt_sampling/src/resample.rs:137
+        return;
+    }
+    // glimt_sampling/src/resample.rs:139
+    let _e12 = (*this_9).made;
+    let first_1 = f32(_e12);
+    // glimt_sampling/src/resample.rs:140
+    let _e16 = (*this_9).scheme;
+    if (_e16 == 0u) {
+        // glimt_sampling/src/resample.rs:141
+        let _e21 = (*this_9).state;
+        (*this_9).next = (first_1 + _e21);
+    } else {
+        let _e25 = (*this_9).scheme;
+        if (_e25 == 1u) {
+            // glimt_sampling/src/resample.rs:143
+            let _e29 = xoshiro_next(source_3);
+            let _e30 = unit_float(_e29);
+            (*this_9).next = (first_1 + _e30);
+        } else {
+            // glimt_sampling/src/resample.rs:146
+            let _e35 = xoshiro_next(source_3);
+            let _e36 = unit_float(_e35);
+            let v_2 = (1f - _e36);
+            // glimt_sampling/src/resample.rs:147
+            let _e40 = (*this_9).teeth;
+            let _e42 = (*this_9).made;
+            let left_1 = f32((_e40 - _e42));
+            // glimt_sampling/src/resample.rs:148
+            let _e50 = (*this_9).state;
+            (*this_9).state = (_e50 * pow(v_2, (1f / left_1)));
+            // glimt_sampling/src/resample.rs:149
+            let _e55 = (*this_9).state;
+            let _e58 = (*this_9).teeth;
+            (*this_9).next = ((1f - _e55) * f32(_e58));
+        }
+    }
+    return;
+}
+
+// glimt_sampling/src/resample.rs:84
+fn resample_comb(scheme_2: u32, picks_1: u32, sure_1: u32, source_4: ptr<function, Xoshiro128PlusPlus>) -> Comb {
+    var comb_1: Comb;
+
+    // glimt_sampling/src/resample.rs:85
+    comb_1 = Comb(scheme_2, picks_1, (max(picks_1, sure_1) - sure_1), 0u, 0f, 0f, 1f);
+    // glimt_sampling/src/resample.rs:94
+    if (scheme_2 == 0u) {
+        // glimt_sampling/src/resample.rs:95
+        let _e18 = xoshiro_next(source_4);
+        let _e19 = unit_float(_e18);
+        comb_1.state = _e19;
+    }
+    // glimt_sampling/src/resample.rs:97
+    Comb_place_tooth_1((&comb_1), source_4);
+    // glimt_sampling/src/resample.rs:98
+    let _e23 = comb_1;
+    return _e23;
+}
+
+// glimt_sampling/src/resample.rs:105
+fn resample_take(this_10: ptr<function, Comb>, expected_2: f32, source_5: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/resample.rs:106
+    let _e6 = (*this_10).scheme;
+    let _e7 = sure_copies(_e6, expected_2);
+    // glimt_sampling/src/resample.rs:107
+    let _e12 = (*this_10).reach;
+    (*this_10).reach = (_e12 + (expected_2 - f32(_e7)));
+    // glimt_sampling/src/resample.rs:108
+    let before_1 = (*this_10).made;
+    // glimt_sampling/src/resample.rs:109
+    loop {
+        let _e19 = (*this_10).made;
+        let _e21 = (*this_10).teeth;
+        let _e24 = (*this_10).next;
+        let _e26 = (*this_10).reach;
+        if ((_e19 < _e21) && (_e24 < _e26)) {
+            // glimt_sampling/src/resample.rs:110
+            let _e32 = (*this_10).made;
+            (*this_10).made = (_e32 + 1u);
+            // glimt_sampling/src/resample.rs:111
+            Comb_place_tooth_1(this_10, source_5);
+        } else {
+            break;
+        }
+    }
+    // glimt_sampling/src/resample.rs:113
+    let _e37 = (*this_10).made;
+    return (_e7 + (_e37 - before_1));
+}
+
+// glimt_sampling/src/resample.rs:120
+fn resample_finish(this_11: ptr<function, Comb>, source_6: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+    var counter: u32;
+
+    // glimt_sampling/src/resample.rs:121
+    let _e5 = (*this_11).teeth;
+    let _e7 = (*this_11).made;
+    let left_2 = (_e5 - _e7);
+    // glimt_sampling/src/resample.rs:122
+    let _e11 = (*this_11).scheme;
+    if (_e11 != 0u) {
+        // glimt_sampling/src/resample.rs:124
+        let _e16 = (*this_11).teeth;
+        let _e18 = (*this_11).made;
+        let drawn = min(_e16, (_e18 + 1u));
+        // glimt_sampling/src/resample.rs:125
+        let _e24 = (*this_11).picks;
+        counter = drawn;
+        loop {
+            let _e26 = counter;
+            if (_e26 >= _e24) {
+                break;
+            }
+            // glimt_sampling/src/resample.rs:126
+            let _e29 = xoshiro_next(source_6);
+            continuing {
+                let _e30 = counter;
+                counter = (_e30 + 1u);
+            }
+        }
+    }
+    // glimt_sampling/src/resample.rs:129
+    let _e35 = (*this_11).teeth;
+    (*this_11).made = _e35;
+    // glimt_sampling/src/resample.rs:130
+    return left_2;
 }
 

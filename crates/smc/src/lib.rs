@@ -59,16 +59,19 @@
 //!
 //! - Weights are kept as logarithms; a weight of 0 is [`LOG_ZERO`].
 //! - A step draws a fixed number of words whatever it decides, so that two processors' generators stay in step.
-//! - A set whose weights are all 0 stays so: it is the caller's to start it anew, with its normaliser.
+//! - A set whose weights are all 0 stays so: it is the caller's to start it anew, with its normaliser. A set without particles is one.
+//! - Densities have any unit as long as f32 holds them, and their products with proposals' densities.
 //! - The sampler is unbiased for a fixed plan. Starting a set anew *because of* its normaliser biases it.
 //!
 //! # One source, two processors
 //!
-//! All modules but `pod` (bytes for uploads, behind the feature `bytemuck`) are *shared files*: plain Rust without heap or standard library that also lowers
-//! to WGSL. With the feature `shader-source` their text is at hand as `SHADER_SOURCE`.
+//! All modules but `pod` (bytes for uploads, behind the feature `bytemuck`) are *shared files*: plain Rust without heap or
+//! standard library that also lowers to WGSL. With the feature `shader-source` their text is at hand as `SHADER_SOURCE`, and `WGSL`
+//! holds those functions that need neither a target nor a proposal of one's own.
 //!
 //! # Bibliography
 //!
+//! - R. Douc, O. Cappé, E. Moulines: *Comparison of resampling schemes for particle filtering*, ISPA 2005.
 //! - J. Kronander et al.: *Real-time video based lighting using GPU raytracing*, EUSIPCO 2014.
 //! - A. Ghosh, A. Doucet, W. Heidrich: *Sequential sampling for dynamic environment map illumination*, EGSR 2006.
 //! - P. Del Moral, A. Doucet, A. Jasra: *Sequential Monte Carlo samplers*, J. R. Stat. Soc. B 68(3), 2006.
@@ -114,3 +117,8 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("weights.rs", include_str!("weights.rs")),
     ],
 );
+
+/// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own, beside
+/// `glimt_sampling::WGSL` if need be. Enums are numbers there, in the order of their variants.
+#[cfg(feature = "shader-source")]
+pub const WGSL: &str = include_str!("../wgsl/smc.wgsl");

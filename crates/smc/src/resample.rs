@@ -3,7 +3,7 @@
 use glimt_sampling::resample::{Comb, Scheme, sure_copies};
 use glimt_sampling::uniform::UniformSource;
 
-use crate::particle::{Particle, is_log_zero};
+use crate::particle::Particle;
 use crate::weights::make_equal;
 
 /// Picks N of the N particles in proportion to their normalised weights, and gives each the weight 1/N.
@@ -24,11 +24,11 @@ pub fn resample<U: UniformSource>(scheme: Scheme, particles: &mut [Particle], so
     let mut last = n;
     let mut picks = 0;
     for i in 0..n {
-        let possible = !is_log_zero(particles[i].log_weight);
-        let copies = comb.take(particles[i].weight() * scale, source);
+        let weight = particles[i].weight();
+        let copies = comb.take(weight * scale, source);
         particles[i].log_weight = copies as f32;
         picks += copies;
-        if possible {
+        if weight > 0.0 {
             last = i;
         }
     }

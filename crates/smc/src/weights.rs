@@ -38,13 +38,14 @@ pub fn normalise(particles: &mut [Particle]) -> f32 {
     for i in 0..n {
         sum += libm::expf(particles[i].log_weight - largest);
     }
-    let log_sum = largest + libm::logf(sum);
+    let rest = libm::logf(sum);
     for i in 0..n {
         if !is_log_zero(particles[i].log_weight) {
-            particles[i].log_weight -= log_sum;
+            // In two steps: far from 0, the sum of both would round the weights by more than their own digits.
+            particles[i].log_weight = (particles[i].log_weight - largest) - rest;
         }
     }
-    log_sum
+    largest + rest
 }
 
 /// The effective sample size `1/Σ (Wⁱ)²` of normalised weights: 1 where one particle has all the weight, N where all have the
@@ -87,5 +88,18 @@ mod tests {
         assert_eq!(normalise(&mut set), 3.0);
         assert_eq!(set[1].weight(), 1.0);
         assert_eq!(set[0].weight(), 0.0);
+    }
+
+    #[test]
+    fn weights_sum_to_one_wherever_their_logarithms_lie() {
+        for shift in [-1e6, -1000.0, 0.0, 80.0, 1e5] {
+            let mut set = [-0.25, 0.5, 0.0, 2.0].map(|log| Particle {
+                state: Vec3::X,
+                log_weight: shift + log,
+            });
+            normalise(&mut set);
+            let sum: f32 = set.iter().map(Particle::weight).sum();
+            assert!((sum - 1.0).abs() < 1e-6, "{shift} {sum}");
+        }
     }
 }

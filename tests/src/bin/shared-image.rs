@@ -12,6 +12,7 @@ fn main() {
     let mut images = vec![shared_image::atlas_pair(&program, &context)];
     images.push(shared_image::light_pair(&program, &context));
     images.push(shared_image::capture_pair(&program, &context));
+    images.push(shared_image::sampler_pair(&program, &context));
     images.extend(shared_image::frame_pairs(&program, &context));
     for image in images {
         let (cpu, gpu) = (hash(&image.cpu), hash(&image.gpu));

@@ -7,6 +7,7 @@ mod capture;
 mod frame;
 mod layered;
 mod light;
+pub mod sampler;
 
 use bytemuck::NoUninit;
 use glam::{UVec2, Vec4};
@@ -14,12 +15,13 @@ use glimt_envmap_cdf::{CompensatedCdf, build_compensated_into, required_len};
 use glimt_render_gpu::gpu::{Arg, GpuBuffer, GpuContext};
 use naga_front_rust::{EntryDesc, Program};
 
-use crate::golden;
 use crate::gpu::entry_of;
+use crate::{golden, sampler_sets};
 
 pub use capture::capture_pair;
 pub use frame::frame_pairs;
 pub use light::light_pair;
+pub use sampler::sampler_pair;
 
 /// One image on both processors, as words.
 #[derive(Clone, Debug)]
@@ -39,7 +41,7 @@ pub struct Pair {
 #[must_use]
 pub fn program() -> Program {
     let atlas: (&str, &[(&str, &str)]) = ("atlas", &[("lib.rs", include_str!("atlas.rs"))]);
-    let sources = [&golden::SOURCES[..], &[atlas]].concat();
+    let sources = [&golden::SOURCES[..], &[atlas, sampler_sets::SHADER_SOURCE]].concat();
     golden::program(&sources).unwrap_or_else(|error| panic!("{error}"))
 }
 

@@ -216,7 +216,8 @@ struct Comb {
 
 struct RisPicks {
     comb: Comb,
-    scale: f32,
+    sum: f32,
+    samples: f32,
     left: u32,
     candidate: u32,
     end: u32,
@@ -2494,28 +2495,28 @@ fn Candidates_draw(this_28: Candidates, index_15: u32, point_1: ShadingPoint, pa
     return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_28.count) / _e168)));
 }
 
-// glimt_sampling/src/ris.rs:71
+// glimt_sampling/src/ris.rs:72
 fn RisSum_add(this_29: ptr<function, RisSum>, weight: f32) {
 
-    // glimt_sampling/src/ris.rs:72
+    // glimt_sampling/src/ris.rs:73
     let _e6 = (*this_29).candidates;
     (*this_29).candidates = (_e6 + 1u);
-    // glimt_sampling/src/ris.rs:73
+    // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
-        // glimt_sampling/src/ris.rs:74
+        // glimt_sampling/src/ris.rs:75
         let _e13 = (*this_29).sum;
         (*this_29).sum = (_e13 + weight);
-        // glimt_sampling/src/ris.rs:75
+        // glimt_sampling/src/ris.rs:76
         let _e17 = (*this_29).candidates;
         (*this_29).end = _e17;
     }
     return;
 }
 
-// glimt_sampling/src/ris.rs:108
+// glimt_sampling/src/ris.rs:109
 fn Word_next_u32_(this_30: ptr<function, Word>) -> u32 {
 
-    // glimt_sampling/src/ris.rs:109
+    // glimt_sampling/src/ris.rs:110
     let _e4 = (*this_30).f0_;
     return _e4;
 }
@@ -2587,71 +2588,62 @@ fn Comb_new(scheme: u32, picks: u32, sure: u32, source_1: ptr<function, Word>) -
     return _e23;
 }
 
-// glimt_sampling/src/ris.rs:117
+// glimt_sampling/src/ris.rs:118
 fn RisPicks_new(weights: RisSum, samples_2: u32, u_11: u32) -> RisPicks {
     var borrowed_2: Word;
-    var chosen_24: f32;
-    var chosen_25: u32;
+    var chosen_24: u32;
 
-    // glimt_sampling/src/ris.rs:118
-    let possible = (weights.sum > 0f);
     // glimt_sampling/src/ris.rs:119
+    let possible = (weights.sum > 0f);
+    // glimt_sampling/src/ris.rs:120
     borrowed_2 = Word(u_11);
     let _e13 = Comb_new(0u, samples_2, 0u, (&borrowed_2));
     if possible {
-        // glimt_sampling/src/ris.rs:122
-        chosen_24 = (f32(samples_2) / weights.sum);
-    } else {
         // glimt_sampling/src/ris.rs:124
-        chosen_24 = 0f;
-    }
-    let _e21 = chosen_24;
-    if possible {
-        // glimt_sampling/src/ris.rs:126
-        chosen_25 = samples_2;
+        chosen_24 = samples_2;
     } else {
-        chosen_25 = 0u;
+        chosen_24 = 0u;
     }
-    let _e25 = chosen_25;
-    return RisPicks(_e13, _e21, _e25, 0u, weights.end);
+    let _e19 = chosen_24;
+    return RisPicks(_e13, weights.sum, f32(samples_2), _e19, 0u, weights.end);
 }
 
-// glimt_sampling/src/ris.rs:82
+// glimt_sampling/src/ris.rs:83
 fn RisSum_normaliser(this_32: RisSum) -> f32 {
-    var chosen_26: f32;
+    var chosen_25: f32;
 
-    // glimt_sampling/src/ris.rs:83
+    // glimt_sampling/src/ris.rs:84
     if (this_32.candidates > 0u) {
-        // glimt_sampling/src/ris.rs:84
-        chosen_26 = (this_32.sum / f32(this_32.candidates));
+        // glimt_sampling/src/ris.rs:85
+        chosen_25 = (this_32.sum / f32(this_32.candidates));
     } else {
-        // glimt_sampling/src/ris.rs:86
-        chosen_26 = 0f;
+        // glimt_sampling/src/ris.rs:87
+        chosen_25 = 0f;
     }
-    let _e14 = chosen_26;
+    let _e14 = chosen_25;
     return _e14;
 }
 
-// glimt_sampling/src/ris.rs:154
+// glimt_sampling/src/ris.rs:153
 fn RisPicks_is_done(this_33: RisPicks) -> bool {
 
-    // glimt_sampling/src/ris.rs:155
+    // glimt_sampling/src/ris.rs:154
     return (this_33.left == 0u);
 }
 
 // glimt_sampling/src/resample.rs:44
 fn sure_copies(scheme_1: u32, expected: f32) -> u32 {
-    var chosen_27: u32;
+    var chosen_26: u32;
 
     // glimt_sampling/src/resample.rs:45
     if (scheme_1 == 3u) {
         // glimt_sampling/src/resample.rs:46
-        chosen_27 = u32(expected);
+        chosen_26 = u32(expected);
     } else {
         // glimt_sampling/src/resample.rs:48
-        chosen_27 = 0u;
+        chosen_26 = 0u;
     }
-    let _e11 = chosen_27;
+    let _e11 = chosen_26;
     return _e11;
 }
 
@@ -2687,45 +2679,46 @@ fn Comb_take(this_34: ptr<function, Comb>, expected_1: f32, source_2: ptr<functi
     return (_e7 + (_e37 - before));
 }
 
-// glimt_sampling/src/ris.rs:135
+// glimt_sampling/src/ris.rs:133
 fn RisPicks_take(this_35: ptr<function, RisPicks>, weight_1: f32) -> u32 {
-    var chosen_28: u32;
+    var chosen_27: u32;
     var borrowed_3: Comb;
     var borrowed_4: Word;
 
-    // glimt_sampling/src/ris.rs:136
+    // glimt_sampling/src/ris.rs:134
     let _e6 = (*this_35).candidate;
     (*this_35).candidate = (_e6 + 1u);
-    // glimt_sampling/src/ris.rs:137
+    // glimt_sampling/src/ris.rs:135
     let _e13 = (*this_35).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
-        // glimt_sampling/src/ris.rs:138
+        // glimt_sampling/src/ris.rs:136
         return 0u;
     }
-    // glimt_sampling/src/ris.rs:140
+    // glimt_sampling/src/ris.rs:138
     let _e22 = (*this_35).candidate;
     let _e24 = (*this_35).end;
     if (_e22 == _e24) {
-        // glimt_sampling/src/ris.rs:141
+        // glimt_sampling/src/ris.rs:139
         let _e28 = (*this_35).left;
-        chosen_28 = _e28;
+        chosen_27 = _e28;
     } else {
-        // glimt_sampling/src/ris.rs:143
+        // glimt_sampling/src/ris.rs:142
         let _e32 = (*this_35).comb;
         borrowed_3 = _e32;
-        let _e34 = (*this_35).scale;
+        let _e34 = (*this_35).sum;
+        let _e37 = (*this_35).samples;
         borrowed_4 = Word(0u);
-        let _e39 = Comb_take((&borrowed_3), (weight_1 * _e34), (&borrowed_4));
-        let _e40 = borrowed_3;
-        (*this_35).comb = _e40;
-        let _e42 = (*this_35).left;
-        chosen_28 = min(_e39, _e42);
+        let _e42 = Comb_take((&borrowed_3), ((weight_1 / _e34) * _e37), (&borrowed_4));
+        let _e43 = borrowed_3;
+        (*this_35).comb = _e43;
+        let _e45 = (*this_35).left;
+        chosen_27 = min(_e42, _e45);
     }
-    let picks_2 = chosen_28;
+    let picks_2 = chosen_27;
+    // glimt_sampling/src/ris.rs:146
+    let _e50 = (*this_35).left;
+    (*this_35).left = (_e50 - picks_2);
     // glimt_sampling/src/ris.rs:147
-    let _e47 = (*this_35).left;
-    (*this_35).left = (_e47 - picks_2);
-    // glimt_sampling/src/ris.rs:148
     return picks_2;
 }
 
@@ -2769,7 +2762,7 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_10: vec3<f32>) -> bool {
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
 fn LightSample_traced(this_36: LightSample, point_4: ShadingPoint) -> Reflected {
-    var chosen_29: Reflected;
+    var chosen_28: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
     if !((max(max(this_36.contribution.x, this_36.contribution.y), this_36.contribution.z) > 0f)) {
@@ -2780,12 +2773,12 @@ fn LightSample_traced(this_36: LightSample, point_4: ShadingPoint) -> Reflected 
     let _e22 = Scene_is_lit(point_4, this_36.direction);
     if _e22 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_29 = Reflected(this_36.contribution, vec3(0f));
+        chosen_28 = Reflected(this_36.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_29 = Reflected(vec3(0f), this_36.contribution);
+        chosen_28 = Reflected(vec3(0f), this_36.contribution);
     }
-    let _e33 = chosen_29;
+    let _e33 = chosen_28;
     return _e33;
 }
 

@@ -329,7 +329,8 @@ struct Word {
 
 struct RisPicks {
     comb: Comb,
-    scale: f32,
+    sum: f32,
+    samples: f32,
     left: u32,
     candidate: u32,
     end: u32,
@@ -2211,9 +2212,8 @@ fn normalise(particles_start: u32, particles_len: u32) -> f32 {
         }
     }
     // glimt_smc/src/weights.rs:41
-    let _e51 = largest;
-    let _e52 = sum_2;
-    let log_sum = (_e51 + log(_e52));
+    let _e51 = sum_2;
+    let rest = log(_e51);
     // glimt_smc/src/weights.rs:42
     counter_4 = 0u;
     loop {
@@ -2222,20 +2222,22 @@ fn normalise(particles_start: u32, particles_len: u32) -> f32 {
             break;
         }
         // glimt_smc/src/weights.rs:43
-        let _e65 = particles[(particles_start + i_3)].log_weight;
-        let _e66 = is_log_zero(_e65);
-        if !(_e66) {
-            // glimt_smc/src/weights.rs:44
-            let _e73 = particles[(particles_start + i_3)].log_weight;
-            particles[(particles_start + i_3)].log_weight = (_e73 - log_sum);
+        let _e63 = particles[(particles_start + i_3)].log_weight;
+        let _e64 = is_log_zero(_e63);
+        if !(_e64) {
+            // glimt_smc/src/weights.rs:45
+            let _e71 = particles[(particles_start + i_3)].log_weight;
+            let _e72 = largest;
+            particles[(particles_start + i_3)].log_weight = ((_e71 - _e72) - rest);
         }
         continuing {
-            let _e75 = counter_4;
-            counter_4 = (_e75 + 1u);
+            let _e79 = counter_4;
+            counter_4 = (_e79 + 1u);
         }
     }
-    // glimt_smc/src/weights.rs:47
-    return log_sum;
+    // glimt_smc/src/weights.rs:48
+    let _e83 = largest;
+    return (_e83 + rest);
 }
 
 // glimt_smc/src/reweight.rs:13
@@ -2294,25 +2296,25 @@ fn Particle_weight(this_27: Particle) -> f32 {
     return exp(this_27.log_weight);
 }
 
-// glimt_smc/src/weights.rs:64
+// glimt_smc/src/weights.rs:65
 fn ess(particles_start_2: u32, particles_len_2: u32) -> f32 {
     var squares: f32;
     var counter_6: u32;
     var chosen_21: f32;
 
-    // glimt_smc/src/weights.rs:65
-    squares = 0f;
     // glimt_smc/src/weights.rs:66
+    squares = 0f;
+    // glimt_smc/src/weights.rs:67
     counter_6 = 0u;
     loop {
         let i_5 = counter_6;
         if (i_5 >= particles_len_2) {
             break;
         }
-        // glimt_smc/src/weights.rs:67
+        // glimt_smc/src/weights.rs:68
         let _e15 = particles[(particles_start_2 + i_5)];
         let _e16 = Particle_weight(_e15);
-        // glimt_smc/src/weights.rs:68
+        // glimt_smc/src/weights.rs:69
         let _e19 = squares;
         squares = (_e19 + (_e16 * _e16));
         continuing {
@@ -2320,7 +2322,7 @@ fn ess(particles_start_2: u32, particles_len_2: u32) -> f32 {
             counter_6 = (_e21 + 1u);
         }
     }
-    // glimt_smc/src/weights.rs:70
+    // glimt_smc/src/weights.rs:71
     let _e26 = squares;
     if (_e26 > 0f) {
         let _e30 = squares;
@@ -2674,38 +2676,35 @@ fn resample(scheme_2: u32, particles_start_5: u32, particles_len_5: u32, source_
             break;
         }
         // glimt_smc/src/resample.rs:27
-        let _e48 = particles[(particles_start_5 + i_9)].log_weight;
-        let _e49 = is_log_zero(_e48);
-        let possible = !(_e49);
+        let _e47 = particles[(particles_start_5 + i_9)];
+        let _e48 = Particle_weight(_e47);
         // glimt_smc/src/resample.rs:28
-        let _e55 = particles[(particles_start_5 + i_9)];
-        let _e56 = Particle_weight(_e55);
-        let _e58 = Comb_take((&comb_1), (_e56 * scale), source_4);
+        let _e51 = Comb_take((&comb_1), (_e48 * scale), source_4);
         // glimt_smc/src/resample.rs:29
-        particles[(particles_start_5 + i_9)].log_weight = f32(_e58);
+        particles[(particles_start_5 + i_9)].log_weight = f32(_e51);
         // glimt_smc/src/resample.rs:30
-        let _e66 = picks_1;
-        picks_1 = (_e66 + _e58);
+        let _e59 = picks_1;
+        picks_1 = (_e59 + _e51);
         // glimt_smc/src/resample.rs:31
-        if possible {
+        if (_e48 > 0f) {
             // glimt_smc/src/resample.rs:32
             last = i_9;
         }
         continuing {
-            let _e70 = counter_11;
-            counter_11 = (_e70 + 1u);
+            let _e65 = counter_11;
+            counter_11 = (_e65 + 1u);
         }
     }
     // glimt_smc/src/resample.rs:35
-    let _e74 = Comb_finish((&comb_1), source_4);
+    let _e69 = Comb_finish((&comb_1), source_4);
     // glimt_smc/src/resample.rs:36
-    let _e76 = last;
-    if (_e76 < particles_len_5) {
+    let _e71 = last;
+    if (_e71 < particles_len_5) {
         // glimt_smc/src/resample.rs:37
-        let _e79 = picks_1;
-        let _e83 = last;
-        let _e88 = particles[(particles_start_5 + _e83)].log_weight;
-        particles[(particles_start_5 + _e83)].log_weight = (_e88 + f32((max(particles_len_5, _e79) - _e79)));
+        let _e74 = picks_1;
+        let _e78 = last;
+        let _e83 = particles[(particles_start_5 + _e78)].log_weight;
+        particles[(particles_start_5 + _e78)].log_weight = (_e83 + f32((max(particles_len_5, _e74) - _e74)));
         // glimt_smc/src/resample.rs:38
         spread(particles_start_5, particles_len_5);
     }
@@ -3451,15 +3450,15 @@ fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, 
     // glimt_smc/src/proposal.rs:107
     let _e9 = split_word(u_17.z, pmf_first_1);
     // glimt_smc/src/proposal.rs:108
-    let rest = vec3<u32>(u_17.x, u_17.y, _e9.word);
+    let rest_1 = vec3<u32>(u_17.x, u_17.y, _e9.word);
     // glimt_smc/src/proposal.rs:109
     if _e9.first {
         // glimt_smc/src/proposal.rs:110
-        let _e19 = Independent_LightDraw_propose(first_sampler_light_cdf_size, first_sampler_light_rotation, from_3, rest);
+        let _e19 = Independent_LightDraw_propose(first_sampler_light_cdf_size, first_sampler_light_rotation, from_3, rest_1);
         chosen_37 = _e19;
     } else {
         // glimt_smc/src/proposal.rs:112
-        let _e21 = Independent_BrdfDraw_propose(second, from_3, rest);
+        let _e21 = Independent_BrdfDraw_propose(second, from_3, rest_1);
         chosen_37 = _e21;
     }
     let _e22 = chosen_37;
@@ -3473,15 +3472,15 @@ fn Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pm
     // glimt_smc/src/proposal.rs:107
     let _e11 = split_word(u_18.z, pmf_first_2);
     // glimt_smc/src/proposal.rs:108
-    let rest_1 = vec3<u32>(u_18.x, u_18.y, _e11.word);
+    let rest_2 = vec3<u32>(u_18.x, u_18.y, _e11.word);
     // glimt_smc/src/proposal.rs:109
     if _e11.first {
         // glimt_smc/src/proposal.rs:110
-        let _e21 = CapMove_propose(first, from_4, rest_1);
+        let _e21 = CapMove_propose(first, from_4, rest_2);
         chosen_38 = _e21;
     } else {
         // glimt_smc/src/proposal.rs:112
-        let _e23 = Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(second_pmf_first, second_first_sampler_light_cdf_size, second_first_sampler_light_rotation, second_second, from_4, rest_1);
+        let _e23 = Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(second_pmf_first, second_first_sampler_light_cdf_size, second_first_sampler_light_rotation, second_second, from_4, rest_2);
         chosen_38 = _e23;
     }
     let _e24 = chosen_38;
@@ -3840,44 +3839,44 @@ fn Candidates_draw(this_48: Candidates, index_15: u32, point_4: ShadingPoint, pa
     return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_48.count) / _e168)));
 }
 
-// glimt_sampling/src/ris.rs:71
+// glimt_sampling/src/ris.rs:72
 fn RisSum_add(this_49: ptr<function, RisSum>, weight: f32) {
 
-    // glimt_sampling/src/ris.rs:72
+    // glimt_sampling/src/ris.rs:73
     let _e6 = (*this_49).candidates;
     (*this_49).candidates = (_e6 + 1u);
-    // glimt_sampling/src/ris.rs:73
+    // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
-        // glimt_sampling/src/ris.rs:74
+        // glimt_sampling/src/ris.rs:75
         let _e13 = (*this_49).sum;
         (*this_49).sum = (_e13 + weight);
-        // glimt_sampling/src/ris.rs:75
+        // glimt_sampling/src/ris.rs:76
         let _e17 = (*this_49).candidates;
         (*this_49).end = _e17;
     }
     return;
 }
 
-// glimt_sampling/src/ris.rs:82
+// glimt_sampling/src/ris.rs:83
 fn RisSum_normaliser(this_50: RisSum) -> f32 {
     var chosen_43: f32;
 
-    // glimt_sampling/src/ris.rs:83
+    // glimt_sampling/src/ris.rs:84
     if (this_50.candidates > 0u) {
-        // glimt_sampling/src/ris.rs:84
+        // glimt_sampling/src/ris.rs:85
         chosen_43 = (this_50.sum / f32(this_50.candidates));
     } else {
-        // glimt_sampling/src/ris.rs:86
+        // glimt_sampling/src/ris.rs:87
         chosen_43 = 0f;
     }
     let _e14 = chosen_43;
     return _e14;
 }
 
-// glimt_sampling/src/ris.rs:108
+// glimt_sampling/src/ris.rs:109
 fn Word_next_u32_(this_51: ptr<function, Word>) -> u32 {
 
-    // glimt_sampling/src/ris.rs:109
+    // glimt_sampling/src/ris.rs:110
     let _e4 = (*this_51).f0_;
     return _e4;
 }
@@ -3949,33 +3948,24 @@ fn Comb_new_1(scheme_5: u32, picks_4: u32, sure_2: u32, source_10: ptr<function,
     return _e23;
 }
 
-// glimt_sampling/src/ris.rs:117
+// glimt_sampling/src/ris.rs:118
 fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
     var borrowed_7: Word;
-    var chosen_44: f32;
-    var chosen_45: u32;
+    var chosen_44: u32;
 
-    // glimt_sampling/src/ris.rs:118
-    let possible_1 = (weights.sum > 0f);
     // glimt_sampling/src/ris.rs:119
+    let possible = (weights.sum > 0f);
+    // glimt_sampling/src/ris.rs:120
     borrowed_7 = Word(u_21);
     let _e13 = Comb_new_1(0u, samples_2, 0u, (&borrowed_7));
-    if possible_1 {
-        // glimt_sampling/src/ris.rs:122
-        chosen_44 = (f32(samples_2) / weights.sum);
-    } else {
+    if possible {
         // glimt_sampling/src/ris.rs:124
-        chosen_44 = 0f;
-    }
-    let _e21 = chosen_44;
-    if possible_1 {
-        // glimt_sampling/src/ris.rs:126
-        chosen_45 = samples_2;
+        chosen_44 = samples_2;
     } else {
-        chosen_45 = 0u;
+        chosen_44 = 0u;
     }
-    let _e25 = chosen_45;
-    return RisPicks(_e13, _e21, _e25, 0u, weights.end);
+    let _e19 = chosen_44;
+    return RisPicks(_e13, weights.sum, f32(samples_2), _e19, 0u, weights.end);
 }
 
 // glimt_sampling/src/resample.rs:105
@@ -4010,45 +4000,46 @@ fn Comb_take_1(this_53: ptr<function, Comb>, expected_2: f32, source_11: ptr<fun
     return (_e7 + (_e37 - before_1));
 }
 
-// glimt_sampling/src/ris.rs:135
+// glimt_sampling/src/ris.rs:133
 fn RisPicks_take(this_54: ptr<function, RisPicks>, weight_1: f32) -> u32 {
-    var chosen_46: u32;
+    var chosen_45: u32;
     var borrowed_8: Comb;
     var borrowed_9: Word;
 
-    // glimt_sampling/src/ris.rs:136
+    // glimt_sampling/src/ris.rs:134
     let _e6 = (*this_54).candidate;
     (*this_54).candidate = (_e6 + 1u);
-    // glimt_sampling/src/ris.rs:137
+    // glimt_sampling/src/ris.rs:135
     let _e13 = (*this_54).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
-        // glimt_sampling/src/ris.rs:138
+        // glimt_sampling/src/ris.rs:136
         return 0u;
     }
-    // glimt_sampling/src/ris.rs:140
+    // glimt_sampling/src/ris.rs:138
     let _e22 = (*this_54).candidate;
     let _e24 = (*this_54).end;
     if (_e22 == _e24) {
-        // glimt_sampling/src/ris.rs:141
+        // glimt_sampling/src/ris.rs:139
         let _e28 = (*this_54).left;
-        chosen_46 = _e28;
+        chosen_45 = _e28;
     } else {
-        // glimt_sampling/src/ris.rs:143
+        // glimt_sampling/src/ris.rs:142
         let _e32 = (*this_54).comb;
         borrowed_8 = _e32;
-        let _e34 = (*this_54).scale;
+        let _e34 = (*this_54).sum;
+        let _e37 = (*this_54).samples;
         borrowed_9 = Word(0u);
-        let _e39 = Comb_take_1((&borrowed_8), (weight_1 * _e34), (&borrowed_9));
-        let _e40 = borrowed_8;
-        (*this_54).comb = _e40;
-        let _e42 = (*this_54).left;
-        chosen_46 = min(_e39, _e42);
+        let _e42 = Comb_take_1((&borrowed_8), ((weight_1 / _e34) * _e37), (&borrowed_9));
+        let _e43 = borrowed_8;
+        (*this_54).comb = _e43;
+        let _e45 = (*this_54).left;
+        chosen_45 = min(_e42, _e45);
     }
-    let picks_6 = chosen_46;
+    let picks_6 = chosen_45;
+    // glimt_sampling/src/ris.rs:146
+    let _e50 = (*this_54).left;
+    (*this_54).left = (_e50 - picks_6);
     // glimt_sampling/src/ris.rs:147
-    let _e47 = (*this_54).left;
-    (*this_54).left = (_e47 - picks_6);
-    // glimt_sampling/src/ris.rs:148
     return picks_6;
 }
 
@@ -4192,7 +4183,7 @@ fn Scene_is_lit(point_7: ShadingPoint, direction_14: vec3<f32>) -> bool {
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
 fn LightSample_traced(this_56: LightSample, point_8: ShadingPoint) -> Reflected {
-    var chosen_47: Reflected;
+    var chosen_46: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
     if !((max(max(this_56.contribution.x, this_56.contribution.y), this_56.contribution.z) > 0f)) {
@@ -4203,12 +4194,12 @@ fn LightSample_traced(this_56: LightSample, point_8: ShadingPoint) -> Reflected 
     let _e22 = Scene_is_lit(point_8, this_56.direction);
     if _e22 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_47 = Reflected(this_56.contribution, vec3(0f));
+        chosen_46 = Reflected(this_56.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_47 = Reflected(vec3(0f), this_56.contribution);
+        chosen_46 = Reflected(vec3(0f), this_56.contribution);
     }
-    let _e33 = chosen_47;
+    let _e33 = chosen_46;
     return _e33;
 }
 
@@ -4278,10 +4269,10 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
     var counter_20: u32;
     var source_12: PatternSource;
     var either_2: bool;
+    var chosen_47: u32;
     var chosen_48: u32;
-    var chosen_49: u32;
-    var chosen_50: f32;
-    var chosen_51: Reflected;
+    var chosen_49: f32;
+    var chosen_50: Reflected;
 
     // glimt_render_gpu/src/kernels/smc.rs:233
     // glimt_render_gpu/src/kernels/smc.rs:234
@@ -4340,30 +4331,30 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
         // glimt_render_gpu/src/kernels/smc.rs:270
         if ((smc.band > 0f) && (dead || (abs(_e75.log_ratio) > smc.band))) {
             // glimt_render_gpu/src/kernels/smc.rs:271
-            chosen_48 = 2u;
+            chosen_47 = 2u;
         } else {
             let _e115 = now.age;
             if ((smc.max_age > 0u) && (_e115 >= smc.max_age)) {
                 // glimt_render_gpu/src/kernels/smc.rs:273
-                chosen_49 = 3u;
+                chosen_48 = 3u;
             } else {
                 // glimt_render_gpu/src/kernels/smc.rs:275
-                chosen_49 = 0u;
+                chosen_48 = 0u;
             }
-            let _e123 = chosen_49;
-            chosen_48 = _e123;
+            let _e123 = chosen_48;
+            chosen_47 = _e123;
         }
-        let _e124 = chosen_48;
+        let _e124 = chosen_47;
         now.started = _e124;
         // glimt_render_gpu/src/kernels/smc.rs:277
         if dead {
             // glimt_render_gpu/src/kernels/smc.rs:278
-            chosen_50 = -1000000000000000000000000000000f;
+            chosen_49 = -1000000000000000000000000000000f;
         } else {
             // glimt_render_gpu/src/kernels/smc.rs:280
-            chosen_50 = (old_1.log_normaliser + _e75.log_ratio);
+            chosen_49 = (old_1.log_normaliser + _e75.log_ratio);
         }
-        let _e134 = chosen_50;
+        let _e134 = chosen_49;
         now.log_normaliser = _e134;
     }
     // glimt_render_gpu/src/kernels/smc.rs:283
@@ -4380,14 +4371,14 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
     let _e151 = is_log_zero(_e150);
     if _e151 {
         // glimt_render_gpu/src/kernels/smc.rs:288
-        chosen_51 = Reflected(vec3(0f), vec3(0f));
+        chosen_50 = Reflected(vec3(0f), vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/smc.rs:290
         let _e161 = now.log_normaliser;
         let _e162 = estimate(point_10, _e19, smc.floor, _e161, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
-        chosen_51 = _e162;
+        chosen_50 = _e162;
     }
-    let light_1 = chosen_51;
+    let light_1 = chosen_50;
     // glimt_render_gpu/src/kernels/smc.rs:300
     let _e165 = now;
     state_5[(state_start + 0u)] = _e165;
