@@ -248,6 +248,17 @@ impl Renderer for GpuRenderer {
         self.times.upload += upload;
         image
     }
+
+    fn phases(&self) -> Vec<(&'static str, Duration)> {
+        let times = &self.times;
+        // As the host saw them, like the whole that they are parts of.
+        vec![
+            ("upload", times.upload),
+            ("shade", times.shade.wall),
+            ("film", times.film.wall),
+            ("read back", times.read_back),
+        ]
+    }
 }
 
 fn device(error: GpuError) -> RenderError {
