@@ -114,7 +114,7 @@ pub enum Command {
 }
 
 /// Flags of the commands that render.
-#[derive(Clone, Debug, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct RenderFlags {
     /// Render these frames alone, as 1-24 or 7
     #[arg(long, value_name = "A-B", allow_hyphen_values = true)]

@@ -2,7 +2,7 @@
 
 use super::count::Knob;
 use crate::cli::{CompareFlags, RenderFlags};
-use crate::error::{Error, Kind, Result, nearest};
+use crate::error::{Error, Kind, Place, Result, nearest};
 use crate::input::footage;
 use crate::setup;
 use crate::shot::parse::{self, Source};
@@ -241,7 +241,7 @@ impl Field<'_> {
     fn contestant(&self, asked: &Asked) -> Result<Contestant> {
         let (shot, source) = self
             .shot(&asked.set)
-            .map_err(|e| of_contestant(e, &asked.name))?;
+            .map_err(|e| of_contestant(e, &asked.name, &asked.set))?;
         Ok(Contestant {
             name: asked.name.clone(),
             set: asked.set.clone(),
@@ -282,7 +282,7 @@ impl Field<'_> {
         set.extend(keys);
         let (shot, source) = self
             .shot(&set)
-            .map_err(|e| of_contestant(e, &contestant.name))?;
+            .map_err(|e| of_contestant(e, &contestant.name, &set))?;
         Ok(Contestant {
             set,
             shot,
@@ -301,7 +301,7 @@ impl Contestant {
 
     /// What the renderer says of its settings.
     pub fn refused(&self, why: impl std::fmt::Display) -> Error {
-        of_contestant(self.source.error("render", why), &self.name)
+        of_contestant(self.source.error("render", why), &self.name, &self.set)
     }
 
     /// Its count now.
@@ -321,10 +321,23 @@ impl Contestant {
     }
 }
 
-fn of_contestant(mut error: Error, name: &str) -> Error {
-    if error.kind == Kind::Usage {
-        error.what = format!("{} (contestant `{name}`)", error.what);
-    }
+/// Errors of its own keys are those of the contestant, not of a --set that no one gave.
+fn of_contestant(mut error: Error, name: &str, set: &[String]) -> Error {
+    let own = |place: &Place| match place {
+        Place::Named(text) => set
+            .iter()
+            .find(|item| *text == format!("--set {item}"))
+            .cloned(),
+        Place::LineColumn(..) => None,
+    };
+    let at = match error.place.as_ref().and_then(own) {
+        Some(item) => format!("contestant `{name}`, {item}"),
+        None if error.kind == Kind::Usage && error.place.is_none() => {
+            format!("contestant `{name}`")
+        }
+        None => return error,
+    };
+    error.place = Some(Place::Named(at));
     error
 }
 
@@ -343,6 +356,18 @@ mod tests {
         assert!(message("a: render.pattern").contains("there is no `=` in `render.pattern`"));
         assert!(message("a: image.size=[4,4]").contains("--set image.size=[4,4]"));
         assert!(message("a: render.seed=4").contains("the same for all"));
+    }
+
+    /// A contestant whose keys are wrong says so in its own name.
+    #[test]
+    fn errors_are_the_contestants() {
+        let set = ["render.method=bis".to_owned()];
+        let error = Error::usage("no").at("--set render.method=bis");
+        let error = of_contestant(error, "theirs", &set).to_string();
+        assert_eq!(error, "contestant `theirs`, render.method=bis: no");
+        let error = Error::usage("no").at("--set image.size=[0,0]");
+        let error = of_contestant(error, "theirs", &set).to_string();
+        assert_eq!(error, "--set image.size=[0,0]: no");
     }
 
     #[test]

@@ -229,6 +229,7 @@ pub struct Score {
 mod tests {
     use super::*;
     use glam::UVec2;
+    use glimt_sampling::uniform::UniformSource;
     use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
 
     const SIZE: UVec2 = UVec2::new(48, 40);
@@ -261,7 +262,7 @@ mod tests {
         let mut moments = Moments::new(SIZE);
         let (mut offsets, mut errors) = (Vec::new(), Vec::new());
         for seed in 0..seeds {
-            let mut random = Xoshiro128PlusPlus::seed_from_words([seed + 1, 7, 11, 13]);
+            let mut random = Xoshiro128PlusPlus::stream(seed, 7, 11);
             let image: Vec<Vec4> = ramp()
                 .into_iter()
                 .map(|p| {
@@ -366,7 +367,7 @@ mod tests {
     #[test]
     fn the_power_is_that_of_the_t_test() {
         let experiments = 400;
-        let mut random = Xoshiro128PlusPlus::seed_from_words([3, 1, 4, 1]);
+        let mut random = Xoshiro128PlusPlus::stream(3, 1, 4);
         let mut share = |shift: f64| {
             let calls = (0..experiments).filter(|_| {
                 let values: Vec<f64> = (0..16)

@@ -360,3 +360,74 @@ impl<'a> Trials<'a> {
 pub fn cache(out: &Path) -> PathBuf {
     out.join("cache")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::{CompareFlags, RenderFlags};
+    use crate::compare::contestants::{Field, gather};
+    use crate::shot::{Filter, Method};
+
+    fn contestant() -> Contestant {
+        let folder = std::env::temp_dir().join(format!("glimt-trials-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let file = folder.join("shot.toml");
+        let text = "[probe]\nframes = \"l.####.exr\"\n[[object]]\nmesh = \"sphere\"\n";
+        std::fs::write(&file, text).unwrap();
+        let field = Field {
+            file: &file,
+            flags: &RenderFlags::default(),
+            filter: Filter::Centre,
+        };
+        let flags = CompareFlags {
+            preset: vec!["shot".to_owned()],
+            ..CompareFlags::default()
+        };
+        let all = gather(&field, &flags, &mut Vec::new());
+        std::fs::remove_dir_all(&folder).unwrap();
+        all.unwrap().remove(0)
+    }
+
+    fn plan() -> Plan {
+        Plan {
+            frames: (3..=12).map(|f| (f, format!("identity of {f}"))).collect(),
+            measured: vec![3, 5, 10],
+            seeds: 2,
+            folder: PathBuf::new(),
+        }
+    }
+
+    /// One that goes on from the frame before renders all frames from the first to the last that is measured.
+    #[test]
+    fn frames_are_rendered_in_order() {
+        let mut contestant = contestant();
+        let plan = plan();
+        assert_eq!(plan.needed(), [3, 4, 5, 9, 10]);
+        assert_eq!(plan.before(3), None);
+        assert_eq!(plan.sequence(&contestant), [3, 4, 5, 9, 10]);
+        contestant.shot.render.method = Method::Smc;
+        assert_eq!(plan.sequence(&contestant), [3, 4, 5, 6, 7, 8, 9, 10]);
+    }
+
+    /// What images are made of is their identity: for one that goes on, all frames before.
+    #[test]
+    fn identities_tell_inputs_apart() {
+        let mut contestant = contestant();
+        let of = |change: Option<u32>, contestant: &Contestant, frame| {
+            let mut plan = plan();
+            for f in plan.frames.iter_mut().filter(|f| Some(f.0) == change) {
+                f.1.push('!');
+            }
+            plan.identity(contestant, frame, "trial")
+        };
+        let is_other = |changed, c: &Contestant| of(Some(changed), c, 10) != of(None, c, 10);
+        assert!(is_other(10, &contestant) && is_other(9, &contestant));
+        assert!(!is_other(8, &contestant) && !is_other(11, &contestant));
+        contestant.shot.render.method = Method::Smc;
+        assert!(is_other(3, &contestant) && is_other(10, &contestant));
+        assert!(!is_other(11, &contestant));
+        let before = of(None, &contestant, 10);
+        contestant.shot.render.seed += 1;
+        assert_ne!(of(None, &contestant, 10), before);
+    }
+}

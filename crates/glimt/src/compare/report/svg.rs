@@ -130,7 +130,7 @@ pub fn chart(title: &str, unit: &str, curves: &[Curve<'_>]) -> String {
     svg
 }
 
-/// 1, 2 and 5 times powers of ten, or powers alone where that would be many.
+/// 1, 2 and 5 times powers of ten, fewer where that would be many, and more where it would be few.
 fn ticks(low: f64, high: f64) -> Vec<f64> {
     let steps: &[f64] = if high - low > 2.5 {
         &[1.0]
