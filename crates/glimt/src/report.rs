@@ -122,10 +122,13 @@ impl Reporter {
         }
     }
 
-    /// How far work of many kinds is: a share, and the seconds that are probably left.
-    pub fn progress(&self, what: &str, share: f64, left: f64) {
+    /// How far work of many kinds is: a share, and the seconds that are probably left, where that is known.
+    pub fn progress(&self, what: &str, share: f64, left: Option<f64>) {
         self.event(&json!({"event": "progress", "what": what, "share": share, "left": left}));
-        let text = format!("{what}, {} to go", duration(left));
+        let text = match left {
+            Some(left) => format!("{what}, {} to go", duration(left)),
+            None => what.to_owned(),
+        };
         if let Some(bar) = self.lock().as_ref() {
             bar.set_position((share * STEPS as f64) as u64);
             bar.set_message(text);

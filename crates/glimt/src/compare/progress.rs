@@ -44,7 +44,12 @@ impl<'a> Progress<'a> {
         self.told = Some(Instant::now());
         // Reading and measuring take time beside rendering.
         let slower = (self.began.elapsed().as_secs_f64() / self.done.max(1e-9)).clamp(1.0, 20.0);
-        let share = self.done / (self.done + self.planned).max(1e-9);
-        self.reporter.progress(what, share, self.planned * slower);
+        if self.planned == 0.0 {
+            // How long it will be is what is being measured.
+            return self.reporter.progress(what, 0.0, None);
+        }
+        let share = self.done / (self.done + self.planned);
+        self.reporter
+            .progress(what, share, Some(self.planned * slower));
     }
 }
