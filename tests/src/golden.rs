@@ -11,11 +11,12 @@ use naga_front_rust::{
 };
 
 /// The shared sources of every crate of the workspace that has them.
-pub const SOURCES: [(&str, &[(&str, &str)]); 5] = [
+pub const SOURCES: [(&str, &[(&str, &str)]); 6] = [
     glimt_probe::SHADER_SOURCE,
     glimt_sampling::SHADER_SOURCE,
     glimt_envmap_cdf::SHADER_SOURCE,
     glimt_brdf::SHADER_SOURCE,
+    glimt_smc::SHADER_SOURCE,
     glimt_render_gpu::SHADER_SOURCE,
 ];
 

@@ -15,3 +15,4 @@ pub mod kernels;
 pub mod quadrature;
 pub mod shared_image;
 pub mod stats;
+pub mod unbiased;

@@ -479,7 +479,7 @@ fn tiles_change_no_bit_of_layers() {
     let env = prepare(&sky(100.0));
     for plate in [Some(&plate), None] {
         let whole = cpu(&scene, &env, plate, &settings(size));
-        let mut odd = CpuRenderer { tile_pixels: 7 };
+        let mut odd = CpuRenderer::with_tiles(7);
         let tiled = render(&mut odd, &scene, &env, plate, &settings(size));
         assert!(whole.linear == tiled.linear && whole.display == tiled.display);
         assert_eq!(layers(&whole), layers(&tiled));

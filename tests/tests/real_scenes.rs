@@ -103,7 +103,8 @@ fn shot(model: &str, map: &str, set: &[&str]) -> Shot {
     let job = Job::from_file(&file, &flags, &mut notes, &reporter)
         .unwrap_or_else(|e| panic!("{model}, {map}: {e}"));
     // Near enough that the model fills the image.
-    let mut settings = job.setup.settings(FRAME);
+    let camera = job.setup.camera(FRAME).unwrap();
+    let mut settings = job.setup.settings(FRAME, camera);
     settings.camera.fov_x *= 0.5;
     Shot {
         scene: SceneBuffers::build(&job.setup.scene).unwrap(),

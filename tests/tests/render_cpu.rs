@@ -4,202 +4,19 @@ use glam::{DVec3, UVec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::render::{
-    Background, Filter, FrameImage, Pattern, RenderSettings, Renderer, Tonemap,
+    Background, BisSettings, CandidateSource, FrameImage, Pattern, RenderSettings, Renderer,
+    Tonemap,
 };
 use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_tests::analytic::{AnalyticMap, AnalyticScene};
+use glimt_tests::analytic::AnalyticScene;
 use glimt_tests::quadrature::Integral;
-use glimt_tests::stats::{Evidence, Mean, sidak, z_test};
-use rayon::prelude::*;
-
-const SIZE: UVec2 = UVec2::new(8, 5);
-const SCRAMBLINGS: u32 = 256;
-
-fn scene(diffuse: f64, specular: f64, exponent: f64) -> AnalyticScene {
-    AnalyticScene {
-        cuboid: [DVec3::new(-0.3, 0.9, 0.4), DVec3::new(1.1, 2.0, 1.5)],
-        centre: DVec3::new(0.5, -0.8, 1.1),
-        radius: 0.9,
-        diffuse: diffuse * DVec3::new(1.0, 0.8, 0.5),
-        specular: specular * DVec3::new(0.9, 1.0, 0.8),
-        exponent,
-    }
-}
-
-fn camera() -> Camera {
-    Camera {
-        eye: Vec3::new(-5.0, 0.7, 2.6),
-        target: Vec3::new(0.5, 0.25, 0.6),
-        up: Vec3::Z,
-        fov_x: 0.7,
-    }
-}
-
-/// A sky that varies, half black below, with a sun of `sun` times its radiance in one texel.
-fn map(sun: f64) -> AnalyticMap {
-    let size = [32, 16];
-    let mut texels = Vec::new();
-    for row in 0..size[1] {
-        for column in 0..size[0] {
-            let wave = 1.0 + 0.5 * (f64::from(column) * 0.7 + f64::from(row)).sin();
-            let below = row >= 10 && column % 3 == 0;
-            texels.push(if below {
-                DVec3::ZERO
-            } else {
-                DVec3::new(0.9, 1.0, 1.2) * wave
-            });
-        }
-    }
-    texels[(4 * size[0] + 22) as usize] = DVec3::new(1.2, 1.0, 0.8) * sun;
-    // Every number as the renderer has it.
-    let texels = texels.into_iter().map(|t| t.as_vec3().as_dvec3()).collect();
-    AnalyticMap { size, texels }
-}
-
-fn prepare(map: &AnalyticMap) -> PreparedEnv {
-    let texels = map.texels.iter().map(|t| t.as_vec3().extend(1.0)).collect();
-    EnvMap::new(UVec2::from_array(map.size), texels)
-        .unwrap()
-        .prepare(0.0)
-        .unwrap()
-}
-
-fn render(scene: &SceneBuffers, env: &PreparedEnv, settings: &RenderSettings) -> FrameImage {
-    CpuRenderer::default()
-        .render_frame(scene, env, settings, &|_| ())
-        .unwrap()
-}
-
-/// The direction of a pixel's centre, by the formula of the documentation, in f64.
-fn pixel_direction(camera: &Camera, size: UVec2, x: u32, y: u32) -> DVec3 {
-    let dir = (camera.target - camera.eye).as_dvec3().normalize();
-    let right = dir.cross(camera.up.as_dvec3()).normalize();
-    let up = right.cross(dir);
-    let t = (0.5 * f64::from(camera.fov_x)).tan();
-    let (w, h) = (f64::from(size.x), f64::from(size.y));
-    let across = 2.0 * (f64::from(x) + 0.5) / w - 1.0;
-    let down = 2.0 * (f64::from(y) + 0.5) / h - 1.0;
-    (dir + across * t * right - down * t * (h / w) * up).normalize()
-}
-
-/// What each pixel's centre shows, one channel each in turn, by quadrature. `None` where the sphere is seen so flatly
-/// that its facets matter.
-fn reference(scene: &AnalyticScene, map: &AnalyticMap) -> Vec<Option<Integral>> {
-    let camera = camera();
-    (0..SIZE.x * SIZE.y)
-        .into_par_iter()
-        .map(|pixel| {
-            let d = pixel_direction(&camera, SIZE, pixel % SIZE.x, pixel / SIZE.x);
-            let eye = camera.eye.as_dvec3();
-            let (_, n) = scene.hit(eye, d)?;
-            if -n.dot(d) < 0.15 {
-                return None;
-            }
-            let integral = scene.reflected(eye, d, map, channel(pixel))?;
-            assert!(
-                integral.error <= 5e-3 * integral.value,
-                "pixel {pixel}: {integral:?}"
-            );
-            Some(integral)
-        })
-        .collect()
-}
-
-fn channel(pixel: u32) -> usize {
-    (pixel % 3) as usize
-}
-
-struct Case {
-    name: &'static str,
-    rays: u32,
-    samples: [u32; 2],
-    pattern: Pattern,
-}
-
-/// Means over independent scramblings, pixel by pixel.
-fn means(scene: &SceneBuffers, env: &PreparedEnv, case: &Case) -> Vec<Mean> {
-    let images: Vec<FrameImage> = (0..SCRAMBLINGS)
-        .map(|seed| {
-            let settings = RenderSettings {
-                rays_per_pixel: case.rays,
-                brdf_samples: case.samples[0],
-                env_samples: case.samples[1],
-                pattern: case.pattern,
-                filter: Filter::Centre,
-                seed,
-                ..RenderSettings::new(SIZE, camera())
-            };
-            render(scene, env, &settings)
-        })
-        .collect();
-    (0..SIZE.x * SIZE.y)
-        .map(|pixel| {
-            let value =
-                |image: &FrameImage| f64::from(image.linear[pixel as usize][channel(pixel)]);
-            Mean::of(images.iter().map(value))
-        })
-        .collect()
-}
-
-/// Every pixel's mean against its reference; the pixels that disagree.
-fn disagreements(
-    means: &[Mean],
-    reference: &[Option<Integral>],
-    alpha: f64,
-) -> Vec<(usize, Evidence)> {
-    let pixels = reference.iter().flatten().count();
-    assert!(pixels >= 30, "only {pixels} pixels have a reference");
-    let judged = means.iter().zip(reference).enumerate();
-    judged
-        .filter_map(|(pixel, (mean, reference))| {
-            let Integral { value, error } = (*reference)?;
-            // What the quadrature may be off by counts as noise.
-            let standard_error = mean.standard_error.hypot(error);
-            let mean = Mean {
-                standard_error,
-                ..*mean
-            };
-            let verdict = z_test(mean, value, sidak(alpha, pixels));
-            verdict.err().map(|evidence| (pixel, evidence))
-        })
-        .collect()
-}
-
-fn assert_unbiased(analytic: &AnalyticScene, sun: f64, cases: &[Case]) {
-    let map = map(sun);
-    let reference = reference(analytic, &map);
-    let (scene, env) = (
-        SceneBuffers::build(&analytic.describe(200)).unwrap(),
-        prepare(&map),
-    );
-    for case in cases {
-        let means = means(&scene, &env, case);
-        let judged = means.iter().zip(&reference);
-        let mut errors: Vec<f64> = judged
-            .filter_map(|(mean, truth)| Some(100.0 * mean.standard_error / (*truth)?.value))
-            .collect();
-        errors.sort_by(f64::total_cmp);
-        let (median, largest) = (errors[errors.len() / 2], errors[errors.len() - 1]);
-        println!(
-            "{}: standard errors {median:.2} %, up to {largest:.2} %",
-            case.name
-        );
-        let bad = disagreements(&means, &reference, 0.01 / cases.len() as f64);
-        assert!(bad.is_empty(), "{}: {}", case.name, bad[0].1);
-    }
-}
+use glimt_tests::unbiased::{
+    Case, assert_unbiased, bis, camera, disagreements, map, means, mis, prepare, reference, render,
+    scene, settings,
+};
 
 const SUN: f64 = 1e5;
-
-const fn mis(name: &'static str, samples: [u32; 2], pattern: Pattern) -> Case {
-    Case {
-        name,
-        rays: 16,
-        samples,
-        pattern,
-    }
-}
 
 fn under_a_sun() -> [Case; 4] {
     [
@@ -207,8 +24,12 @@ fn under_a_sun() -> [Case; 4] {
         mis("independent 1+1", [1, 1], Pattern::Independent),
         mis("stratified 2+3", [2, 3], Pattern::Stratified),
         Case {
-            rays: 1,
-            ..mis("Kronander 15+15", [15, 15], Pattern::Independent)
+            name: "Kronander 15+15",
+            settings: RenderSettings {
+                brdf_samples: 15,
+                env_samples: 15,
+                ..settings(1, Pattern::Independent)
+            },
         },
     ]
 }
@@ -238,6 +59,62 @@ fn either_strategy_alone_is_the_integral() {
         ];
         assert_unbiased(&scene(diffuse, specular, exponent), 50.0, &cases);
     }
+}
+
+#[test]
+fn picked_candidates_are_the_integral() {
+    let cases = |candidates: [u32; 3], samples: [u32; 3]| {
+        let settings = |i: usize, source| BisSettings {
+            candidates: candidates[i],
+            samples: samples[i],
+            source,
+        };
+        [
+            bis(
+                "of the BRDF",
+                4,
+                settings(0, CandidateSource::Brdf),
+                Pattern::OwenSobol,
+            ),
+            bis(
+                "of the light",
+                8,
+                settings(1, CandidateSource::Environment),
+                Pattern::Stratified,
+            ),
+            bis(
+                "of both",
+                4,
+                settings(2, CandidateSource::Mixture),
+                Pattern::Independent,
+            ),
+        ]
+    };
+    // Also where there are fewer candidates than picks, and one of each. A sun that outshines the sky a thousandfold would be
+    // picked in its own shadow, too, and no number of repetitions would find the rest.
+    for (material, cases) in [
+        (scene(0.8, 0.0, 1.0), cases([16, 1, 2], [4, 1, 3])),
+        (scene(0.3, 0.6, 50.0), cases([32, 9, 31], [1, 5, 2])),
+        (scene(0.1, 0.9, 500.0), cases([8, 0, 31], [2, 0, 3])),
+    ] {
+        // The light alone finds a lobe of 3° too rarely to be judged.
+        let judged: Vec<Case> = cases
+            .into_iter()
+            .filter(|case| case.settings.bis.samples > 0)
+            .collect();
+        assert_unbiased(&material, 50.0, &judged);
+    }
+}
+
+#[test]
+fn the_papers_counts_of_candidates_are_the_integral() {
+    let kronander = BisSettings {
+        candidates: 400,
+        samples: 20,
+        source: CandidateSource::Brdf,
+    };
+    let case = bis("Kronander", 1, kronander, Pattern::Independent);
+    assert_unbiased(&scene(0.3, 0.6, 50.0), 50.0, &[case]);
 }
 
 /// The test above can fail: a scene that differs a little from the reference's is noticed.
@@ -362,7 +239,7 @@ fn tiles_and_threads_change_no_bit() {
     };
     let whole = render(&scene, &env, &settings);
     for tile_pixels in [1, 7, 64, 100_000] {
-        let tiled = CpuRenderer { tile_pixels }
+        let tiled = CpuRenderer::with_tiles(tile_pixels)
             .render_frame(&scene, &env, &settings, &|_| ())
             .unwrap();
         assert!(tiled.linear == whole.linear && tiled.display == whole.display);

@@ -24,15 +24,9 @@ impl<'a> Frames<'a> {
     /// Whether all files of a frame are there, with this identity.
     pub fn are_there(self, stamp: &Stamp) -> bool {
         let output = &self.setup.shot.output;
-        let mut channels: Vec<String> = output
-            .aovs
-            .iter()
-            .map(|a| aov::first_channel(aov::name(*a)))
-            .collect();
-        channels.extend(
-            self.keeps_display()
-                .then(|| aov::first_channel(aov::DISPLAY)),
-        );
+        let mut channels: Vec<String> =
+            output.aovs.iter().map(|a| aov::first_channel(*a)).collect();
+        channels.extend(self.keeps_display().then(aov::first_display_channel));
         let hash = Some(&stamp.hash);
         let exr_there = || exr::read_hash(&self.file(stamp.frame, "exr"), &channels);
         let png_there = || png::read_hash(&self.file(stamp.frame, "png"));
@@ -49,7 +43,7 @@ impl<'a> Frames<'a> {
         let output = &self.setup.shot.output;
         if output.exr {
             let file = self.file(stamp.frame, "exr");
-            let layers = self.layers(image, stamp.frame);
+            let layers = self.layers(image, stamp.frame)?;
             exr::write(&file, image.size, &image.linear, layers, stamp)?;
         }
         if output.png {
@@ -81,20 +75,16 @@ impl<'a> Frames<'a> {
     }
 
     /// The layers that go into a frame's EXR beside the image.
-    fn layers(self, image: &FrameImage, frame: u32) -> exr::Layers {
+    fn layers(self, image: &FrameImage, frame: u32) -> Result<exr::Layers> {
+        let settings = self.setup.settings(frame, self.setup.camera(frame)?);
         let aovs = &self.setup.shot.output.aovs;
-        let mut channels = aov::channels(
-            image,
-            aovs,
-            &self.setup.settings(frame),
-            self.setup.has_plate(),
-        );
+        let mut channels = aov::channels(image, aovs, &settings, self.setup.has_plate());
         if self.keeps_display() {
             channels.extend(aov::display(image));
         }
         let shadow = self.setup.shot.backplate.as_ref().map(|plate| plate.shadow);
-        let formula = (!aovs.is_empty()).then(|| aov::formula(shadow.unwrap_or_default()));
-        exr::Layers { channels, formula }
+        let formula = aov::any_layer(aovs).then(|| aov::formula(shadow.unwrap_or_default()));
+        Ok(exr::Layers { channels, formula })
     }
 
     /// The display image of a frame that is there already: its PNG, or else its EXR, by its layer of that name over a plate, once
@@ -110,7 +100,8 @@ impl<'a> Frames<'a> {
             return exr::read_display(&self.file(frame, "exr"));
         }
         let linear = exr::read_pixels(&self.file(frame, "exr"))?;
-        let settings = self.setup.settings(frame).frame_params();
+        let settings = self.setup.settings(frame, self.setup.camera(frame)?);
+        let settings = settings.frame_params();
         let params = settings.map_err(|e| Error::new(Kind::Usage, e))?;
         let pixels = 0..linear.len() as u32;
         Ok(pixels

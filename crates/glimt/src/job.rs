@@ -76,13 +76,16 @@ impl Job {
             probe.set_colour(colour);
         }
         let job = Self {
-            setup: Setup::load(shot, source, base, flags, notes)?,
+            setup: Setup::load(shot, source, base, *of_shot.start(), flags, notes)?,
             whole: frames.iter().copied().eq(of_shot),
             frames,
             probe,
             footage,
         };
         job.setup.check_settings(job.frames[0])?;
+        for &frame in &job.frames {
+            job.setup.camera(frame)?;
+        }
         Ok(job)
     }
 

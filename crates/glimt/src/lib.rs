@@ -24,3 +24,4 @@ pub mod report;
 pub mod setup;
 pub mod shot;
 pub mod synth;
+pub mod view;

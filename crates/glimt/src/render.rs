@@ -63,7 +63,7 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
         true => None,
         false => Some(Stage {
             scene: SceneBuffers::build(&job.setup.scene)
-                .map_err(|e| job.setup.refused_scene(&e))?,
+                .map_err(|e| job.setup.refused_scene(job.setup.first, &e))?,
             renderer: device::open(device)?,
         }),
     };
@@ -233,7 +233,11 @@ fn render_frames(
                 reporter.notes(notes);
                 let Inputs { light, plate } = read?;
                 let began = Instant::now();
-                let settings = plan.job.setup.settings(stamp.frame);
+                let setup = &plan.job.setup;
+                let pose = setup.pose(stamp.frame)?;
+                let refused = |e| setup.refused_scene(stamp.frame, &e);
+                stage.scene.pose(&pose.transforms).map_err(refused)?;
+                let settings = setup.settings(stamp.frame, pose.camera);
                 let part = |fraction| reporter.part(done, fraction);
                 let image = stage
                     .renderer

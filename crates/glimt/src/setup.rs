@@ -1,13 +1,15 @@
-//! Host file: what a shot has that no frame changes: its keys, scene, camera and settings, and where its outputs go.
+//! Host file: what a shot has that no frame changes: its keys, scene and settings, how things move, and where its outputs go.
 
 use crate::cli::RenderFlags;
 use crate::error::{Error, Kind, Result};
-use crate::mesh::place;
+use crate::mesh::place::{self, Mover};
 use crate::notes::Notes;
+use crate::output::aov;
 use crate::shot::digest::{self, Hash};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot};
-use glam::UVec2;
+use crate::view::View;
+use glam::{Mat4, UVec2};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::render::{
     Background, Filter, Method, Pattern, RenderSettings, SettingsError, Shadow, Tonemap,
@@ -30,31 +32,51 @@ pub struct Setup {
     pub digest: Hash,
     /// Folder of the outputs.
     pub out: PathBuf,
-    /// Where it is seen from.
-    pub camera: Camera,
+    /// The first frame of the shot, from which its motion is counted.
+    pub first: u32,
+    view: View,
+    movers: Vec<Mover>,
     /// Which of the shot's objects each object of the scene is a part of.
     pub owners: Vec<usize>,
 }
 
+/// Where everything stands in a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
+    /// Where it is seen from.
+    pub camera: Camera,
+    /// From the mesh of each object of the scene to the world.
+    pub transforms: Vec<Mat4>,
+}
+
 impl Setup {
-    /// Loads what a shot that has been checked names, but for light and footage.
+    /// Loads what a shot that has been checked names, but for light and footage. Its motion begins in the frame `first`; the
+    /// scene is as it is then.
     ///
     /// # Errors
-    /// A mesh cannot be read.
+    /// A mesh cannot be read, or lacks what the shot names in it.
     pub fn load(
         shot: Shot,
         source: Source,
         base: &Path,
+        first: u32,
         flags: &RenderFlags,
         notes: &mut Notes,
     ) -> Result<Self> {
         let placed = place::place(&shot, &source, base, notes)?;
+        let moves = placed.movers.iter().any(|m| m.motion.is_moving());
+        let clock = match moves {
+            true => digest::of_text(&format!("{first} {:?}", shot.probe.fps)),
+            false => [0; 32],
+        };
         Ok(Self {
-            digest: digest::join([&digest::of_shot(&shot), &placed.digest]),
+            digest: digest::join([&digest::of_shot(&shot), &placed.digest, &clock]),
+            first,
+            view: placed.view,
+            movers: placed.movers,
             triangles: placed.triangles,
             out: out_folder(flags, base.join(&shot.output.dir)),
             scene: placed.scene,
-            camera: placed.camera,
             owners: placed.owners,
             source,
             shot,
@@ -69,6 +91,42 @@ impl Setup {
     /// Whether frames are laid over footage.
     pub fn has_plate(&self) -> bool {
         self.shot.backplate.is_some()
+    }
+
+    /// Where everything stands in a frame, whatever frames are rendered beside it.
+    ///
+    /// # Errors
+    /// The camera sees nothing then.
+    pub fn pose(&self, frame: u32) -> Result<Pose> {
+        let nodes = self.nodes_at(frame);
+        let pairs = self.movers.iter().zip(&nodes);
+        Ok(Pose {
+            camera: self.camera_among(frame, &nodes)?,
+            transforms: pairs.flat_map(|(m, nodes)| m.parts_at(nodes)).collect(),
+        })
+    }
+
+    /// From where a frame is seen.
+    ///
+    /// # Errors
+    /// The camera sees nothing then.
+    pub fn camera(&self, frame: u32) -> Result<Camera> {
+        match &self.view {
+            View::Model { .. } => self.camera_among(frame, &self.nodes_at(frame)),
+            _ => self.camera_among(frame, &[]),
+        }
+    }
+
+    fn nodes_at(&self, frame: u32) -> Vec<Vec<Mat4>> {
+        let frames = i64::from(frame) - i64::from(self.first);
+        let fps = self.shot.probe.fps;
+        let movers = self.movers.iter();
+        movers.map(|m| m.nodes_at(frames, fps)).collect()
+    }
+
+    fn camera_among(&self, frame: u32, nodes: &[Vec<Mat4>]) -> Result<Camera> {
+        let place = |object: usize, node: usize| nodes[object][node];
+        self.view.at(frame, &self.source, place)
     }
 
     /// The tables of a light map, which came from `file`.
@@ -94,6 +152,7 @@ impl Setup {
             let key = match e {
                 SettingsError::Empty => "image",
                 SettingsError::NoSamples | SettingsError::TooMany => "render",
+                SettingsError::Smc => "render.smc",
                 SettingsError::Exposure => "image.exposure_ev",
                 SettingsError::FieldOfView => "camera.fov_x_deg",
                 SettingsError::Camera => "camera",
@@ -101,23 +160,28 @@ impl Setup {
             };
             self.source.error(key, e)
         };
-        self.settings(frame)
+        self.settings(frame, self.camera(frame)?)
             .frame_params()
             .map(drop)
             .map_err(refused)
     }
 
-    /// What the renderer says of the scene, with the object of the shot that it is about.
-    pub fn refused_scene(&self, error: &SceneError) -> Error {
+    /// What the renderer says of the scene in a frame, with the object of the shot that it is about.
+    pub fn refused_scene(&self, frame: u32, error: &SceneError) -> Error {
         let told = match error {
             SceneError::NoTriangles { .. } => self
                 .source
-                .error("object", "all objects are too small to be seen")
+                .error(
+                    "object",
+                    format!("in frame {frame} all objects are too small to be seen"),
+                )
                 .fix("raise their scale"),
             SceneError::Transform { object } | SceneError::Position { object, .. } => {
                 let index = self.owners.get(*object).copied().unwrap_or(*object);
                 let key = format!("object.{index}");
-                let what = "it is flattened to nothing, or reaches beyond 1e9 units";
+                let what = format!(
+                    "in frame {frame} it is flattened to nothing, or reaches beyond 1e9 units"
+                );
                 self.source
                     .error(&key, what)
                     .fix("check its scale, and the transforms in its mesh file")
@@ -130,16 +194,23 @@ impl Setup {
         }
     }
 
-    /// Settings of a frame.
-    pub fn settings(&self, frame: u32) -> RenderSettings {
+    /// Settings of a frame that is seen from `camera`.
+    pub fn settings(&self, frame: u32, camera: Camera) -> RenderSettings {
         let (image, render) = (&self.shot.image, &self.shot.render);
         RenderSettings {
             size: UVec2::from(image.size),
-            camera: self.camera,
+            camera,
             rays_per_pixel: image.rays_per_pixel,
             brdf_samples: render.brdf_samples,
             env_samples: render.env_samples,
-            method: Method::Mis,
+            method: match render.method {
+                shot::Method::Bis => Method::Bis,
+                shot::Method::Smc => Method::Smc,
+                // Shots of other methods are refused when they are checked.
+                shot::Method::Mis | shot::Method::Prt => Method::Mis,
+            },
+            bis: render.bis.settings(),
+            smc: render.smc.settings(),
             pattern: match render.pattern {
                 shot::Pattern::OwenSobol => Pattern::OwenSobol,
                 shot::Pattern::Independent => Pattern::Independent,
@@ -164,7 +235,8 @@ impl Setup {
                 Some(shot::Shadow::Add) => Shadow::Add,
                 Some(shot::Shadow::Multiply) | None => Shadow::Multiply,
             },
-            layers: !self.shot.output.aovs.is_empty(),
+            layers: aov::any_layer(&self.shot.output.aovs),
+            diagnostics: aov::any_diagnostic(&self.shot.output.aovs),
         }
     }
 }

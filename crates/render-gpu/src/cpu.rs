@@ -4,32 +4,73 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use bytemuck::Zeroable;
-use glam::Vec4;
+use glam::{Mat4, Vec3, Vec4};
+use glimt_smc::{LOG_ZERO, Particle};
 
 use crate::host::env::PreparedEnv;
 use crate::host::plate::Plate;
 use crate::host::render::{FrameImage, Method, RenderError, RenderSettings, Renderer};
 use crate::host::scene_build::SceneBuffers;
+use crate::host::smc_state::{PastFrame, SmcKey, SmcState};
+use crate::kernels::bis::Bis;
 use crate::kernels::composite::{
     PlatePixel, composite_alone, composite_over_plate, display_over_plate,
 };
-use crate::kernels::environment::Environment;
+use crate::kernels::environment::{Environment, RadianceMap};
 use crate::kernels::film::{reconstruct, tonemap};
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers, reconstruct_layers};
+use crate::kernels::past::{Past, PastView, RayState};
 use crate::kernels::scene::Scene;
-use crate::kernels::shade::{shade_mis, shade_mis_layers};
+use crate::kernels::shade::{shade_bis, shade_bis_layers, shade_mis, shade_mis_layers};
+use crate::kernels::smc::{SmcParams, diagnose_smc, shade_smc, shade_smc_layers};
 
 /// Renders on all of rayon's threads.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct CpuRenderer {
     /// Pixels in a tile, a run of the image's pixels. It changes no bit of the image, only how work is shared out.
     pub tile_pixels: usize,
+    /// What the sequential sampler goes on from.
+    smc: Option<SmcState>,
 }
 
 impl Default for CpuRenderer {
     fn default() -> Self {
-        Self { tile_pixels: 128 }
+        Self::with_tiles(128)
+    }
+}
+
+impl CpuRenderer {
+    /// A renderer with tiles of so many pixels.
+    #[must_use]
+    pub fn with_tiles(tile_pixels: usize) -> Self {
+        Self {
+            tile_pixels,
+            smc: None,
+        }
+    }
+
+    /// The rays of the frame that is to come, and the frame before them where it can be gone on from.
+    fn begin_smc(
+        &mut self,
+        scene: &SceneBuffers,
+        env: &PreparedEnv,
+        settings: &RenderSettings,
+    ) -> Result<(Option<SmcState>, SmcState), RenderError> {
+        let past = self.smc.take();
+        let past = past.filter(|past| past.past.key == SmcKey::new(settings, scene));
+        let rays = settings.size.element_product() as usize * settings.rays_per_pixel as usize;
+        let particle = Particle {
+            state: Vec3::Z,
+            log_weight: LOG_ZERO,
+        };
+        let next = SmcState {
+            past: PastFrame::new(settings, scene, env)?,
+            light: env.view().texels.to_vec(),
+            rays: filled(RayState::NONE, rays)?,
+            particles: filled(particle, rays * settings.smc.particles as usize)?,
+        };
+        Ok((past, next))
     }
 }
 
@@ -48,8 +89,19 @@ impl Renderer for CpuRenderer {
     ) -> Result<FrameImage, RenderError> {
         let whole = settings.frame_params_over(plate)?;
         let in_layers = settings.in_layers(scene, plate);
+        let (past, mut next) = match settings.method {
+            Method::Smc => {
+                let (past, next) = self.begin_smc(scene, env, settings)?;
+                (past, Some(next))
+            }
+            _ => (None, None),
+        };
+        let motions = past.as_ref().map_or_else(
+            || vec![Mat4::IDENTITY; scene.transforms().len()],
+            |past| past.past.motions(scene),
+        );
         let work = Work {
-            method: settings.method,
+            method: WorkMethod::new(settings, env, past.as_ref(), &motions, &whole)?,
             whole,
             env: env.view(),
             scene: scene.view(),
@@ -58,16 +110,35 @@ impl Renderer for CpuRenderer {
         // A tile's rays are numbered in 32 bits.
         let most = (u32::MAX / whole.rays_per_pixel) as usize;
         let tile_pixels = self.tile_pixels.clamp(1, most);
+        let tile_rays = tile_pixels * whole.rays_per_pixel as usize;
         let pixels = (whole.width * whole.height) as usize;
+        let tiles = pixels.div_ceil(tile_pixels);
         let mut linear = filled(Vec4::ZERO, pixels)?;
         let mut display = filled([0; 4], pixels)?;
-        let kept = if settings.layers { pixels } else { 0 };
-        let mut layers = filled(PixelLayers::zeroed(), kept)?;
-        // Where the layers are not kept, a tile's are gone when it is done.
-        let mut kept = layers.chunks_mut(tile_pixels);
-        let kept: Vec<_> = (0..pixels.div_ceil(tile_pixels))
-            .map(|_| kept.next())
-            .collect();
+        let mut layers = filled(
+            PixelLayers::zeroed(),
+            if settings.layers { pixels } else { 0 },
+        )?;
+        let is_diagnosed = settings.diagnostics && next.is_some();
+        let mut diagnostics = filled(Vec4::ZERO, if is_diagnosed { pixels } else { 0 })?;
+        let (mut rays, mut particles): (&mut [RayState], &mut [Particle]) = match &mut next {
+            Some(next) => (&mut next.rays, &mut next.particles),
+            None => (&mut [], &mut []),
+        };
+        // What is not kept has no chunks, and a tile sees none of it.
+        let per_ray = settings.smc.particles as usize;
+        let kept = chunks(&mut layers, tile_pixels, tiles)
+            .into_iter()
+            .zip(chunks(&mut diagnostics, tile_pixels, tiles))
+            .zip(chunks(&mut rays, tile_rays, tiles))
+            .zip(chunks(&mut particles, tile_rays * per_ray, tiles))
+            .map(|(((layers, diagnostics), rays), particles)| Kept {
+                layers,
+                diagnostics,
+                rays,
+                particles,
+            })
+            .collect::<Vec<_>>();
         let done = AtomicUsize::new(0);
         linear
             .par_chunks_mut(tile_pixels)
@@ -79,33 +150,110 @@ impl Renderer for CpuRenderer {
                 |scratch, (tile, ((linear, display), kept))| {
                     let first = tile * tile_pixels;
                     if in_layers {
-                        work.layered_tile(first, scratch, linear, display);
+                        work.layered_tile(first, scratch, linear, display, kept);
                     } else {
-                        work.tile(first, scratch, linear, display);
-                    }
-                    if let Some(kept) = kept {
-                        kept.copy_from_slice(&scratch.layers);
+                        work.tile(first, scratch, linear, display, kept);
                     }
                     let done = done.fetch_add(linear.len(), Ordering::Relaxed) + linear.len();
                     progress(done as f32 / pixels as f32);
                 },
             );
+        if let Some(next) = next {
+            self.smc = Some(next);
+        }
         Ok(FrameImage {
             size: settings.size,
             linear,
             display,
             layers: settings.layers.then_some(layers),
+            diagnostics: is_diagnosed.then_some(diagnostics),
         })
     }
+
+    fn smc_state(&mut self) -> Result<Option<SmcState>, RenderError> {
+        Ok(self.smc.clone())
+    }
+
+    fn set_smc_state(&mut self, state: Option<SmcState>) -> Result<(), RenderError> {
+        self.smc = state;
+        Ok(())
+    }
+}
+
+/// A list in tiles, as many as there are: empty ones where the list is.
+fn chunks<'a, T>(list: &'a mut [T], size: usize, tiles: usize) -> Vec<&'a mut [T]> {
+    let mut chunks = list.chunks_mut(size);
+    (0..tiles)
+        .map(|_| chunks.next().unwrap_or_default())
+        .collect()
 }
 
 /// A frame to render.
 struct Work<'a> {
-    method: Method,
+    method: WorkMethod<'a>,
     whole: FrameParams,
     env: Environment<'a>,
     scene: Scene<'a>,
     plate: Option<&'a [PlatePixel]>,
+}
+
+/// How its light is estimated.
+enum WorkMethod<'a> {
+    Mis,
+    Bis(Bis),
+    Smc {
+        params: SmcParams,
+        view: PastView,
+        before: RadianceMap<'a>,
+        past: Past<'a>,
+        per_ray: usize,
+    },
+}
+
+impl<'a> WorkMethod<'a> {
+    fn new(
+        settings: &RenderSettings,
+        env: &'a PreparedEnv,
+        past: Option<&'a SmcState>,
+        motions: &'a [Mat4],
+        frame: &FrameParams,
+    ) -> Result<Self, RenderError> {
+        Ok(match settings.method {
+            Method::Mis => Self::Mis,
+            Method::Bis => Self::Bis(settings.bis.params()?),
+            Method::Smc => {
+                let now = env.view();
+                // Without a frame before, this one stands in for it, and no pixel of it is at hand.
+                let mean = env.mean_luminance();
+                let before = past.map_or(
+                    RadianceMap {
+                        texels: now.texels,
+                        size: now.cdf.size,
+                        rotation: now.rotation,
+                    },
+                    SmcState::light,
+                );
+                let view = match past {
+                    Some(past) => past.past.view,
+                    None => settings.camera.view(settings.size)?,
+                };
+                let pixels = past.map_or(0, |_| frame.width * frame.height);
+                Self::Smc {
+                    params: settings
+                        .smc
+                        .params(mean, past.map_or(mean, |past| past.past.light_mean))?,
+                    view: settings.smc.past_view(&view, 0, pixels),
+                    before,
+                    past: Past {
+                        motions,
+                        states: past.map_or(&[], |past| &past.rays),
+                        particles: past.map_or(&[], |past| &past.particles),
+                    },
+                    per_ray: settings.smc.particles as usize,
+                }
+            }
+        })
+    }
 }
 
 /// What a thread computes its tiles in.
@@ -114,6 +262,14 @@ struct Scratch {
     rays: Vec<Vec4>,
     samples: Vec<LayerSample>,
     layers: Vec<PixelLayers>,
+}
+
+/// What is kept of a tile beside its image; empty where it is not.
+struct Kept<'a> {
+    layers: &'a mut [PixelLayers],
+    diagnostics: &'a mut [Vec4],
+    rays: &'a mut [RayState],
+    particles: &'a mut [Particle],
 }
 
 impl Work<'_> {
@@ -131,44 +287,85 @@ impl Work<'_> {
         scratch: &mut Scratch,
         linear: &mut [Vec4],
         display: &mut [[u8; 4]],
+        kept: Kept<'_>,
     ) {
-        let shade = match self.method {
-            Method::Mis => shade_mis,
-        };
         let frame = &self.params(first);
-        let count = linear.len() as u32 * frame.rays_per_pixel;
+        let rays = 0..linear.len() as u32 * frame.rays_per_pixel;
+        let (env, scene) = (self.env, self.scene);
         let samples = &mut scratch.rays;
         samples.clear();
-        samples.extend((0..count).map(|ray| shade(ray, frame, self.env, self.scene)));
+        match &self.method {
+            WorkMethod::Mis => samples.extend(rays.map(|ray| shade_mis(ray, frame, env, scene))),
+            WorkMethod::Bis(bis) => {
+                samples.extend(rays.map(|ray| shade_bis(ray, frame, bis, env, scene)));
+            }
+            WorkMethod::Smc {
+                params,
+                view,
+                before,
+                past,
+                per_ray,
+            } => {
+                let states = kept.rays.chunks_mut(1);
+                let sets = kept.particles.chunks_mut(*per_ray);
+                samples.extend(rays.zip(states.zip(sets)).map(|(ray, (state, set))| {
+                    shade_smc(
+                        ray, frame, params, view, env, *before, scene, *past, state, set,
+                    )
+                }));
+            }
+        }
         for (pixel, value) in (0..).zip(linear.iter_mut()) {
             *value = reconstruct(pixel, frame, samples);
         }
         for (pixel, value) in (0..).zip(display) {
             *value = tonemap(pixel, frame, linear).to_le_bytes();
         }
+        self.diagnose(frame, kept.diagnostics, kept.rays);
     }
 
-    /// The same by way of its layers, which stay in the scratch.
+    /// The same by way of its layers.
     fn layered_tile(
         &self,
         first: usize,
         scratch: &mut Scratch,
         linear: &mut [Vec4],
         display: &mut [[u8; 4]],
+        kept: Kept<'_>,
     ) {
-        let shade = match self.method {
-            Method::Mis => shade_mis_layers,
-        };
         let frame = &self.params(first);
         let pixels = linear.len() as u32;
-        let count = pixels * frame.rays_per_pixel;
+        let rays = 0..pixels * frame.rays_per_pixel;
+        let (env, scene) = (self.env, self.scene);
         let Scratch {
             samples, layers, ..
         } = scratch;
         samples.clear();
-        samples.extend((0..count).map(|ray| shade(ray, frame, self.env, self.scene)));
+        match &self.method {
+            WorkMethod::Mis => {
+                samples.extend(rays.map(|ray| shade_mis_layers(ray, frame, env, scene)));
+            }
+            WorkMethod::Bis(bis) => {
+                samples.extend(rays.map(|ray| shade_bis_layers(ray, frame, bis, env, scene)));
+            }
+            WorkMethod::Smc {
+                params,
+                view,
+                before,
+                past,
+                per_ray,
+            } => {
+                let states = kept.rays.chunks_mut(1);
+                let sets = kept.particles.chunks_mut(*per_ray);
+                samples.extend(rays.zip(states.zip(sets)).map(|(ray, (state, set))| {
+                    shade_smc_layers(
+                        ray, frame, params, view, env, *before, scene, *past, state, set,
+                    )
+                }));
+            }
+        }
         layers.clear();
-        layers.extend((0..pixels).map(|pixel| reconstruct_layers(pixel, frame, self.env, samples)));
+        layers.extend((0..pixels).map(|pixel| reconstruct_layers(pixel, frame, env, samples)));
         let plate = self.plate.map(|plate| &plate[first..first + linear.len()]);
         for (pixel, value) in (0..).zip(linear.iter_mut()) {
             *value = match plate {
@@ -182,6 +379,18 @@ impl Work<'_> {
                 None => tonemap(pixel, frame, linear),
             };
             *value = code.to_le_bytes();
+        }
+        if !kept.layers.is_empty() {
+            kept.layers.copy_from_slice(layers);
+        }
+        self.diagnose(frame, kept.diagnostics, kept.rays);
+    }
+
+    fn diagnose(&self, frame: &FrameParams, diagnostics: &mut [Vec4], rays: &[RayState]) {
+        if let WorkMethod::Smc { per_ray, .. } = self.method {
+            for (pixel, value) in (0..).zip(diagnostics) {
+                *value = diagnose_smc(pixel, frame, rays, per_ray as u32);
+            }
         }
     }
 }

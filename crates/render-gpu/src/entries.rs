@@ -23,6 +23,20 @@ const fn entry(name: &'static str, kernel: &'static str) -> EntrySpec {
 /// All entry points: the passes of rendering, then the stages that parity tests compare.
 pub const ENTRIES: &[EntrySpec] = &[
     entry("shade_mis", "glimt_render_gpu::kernels::shade::shade_mis"),
+    entry("shade_bis", "glimt_render_gpu::kernels::shade::shade_bis"),
+    entry(
+        "shade_bis_layers",
+        "glimt_render_gpu::kernels::shade::shade_bis_layers",
+    ),
+    entry("shade_smc", "glimt_render_gpu::kernels::smc::shade_smc"),
+    entry(
+        "shade_smc_layers",
+        "glimt_render_gpu::kernels::smc::shade_smc_layers",
+    ),
+    entry(
+        "diagnose_smc",
+        "glimt_render_gpu::kernels::smc::diagnose_smc",
+    ),
     entry(
         "reconstruct",
         "glimt_render_gpu::kernels::film::reconstruct",

@@ -37,6 +37,8 @@
 //! | [`sobol`] | Owen-scrambled Sobol points, the pattern to prefer |
 //! | [`warp`] | disc, cosine hemisphere, sphere, cap, power-cosine lobe: sample, density, inverse |
 //! | [`mis`] | the balance and power heuristics, multi-sample and one-sample estimators |
+//! | [`resample`] | systematic, stratified, multinomial and residual resampling, without storage |
+//! | [`ris`] | sampling-importance-resampling, without storage |
 //! | [`math`] | luminance, shading frame |
 //! | [`hash`] | integer hashes |
 //!
@@ -66,6 +68,10 @@
 //! - S. Laine, T. Karras: *Stratified sampling for stochastic transparency*, EGSR 2011.
 //! - P. Shirley, K. Chiu: *A low distortion map between disk and square*, JGT 2(3), 1997.
 //! - E. Veach, L. Guibas: *Optimally combining sampling techniques for Monte Carlo rendering*, SIGGRAPH 1995.
+//! - D. B. Rubin: *A noniterative sampling/importance resampling alternative to the data augmentation algorithm*, JASA
+//!   82, 1987.
+//! - J. Talbot, D. Cline, P. Egbert: *Importance resampling for global illumination*, EGSR 2005.
+//! - R. Douc, O. Cappé, E. Moulines: *Comparison of resampling schemes for particle filtering*, ISPA 2005.
 //! - G. Steele, D. Lea, C. Flood: *Fast splittable pseudorandom number generators*, OOPSLA 2014.
 //! - N. Vegdahl: *Building a better LK hash*, 2021 (the constants of the scrambling).
 //! - C. Wellons: *Prospecting for hash functions*, 2018 (`lowbias32`).
@@ -75,6 +81,8 @@
 pub mod hash;
 pub mod math;
 pub mod mis;
+pub mod resample;
+pub mod ris;
 mod rng;
 pub mod sobol;
 pub mod uniform;
@@ -95,6 +103,8 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("hash.rs", include_str!("hash.rs")),
         ("math.rs", include_str!("math.rs")),
         ("mis.rs", include_str!("mis.rs")),
+        ("resample.rs", include_str!("resample.rs")),
+        ("ris.rs", include_str!("ris.rs")),
         ("sobol.rs", include_str!("sobol.rs")),
         ("uniform.rs", include_str!("uniform.rs")),
         ("warp.rs", include_str!("warp.rs")),

@@ -336,6 +336,8 @@ impl Clock for StageClock<'_, '_, '_> {
         if contestant.is_stateful()
             && let Some(before) = self.plan.before(frame)
         {
+            // What is timed is a frame in the middle of a shot.
+            self.stage.break_off()?;
             self.stage.render(&contestant.shot, before, seed)?;
         }
         let image = self.stage.render(&contestant.shot, frame, seed)?;

@@ -38,8 +38,6 @@ pub struct Stage<'a> {
     scene: SceneBuffers,
     lights: Lights,
     reporter: &'a Reporter,
-    /// Seed of the last frame.
-    last_seed: Option<u32>,
 }
 
 impl<'a> Stage<'a> {
@@ -48,8 +46,8 @@ impl<'a> Stage<'a> {
     /// # Errors
     /// The scene is refused, or the device is not there.
     pub fn open(job: Job, device: Device, notes: Notes, reporter: &'a Reporter) -> Result<Self> {
-        let scene =
-            SceneBuffers::build(&job.setup.scene).map_err(|e| job.setup.refused_scene(&e))?;
+        let refused = |e| job.setup.refused_scene(job.setup.first, &e);
+        let scene = SceneBuffers::build(&job.setup.scene).map_err(refused)?;
         Ok(Self {
             renderer: device::open(device)?,
             scene,
@@ -60,7 +58,6 @@ impl<'a> Stage<'a> {
             },
             reporter,
             job,
-            last_seed: None,
         })
     }
 
@@ -77,17 +74,20 @@ impl<'a> Stage<'a> {
     }
 
     /// Settings of a frame, by the keys of another shot of the same scene.
-    #[must_use]
-    pub fn settings(&mut self, shot: &Shot, frame: u32, seed: u32) -> RenderSettings {
+    ///
+    /// # Errors
+    /// The camera sees nothing then.
+    pub fn settings(&mut self, shot: &Shot, frame: u32, seed: u32) -> Result<RenderSettings> {
+        let camera = self.job.setup.camera(frame)?;
         let own = std::mem::replace(&mut self.job.setup.shot, shot.clone());
-        let settings = self.job.setup.settings(frame);
+        let settings = self.job.setup.settings(frame, camera);
         self.job.setup.shot = own;
-        RenderSettings {
+        Ok(RenderSettings {
             seed,
             // What falls on catchers is a layer.
             layers: self.scene.has_catcher(),
             ..settings
-        }
+        })
     }
 
     /// Whether the renderer accepts a contestant.
@@ -95,28 +95,32 @@ impl<'a> Stage<'a> {
     /// # Errors
     /// It does not.
     pub fn check(&mut self, contestant: &Contestant) -> Result<()> {
-        let settings = self.settings(&contestant.shot, self.job.frames[0], 1);
+        let settings = self.settings(&contestant.shot, self.job.frames[0], 1)?;
         settings
             .frame_params()
             .map(drop)
             .map_err(|e| contestant.refused(e))
     }
 
-    /// Renders a frame. Reading the light is no part of its time.
+    /// Renders a frame. Reading the light and moving the scene are no part of its time.
     ///
     /// # Errors
     /// The light cannot be read, or the device fails.
     pub fn render(&mut self, shot: &Shot, frame: u32, seed: u32) -> Result<Rendered> {
         let light = self.lights.of(&self.job, frame)?;
         self.reporter.notes(self.lights.notes.take());
-        let settings = self.settings(shot, frame, seed);
+        let settings = self.settings(shot, frame, seed)?;
+        let setup = &self.job.setup;
+        let refused = |e| setup.refused_scene(frame, &e);
+        self.scene
+            .pose(&setup.pose(frame)?.transforms)
+            .map_err(refused)?;
         let began = Instant::now();
         let image = self
             .renderer
             .render_frame(&self.scene, &light, &settings, &|_| ())
             .map_err(device::failure)?;
         let seconds = began.elapsed().as_secs_f64();
-        self.last_seed = Some(seed);
         let mut pixels = image.linear;
         if let Some(layers) = image.layers {
             for (pixel, layer) in pixels.iter_mut().zip(&layers) {
@@ -144,15 +148,12 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// Makes the next frame of a contestant that goes on from the one before start anew: another seed is another experiment.
+    /// Makes a contestant that goes on from the frame before start anew in the next.
     ///
     /// # Errors
-    /// As [`Stage::render`].
-    pub fn break_off(&mut self, contestant: &Contestant, frame: u32, seed: u32) -> Result<()> {
-        if contestant.is_stateful() && self.last_seed == Some(seed) {
-            self.render(&contestant.shot, frame, !seed)?;
-        }
-        Ok(())
+    /// The device fails.
+    pub fn break_off(&mut self) -> Result<()> {
+        self.renderer.set_smc_state(None).map_err(device::failure)
     }
 
     /// What is displayed of radiance, over black.
@@ -161,7 +162,7 @@ impl<'a> Stage<'a> {
     /// The shot's settings are refused.
     pub fn display(&mut self, shot: &Shot, pixels: &[Vec4]) -> Result<Vec<u8>> {
         let frame = self.job.frames[0];
-        let settings = self.settings(shot, frame, 1).frame_params();
+        let settings = self.settings(shot, frame, 1)?.frame_params();
         let params = settings.map_err(|e| Error::new(Kind::Usage, e))?;
         let codes: Vec<[u8; 4]> = (0..pixels.len() as u32)
             .map(|i| tonemap(i, &params, pixels).to_le_bytes())

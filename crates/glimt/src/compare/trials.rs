@@ -165,7 +165,7 @@ pub fn pilot(
     for k in 0..PILOT_SEEDS {
         // Others than those of the trials.
         let seed = plan.seed(contestant, k).wrapping_add(1 << 30);
-        stage.break_off(contestant, frames[0], seed)?;
+        stage.break_off()?;
         for &frame in &frames {
             let image = stage.render(&contestant.shot, frame, seed)?;
             progress(image.seconds);
@@ -283,7 +283,7 @@ impl<'a> Trials<'a> {
                 continue;
             }
             let seed = plan.seed(contestant, k);
-            stage.break_off(contestant, frames[0], seed)?;
+            stage.break_off()?;
             let mut before: Option<(u32, Vec<glam::Vec4>)> = None;
             for &frame in &frames {
                 let image = stage.render(&contestant.shot, frame, seed)?;

@@ -1,8 +1,8 @@
 //! Host file: the sculpture: an armillary sphere on a turned pedestal. It stands on z = 0, in metres.
 
 use super::solid::{Knurl, Place, Solid, around_z};
-use crate::mesh::{Model, Part};
-use glam::{DMat3, DVec2, DVec3, Mat4, UVec2, Vec3, dvec2, uvec2, vec3};
+use crate::mesh::Model;
+use glam::{DMat3, DVec2, DVec3, UVec2, Vec3, dvec2, uvec2, vec3};
 use glimt_render_gpu::host::scene::Material;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -28,15 +28,10 @@ pub fn model() -> Model {
     sphere(&mut sculpture);
     let (materials, names) = materials().into_iter().unzip();
     Model {
-        meshes: vec![sculpture.into_mesh()],
         materials,
         material_names: names,
-        parts: vec![Part {
-            mesh: 0,
-            transform: Mat4::IDENTITY,
-        }],
         z_up: true,
-        ..Model::default()
+        ..Model::of_mesh(sculpture.into_mesh())
     }
 }
 

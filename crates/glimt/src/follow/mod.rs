@@ -20,7 +20,7 @@ use crate::output::video::{self, Encoder, Video};
 use crate::output::{Stamp, atomic, rgb_over_black};
 use crate::report::{FrameStatus, Reporter};
 use crate::setup::{self, Setup};
-use crate::shot::{check, parse, range};
+use crate::shot::{Shot, check, parse, range};
 use glimt_render_gpu::host::render::{FrameImage, Renderer};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use plates::Plates;
@@ -84,7 +84,8 @@ pub fn render(file: &Path, flags: &RenderFlags, wait: Duration, reporter: &Repor
         shot.image.size = plates.size(wait)?.to_array();
         check::check(&shot, &source)?;
     }
-    let setup = Setup::load(shot, source, base, flags, &mut notes);
+    let first = first_frame(&shot, &watch)?;
+    let setup = Setup::load(shot, source, base, first, flags, &mut notes);
     reporter.notes(notes.take());
     let follow = Follow {
         setup: setup?,
@@ -94,8 +95,17 @@ pub fn render(file: &Path, flags: &RenderFlags, wait: Duration, reporter: &Repor
         began,
         reporter,
     };
-    follow.setup.check_settings(1)?;
+    follow.setup.check_settings(first)?;
     follow.run(watch, plates, notes)
+}
+
+/// The frame from which motion is counted: the shot's first, or the lowest that is there; 1 where none is yet.
+fn first_frame(shot: &Shot, watch: &Watcher) -> Result<u32> {
+    if !shot.render.frames.is_empty() {
+        return Ok(*range::parse(&shot.render.frames)?.start());
+    }
+    let listed = watch.files().listed().unwrap_or_default();
+    Ok(listed.first().copied().unwrap_or(1))
 }
 
 impl Follow<'_> {
@@ -111,7 +121,8 @@ impl Follow<'_> {
                 Some(Film { file, encoder })
             }
         };
-        let scene = SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(&e))?;
+        let mut scene =
+            SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
         let mut renderer = device::open(self.device)?;
         let files = watch.files().clone();
         self.reporter.start_following(
@@ -130,7 +141,7 @@ impl Follow<'_> {
             let (stop, film, tally) = (&stop, film.as_ref(), &tally);
             let taking = scope.spawn(move || take_frames(&mut taker, stop, &give));
             let writing = scope.spawn(move || self.write_frames(film, tally, finished));
-            let rendered = self.render_frames(&mut *renderer, &scene, &taken, &finish);
+            let rendered = self.render_frames(&mut *renderer, &mut scene, &taken, &finish);
             stop.store(true, Ordering::Relaxed);
             drop((taken, finish));
             let taken = taking
@@ -159,7 +170,7 @@ impl Follow<'_> {
     fn render_frames(
         &self,
         renderer: &mut dyn Renderer,
-        scene: &SceneBuffers,
+        scene: &mut SceneBuffers,
         taken: &Receiver<Taken>,
         finish: &SyncSender<Finished>,
     ) -> Result<()> {
@@ -173,7 +184,11 @@ impl Follow<'_> {
             let image = match inputs {
                 None => None,
                 Some(inputs) => {
-                    let settings = self.setup.settings(stamp.frame);
+                    let setup = &self.setup;
+                    let pose = setup.pose(stamp.frame)?;
+                    let refused = |e| setup.refused_scene(stamp.frame, &e);
+                    scene.pose(&pose.transforms).map_err(refused)?;
+                    let settings = setup.settings(stamp.frame, pose.camera);
                     let plate = inputs.plate.as_deref();
                     let image = renderer
                         .render_over(scene, &inputs.light, plate, &settings, &|_| ())

@@ -1,6 +1,7 @@
 //! Host file: what a mesh file holds.
 
 use crate::error::Result;
+use crate::mesh::node::names;
 use crate::mesh::{self, Model};
 use crate::notes::Notes;
 use glam::{Mat4, Vec3};
@@ -11,7 +12,9 @@ use std::path::Path;
 pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)> {
     let model = mesh::load(Path::new(""), &file.to_string_lossy(), notes)?;
     let vertices: usize = model.meshes.iter().map(|m| m.positions.len()).sum();
-    let (low, high) = model.bounds(Mat4::IDENTITY).unwrap_or_default();
+    let (low, high) = model
+        .bounds(&model.rest(), Mat4::IDENTITY)
+        .unwrap_or_default();
 
     let mut lines = Vec::new();
     let mut line = |name: &str, text: String| lines.push(format!("{name:<12}{text}"));
@@ -44,16 +47,28 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
         let fov = camera.fov_y.to_degrees();
         line("camera", format!("{}: {fov:.1}° high", camera.name));
     }
-    if model.animations > 0 {
-        line("animations", format!("{} (not played)", model.animations));
+    for name in names(&model.nodes) {
+        line("node", name.to_owned());
+    }
+    for animation in &model.animations {
+        let (seconds, channels) = (animation.duration_s(), animation.channels.len());
+        line(
+            "animation",
+            format!("{}: {seconds} s, {channels} channels", animation.name),
+        );
     }
     let cameras: Vec<&str> = model.cameras.iter().map(|c| c.name.as_str()).collect();
+    let animations: Vec<Value> = model
+        .animations
+        .iter()
+        .map(|a| json!({"name": a.name, "duration_s": a.duration_s()}))
+        .collect();
     let files: Vec<&Path> = model.files.iter().map(AsRef::as_ref).collect();
     let value = json!({
         "file": file, "kind": "mesh", "triangles": model.triangles(), "vertices": vertices,
         "meshes": model.meshes.len(), "parts": model.parts.len(),
         "bounds": [low.to_array(), high.to_array()], "materials": model.material_names,
-        "textures": model.textures.len(), "cameras": cameras, "animations": model.animations,
+        "textures": model.textures.len(), "cameras": cameras, "nodes": names(&model.nodes), "animations": animations,
         "files": files,
     });
     Ok((value, lines.join("\n")))

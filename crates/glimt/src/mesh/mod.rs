@@ -1,8 +1,11 @@
 //! Host file: meshes in: files and built-in shapes as the renderer's host types, checked.
 
+pub mod animation;
 pub mod builtin;
 pub mod clean;
 pub mod gltf;
+pub mod motion;
+pub mod node;
 pub mod obj;
 pub mod place;
 pub mod ply;
@@ -10,8 +13,10 @@ pub mod ply;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest::{self, Hash};
+use animation::Animation;
 use glam::{Mat4, Vec3};
 use glimt_render_gpu::host::scene::{Material, Mesh, Texture};
+use node::Node;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -26,12 +31,14 @@ pub struct Model {
     pub material_names: Vec<String>,
     /// Images.
     pub textures: Vec<Texture>,
-    /// Where the meshes stand, in the file's own axes.
+    /// Places in the file, in its own axes.
+    pub nodes: Vec<Node>,
+    /// Where the meshes stand.
     pub parts: Vec<Part>,
     /// Cameras.
     pub cameras: Vec<ModelCamera>,
-    /// Number of animations, of which none is played.
-    pub animations: usize,
+    /// What moves the nodes.
+    pub animations: Vec<Animation>,
     /// The file and all that it refers to.
     pub files: Vec<PathBuf>,
     /// Whether z is up, rather than y, if a shot does not say.
@@ -39,16 +46,14 @@ pub struct Model {
 }
 
 impl Model {
-    /// One grey mesh, where its file has it.
+    /// One grey mesh, where its file has it, at a node of its name.
     pub fn of_mesh(mesh: Mesh) -> Model {
         Model {
+            nodes: vec![Node::at(&mesh.name, None, Vec3::ZERO)],
             meshes: vec![mesh],
             materials: vec![default_material()],
             material_names: vec!["grey".to_owned()],
-            parts: vec![Part {
-                mesh: 0,
-                transform: Mat4::IDENTITY,
-            }],
+            parts: vec![Part { mesh: 0, node: 0 }],
             ..Model::default()
         }
     }
@@ -59,8 +64,8 @@ impl Model {
 pub struct Part {
     /// Index of the mesh.
     pub mesh: usize,
-    /// To the file's world.
-    pub transform: Mat4,
+    /// Index of the node that it stands at.
+    pub node: usize,
 }
 
 /// A perspective camera of a file.
@@ -68,8 +73,8 @@ pub struct Part {
 pub struct ModelCamera {
     /// Its name.
     pub name: String,
-    /// To the file's world; it looks along −z with +y up.
-    pub transform: Mat4,
+    /// Index of its node; it looks along −z with +y up.
+    pub node: usize,
     /// Vertical field of view, in radians.
     pub fov_y: f32,
 }
@@ -123,11 +128,20 @@ impl Model {
         self.parts.iter().map(count).sum()
     }
 
-    /// Bounds of all its parts after a further transform; `None` without any.
-    pub fn bounds(&self, transform: Mat4) -> Option<(Vec3, Vec3)> {
+    /// From each node to the file's world, as the file has it.
+    pub fn rest(&self) -> Vec<Mat4> {
+        node::to_file(&self.nodes, |_, node| node.local)
+    }
+
+    /// Bounds of all its parts, with each node where `nodes` says, after a further transform; `None` without any. Parts that
+    /// are scaled to nothing have none.
+    pub fn bounds(&self, nodes: &[Mat4], transform: Mat4) -> Option<(Vec3, Vec3)> {
         let mut bounds: Option<(Vec3, Vec3)> = None;
         for part in &self.parts {
-            let to_world = transform * part.transform;
+            let to_world = transform * nodes[part.node];
+            if to_world.determinant() == 0.0 {
+                continue;
+            }
             let mesh = &self.meshes[part.mesh];
             for &index in mesh.indices.as_flattened() {
                 let p = to_world.transform_point3(mesh.positions[index as usize]);

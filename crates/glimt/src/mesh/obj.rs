@@ -1,9 +1,10 @@
 //! Host file: Wavefront OBJ meshes and their MTL materials.
 
+use super::node::Node;
 use super::{Model, Part, default_material};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
-use glam::{Mat4, Vec2, Vec3};
+use glam::{Vec2, Vec3};
 use glimt_render_gpu::host::scene::{Material, Mesh, Texture, Wrap};
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
@@ -73,11 +74,9 @@ pub fn load(file: &Path, notes: &mut Notes) -> Result<Model> {
         .unwrap_or_default()
         .to_string_lossy()
         .into_owned();
+    model.nodes.push(Node::at(&mesh.name, None, Vec3::ZERO));
     model.meshes.push(mesh);
-    model.parts.push(Part {
-        mesh: 0,
-        transform: Mat4::IDENTITY,
-    });
+    model.parts.push(Part { mesh: 0, node: 0 });
     Ok(model)
 }
 

@@ -1,25 +1,29 @@
-//! Host file: the objects of a shot placed in the world, and the camera that looks at them.
+//! Host file: the objects of a shot placed in the world, in each frame.
 
+use super::motion::Motion;
 use super::{Model, load};
-use crate::error::{Error, Result, nearest};
+use crate::error::Result;
 use crate::notes::Notes;
 use crate::shot::digest::{Hash, join};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, Up};
-use glam::{EulerRot, Mat3, Mat4, Quat, Vec3};
-use glimt_render_gpu::host::scene::{Camera, Material, Object, SceneDescription};
+use crate::view::{FileCamera, View};
+use glam::{DMat3, EulerRot, Mat4, Quat, Vec3};
+use glimt_render_gpu::host::scene::{Material, Object, SceneDescription};
 use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 use std::collections::HashMap;
 use std::f32::consts::FRAC_PI_2;
 use std::path::Path;
 
-/// A scene with the camera of its shot.
+/// A scene, and what moves in it.
 #[derive(Clone, Debug)]
 pub struct Placed {
-    /// Meshes, materials, objects.
+    /// Meshes, materials, and objects where they stand in the first frame.
     pub scene: SceneDescription,
     /// Where it is seen from.
-    pub camera: Camera,
+    pub view: View,
+    /// How it moves: each of the shot's objects.
+    pub movers: Vec<Mover>,
     /// Hash of the contents of all mesh files.
     pub digest: Hash,
     /// Triangles, counting each placing of a mesh.
@@ -28,10 +32,50 @@ pub struct Placed {
     pub owners: Vec<usize>,
 }
 
-/// Loads the meshes of a shot and places them.
+/// An object of a shot, whose parts move.
+#[derive(Clone, Debug)]
+pub struct Mover {
+    /// From its file to the world.
+    pub to_world: Mat4,
+    /// What moves its nodes.
+    pub motion: Motion,
+    /// The node of each of its parts, which are the next objects of the scene.
+    pub parts: Vec<usize>,
+}
+
+impl Mover {
+    /// From each node to the world, `frames` frames after the first.
+    pub fn nodes_at(&self, frames: i64, fps: f32) -> Vec<Mat4> {
+        let mut nodes = self.motion.nodes_at(frames, fps);
+        for node in &mut nodes {
+            *node = self.to_world * *node;
+        }
+        nodes
+    }
+
+    /// From the mesh of each part to the world, where `nodes` stand so.
+    pub fn parts_at(&self, nodes: &[Mat4]) -> impl Iterator<Item = Mat4> {
+        self.parts.iter().map(|&node| unfolded(nodes[node]))
+    }
+}
+
+/// A transform that can be inverted. What is scaled to nothing becomes so small that none of its triangles has an area: files
+/// hide things so.
+fn unfolded(transform: Mat4) -> Mat4 {
+    let flat = DMat3::from_mat4(transform.as_dmat4()).determinant() == 0.0;
+    match flat {
+        true => {
+            Mat4::from_translation(transform.w_axis.truncate())
+                * Mat4::from_scale(Vec3::splat(1e-20))
+        }
+        false => transform,
+    }
+}
+
+/// Loads the meshes of a shot and places them where they stand in the first frame.
 ///
 /// # Errors
-/// A mesh cannot be loaded, or the camera cannot be placed.
+/// A mesh cannot be loaded, has no node, animation or camera that the shot names, or lies beyond the world's end.
 pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Result<Placed> {
     let mut scene = SceneDescription::default();
     let mut loaded: HashMap<&str, Loaded> = HashMap::new();
@@ -41,6 +85,7 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
     let mut subject: Option<(Vec3, Vec3)> = None;
     let mut triangles = 0;
     let mut owners = Vec::new();
+    let mut movers = Vec::new();
     for (index, object) in shot.objects.iter().enumerate() {
         let name = object.mesh.as_str();
         if !loaded.contains_key(name) {
@@ -52,7 +97,9 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
         digests.push(model.digest(name)?);
         triangles += model.triangles();
 
-        let transform = transform(object, model);
+        let motion = Motion::new(object, index, model, source)?;
+        let nodes = motion.nodes_at(0, shot.probe.fps);
+        let to_world = transform(object, model, &nodes);
         let material = object.material.as_ref().map(|m| {
             scene.materials.push(Material::BlinnPhong {
                 diffuse: m.diffuse.into(),
@@ -61,18 +108,28 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
             });
             scene.materials.len() as u32 - 1
         });
-        scene.objects.extend(model.parts.iter().map(|part| Object {
+        let mover = Mover {
+            to_world,
+            motion,
+            parts: model.parts.iter().map(|part| part.node).collect(),
+        };
+        let in_world = mover.nodes_at(0, shot.probe.fps);
+        let pairs = model.parts.iter().zip(mover.parts_at(&in_world));
+        scene.objects.extend(pairs.map(|(part, transform)| Object {
             mesh: entry.first_mesh + part.mesh as u32,
-            transform: transform * part.transform,
+            transform,
             material,
             catcher: object.catcher,
         }));
         owners.resize(scene.objects.len(), index);
-        cameras.extend(model.cameras.iter().map(|camera| {
-            let to_world = transform * camera.transform;
-            (camera.name.clone(), to_world, camera.fov_y)
+        cameras.extend(model.cameras.iter().map(|camera| FileCamera {
+            name: camera.name.clone(),
+            object: index,
+            node: camera.node,
+            fov_y: camera.fov_y,
         }));
-        if let Some(bounds) = model.bounds(transform) {
+        movers.push(mover);
+        if let Some(bounds) = model.bounds(&nodes, to_world) {
             let reach = bounds.0.abs().max(bounds.1.abs()).max_element();
             if !(reach <= MAX_COORDINATE) {
                 let what = format!("the object reaches {reach:.1e} units from the origin");
@@ -89,7 +146,8 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
     }
     let bounds = subject.or(all).unwrap_or((Vec3::NEG_ONE, Vec3::ONE));
     Ok(Placed {
-        camera: camera(shot, source, bounds, &cameras)?,
+        view: View::new(shot, source, bounds, &cameras)?,
+        movers,
         scene,
         digest: join(&digests),
         triangles,
@@ -148,7 +206,7 @@ fn grow(bounds: &mut Option<(Vec3, Vec3)>, (low, high): (Vec3, Vec3)) {
 }
 
 /// To the world's axes, scaled, turned about x, y, z (fixed axes), set on the ground, moved.
-fn transform(object: &shot::Object, model: &Model) -> Mat4 {
+fn transform(object: &shot::Object, model: &Model, nodes: &[Mat4]) -> Mat4 {
     let default_up = if model.z_up { Up::Z } else { Up::Y };
     let up = match object.up.unwrap_or(default_up) {
         Up::Y => Mat4::from_rotation_x(FRAC_PI_2),
@@ -160,89 +218,11 @@ fn transform(object: &shot::Object, model: &Model) -> Mat4 {
     let turned = rotation * Mat4::from_scale(Vec3::splat(object.scale)) * up;
     let mut translate = Vec3::from(object.translate);
     if object.ground
-        && let Some((low, _)) = model.bounds(turned)
+        && let Some((low, _)) = model.bounds(nodes, turned)
     {
         translate.z -= low.z;
     }
     Mat4::from_translation(translate) * turned
-}
-
-/// The direction from which objects are looked at when a shot does not say: along +x, the middle of a lat-long map, from
-/// a little to the side and above.
-const VIEW_FROM: Vec3 = Vec3::new(-1.0, -0.45, 0.35);
-
-fn camera(
-    shot: &Shot,
-    source: &Source,
-    (low, high): (Vec3, Vec3),
-    cameras: &[(String, Mat4, f32)],
-) -> Result<Camera> {
-    let keys = &shot.camera;
-    let [width, height] = shot.image.size.map(|n| n as f32);
-    if !keys.gltf.is_empty() {
-        return from_gltf(keys, source, width / height, cameras);
-    }
-    let fov_x = keys.fov_x_deg.to_radians();
-    let target = keys.target.map_or((low + high) * 0.5, Vec3::from);
-    let eye = keys.eye.map_or_else(
-        || {
-            // A sphere around the bounds fills most of the narrower side.
-            let radius = ((high - low).length() * 0.5).max(1e-6);
-            let half_x = (0.5 * fov_x).tan();
-            let half = half_x.min(half_x * height / width).atan();
-            target + VIEW_FROM.normalize() * (radius / half.sin())
-        },
-        Vec3::from,
-    );
-    let up = Vec3::from(keys.up);
-    if eye == target {
-        return Err(source
-            .error("camera.target", "it is where the eye is")
-            .fix("the camera must look somewhere: move one of them"));
-    }
-    let forward = (target.as_dvec3() - eye.as_dvec3()).normalize();
-    if !(forward.cross(up.as_dvec3().normalize()).length() > 1e-6) {
-        let across = match forward.abs().min_position() {
-            0 => "[1, 0, 0]",
-            1 => "[0, 1, 0]",
-            _ => "[0, 0, 1]",
-        };
-        return Err(source
-            .error("camera.up", "it lies along the line of sight")
-            .fix(format!("choose a direction across it, as {across}")));
-    }
-    Ok(Camera {
-        eye,
-        target,
-        up,
-        fov_x,
-    })
-}
-
-fn from_gltf(
-    keys: &shot::Camera,
-    source: &Source,
-    aspect: f32,
-    cameras: &[(String, Mat4, f32)],
-) -> Result<Camera> {
-    let Some((_, to_world, fov_y)) = cameras.iter().find(|(name, ..)| *name == keys.gltf) else {
-        let what = format!("no glTF file of the shot has a camera `{}`", keys.gltf);
-        let error: Error = source.error("camera.gltf", what);
-        let names: Vec<&str> = cameras.iter().map(|(name, ..)| name.as_str()).collect();
-        return Err(match nearest(&keys.gltf, names.iter().copied()) {
-            Some(near) => error.fix(format!("did you mean `{near}`?")),
-            None if names.is_empty() => error.fix("there is none at all: give eye and target"),
-            None => error.fix(format!("there are: {}", names.join(", "))),
-        });
-    };
-    let axes = Mat3::from_mat4(*to_world);
-    let eye = to_world.transform_point3(Vec3::ZERO);
-    Ok(Camera {
-        eye,
-        target: eye - axes.z_axis.normalize(),
-        up: axes.y_axis.normalize(),
-        fov_x: 2.0 * ((0.5 * fov_y).tan() * aspect).atan(),
-    })
 }
 
 #[cfg(test)]
@@ -258,7 +238,7 @@ mod tests {
             up: Some(Up::Z),
             ..shot::Object::default()
         };
-        let matrix = transform(&object, &Model::default());
+        let matrix = transform(&object, &Model::default(), &[]);
         // y → z by the turn about x, and stays so about z; x → y about z.
         let y = matrix.transform_point3(Vec3::Y);
         assert!((y - Vec3::new(0.0, 0.0, 3.0)).length() < 1e-5, "{y}");
@@ -268,7 +248,7 @@ mod tests {
 
     #[test]
     fn y_up_becomes_z_up() {
-        let matrix = transform(&shot::Object::default(), &Model::default());
+        let matrix = transform(&shot::Object::default(), &Model::default(), &[]);
         assert!((matrix.transform_point3(Vec3::Y) - Vec3::Z).length() < 1e-6);
         assert!((matrix.transform_point3(Vec3::Z) - Vec3::NEG_Y).length() < 1e-6);
     }

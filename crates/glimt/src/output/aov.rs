@@ -23,17 +23,51 @@ pub struct Channel {
 }
 
 /// Name of a layer's first channel, by which a file is known to have it.
-pub fn first_channel(layer: &str) -> String {
-    format!("{layer}.R")
+pub fn first_channel(aov: Aov) -> String {
+    let name = name(aov);
+    match diagnostic(aov) {
+        Some(_) => name.to_owned(),
+        None => format!("{name}.R"),
+    }
 }
 
-/// The layer's name.
+/// Name of the first channel of [`DISPLAY`].
+pub fn first_display_channel() -> String {
+    format!("{DISPLAY}.R")
+}
+
+/// The layer's name; of one with a single channel, that channel's.
 pub fn name(aov: Aov) -> &'static str {
     match aov {
         Aov::Object => "object",
         Aov::Catcher => "catcher",
         Aov::Difference => "difference",
+        Aov::Ess => "smc.ess",
+        Aov::ZRatio => "smc.log_z_ratio",
+        Aov::Age => "smc.age",
+        Aov::Started => "smc.started",
     }
+}
+
+/// Which component of [`FrameImage::diagnostics`] it is, if any.
+pub fn diagnostic(aov: Aov) -> Option<usize> {
+    match aov {
+        Aov::Ess => Some(0),
+        Aov::ZRatio => Some(1),
+        Aov::Age => Some(2),
+        Aov::Started => Some(3),
+        Aov::Object | Aov::Catcher | Aov::Difference => None,
+    }
+}
+
+/// Whether some of them are layers of the composite.
+pub fn any_layer(aovs: &[Aov]) -> bool {
+    aovs.iter().any(|aov| diagnostic(*aov).is_none())
+}
+
+/// Whether some of them say how particles fare.
+pub fn any_diagnostic(aovs: &[Aov]) -> bool {
+    aovs.iter().any(|aov| diagnostic(*aov).is_some())
 }
 
 /// How the image is made of its layers.
@@ -75,6 +109,15 @@ pub fn channels(
             Aov::Object => rgb(layer, &|l| finite(l.object.truncate() * exposure)),
             Aov::Catcher => rgb(layer, &PixelLayers::transmission),
             Aov::Difference => rgb(layer, &|l| finite(-l.blocked * exposure)),
+            Aov::Ess | Aov::ZRatio | Aov::Age | Aov::Started => {
+                let component = diagnostic(aov).unwrap_or_default();
+                let all = image.diagnostics.as_deref().unwrap_or_default();
+                vec![Channel {
+                    name: layer.to_owned(),
+                    samples: all.iter().map(|d| d[component]).collect(),
+                    half: false,
+                }]
+            }
         });
         if aov == Aov::Object {
             list.push(Channel {

@@ -1,7 +1,8 @@
 //! Host file: what a shot must fulfil beyond being well-formed.
 
+use super::methods::{self, Bis, Smc};
 use super::parse::Source;
-use super::{Ball, Colour, Mapping, Method, Shot, range};
+use super::{Aov, Ball, Camera, Colour, Mapping, Method, Shot, range};
 use crate::error::{Error, Result};
 use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 
@@ -101,13 +102,15 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
     check_objects(shot, source)?;
 
     let render = &shot.render;
-    if render.method != Method::Mis {
+    if render.method == Method::Prt {
         return bad(
             "render.method",
-            "only \"mis\" is supported yet",
-            "leave it out, or set it to \"mis\"",
+            "\"prt\" is not supported yet",
+            "take \"mis\", \"bis\" or \"smc\"",
         );
     }
+    check_bis(&render.bis, source)?;
+    check_smc(&render.smc, source)?;
     let samples = [
         ("render.brdf_samples", render.brdf_samples),
         ("render.env_samples", render.env_samples),
@@ -128,6 +131,15 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
                 "lower one of the two",
             );
         }
+    }
+    let diagnosed = [Aov::Ess, Aov::ZRatio, Aov::Age, Aov::Started];
+    let diagnosed = shot.output.aovs.iter().find(|aov| diagnosed.contains(aov));
+    if render.method != Method::Smc && diagnosed.is_some() {
+        return bad(
+            "output.aovs",
+            "\"ess\", \"z-ratio\", \"age\" and \"started\" belong to the method \"smc\"",
+            "leave them out, or set render.method = \"smc\"",
+        );
     }
     if render.brdf_samples + render.env_samples == 0 {
         return bad(
@@ -261,6 +273,81 @@ pub fn check_ball(ball: &Ball, source: &Source) -> Result<()> {
     Ok(())
 }
 
+fn check_bis(bis: &Bis, source: &Source) -> Result<()> {
+    for (key, n) in [("candidates", bis.candidates), ("samples", bis.samples)] {
+        if n == 0 || n > 65_536 {
+            return Err(source
+                .error(
+                    &format!("render.bis.{key}"),
+                    "it is not between 1 and 65536",
+                )
+                .fix("the paper has 400 candidates and 20 samples"));
+        }
+    }
+    Ok(())
+}
+
+fn check_smc(smc: &Smc, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| {
+        Err(source.error(&format!("render.smc.{key}"), what).fix(fix))
+    };
+    if smc.particles == 0 || smc.particles > 4096 {
+        return bad("particles", "it is not between 1 and 4096", "8 is usual");
+    }
+    if smc.candidates == 0 || smc.candidates > 65_536 {
+        return bad("candidates", "it is not between 1 and 65536", "64 is usual");
+    }
+    if smc.intermediate > 1000 {
+        return bad("intermediate", "it is above 1000", "3 is usual");
+    }
+    if smc.source == methods::Source::Environment {
+        return bad(
+            "source",
+            "the light alone misses directions where it is black and the target is not",
+            "take \"brdf\" or \"mixture\"",
+        );
+    }
+    for (key, share) in [
+        ("cap_share", smc.cap_share),
+        ("light_share", smc.light_share),
+    ] {
+        if !(share >= 0.0 && share <= 1.0) {
+            return bad(key, "it is not between 0 and 1", "0.5 is usual");
+        }
+    }
+    if !(smc.ess_threshold >= 0.0 && smc.ess_threshold <= 2.0) {
+        return bad(
+            "ess_threshold",
+            "it is not between 0 and 2",
+            "0.67 is usual, 0 for never",
+        );
+    }
+    if !(smc.floor >= 0.0 && smc.floor <= 1e6) {
+        return bad("floor", "it is not between 0 and 1e6", "0.01 is usual");
+    }
+    if !(smc.cap_deg > 0.0 && smc.cap_deg <= 180.0) {
+        return bad("cap_deg", "it is not between 0 and 180", "5 is usual");
+    }
+    if !(smc.reinitialise == 0.0 || smc.reinitialise >= 1.0 && smc.reinitialise <= 1e30) {
+        return bad(
+            "reinitialise",
+            "it is a factor below 1",
+            "2 is usual, 0 for never",
+        );
+    }
+    if !(smc.depth_tolerance >= 0.0) {
+        return bad("depth_tolerance", "it is not 0 or more", "0.02 is usual");
+    }
+    if !(smc.normal_tolerance_deg >= 0.0 && smc.normal_tolerance_deg <= 180.0) {
+        return bad(
+            "normal_tolerance_deg",
+            "it is not between 0 and 180",
+            "25 is usual",
+        );
+    }
+    Ok(())
+}
+
 fn check_colour(colour: &Colour, source: &Source) -> Result<()> {
     let numbers = colour
         .matrix
@@ -313,6 +400,52 @@ fn check_camera(shot: &Shot, source: &Source) -> Result<()> {
             .error("camera.gltf", "eye or target is given too")
             .fix("keep one of the two ways to place the camera"));
     }
+    check_keys(camera, source)
+}
+
+fn check_keys(camera: &Camera, source: &Source) -> Result<()> {
+    if camera.keys.is_empty() {
+        return Ok(());
+    }
+    if !camera.gltf.is_empty() || camera.eye.is_some() || camera.target.is_some() {
+        let other = if camera.gltf.is_empty() {
+            "eye or target"
+        } else {
+            "gltf"
+        };
+        return Err(source
+            .error("camera.key", format!("camera.{other} is given too"))
+            .fix("keep one of the ways to place the camera; keys say eye and target themselves"));
+    }
+    for (i, key) in camera.keys.iter().enumerate() {
+        let name = |part: &str| format!("camera.key.{i}.{part}");
+        within_world(source, &name("eye"), &key.eye)?;
+        within_world(source, &name("target"), &key.target)?;
+        if let Some(up) = key.up {
+            finite(source, &name("up"), &up)?;
+        }
+        if key.fov_x_deg.is_some_and(|fov| !(fov > 0.0 && fov < 180.0)) {
+            return Err(source
+                .error(&name("fov_x_deg"), "it is not between 0 and 180")
+                .fix("40 is usual"));
+        }
+        // Frames are counted in f32 between keys.
+        if key.frame > 1 << 24 {
+            return Err(source
+                .error(&name("frame"), "it is above 16777216")
+                .fix("check the number"));
+        }
+        let before = i.checked_sub(1).map(|before| camera.keys[before].frame);
+        if let Some(before) = before.filter(|before| *before >= key.frame) {
+            let what = match before == key.frame {
+                true => format!("two keys are at frame {before}"),
+                false => format!("it comes after the key at frame {before}"),
+            };
+            return Err(source
+                .error(&name("frame"), what)
+                .fix("list the keys by growing frames, each once"));
+        }
+    }
     Ok(())
 }
 
@@ -341,6 +474,26 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
         }
         if let Some(material) = &object.material {
             check_material(material, i, source)?;
+        }
+        if !(object.animation_offset_s.abs() <= 1e6) {
+            return Err(source
+                .error(&key("animation_offset_s"), "it is not between -1e6 and 1e6")
+                .fix("0 begins with the animation's beginning"));
+        }
+        for (j, spin) in object.spins.iter().enumerate() {
+            let key = |name: &str| key(&format!("spin.{j}.{name}"));
+            within_world(source, &key("centre"), &spin.centre)?;
+            within_world(source, &key("axis"), &spin.axis)?;
+            if !(glam::Vec3::from(spin.axis).length() > 1e-6) {
+                return Err(source
+                    .error(&key("axis"), "it has no length")
+                    .fix("[0, 0, 1] turns about the node's own z axis"));
+            }
+            if !(spin.deg_per_frame.abs() <= 1e6) {
+                return Err(source
+                    .error(&key("deg_per_frame"), "it is not between -1e6 and 1e6")
+                    .fix("360 is a turn from each frame to the next, which looks still"));
+            }
         }
     }
     Ok(())

@@ -4,7 +4,7 @@ use super::Shot;
 use crate::error::{Error, Result};
 use glimt_render_gpu::generated::{
     COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DISPLAY_OVER_PLATE, RECONSTRUCT, RECONSTRUCT_LAYERS,
-    SHADE_MIS, SHADE_MIS_LAYERS, TONEMAP,
+    SHADE_BIS, SHADE_BIS_LAYERS, SHADE_MIS, SHADE_MIS_LAYERS, SHADE_SMC, SHADE_SMC_LAYERS, TONEMAP,
 };
 use sha2::{Digest, Sha256};
 use std::fs::File;
@@ -80,6 +80,10 @@ pub fn of_frame(scene: &Hash, inputs: &Hash, frame: u32) -> String {
         RECONSTRUCT,
         TONEMAP,
         SHADE_MIS_LAYERS,
+        SHADE_BIS,
+        SHADE_BIS_LAYERS,
+        SHADE_SMC,
+        SHADE_SMC_LAYERS,
         RECONSTRUCT_LAYERS,
         COMPOSITE_OVER_PLATE,
         DISPLAY_OVER_PLATE,

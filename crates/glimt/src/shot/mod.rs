@@ -2,6 +2,7 @@
 
 pub mod check;
 pub mod digest;
+pub mod methods;
 pub mod parse;
 pub mod range;
 
@@ -61,8 +62,31 @@ pub struct Camera {
     pub up: [f32; 3],
     /// Horizontal field of view, in degrees.
     pub fov_x_deg: f32,
-    /// Name of a camera in one of the glTF files, in place of all the above.
+    /// Name of a camera in one of the glTF files, in place of all the above. It moves as its node does.
     pub gltf: String,
+    /// What is between two keys.
+    pub interpolation: Interpolation,
+    /// Where it is in some frames, in place of `eye` and `target`; held before the first and after the last.
+    #[serde(rename = "key", skip_serializing_if = "Vec::is_empty")]
+    pub keys: Vec<CameraKey>,
+}
+
+/// The camera in one frame.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct CameraKey {
+    /// Number of the frame.
+    pub frame: u32,
+    /// Centre of projection.
+    pub eye: [f32; 3],
+    /// A point in the middle of the image.
+    pub target: [f32; 3],
+    /// A direction that is up in the image; the camera's, if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub up: Option<[f32; 3]>,
+    /// Horizontal field of view, in degrees; the camera's, if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fov_x_deg: Option<f32>,
 }
 
 /// The light: HDR images of the surroundings.
@@ -176,6 +200,38 @@ pub struct Object {
     /// One material in place of the file's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub material: Option<Material>,
+    /// Name of the animation of its file that plays, from the shot's first frame on; all of them if empty, none if `off`.
+    pub animation: String,
+    /// Whether it begins anew after its last key, rather than to stay there.
+    pub animation_loop: bool,
+    /// Time of the animation in the shot's first frame, in seconds.
+    pub animation_offset_s: f32,
+    /// Nodes that turn.
+    #[serde(rename = "spin", skip_serializing_if = "Vec::is_empty")]
+    pub spins: Vec<Spin>,
+}
+
+/// The value of `object.N.animation` that plays none.
+pub const ANIMATION_OFF: &str = "off";
+
+/// A node that turns, with all that is in it, at a constant rate from the shot's first frame on.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Spin {
+    /// Name of the node; all nodes of that name turn.
+    pub node: String,
+    /// The axis, in the node's own coordinates.
+    #[serde(default = "z_axis")]
+    pub axis: [f32; 3],
+    /// A point of the axis, in the node's own coordinates.
+    #[serde(default)]
+    pub centre: [f32; 3],
+    /// Degrees from one frame to the next, counter-clockwise seen from the axis's tip.
+    pub deg_per_frame: f32,
+}
+
+fn z_axis() -> [f32; 3] {
+    [0.0, 0.0, 1.0]
 }
 
 /// Blinn-Phong: `diffuse/π + specular · c(e) · (n·h)^e`.
@@ -215,6 +271,10 @@ pub struct Render {
     pub brdf_samples: u32,
     /// Environment samples on each ray.
     pub env_samples: u32,
+    /// Of the method "bis".
+    pub bis: methods::Bis,
+    /// Of the method "smc".
+    pub smc: methods::Smc,
     /// Settings under one name; keys that are given beside it win.
     pub preset: Preset,
     /// Where the uniforms come from.
@@ -269,6 +329,15 @@ words! {
         #[default] Srgb = "srgb",
         /// `x / (1 + x)`, then the sRGB curve.
         Reinhard = "reinhard",
+    }
+}
+words! {
+    /// What is between two keys of the camera.
+    Interpolation {
+        /// A cubic curve through all keys.
+        #[default] Smooth = "smooth",
+        /// A straight line from each key to the next.
+        Linear = "linear",
     }
 }
 words! {
@@ -340,6 +409,14 @@ words! {
         Catcher = "catcher",
         /// The catchers' radiance with the objects minus that without.
         Difference = "difference",
+        /// Of the method "smc": the effective sample size, as a share of the particles.
+        Ess = "ess",
+        /// Of the method "smc": the logarithm of the normaliser's ratio between this frame and the one before.
+        ZRatio = "z-ratio",
+        /// Of the method "smc": frames since a ray was started anew.
+        Age = "age",
+        /// Of the method "smc": the share of rays that were started anew in this frame.
+        Started = "started",
     }
 }
 words! {
@@ -347,8 +424,11 @@ words! {
     Preset {
         /// None.
         #[default] None = "",
-        /// 15 + 15 independent samples on one ray through each pixel's centre (Kronander 2014).
+        /// The paper's samples, independent, on one ray through each pixel's centre: 15 + 15 by "mis", 20 of 400 candidates by "bis",
+        /// 8 particles with 3 distributions between frames by "smc" (Kronander 2014).
         Kronander = "kronander",
+        /// 15 + 15 samples in strata, on one ray through each pixel's centre.
+        Stratified = "stratified",
     }
 }
 words! {
@@ -395,6 +475,8 @@ impl Default for Camera {
             up: [0.0, 0.0, 1.0],
             fov_x_deg: 40.0,
             gltf: String::new(),
+            interpolation: Interpolation::Smooth,
+            keys: Vec::new(),
         }
     }
 }
@@ -442,6 +524,10 @@ impl Default for Object {
             ground: false,
             catcher: false,
             material: None,
+            animation: String::new(),
+            animation_loop: false,
+            animation_offset_s: 0.0,
+            spins: Vec::new(),
         }
     }
 }
@@ -462,6 +548,8 @@ impl Default for Render {
             method: Method::Mis,
             brdf_samples: 1,
             env_samples: 1,
+            bis: methods::Bis::default(),
+            smc: methods::Smc::default(),
             preset: Preset::None,
             pattern: Pattern::OwenSobol,
             seed: 1,

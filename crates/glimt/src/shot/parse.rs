@@ -23,7 +23,7 @@ pub trait Document: DeserializeOwned {
 impl Document for Shot {
     const NAME: &'static str = "a shot";
     const EXAMPLE: &'static str = "image.rays_per_pixel=64";
-    const LISTS: &'static [&'static str] = &["object"];
+    const LISTS: &'static [&'static str] = &["object", "key", "spin"];
     fn complete(table: &mut Table) {
         apply_preset(table);
     }
@@ -203,23 +203,46 @@ fn element<'a>(array: &'a mut Vec<Value>, name: &str, index: &str) -> Result<&'a
 /// Fills in what a preset means, where the key itself is not given.
 fn apply_preset(table: &mut Table) {
     let preset = table.get("render").and_then(|r| r.get("preset"));
-    if preset.and_then(Value::as_str) != Some("kronander") {
-        return;
-    }
-    let settings: [(&str, &str, Value); 5] = [
-        ("image", "rays_per_pixel", Value::Integer(1)),
-        ("image", "filter", Value::String("centre".into())),
-        ("render", "brdf_samples", Value::Integer(15)),
-        ("render", "env_samples", Value::Integer(15)),
-        ("render", "pattern", Value::String("independent".into())),
+    let pattern = match preset.and_then(Value::as_str) {
+        Some("kronander") => "independent",
+        Some("stratified") => "stratified",
+        _ => return,
+    };
+    let word = |word: &str| Value::String(word.into());
+    let settings: [(&[&str], &str, Value); 14] = [
+        (&["image"], "rays_per_pixel", Value::Integer(1)),
+        (&["image"], "filter", word("centre")),
+        (&["render"], "pattern", word(pattern)),
+        (&["render"], "brdf_samples", Value::Integer(15)),
+        (&["render"], "env_samples", Value::Integer(15)),
+        (&["render", "bis"], "candidates", Value::Integer(400)),
+        (&["render", "bis"], "samples", Value::Integer(20)),
+        (&["render", "bis"], "source", word("brdf")),
+        (&["render", "smc"], "particles", Value::Integer(8)),
+        (&["render", "smc"], "intermediate", Value::Integer(3)),
+        (&["render", "smc"], "path", word("linear")),
+        (&["render", "smc"], "resampling", word("systematic")),
+        (&["render", "smc"], "ess_threshold", Value::Float(2.0 / 3.0)),
+        (&["render", "smc"], "candidates", Value::Integer(400)),
     ];
-    for (section, key, value) in settings {
-        let section = table
-            .entry(section)
-            .or_insert_with(|| Value::Table(Table::new()));
-        if let Value::Table(section) = section {
+    for (path, key, value) in settings {
+        if let Some(section) = section(table, path) {
             section.entry(key).or_insert(value);
         }
+    }
+}
+
+/// A table in a table, made where it is not there; `None` where something else is.
+fn section<'a>(table: &'a mut Table, path: &[&str]) -> Option<&'a mut Table> {
+    let Some((first, rest)) = path.split_first() else {
+        return Some(table);
+    };
+    let inner = table
+        .entry(*first)
+        .or_insert_with(|| Value::Table(Table::new()));
+    match inner {
+        Value::Table(inner) => section(inner, rest),
+        _ => None,
     }
 }
 
@@ -354,6 +377,10 @@ mod tests {
         assert_eq!(shot.render.env_samples, 3);
         assert_eq!(shot.image.rays_per_pixel, 2);
         assert_eq!(shot.image.filter, super::super::Filter::Centre);
+        let text = "[render]\npreset = \"stratified\"\nbis = { samples = 3 }\n";
+        let render = self::shot(text, &[]).unwrap().render;
+        assert_eq!(render.pattern, super::super::Pattern::Stratified);
+        assert_eq!((render.bis.candidates, render.bis.samples), (400, 3));
     }
 
     #[test]

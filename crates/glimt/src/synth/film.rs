@@ -183,6 +183,7 @@ impl Filming {
             linear,
             display,
             layers: None,
+            diagnostics: None,
         })
     }
 

@@ -29,7 +29,7 @@ struct FrameParams {
     tonemap: u32,
     exposure: f32,
     shadow: u32,
-    unused_b: u32,
+    film_frame: u32,
     unused_c: u32,
 }
 
@@ -46,38 +46,38 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/layers.rs:88
+// glimt_render_gpu/src/kernels/layers.rs:109
 fn share(part: f32, rest: f32) -> f32 {
     var chosen: f32;
 
-    // glimt_render_gpu/src/kernels/layers.rs:89
+    // glimt_render_gpu/src/kernels/layers.rs:110
     if (part > 0f) {
-        // glimt_render_gpu/src/kernels/layers.rs:90
+        // glimt_render_gpu/src/kernels/layers.rs:111
         chosen = (part / (part + rest));
     } else {
-        // glimt_render_gpu/src/kernels/layers.rs:92
+        // glimt_render_gpu/src/kernels/layers.rs:113
         chosen = 0f;
     }
     let _e12 = chosen;
     return _e12;
 }
 
-// glimt_render_gpu/src/kernels/layers.rs:72
+// glimt_render_gpu/src/kernels/layers.rs:93
 fn PixelLayers_transmission(this_: PixelLayers) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/layers.rs:73
+    // glimt_render_gpu/src/kernels/layers.rs:94
     let clear = (1f - this_.object.w);
-    // glimt_render_gpu/src/kernels/layers.rs:74
+    // glimt_render_gpu/src/kernels/layers.rs:95
     if !((clear > 0f)) {
-        // glimt_render_gpu/src/kernels/layers.rs:75
+        // glimt_render_gpu/src/kernels/layers.rs:96
         return vec3(1f);
     }
-    // glimt_render_gpu/src/kernels/layers.rs:77
+    // glimt_render_gpu/src/kernels/layers.rs:98
     let _e19 = share(this_.blocked.x, this_.lit.x);
     let _e24 = share(this_.blocked.y, this_.lit.y);
     let _e29 = share(this_.blocked.z, this_.lit.z);
     let lost = vec3<f32>(_e19, _e24, _e29);
-    // glimt_render_gpu/src/kernels/layers.rs:82
+    // glimt_render_gpu/src/kernels/layers.rs:103
     return max((vec3(1f) - (lost * (this_.catcher / clear))), vec3(0f));
 }
 

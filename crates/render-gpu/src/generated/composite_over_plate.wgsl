@@ -34,7 +34,7 @@ struct FrameParams {
     tonemap: u32,
     exposure: f32,
     shadow: u32,
-    unused_b: u32,
+    film_frame: u32,
     unused_c: u32,
 }
 
@@ -53,10 +53,10 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/layers.rs:62
+// glimt_render_gpu/src/kernels/layers.rs:83
 fn PixelLayers_is_plate(this_: PixelLayers) -> bool {
 
-    // glimt_render_gpu/src/kernels/layers.rs:63
+    // glimt_render_gpu/src/kernels/layers.rs:84
     return ((this_.object.w == 0f) && !((max(max(this_.blocked.x, this_.blocked.y), this_.blocked.z) > 0f)));
 }
 
@@ -67,38 +67,38 @@ fn exposed(frame: FrameParams, radiance: vec3<f32>) -> vec3<f32> {
     return clamp((radiance * frame.exposure), vec3(0f), vec3(10000000000000000000000000000000000000f));
 }
 
-// glimt_render_gpu/src/kernels/layers.rs:88
+// glimt_render_gpu/src/kernels/layers.rs:109
 fn share(part: f32, rest: f32) -> f32 {
     var chosen: f32;
 
-    // glimt_render_gpu/src/kernels/layers.rs:89
+    // glimt_render_gpu/src/kernels/layers.rs:110
     if (part > 0f) {
-        // glimt_render_gpu/src/kernels/layers.rs:90
+        // glimt_render_gpu/src/kernels/layers.rs:111
         chosen = (part / (part + rest));
     } else {
-        // glimt_render_gpu/src/kernels/layers.rs:92
+        // glimt_render_gpu/src/kernels/layers.rs:113
         chosen = 0f;
     }
     let _e12 = chosen;
     return _e12;
 }
 
-// glimt_render_gpu/src/kernels/layers.rs:72
+// glimt_render_gpu/src/kernels/layers.rs:93
 fn PixelLayers_transmission(this_1: PixelLayers) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/layers.rs:73
+    // glimt_render_gpu/src/kernels/layers.rs:94
     let clear = (1f - this_1.object.w);
-    // glimt_render_gpu/src/kernels/layers.rs:74
+    // glimt_render_gpu/src/kernels/layers.rs:95
     if !((clear > 0f)) {
-        // glimt_render_gpu/src/kernels/layers.rs:75
+        // glimt_render_gpu/src/kernels/layers.rs:96
         return vec3(1f);
     }
-    // glimt_render_gpu/src/kernels/layers.rs:77
+    // glimt_render_gpu/src/kernels/layers.rs:98
     let _e19 = share(this_1.blocked.x, this_1.lit.x);
     let _e24 = share(this_1.blocked.y, this_1.lit.y);
     let _e29 = share(this_1.blocked.z, this_1.lit.z);
     let lost = vec3<f32>(_e19, _e24, _e29);
-    // glimt_render_gpu/src/kernels/layers.rs:82
+    // glimt_render_gpu/src/kernels/layers.rs:103
     return max((vec3(1f) - (lost * (this_1.catcher / clear))), vec3(0f));
 }
 

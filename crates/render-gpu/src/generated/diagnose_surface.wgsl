@@ -63,7 +63,7 @@ struct FrameParams {
     tonemap: u32,
     exposure: f32,
     shadow: u32,
-    unused_b: u32,
+    film_frame: u32,
     unused_c: u32,
 }
 
@@ -167,10 +167,10 @@ var<storage, read_write> out: array<SurfaceRecord>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:87
+// glimt_render_gpu/src/kernels/frame.rs:88
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:88
+    // glimt_render_gpu/src/kernels/frame.rs:89
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -227,10 +227,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
     return OwenSobol(_e10, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:75
+// glimt_render_gpu/src/kernels/pattern.rs:96
 fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:76
+    // glimt_render_gpu/src/kernels/pattern.rs:97
     let _e6 = hash2_(this_1.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
     return _e9;
@@ -582,10 +582,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:80
+// glimt_render_gpu/src/kernels/pattern.rs:101
 fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:81
+    // glimt_render_gpu/src/kernels/pattern.rs:102
     let _e6 = hash3_(this_3.seed, purpose_1, index_6);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
     return _e9;
@@ -620,52 +620,52 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> 
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:85
+// glimt_render_gpu/src/kernels/pattern.rs:106
 fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:86
+    // glimt_render_gpu/src/kernels/pattern.rs:107
     let _e5 = hash2_(this_6.seed, purpose_2);
     let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:122
+// glimt_render_gpu/src/kernels/pattern.rs:181
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:123
+    // glimt_render_gpu/src/kernels/pattern.rs:182
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:124
+        // glimt_render_gpu/src/kernels/pattern.rs:183
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:126
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:127
+    // glimt_render_gpu/src/kernels/pattern.rs:186
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:128
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:129
+    // glimt_render_gpu/src/kernels/pattern.rs:188
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:130
+        // glimt_render_gpu/src/kernels/pattern.rs:189
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:131
+        // glimt_render_gpu/src/kernels/pattern.rs:190
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:132
+            // glimt_render_gpu/src/kernels/pattern.rs:191
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:134
+            // glimt_render_gpu/src/kernels/pattern.rs:193
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:135
+            // glimt_render_gpu/src/kernels/pattern.rs:194
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -675,10 +675,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:137
+        // glimt_render_gpu/src/kernels/pattern.rs:196
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:138
+            // glimt_render_gpu/src/kernels/pattern.rs:197
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -687,61 +687,61 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:113
+// glimt_render_gpu/src/kernels/pattern.rs:172
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:114
+    // glimt_render_gpu/src/kernels/pattern.rs:173
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:93
+// glimt_render_gpu/src/kernels/pattern.rs:152
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:94
+    // glimt_render_gpu/src/kernels/pattern.rs:153
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:95
+    // glimt_render_gpu/src/kernels/pattern.rs:154
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:96
+    // glimt_render_gpu/src/kernels/pattern.rs:155
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:97
+    // glimt_render_gpu/src/kernels/pattern.rs:156
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:98
+    // glimt_render_gpu/src/kernels/pattern.rs:157
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:99
+    // glimt_render_gpu/src/kernels/pattern.rs:158
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:42
+// glimt_render_gpu/src/kernels/pattern.rs:51
 fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:43
+    // glimt_render_gpu/src/kernels/pattern.rs:52
     let index_12 = ((this_7.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:44
+    // glimt_render_gpu/src/kernels/pattern.rs:53
     if (this_7.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:45
+        // glimt_render_gpu/src/kernels/pattern.rs:54
         let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_12);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:47
+    // glimt_render_gpu/src/kernels/pattern.rs:56
     let _e18 = PixelPattern_generator(this_7, purpose_3, index_12);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:48
+    // glimt_render_gpu/src/kernels/pattern.rs:57
     if (this_7.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:49
+        // glimt_render_gpu/src/kernels/pattern.rs:58
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:51
+    // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e29 = PixelPattern_key(this_7, purpose_3);
     let _e30 = jittered_pair(index_12, (this_7.rays * samples), _e20, _e29);
     return _e30;
@@ -791,29 +791,31 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:101
+// glimt_render_gpu/src/kernels/frame.rs:102
 fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:102
-    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
     // glimt_render_gpu/src/kernels/frame.rs:103
+    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:104
     if (this_9.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:104
+        // glimt_render_gpu/src/kernels/frame.rs:105
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:106
-        let _e24 = PixelPattern_pair(pattern, 1u, 0u, 1u);
-        let _e25 = unit_vec2_(_e24);
-        chosen_2 = _e25;
+        // glimt_render_gpu/src/kernels/frame.rs:107
+        let film = PixelPattern(pattern.kind, pattern.seed, this_9.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+        // glimt_render_gpu/src/kernels/frame.rs:111
+        let _e32 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e33 = unit_vec2_(_e32);
+        chosen_2 = _e33;
     }
     let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:108
+    // glimt_render_gpu/src/kernels/frame.rs:113
     let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:114
-    let _e39 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
-    let _e40 = Ray_new(this_9.eye, _e39);
-    return _e40;
+    // glimt_render_gpu/src/kernels/frame.rs:119
+    let _e47 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    let _e48 = Ray_new(this_9.eye, _e47);
+    return _e48;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:29

@@ -46,6 +46,159 @@ pub const SHADE_MIS: Entry = Entry {
     ],
 };
 
+/// [`shade_bis`](crate::kernels::shade::shade_bis) as a compute entry point.
+pub const SHADE_BIS: Entry = Entry {
+    name: "shade_bis",
+    kernel: "glimt_render_gpu::kernels::shade::shade_bis",
+    wgsl: include_str!("shade_bis.wgsl"),
+    workgroup_size: 64,
+    params_size: 160,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("bis", 128, 16),
+        param("env.cdf.size", 144, 8),
+        param("env.rotation", 152, 8),
+    ],
+    buffers: &[
+        slot("env.texels", 1, 16, false),
+        slot("env.cdf.marginal", 2, 4, false),
+        slot("env.cdf.conditional", 3, 4, false),
+        slot("scene.nodes", 4, 32, false),
+        slot("scene.triangles", 5, 48, false),
+        slot("scene.corners", 6, 32, false),
+        slot("scene.materials", 7, 96, false),
+        slot("scene.texels", 8, 4, false),
+        slot("out", 9, 16, true),
+    ],
+};
+
+/// [`shade_bis_layers`](crate::kernels::shade::shade_bis_layers) as a compute entry point.
+pub const SHADE_BIS_LAYERS: Entry = Entry {
+    name: "shade_bis_layers",
+    kernel: "glimt_render_gpu::kernels::shade::shade_bis_layers",
+    wgsl: include_str!("shade_bis_layers.wgsl"),
+    workgroup_size: 64,
+    params_size: 160,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("bis", 128, 16),
+        param("env.cdf.size", 144, 8),
+        param("env.rotation", 152, 8),
+    ],
+    buffers: &[
+        slot("env.texels", 1, 16, false),
+        slot("env.cdf.marginal", 2, 4, false),
+        slot("env.cdf.conditional", 3, 4, false),
+        slot("scene.nodes", 4, 32, false),
+        slot("scene.triangles", 5, 48, false),
+        slot("scene.corners", 6, 32, false),
+        slot("scene.materials", 7, 96, false),
+        slot("scene.texels", 8, 4, false),
+        slot("out", 9, 32, true),
+    ],
+};
+
+/// [`shade_smc`](crate::kernels::smc::shade_smc) as a compute entry point.
+pub const SHADE_SMC: Entry = Entry {
+    name: "shade_smc",
+    kernel: "glimt_render_gpu::kernels::smc::shade_smc",
+    wgsl: include_str!("shade_smc.wgsl"),
+    workgroup_size: 64,
+    params_size: 288,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("state_len", 8, 4),
+        param("particles_len", 12, 4),
+        param("frame", 16, 112),
+        param("smc", 128, 64),
+        param("view", 192, 64),
+        param("env.cdf.size", 256, 8),
+        param("env.rotation", 264, 8),
+        param("before.size", 272, 8),
+        param("before.rotation", 280, 8),
+    ],
+    buffers: &[
+        slot("env.texels", 1, 16, false),
+        slot("env.cdf.marginal", 2, 4, false),
+        slot("env.cdf.conditional", 3, 4, false),
+        slot("before.texels", 4, 16, false),
+        slot("scene.nodes", 5, 32, false),
+        slot("scene.triangles", 6, 48, false),
+        slot("scene.corners", 7, 32, false),
+        slot("scene.materials", 8, 96, false),
+        slot("scene.texels", 9, 4, false),
+        slot("past.motions", 10, 64, false),
+        slot("past.states", 11, 64, false),
+        slot("past.particles", 12, 16, false),
+        slot("state", 13, 64, true),
+        slot("particles", 14, 16, true),
+        slot("out", 15, 16, true),
+    ],
+};
+
+/// [`shade_smc_layers`](crate::kernels::smc::shade_smc_layers) as a compute entry point.
+pub const SHADE_SMC_LAYERS: Entry = Entry {
+    name: "shade_smc_layers",
+    kernel: "glimt_render_gpu::kernels::smc::shade_smc_layers",
+    wgsl: include_str!("shade_smc_layers.wgsl"),
+    workgroup_size: 64,
+    params_size: 288,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("state_len", 8, 4),
+        param("particles_len", 12, 4),
+        param("frame", 16, 112),
+        param("smc", 128, 64),
+        param("view", 192, 64),
+        param("env.cdf.size", 256, 8),
+        param("env.rotation", 264, 8),
+        param("before.size", 272, 8),
+        param("before.rotation", 280, 8),
+    ],
+    buffers: &[
+        slot("env.texels", 1, 16, false),
+        slot("env.cdf.marginal", 2, 4, false),
+        slot("env.cdf.conditional", 3, 4, false),
+        slot("before.texels", 4, 16, false),
+        slot("scene.nodes", 5, 32, false),
+        slot("scene.triangles", 6, 48, false),
+        slot("scene.corners", 7, 32, false),
+        slot("scene.materials", 8, 96, false),
+        slot("scene.texels", 9, 4, false),
+        slot("past.motions", 10, 64, false),
+        slot("past.states", 11, 64, false),
+        slot("past.particles", 12, 16, false),
+        slot("state", 13, 64, true),
+        slot("particles", 14, 16, true),
+        slot("out", 15, 32, true),
+    ],
+};
+
+/// [`diagnose_smc`](crate::kernels::smc::diagnose_smc) as a compute entry point.
+pub const DIAGNOSE_SMC: Entry = Entry {
+    name: "diagnose_smc",
+    kernel: "glimt_render_gpu::kernels::smc::diagnose_smc",
+    wgsl: include_str!("diagnose_smc.wgsl"),
+    workgroup_size: 64,
+    params_size: 144,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("particles_per_ray", 128, 4),
+    ],
+    buffers: &[
+        slot("states", 1, 64, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
 /// [`reconstruct`](crate::kernels::film::reconstruct) as a compute entry point.
 pub const RECONSTRUCT: Entry = Entry {
     name: "reconstruct",
@@ -401,6 +554,11 @@ const _: () = {
     assert!(offset_of!(glimt_probe::gather::TexelTaps, tap) == 0);
     assert!(offset_of!(glimt_probe::gather::TexelTaps, pixel) == 4);
     assert!(offset_of!(glimt_probe::gather::TexelTaps, grazing) == 8);
+    assert!(size_of::<crate::kernels::bis::Bis>() == 16);
+    assert!(offset_of!(crate::kernels::bis::Bis, candidates) == 0);
+    assert!(offset_of!(crate::kernels::bis::Bis, samples) == 4);
+    assert!(offset_of!(crate::kernels::bis::Bis, source) == 8);
+    assert!(offset_of!(crate::kernels::bis::Bis, unused) == 12);
     assert!(size_of::<crate::kernels::bvh::BvhNode>() == 32);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, min) == 0);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, count) == 12);
@@ -474,7 +632,7 @@ const _: () = {
     assert!(offset_of!(crate::kernels::frame::FrameParams, tonemap) == 92);
     assert!(offset_of!(crate::kernels::frame::FrameParams, exposure) == 96);
     assert!(offset_of!(crate::kernels::frame::FrameParams, shadow) == 100);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, unused_b) == 104);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, film_frame) == 104);
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_c) == 108);
     assert!(size_of::<crate::kernels::layers::LayerSample>() == 32);
     assert!(offset_of!(crate::kernels::layers::LayerSample, radiance) == 0);
@@ -501,6 +659,28 @@ const _: () = {
     assert!(offset_of!(crate::kernels::material::Material, base_color_texture) == 48);
     assert!(offset_of!(crate::kernels::material::Material, metallic_roughness_texture) == 64);
     assert!(offset_of!(crate::kernels::material::Material, normal_texture) == 80);
+    assert!(size_of::<crate::kernels::past::PastView>() == 64);
+    assert!(offset_of!(crate::kernels::past::PastView, eye) == 0);
+    assert!(offset_of!(crate::kernels::past::PastView, first_pixel) == 12);
+    assert!(offset_of!(crate::kernels::past::PastView, forward) == 16);
+    assert!(offset_of!(crate::kernels::past::PastView, pixels) == 28);
+    assert!(offset_of!(crate::kernels::past::PastView, right) == 32);
+    assert!(offset_of!(crate::kernels::past::PastView, depth_tolerance) == 44);
+    assert!(offset_of!(crate::kernels::past::PastView, up) == 48);
+    assert!(offset_of!(crate::kernels::past::PastView, normal_cosine) == 60);
+    assert!(size_of::<crate::kernels::past::RayState>() == 64);
+    assert!(offset_of!(crate::kernels::past::RayState, normal) == 0);
+    assert!(offset_of!(crate::kernels::past::RayState, log_normaliser) == 12);
+    assert!(offset_of!(crate::kernels::past::RayState, wo) == 16);
+    assert!(offset_of!(crate::kernels::past::RayState, depth) == 28);
+    assert!(offset_of!(crate::kernels::past::RayState, diffuse) == 32);
+    assert!(offset_of!(crate::kernels::past::RayState, specular) == 36);
+    assert!(offset_of!(crate::kernels::past::RayState, exponent) == 40);
+    assert!(offset_of!(crate::kernels::past::RayState, age) == 44);
+    assert!(offset_of!(crate::kernels::past::RayState, ess) == 48);
+    assert!(offset_of!(crate::kernels::past::RayState, log_ratio) == 52);
+    assert!(offset_of!(crate::kernels::past::RayState, started) == 56);
+    assert!(offset_of!(crate::kernels::past::RayState, accepted) == 60);
     assert!(size_of::<crate::kernels::scene::Corner>() == 32);
     assert!(offset_of!(crate::kernels::scene::Corner, normal) == 0);
     assert!(offset_of!(crate::kernels::scene::Corner, u) == 12);
@@ -519,6 +699,23 @@ const _: () = {
     assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_b) == 36);
     assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_c) == 40);
     assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_d) == 44);
+    assert!(size_of::<crate::kernels::smc::SmcParams>() == 64);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, intermediate) == 0);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, path) == 4);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, scheme) == 8);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, ess_threshold) == 12);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, floor) == 16);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, previous_floor) == 20);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, cap_height) == 24);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, cap_share) == 28);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, light_share) == 32);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, band) == 36);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, max_age) == 40);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, candidates) == 44);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, source) == 48);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, unused_a) == 52);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, unused_b) == 56);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, unused_c) == 60);
     assert!(size_of::<crate::kernels::stage::StageParams>() == 64);
     assert!(offset_of!(crate::kernels::stage::StageParams, half_size) == 0);
     assert!(offset_of!(crate::kernels::stage::StageParams, shape) == 12);
@@ -540,4 +737,7 @@ const _: () = {
     assert!(offset_of!(crate::kernels::triangle::Triangle, object) == 28);
     assert!(offset_of!(crate::kernels::triangle::Triangle, v2) == 32);
     assert!(offset_of!(crate::kernels::triangle::Triangle, ray_offset) == 44);
+    assert!(size_of::<glimt_smc::particle::Particle>() == 16);
+    assert!(offset_of!(glimt_smc::particle::Particle, state) == 0);
+    assert!(offset_of!(glimt_smc::particle::Particle, log_weight) == 12);
 };

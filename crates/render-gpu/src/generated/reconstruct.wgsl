@@ -19,7 +19,7 @@ struct FrameParams {
     tonemap: u32,
     exposure: f32,
     shadow: u32,
-    unused_b: u32,
+    film_frame: u32,
     unused_c: u32,
 }
 

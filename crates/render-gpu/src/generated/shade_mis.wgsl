@@ -63,7 +63,7 @@ struct FrameParams {
     tonemap: u32,
     exposure: f32,
     shadow: u32,
-    unused_b: u32,
+    film_frame: u32,
     unused_c: u32,
 }
 
@@ -212,17 +212,17 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/shade.rs:30
+// glimt_render_gpu/src/kernels/shade.rs:55
 fn mis(frame: FrameParams) -> Mis {
 
-    // glimt_render_gpu/src/kernels/shade.rs:31
+    // glimt_render_gpu/src/kernels/shade.rs:56
     return Mis(frame.brdf_samples, frame.env_samples);
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:87
+// glimt_render_gpu/src/kernels/frame.rs:88
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:88
+    // glimt_render_gpu/src/kernels/frame.rs:89
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -279,10 +279,10 @@ fn OwenSobol_new(seed: u32, frame_1: u32, pixel: u32, sample_index: u32) -> Owen
     return OwenSobol(_e10, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:75
+// glimt_render_gpu/src/kernels/pattern.rs:96
 fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:76
+    // glimt_render_gpu/src/kernels/pattern.rs:97
     let _e6 = hash2_(this_1.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
     return _e9;
@@ -634,10 +634,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_2: u32, pixel_1: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:80
+// glimt_render_gpu/src/kernels/pattern.rs:101
 fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:81
+    // glimt_render_gpu/src/kernels/pattern.rs:102
     let _e6 = hash3_(this_3.seed, purpose_1, index_6);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
     return _e9;
@@ -672,52 +672,52 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> 
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:85
+// glimt_render_gpu/src/kernels/pattern.rs:106
 fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:86
+    // glimt_render_gpu/src/kernels/pattern.rs:107
     let _e5 = hash2_(this_6.seed, purpose_2);
     let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:122
+// glimt_render_gpu/src/kernels/pattern.rs:181
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:123
+    // glimt_render_gpu/src/kernels/pattern.rs:182
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:124
+        // glimt_render_gpu/src/kernels/pattern.rs:183
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:126
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:127
+    // glimt_render_gpu/src/kernels/pattern.rs:186
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:128
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:129
+    // glimt_render_gpu/src/kernels/pattern.rs:188
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:130
+        // glimt_render_gpu/src/kernels/pattern.rs:189
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:131
+        // glimt_render_gpu/src/kernels/pattern.rs:190
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:132
+            // glimt_render_gpu/src/kernels/pattern.rs:191
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:134
+            // glimt_render_gpu/src/kernels/pattern.rs:193
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:135
+            // glimt_render_gpu/src/kernels/pattern.rs:194
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -727,10 +727,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:137
+        // glimt_render_gpu/src/kernels/pattern.rs:196
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:138
+            // glimt_render_gpu/src/kernels/pattern.rs:197
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -739,61 +739,61 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:113
+// glimt_render_gpu/src/kernels/pattern.rs:172
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:114
+    // glimt_render_gpu/src/kernels/pattern.rs:173
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:93
+// glimt_render_gpu/src/kernels/pattern.rs:152
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:94
+    // glimt_render_gpu/src/kernels/pattern.rs:153
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:95
+    // glimt_render_gpu/src/kernels/pattern.rs:154
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:96
+    // glimt_render_gpu/src/kernels/pattern.rs:155
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:97
+    // glimt_render_gpu/src/kernels/pattern.rs:156
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:98
+    // glimt_render_gpu/src/kernels/pattern.rs:157
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:99
+    // glimt_render_gpu/src/kernels/pattern.rs:158
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:42
+// glimt_render_gpu/src/kernels/pattern.rs:51
 fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:43
+    // glimt_render_gpu/src/kernels/pattern.rs:52
     let index_16 = ((this_7.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:44
+    // glimt_render_gpu/src/kernels/pattern.rs:53
     if (this_7.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:45
+        // glimt_render_gpu/src/kernels/pattern.rs:54
         let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:47
+    // glimt_render_gpu/src/kernels/pattern.rs:56
     let _e18 = PixelPattern_generator(this_7, purpose_3, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:48
+    // glimt_render_gpu/src/kernels/pattern.rs:57
     if (this_7.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:49
+        // glimt_render_gpu/src/kernels/pattern.rs:58
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:51
+    // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e29 = PixelPattern_key(this_7, purpose_3);
     let _e30 = jittered_pair(index_16, (this_7.rays * samples), _e20, _e29);
     return _e30;
@@ -843,29 +843,31 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:101
+// glimt_render_gpu/src/kernels/frame.rs:102
 fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:102
-    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
     // glimt_render_gpu/src/kernels/frame.rs:103
+    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:104
     if (this_9.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:104
+        // glimt_render_gpu/src/kernels/frame.rs:105
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:106
-        let _e24 = PixelPattern_pair(pattern, 1u, 0u, 1u);
-        let _e25 = unit_vec2_(_e24);
-        chosen_2 = _e25;
+        // glimt_render_gpu/src/kernels/frame.rs:107
+        let film = PixelPattern(pattern.kind, pattern.seed, this_9.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+        // glimt_render_gpu/src/kernels/frame.rs:111
+        let _e32 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e33 = unit_vec2_(_e32);
+        chosen_2 = _e33;
     }
     let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:108
+    // glimt_render_gpu/src/kernels/frame.rs:113
     let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:114
-    let _e39 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
-    let _e40 = Ray_new(this_9.eye, _e39);
-    return _e40;
+    // glimt_render_gpu/src/kernels/frame.rs:119
+    let _e47 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    let _e48 = Ray_new(this_9.eye, _e47);
+    return _e48;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:29
@@ -1561,52 +1563,52 @@ fn OwenSobol_next_u32_(this_18: ptr<function, OwenSobol>) -> u32 {
     return _e18;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:107
+// glimt_render_gpu/src/kernels/pattern.rs:166
 fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:108
+    // glimt_render_gpu/src/kernels/pattern.rs:167
     let _e7 = hash2_(key_2, 4u);
     let _e8 = permute(index_12, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:57
+// glimt_render_gpu/src/kernels/pattern.rs:66
 fn PixelPattern_triple(this_19: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:58
+    // glimt_render_gpu/src/kernels/pattern.rs:67
     let index_17 = ((this_19.ray * samples_1) + sample_1);
-    // glimt_render_gpu/src/kernels/pattern.rs:59
+    // glimt_render_gpu/src/kernels/pattern.rs:68
     if (this_19.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:60
+        // glimt_render_gpu/src/kernels/pattern.rs:69
         let _e14 = PixelPattern_sobol_point(this_19, purpose_4, index_17);
         point = _e14;
-        // glimt_render_gpu/src/kernels/pattern.rs:61
+        // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e17 = OwenSobol_next_uvec2_((&point));
-        // glimt_render_gpu/src/kernels/pattern.rs:62
+        // glimt_render_gpu/src/kernels/pattern.rs:71
         let _e19 = OwenSobol_next_u32_((&point));
         return vec3<u32>(_e17, _e19);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:64
+    // glimt_render_gpu/src/kernels/pattern.rs:73
     let _e22 = PixelPattern_generator(this_19, purpose_4, index_17);
     generator = _e22;
-    // glimt_render_gpu/src/kernels/pattern.rs:65
+    // glimt_render_gpu/src/kernels/pattern.rs:74
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:66
+    // glimt_render_gpu/src/kernels/pattern.rs:75
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:67
+    // glimt_render_gpu/src/kernels/pattern.rs:76
     if (this_19.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:68
+        // glimt_render_gpu/src/kernels/pattern.rs:77
         return vec3<u32>(_e25, _e27);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:70
+    // glimt_render_gpu/src/kernels/pattern.rs:79
     let _e37 = PixelPattern_key(this_19, purpose_4);
     let _e38 = Tuple_u32_u32_((this_19.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
-    // glimt_render_gpu/src/kernels/pattern.rs:71
+    // glimt_render_gpu/src/kernels/pattern.rs:80
     let _e42 = jittered_pair(index_17, count_3, _e25, key_3);
     let _e43 = jittered(index_17, count_3, _e27, key_3);
     return vec3<u32>(_e42, _e43);
@@ -1922,10 +1924,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:23
+// glimt_render_gpu/src/kernels/environment.rs:45
 fn Environment_to_map(cdf_size: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:24
+    // glimt_render_gpu/src/kernels/environment.rs:46
     let _e9 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
     return _e9;
 }
@@ -1975,10 +1977,10 @@ fn direction_to_texel(d_2: vec3<f32>, size_2: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_12 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:30
+// glimt_render_gpu/src/kernels/environment.rs:52
 fn Environment_texel(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:31
+    // glimt_render_gpu/src/kernels/environment.rs:53
     let _e5 = Environment_to_map(cdf_size_1, rotation_1, direction_7);
     let _e6 = direction_to_texel(_e5, cdf_size_1);
     return _e6;
@@ -2101,10 +2103,10 @@ fn Mis_density(this_26: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
     return _e7;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:37
+// glimt_render_gpu/src/kernels/environment.rs:59
 fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:38
+    // glimt_render_gpu/src/kernels/environment.rs:60
     let _e12 = env_texels[((texel_3.y * cdf_size_2.x) + texel_3.x)];
     return _e12.xyz;
 }
@@ -2423,12 +2425,12 @@ fn EnvCdf_sample(size_10: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
     return EnvSample(texel_5, _e64, _e68);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:44
+// glimt_render_gpu/src/kernels/environment.rs:66
 fn Environment_sample(cdf_size_3: vec2<u32>, rotation_3: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:45
+    // glimt_render_gpu/src/kernels/environment.rs:67
     let _e5 = EnvCdf_sample(cdf_size_3, u_10);
-    // glimt_render_gpu/src/kernels/environment.rs:46
+    // glimt_render_gpu/src/kernels/environment.rs:68
     let _e8 = rotate_z(_e5.direction, rotation_3);
     return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
 }
@@ -2503,76 +2505,76 @@ fn Mis_reflected(this_32: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:66
+// glimt_render_gpu/src/kernels/environment.rs:88
 fn bilinear(size_11: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:67
+    // glimt_render_gpu/src/kernels/environment.rs:89
     let _e4 = direction_to_uv(d_3);
     let p_1 = ((_e4 * vec2<f32>(size_11)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:69
+    // glimt_render_gpu/src/kernels/environment.rs:91
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:70
+    // glimt_render_gpu/src/kernels/environment.rs:92
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:71
+    // glimt_render_gpu/src/kernels/environment.rs:93
     let x0_ = (((next.x + size_11.x) - 1u) % size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:72
+    // glimt_render_gpu/src/kernels/environment.rs:94
     let x1_ = (next.x % size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:73
+    // glimt_render_gpu/src/kernels/environment.rs:95
     let row0_1 = ((max(next.y, 1u) * size_11.x) - size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:74
+    // glimt_render_gpu/src/kernels/environment.rs:96
     let row1_1 = (min(next.y, (size_11.y - 1u)) * size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:75
+    // glimt_render_gpu/src/kernels/environment.rs:97
     let _e53 = env_texels[(row0_1 + x0_)];
     let _e57 = env_texels[(row0_1 + x1_)];
     let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:76
+    // glimt_render_gpu/src/kernels/environment.rs:98
     let _e68 = env_texels[(row1_1 + x0_)];
     let _e72 = env_texels[(row1_1 + x1_)];
     let lower_2 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:77
+    // glimt_render_gpu/src/kernels/environment.rs:99
     return ((upper_2 * (1f - f.y)) + (lower_2 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:57
+// glimt_render_gpu/src/kernels/environment.rs:79
 fn Environment_background(cdf_size_4: vec2<u32>, rotation_4: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:58
+    // glimt_render_gpu/src/kernels/environment.rs:80
     let _e5 = Environment_to_map(cdf_size_4, rotation_4, direction_10);
     let _e6 = bilinear(cdf_size_4, _e5);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/shade.rs:39
+// glimt_render_gpu/src/kernels/shade.rs:64
 fn shade(ray_10: u32, frame_3: FrameParams, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, estimator: Mis) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/shade.rs:46
+    // glimt_render_gpu/src/kernels/shade.rs:71
     let _e7 = FrameParams_pattern_of(frame_3, ray_10);
-    // glimt_render_gpu/src/kernels/shade.rs:47
+    // glimt_render_gpu/src/kernels/shade.rs:72
     let _e9 = FrameParams_camera_ray(frame_3, _e7);
-    // glimt_render_gpu/src/kernels/shade.rs:48
+    // glimt_render_gpu/src/kernels/shade.rs:73
     let _e11 = Scene_closest_hit(_e9);
     let hit_1 = _e11.value;
     if _e11.is_some {
-        // glimt_render_gpu/src/kernels/shade.rs:49
+        // glimt_render_gpu/src/kernels/shade.rs:74
         let _e16 = Scene_shading_point(_e9, hit_1);
-        // glimt_render_gpu/src/kernels/shade.rs:50
+        // glimt_render_gpu/src/kernels/shade.rs:75
         let _e18 = Mis_reflected(estimator, _e16, _e7, env_cdf_size_3, env_rotation_3);
         return vec4<f32>(_e18.lit, 1f);
     }
-    // glimt_render_gpu/src/kernels/shade.rs:55
+    // glimt_render_gpu/src/kernels/shade.rs:80
     if (frame_3.background == 0u) {
-        // glimt_render_gpu/src/kernels/shade.rs:56
+        // glimt_render_gpu/src/kernels/shade.rs:81
         let _e28 = Environment_background(env_cdf_size_3, env_rotation_3, _e9.direction);
         return vec4<f32>(_e28, 1f);
     }
-    // glimt_render_gpu/src/kernels/shade.rs:58
+    // glimt_render_gpu/src/kernels/shade.rs:83
     return vec4(0f);
 }
 
-// glimt_render_gpu/src/kernels/shade.rs:14
+// glimt_render_gpu/src/kernels/shade.rs:15
 fn shade_mis_1(ray_11: u32, frame_4: FrameParams, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/shade.rs:15
+    // glimt_render_gpu/src/kernels/shade.rs:16
     let _e6 = mis(frame_4);
     let _e7 = shade(ray_11, frame_4, env_cdf_size_4, env_rotation_4, _e6);
     return _e7;

@@ -123,6 +123,36 @@ impl GpuContext {
         )
     }
 
+    /// Copies the first `bytes` bytes of one buffer to the start of another, after all launches so far.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Argument`] where one is shorter.
+    pub fn copy(&self, from: &GpuBuffer, to: &GpuBuffer, bytes: u64) -> Result<(), GpuError> {
+        if bytes > from.len().min(to.len()) || !bytes.is_multiple_of(4) {
+            let problem = format!(
+                "{bytes} bytes copied from a buffer of {} to '{}' of {}",
+                from.len(),
+                to.label,
+                to.len()
+            );
+            return Err(GpuError::Argument {
+                entry: from.label.clone(),
+                problem,
+            });
+        }
+        self.guarded(
+            || format!("copying {bytes} bytes from '{}'", from.label),
+            || {
+                let mut encoder = self
+                    .device
+                    .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+                encoder.copy_buffer_to_buffer(&from.raw, 0, &to.raw, 0, bytes);
+                self.queue.submit([encoder.finish()]);
+            },
+        )
+    }
+
     /// The first `count` values of `buffer`, after all launches so far.
     ///
     /// # Errors

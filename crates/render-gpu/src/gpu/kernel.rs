@@ -152,6 +152,10 @@ impl GpuContext {
 pub(super) struct Bound<'a> {
     pub(super) slot: &'a BufferSlot,
     pub(super) buffer: &'a GpuBuffer,
+    /// Where it begins in the buffer, in bytes.
+    pub(super) offset: u64,
+    /// How many bytes there are from there on.
+    pub(super) len: u64,
     pub(super) bytes_per_element: Option<u64>,
 }
 
@@ -198,7 +202,9 @@ impl<'a> Arguments<'a> {
                         "argument '{path}' is a plain value, not a buffer"
                     )));
                 }
-                (None, Some(Arg::Chunk(_, len))) => len.to_ne_bytes().to_vec(),
+                (None, Some(Arg::Chunk(_, len) | Arg::ChunkFrom(_, len, _))) => {
+                    len.to_ne_bytes().to_vec()
+                }
                 (None, _) => return Err(fail(format!("argument '{path}' is missing"))),
             };
             let (from, to) = (field.offset as usize, (field.offset + field.size) as usize);
@@ -219,10 +225,20 @@ impl<'a> Arguments<'a> {
         for slot in entry.buffers {
             let (path, stride) = (slot.path, u64::from(slot.stride));
             let is_chunk = slot.writable && path != OUT;
-            let (buffer, bytes_per_element) = match find(path) {
-                Some(Arg::Buffer(buffer)) if !is_chunk => (buffer, slot.writable.then_some(stride)),
+            let (buffer, offset, window, bytes_per_element) = match find(path) {
+                Some(Arg::Buffer(buffer)) if !is_chunk => {
+                    (buffer, 0, None, slot.writable.then_some(stride))
+                }
+                Some(Arg::Window(buffer, first, len)) if !slot.writable => {
+                    let (first, len) = (u64::from(first), u64::from(len));
+                    (buffer, first * stride, Some(len * stride), None)
+                }
                 Some(Arg::Chunk(buffer, len)) if is_chunk && len > 0 => {
-                    (buffer, Some(stride * u64::from(len)))
+                    (buffer, 0, None, Some(stride * u64::from(len)))
+                }
+                Some(Arg::ChunkFrom(buffer, len, first)) if is_chunk && len > 0 => {
+                    let bytes = stride * u64::from(len);
+                    (buffer, u64::from(first) * bytes, None, Some(bytes))
                 }
                 Some(_) if is_chunk => {
                     return Err(fail(format!(
@@ -232,16 +248,20 @@ impl<'a> Arguments<'a> {
                 Some(_) => return Err(fail(format!("argument '{path}' must be a buffer"))),
                 None => return Err(fail(format!("argument '{path}' is missing"))),
             };
-            let needed = bytes_per_element.map_or(stride, |bytes| bytes * u64::from(count));
-            if buffer.len() < needed {
+            let there = buffer.len().saturating_sub(offset);
+            let len = window.unwrap_or(there);
+            let needed =
+                bytes_per_element.map_or(stride.max(len), |bytes| bytes * u64::from(count));
+            if there < needed {
                 return Err(fail(format!(
-                    "argument '{path}' has {} bytes and needs {needed}",
-                    buffer.len()
+                    "argument '{path}' has {there} bytes and needs {needed}"
                 )));
             }
             bound.push(Bound {
                 slot,
                 buffer,
+                offset,
+                len,
                 bytes_per_element,
             });
         }

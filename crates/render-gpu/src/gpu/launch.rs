@@ -19,8 +19,12 @@ pub enum Arg<'a> {
     Value(&'a [u8]),
     /// A slice that is read whole, or `out`, which has one value for each element of the launch.
     Buffer(&'a GpuBuffer),
+    /// A slice that is read whole: part of a buffer, from the value of this index on, so many of them.
+    Window(&'a GpuBuffer, u32, u32),
     /// A slice that is cut into chunks of so many values, one chunk for each element. Sets `<path>_len`, too.
     Chunk(&'a GpuBuffer, u32),
+    /// The same, with the first element's chunk so many chunks from the buffer's start.
+    ChunkFrom(&'a GpuBuffer, u32, u32),
 }
 
 /// How a launch went.
@@ -175,11 +179,21 @@ impl GpuContext {
         let binding = self.max_binding_bytes();
         let alignment = u64::from(self.limits.min_storage_buffer_offset_alignment);
         for bound in &arguments.bound {
+            if !bound.offset.is_multiple_of(alignment) {
+                let problem = format!(
+                    "'{}' begins at byte {}, which is no multiple of {alignment}",
+                    bound.slot.path, bound.offset
+                );
+                return Err(GpuError::Argument {
+                    entry: entry.name.to_owned(),
+                    problem,
+                });
+            }
             let what = || format!("argument '{}' of {}", bound.slot.path, entry.name);
             let limit = "max_storage_buffer_binding_size";
             match bound.bytes_per_element {
-                None if bound.buffer.len() > binding => {
-                    return Err(self.limit_error(what(), bound.buffer.len(), limit, binding));
+                None if bound.len > binding => {
+                    return Err(self.limit_error(what(), bound.len, limit, binding));
                 }
                 None => {}
                 Some(bytes) => {
@@ -221,7 +235,8 @@ impl GpuContext {
             let part = bound
                 .bytes_per_element
                 .map(|bytes| (u64::from(done) * bytes, u64::from(elements) * bytes));
-            let (offset, size) = part.unwrap_or((0, bound.buffer.len()));
+            let (from, size) = part.unwrap_or((0, bound.len));
+            let offset = bound.offset + from;
             wgpu::BindGroupEntry {
                 binding: bound.slot.binding,
                 resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {

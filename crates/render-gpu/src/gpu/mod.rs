@@ -10,6 +10,7 @@ mod error;
 mod kernel;
 mod launch;
 mod renderer;
+mod smc;
 mod timing;
 mod unwarp;
 mod upload;

@@ -8,17 +8,22 @@ use glam::Vec4;
 use super::device::{AdapterPreference, GpuContext};
 use super::error::GpuError;
 use super::launch::{Arg, LaunchReport};
+use super::smc::{self, GpuSmc};
 use super::upload::{GpuEnv, GpuScene};
 use super::{GpuBuffer, GpuOptions};
 use crate::entry::Entry;
 use crate::generated::{
-    COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DISPLAY_OVER_PLATE, RECONSTRUCT, RECONSTRUCT_LAYERS,
-    SHADE_MIS, SHADE_MIS_LAYERS, TONEMAP,
+    COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DIAGNOSE_SMC, DISPLAY_OVER_PLATE, RECONSTRUCT,
+    RECONSTRUCT_LAYERS, SHADE_BIS, SHADE_BIS_LAYERS, SHADE_MIS, SHADE_MIS_LAYERS, SHADE_SMC,
+    SHADE_SMC_LAYERS, TONEMAP,
 };
 use crate::host::env::PreparedEnv;
 use crate::host::plate::Plate;
-use crate::host::render::{FrameImage, Method, RenderError, RenderSettings, Renderer};
+use crate::host::render::{
+    FrameImage, Method, RenderError, RenderSettings, Renderer, SettingsError,
+};
 use crate::host::scene_build::SceneBuffers;
+use crate::host::smc_state::{PastFrame, SmcState};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
@@ -47,10 +52,15 @@ pub struct GpuRenderer {
     /// Two, so that a frame's light is never written over that of the frame before.
     envs: [Option<GpuEnv>; 2],
     tile: Option<TileBuffers>,
-    /// What the cost of a ray hung on in the last frame: scene, samples of both kinds.
-    cost: Option<(u64, u32, u32)>,
+    /// What the sequential sampler goes on from.
+    smc: Option<GpuSmc>,
+    /// What the cost of a ray hung on in the last frame.
+    cost: Option<Cost>,
     times: FrameTimes,
 }
+
+/// What the cost of a ray hangs on: the scene, the method and its counts of samples.
+type Cost = (u64, Method, [u32; 4]);
 
 /// What one tile is computed in.
 #[derive(Debug)]
@@ -64,6 +74,7 @@ struct TileBuffers {
     /// For frames in layers; of one pixel for others.
     layers: GpuBuffer,
     plate: GpuBuffer,
+    diagnostics: GpuBuffer,
 }
 
 impl GpuRenderer {
@@ -94,6 +105,7 @@ impl GpuRenderer {
             scene: None,
             envs: [None, None],
             tile: None,
+            smc: None,
             cost: None,
             times: FrameTimes::default(),
         })
@@ -111,11 +123,12 @@ impl GpuRenderer {
         &self.times
     }
 
-    /// Renders a frame under a light that is on the GPU already, over a plate of the same size or without one.
+    /// Renders a frame under a light that is on the GPU already, over a plate of the same size or without one: by any method but
+    /// the sequential sampler, which has to know of the host's light, too.
     ///
     /// # Errors
     ///
-    /// As [`Renderer::render_frame`].
+    /// As [`Renderer::render_frame`]; [`SettingsError::Smc`] by that method.
     pub fn render(
         &mut self,
         scene: &SceneBuffers,
@@ -124,19 +137,52 @@ impl GpuRenderer {
         settings: &RenderSettings,
         progress: &(dyn Fn(f32) + Sync),
     ) -> Result<FrameImage, RenderError> {
+        if settings.method == Method::Smc {
+            return Err(SettingsError::Smc.into());
+        }
         self.times = FrameTimes::default();
+        self.render_tiles(scene, env, None, plate, settings, progress)
+    }
+
+    fn render_tiles(
+        &mut self,
+        scene: &SceneBuffers,
+        env: &GpuEnv,
+        smc: Option<&GpuSmc>,
+        plate: Option<&Plate>,
+        settings: &RenderSettings,
+        progress: &(dyn Fn(f32) + Sync),
+    ) -> Result<FrameImage, RenderError> {
         let whole = settings.frame_params_over(plate)?;
         let in_layers = settings.in_layers(scene, plate);
         self.keep_scene(scene).map_err(device)?;
-        self.keep_tile(&whole, in_layers).map_err(device)?;
-        let (Some(scene), Some(tile)) = (&self.scene, &self.tile) else {
+        self.keep_tile(&whole, in_layers, settings)
+            .map_err(device)?;
+        let (Some(uploaded), Some(tile)) = (&self.scene, &self.tile) else {
             unreachable!("both were just made");
         };
+        let bis = settings.bis.params()?;
         let shade = match (settings.method, in_layers) {
             (Method::Mis, false) => &SHADE_MIS,
             (Method::Mis, true) => &SHADE_MIS_LAYERS,
+            (Method::Bis, false) => &SHADE_BIS,
+            (Method::Bis, true) => &SHADE_BIS_LAYERS,
+            (Method::Smc, false) => &SHADE_SMC,
+            (Method::Smc, true) => &SHADE_SMC_LAYERS,
         };
-        let cost = Some((scene.id(), whole.brdf_samples, whole.env_samples));
+        let counts = match settings.method {
+            Method::Mis => [whole.brdf_samples, whole.env_samples, 0, 0],
+            Method::Bis => [bis.candidates, bis.samples, 0, 0],
+            Method::Smc => {
+                // The first frame of a sequence has nothing to go on from, and another cost.
+                let steps = match smc {
+                    Some(smc) if smc.has_past() => settings.smc.intermediate + 1,
+                    _ => 0,
+                };
+                [settings.smc.particles, settings.smc.candidates, steps, 0]
+            }
+        };
+        let cost = Some((scene.surface_id(), settings.method, counts));
         if self.cost != cost {
             self.context.forget_pace(shade).map_err(device)?;
             self.cost = cost;
@@ -147,6 +193,7 @@ impl GpuRenderer {
             linear: Vec::with_capacity(pixels as usize),
             display: Vec::with_capacity(pixels as usize),
             layers: settings.layers.then(Vec::new),
+            diagnostics: (settings.diagnostics && smc.is_some()).then(Vec::new),
         };
         let mut first = 0;
         while first < pixels {
@@ -158,10 +205,19 @@ impl GpuRenderer {
             let rays = f64::from(pixels) * f64::from(whole.rays_per_pixel);
             let before = f64::from(first) * f64::from(whole.rays_per_pixel);
             let tell = |done: u32| progress(((before + f64::from(done)) / rays) as f32);
+            let fitting = GpuSmc::fitting_pixels(&self.context, settings);
+            let window = smc.map(|smc| smc.window(fitting, first, count));
+            let of_method = match (settings.method, smc, &window) {
+                (Method::Bis, ..) => vec![("bis", Arg::Value(bytemuck::bytes_of(&bis)))],
+                (_, Some(smc), Some(window)) => smc.args(&frame, window, count),
+                _ => Vec::new(),
+            };
             let work = Work {
                 context: &self.context,
-                scene,
+                scene: uploaded,
                 env,
+                of_method,
+                smc,
                 tile,
                 frame: &frame,
                 count,
@@ -175,22 +231,28 @@ impl GpuRenderer {
     }
 
     fn keep_scene(&mut self, scene: &SceneBuffers) -> Result<(), GpuError> {
-        if self
-            .scene
-            .as_ref()
-            .is_none_or(|known| known.id() != scene.id())
-        {
-            let started = Instant::now();
-            // The old one goes first: there may not be room for two.
-            self.scene = None;
-            self.scene = Some(GpuScene::new(&self.context, scene)?);
-            self.times.upload += started.elapsed();
-        }
+        let started = Instant::now();
+        // Another scene goes first: there may not be room for two. One that cannot be updated is none.
+        let known = self.scene.take();
+        let same = known.filter(|known| known.surface_id() == scene.surface_id());
+        self.scene = Some(match same {
+            Some(mut posed) => {
+                posed.update(&self.context, scene)?;
+                posed
+            }
+            None => GpuScene::new(&self.context, scene)?,
+        });
+        self.times.upload += started.elapsed();
         Ok(())
     }
 
-    fn keep_tile(&mut self, frame: &FrameParams, in_layers: bool) -> Result<(), GpuError> {
-        let largest = self.largest_tile(frame, in_layers);
+    fn keep_tile(
+        &mut self,
+        frame: &FrameParams,
+        in_layers: bool,
+        settings: &RenderSettings,
+    ) -> Result<(), GpuError> {
+        let largest = self.largest_tile(frame, in_layers, settings);
         let pixels = frame.width * frame.height;
         let fits = |tile: &TileBuffers| {
             tile.rays_per_pixel == frame.rays_per_pixel
@@ -210,15 +272,27 @@ impl GpuRenderer {
     }
 
     /// Pixels whose rays fit a binding, and no more than there are.
-    fn largest_tile(&self, frame: &FrameParams, in_layers: bool) -> u32 {
+    fn largest_tile(&self, frame: &FrameParams, in_layers: bool, settings: &RenderSettings) -> u32 {
         let bytes = self.context.max_binding_bytes().min(SAMPLE_BYTES);
         let pixel_bytes = sample_bytes(in_layers) * u64::from(frame.rays_per_pixel);
         let fitting = match in_layers {
             false => bytes / pixel_bytes,
             true => bytes / pixel_bytes.max(size_of::<PixelLayers>() as u64),
         };
+        let pixels = u64::from(frame.width * frame.height);
         // One pixel at least; where its rays do not fit, the launch says so.
-        fitting.clamp(1, u64::from(frame.width * frame.height)) as u32
+        let fitting = fitting.clamp(1, pixels);
+        let rays = GpuSmc::fitting_pixels(&self.context, settings);
+        if settings.method != Method::Smc || fitting.min(rays) == pixels {
+            return fitting as u32;
+        }
+        // Half of what the frame before may show at once, so that a tile sees beyond its own edges.
+        let half = match rays >= pixels {
+            true => pixels,
+            false => rays / 2,
+        };
+        let granule = u64::from(smc::TILE_GRANULE);
+        (fitting.min(half) / granule * granule).max(granule) as u32
     }
 }
 
@@ -242,10 +316,26 @@ impl Renderer for GpuRenderer {
             None => GpuEnv::new(&self.context, env),
         };
         let current = current.map_err(device)?;
-        let upload = started.elapsed();
-        let image = self.render(scene, &current, plate, settings, progress);
+        self.times = FrameTimes {
+            upload: started.elapsed(),
+            ..FrameTimes::default()
+        };
+        let mut smc = match settings.method {
+            Method::Smc => {
+                let known = self.smc.take();
+                Some(GpuSmc::begin(known, &self.context, scene, env, settings)?)
+            }
+            _ => None,
+        };
+        let image = self.render_tiles(scene, &current, smc.as_ref(), plate, settings, progress);
+        if let (Some(smc), Ok(_)) = (&mut smc, &image) {
+            let past = PastFrame::new(settings, scene, env)?;
+            smc.end(&self.context, &current, past).map_err(device)?;
+        }
+        if let Some(smc) = smc {
+            self.smc = Some(smc);
+        }
         self.envs[0] = Some(current);
-        self.times.upload += upload;
         image
     }
 
@@ -259,9 +349,24 @@ impl Renderer for GpuRenderer {
             ("read back", times.read_back),
         ]
     }
+
+    fn smc_state(&mut self) -> Result<Option<SmcState>, RenderError> {
+        match &self.smc {
+            Some(smc) => smc.read(&self.context).map_err(device),
+            None => Ok(None),
+        }
+    }
+
+    fn set_smc_state(&mut self, state: Option<SmcState>) -> Result<(), RenderError> {
+        self.smc = None;
+        if let Some(state) = state {
+            self.smc = Some(GpuSmc::upload(&self.context, state).map_err(device)?);
+        }
+        Ok(())
+    }
 }
 
-fn device(error: GpuError) -> RenderError {
+pub(super) fn device(error: GpuError) -> RenderError {
     RenderError::Device(Box::new(error))
 }
 
@@ -282,6 +387,7 @@ impl TileBuffers {
             linear: context.buffer("linear", count * size_of::<Vec4>() as u64)?,
             display: context.buffer("display", count * 4)?,
             layers: context.buffer("layers", layered * size_of::<PixelLayers>() as u64)?,
+            diagnostics: context.buffer("diagnostics", count * size_of::<Vec4>() as u64)?,
             plate: context.buffer("plate", layered * size_of::<PlatePixel>() as u64)?,
         })
     }
@@ -300,6 +406,9 @@ struct Work<'a> {
     context: &'a GpuContext,
     scene: &'a GpuScene,
     env: &'a GpuEnv,
+    /// Arguments of the method's own.
+    of_method: Vec<(&'static str, Arg<'a>)>,
+    smc: Option<&'a GpuSmc>,
     tile: &'a TileBuffers,
     frame: &'a FrameParams,
     count: u32,
@@ -320,6 +429,7 @@ impl Work<'_> {
         let mut args = vec![frame, ("out", Arg::Buffer(&tile.samples))];
         args.extend(self.scene.args());
         args.extend(self.env.args());
+        args.extend(&self.of_method);
         let rays = self.count * tile.rays_per_pixel;
         times.shade += self
             .context
@@ -344,6 +454,14 @@ impl Work<'_> {
             }
         }
 
+        if let (Some(smc), Some(diagnostics)) = (self.smc, &mut image.diagnostics) {
+            let args = smc.diagnose_args(self.frame, self.count);
+            self.film(&DIAGNOSE_SMC, &args, &tile.diagnostics, times)?;
+            diagnostics.extend(
+                self.context
+                    .read::<Vec4>(&tile.diagnostics, self.count as usize)?,
+            );
+        }
         let started = Instant::now();
         image.linear.extend(
             self.context

@@ -14,6 +14,7 @@ use crate::host::scene_build::SceneBuffers;
 #[derive(Debug)]
 pub struct GpuScene {
     id: u64,
+    surface_id: u64,
     nodes: GpuBuffer,
     triangles: GpuBuffer,
     corners: GpuBuffer,
@@ -31,6 +32,7 @@ impl GpuScene {
         let view = scene.view();
         Ok(Self {
             id: scene.id(),
+            surface_id: scene.surface_id(),
             nodes: bindable(context, "scene.nodes", view.nodes)?,
             triangles: bindable(context, "scene.triangles", view.triangles)?,
             corners: bindable(context, "scene.corners", view.corners)?,
@@ -39,10 +41,38 @@ impl GpuScene {
         })
     }
 
+    /// Makes it another scene. Of the same scene in another pose, materials and textures stay; so do buffers whose size
+    /// does. Where that fails, what it holds is no scene: make a new one.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::new`].
+    pub fn update(&mut self, context: &GpuContext, scene: &SceneBuffers) -> Result<(), GpuError> {
+        if scene.id() == self.id {
+            return Ok(());
+        }
+        if scene.surface_id() != self.surface_id {
+            *self = Self::new(context, scene)?;
+            return Ok(());
+        }
+        let view = scene.view();
+        rewrite(context, &mut self.nodes, view.nodes)?;
+        rewrite(context, &mut self.triangles, view.triangles)?;
+        rewrite(context, &mut self.corners, view.corners)?;
+        self.id = scene.id();
+        Ok(())
+    }
+
     /// Which scene it is: [`SceneBuffers::id`].
     #[must_use]
     pub fn id(&self) -> u64 {
         self.id
+    }
+
+    /// Whose materials and textures it has: [`SceneBuffers::surface_id`].
+    #[must_use]
+    pub fn surface_id(&self) -> u64 {
+        self.surface_id
     }
 
     /// The arguments of a kernel that takes `scene`.
@@ -105,6 +135,11 @@ impl GpuEnv {
         Ok(())
     }
 
+    /// Its texels.
+    pub(super) fn texels(&self) -> &GpuBuffer {
+        &self.texels
+    }
+
     /// The arguments of a kernel that takes `env`.
     #[must_use]
     pub fn args(&self) -> [(&'static str, Arg<'_>); 5] {
@@ -119,6 +154,20 @@ impl GpuEnv {
             ("env.cdf.conditional", Arg::Buffer(&self.conditional)),
         ]
     }
+}
+
+/// Puts other values in a buffer, or in one that replaces it where their number differs.
+fn rewrite<T: NoUninit>(
+    context: &GpuContext,
+    buffer: &mut GpuBuffer,
+    values: &[T],
+) -> Result<(), GpuError> {
+    if buffer.len() == size_of_val(values) as u64 {
+        return context.write(buffer, values);
+    }
+    let label = buffer.label().to_owned();
+    *buffer = bindable(context, &label, values)?;
+    Ok(())
 }
 
 /// A buffer that is checked now to fit a binding, before the frames that would find out.

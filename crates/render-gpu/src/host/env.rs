@@ -1,7 +1,10 @@
 //! Host file: light maps and the tables that are made of them.
 
+use std::f64::consts::PI;
+
 use glam::{UVec2, Vec2, Vec4};
 use glimt_envmap_cdf::{BuildError, EnvCdf, build_marginal_into, build_row_into, required_len};
+use glimt_probe::latlong::texel_solid_angle_sr;
 use glimt_probe::rotate::cos_sin_degrees;
 use glimt_sampling::luminance;
 use rayon::prelude::*;
@@ -114,12 +117,18 @@ impl EnvMap {
             })
             .collect::<Result<Vec<_>, _>>()?;
         build_marginal_into(&weight_sums, &mut marginal)?;
+        let energies = weight_sums
+            .iter()
+            .zip(0..size.y)
+            .map(|(sum, row)| sum * f64::from(texel_solid_angle_sr(row, size)));
+        let mean_luminance = (energies.sum::<f64>() / (4.0 * PI)) as f32;
         Ok(PreparedEnv {
             size,
             texels,
             marginal,
             conditional,
             rotation: cos_sin_degrees(rotate_z_deg),
+            mean_luminance,
         })
     }
 }
@@ -132,9 +141,16 @@ pub struct PreparedEnv {
     marginal: Vec<u32>,
     conditional: Vec<u32>,
     rotation: Vec2,
+    mean_luminance: f32,
 }
 
 impl PreparedEnv {
+    /// The map's mean luminance over all directions.
+    #[must_use]
+    pub fn mean_luminance(&self) -> f32 {
+        self.mean_luminance
+    }
+
     /// What kernels see of it.
     pub fn view(&self) -> Environment<'_> {
         Environment {

@@ -2,11 +2,14 @@
 
 mod attributes;
 pub mod env;
+mod geometry;
 mod materials;
+pub mod methods;
 pub mod plate;
 pub mod render;
 pub mod scene;
 pub mod scene_build;
 pub mod scene_error;
+pub mod smc_state;
 mod tree;
 pub mod unwarp;

@@ -5,9 +5,11 @@ use std::time::Duration;
 use glam::{UVec2, Vec4};
 
 use super::env::PreparedEnv;
+pub use super::methods::{BisSettings, CandidateSource, Method, SmcSettings};
 use super::plate::Plate;
 use super::scene::Camera;
 use super::scene_build::SceneBuffers;
+use super::smc_state::SmcState;
 use crate::kernels::camera::CameraView;
 use crate::kernels::frame::{self, FrameParams};
 use crate::kernels::layers::PixelLayers;
@@ -27,6 +29,10 @@ pub struct RenderSettings {
     pub env_samples: u32,
     /// How reflected light is estimated.
     pub method: Method,
+    /// How, by [`Method::Bis`].
+    pub bis: BisSettings,
+    /// How, by [`Method::Smc`].
+    pub smc: SmcSettings,
     /// Where the uniforms come from.
     pub pattern: Pattern,
     /// Where in its pixel a ray passes.
@@ -45,15 +51,8 @@ pub struct RenderSettings {
     pub shadow: Shadow,
     /// Whether the image comes with its layers.
     pub layers: bool,
-}
-
-/// An estimator of reflected radiance.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Method {
-    /// Multiple importance sampling (Kronander 2014, Eq. 2).
-    #[default]
-    Mis,
+    /// Whether the image is to have [`FrameImage::diagnostics`].
+    pub diagnostics: bool,
 }
 
 /// A sample pattern.
@@ -122,6 +121,9 @@ pub struct FrameImage {
     pub display: Vec<[u8; 4]>,
     /// The layers that it was composited of, not exposed, where they were asked for.
     pub layers: Option<Vec<PixelLayers>>,
+    /// How the particles of [`Method::Smc`] fare, where it was asked for: as
+    /// [`diagnose_smc`](crate::kernels::smc::diagnose_smc) has it.
+    pub diagnostics: Option<Vec<Vec4>>,
 }
 
 /// Something that turns scenes into frames: the CPU or a GPU.
@@ -161,6 +163,21 @@ pub trait Renderer {
     fn phases(&self) -> Vec<(&'static str, Duration)> {
         Vec::new()
     }
+
+    /// What [`Method::Smc`] would go on from; `None` before its first frame.
+    ///
+    /// A frame goes on from the one that was rendered before it where both have the same image size, rays per pixel, particles,
+    /// seed and objects; else it starts anew.
+    ///
+    /// # Errors
+    /// A [`RenderError`].
+    fn smc_state(&mut self) -> Result<Option<SmcState>, RenderError>;
+
+    /// Makes [`Method::Smc`] go on from another frame; with `None` the next one starts anew.
+    ///
+    /// # Errors
+    /// A [`RenderError`].
+    fn set_smc_state(&mut self, state: Option<SmcState>) -> Result<(), RenderError>;
 }
 
 /// Why no frame was rendered.
@@ -180,8 +197,10 @@ pub enum SettingsError {
     /// Width, height or rays per pixel is 0.
     #[error("an image needs a width, a height and at least one ray per pixel")]
     Empty,
-    /// Both counts of samples are 0.
-    #[error("there must be BRDF samples or environment samples")]
+    /// The method's counts of samples, candidates or particles are 0.
+    #[error(
+        "there must be samples: of the BRDF or the environment, candidates and picks, or particles"
+    )]
     NoSamples,
     /// Pixels, or the samples of one, outgrow 32 bits.
     #[error("width × height, and the samples of a pixel, must each stay below 2^32")]
@@ -195,6 +214,11 @@ pub enum SettingsError {
     /// The exposure's factor outgrows 32 bits.
     #[error("2 to the power of the exposure must be finite")]
     Exposure,
+    /// A setting of the sequential sampler is out of range.
+    #[error(
+        "a setting of the sequential sampler is out of its range, or its candidates come from the environment alone"
+    )]
+    Smc,
     /// The plate is of another size than the image.
     #[error("the plate must have the image's size")]
     PlateSize,
@@ -211,6 +235,8 @@ impl RenderSettings {
             brdf_samples: 1,
             env_samples: 1,
             method: Method::default(),
+            bis: BisSettings::default(),
+            smc: SmcSettings::default(),
             pattern: Pattern::default(),
             filter: Filter::default(),
             background: Background::default(),
@@ -220,6 +246,7 @@ impl RenderSettings {
             tonemap: Tonemap::default(),
             shadow: Shadow::default(),
             layers: false,
+            diagnostics: false,
         }
     }
 
@@ -256,14 +283,23 @@ impl RenderSettings {
         if self.size.min_element() == 0 || self.rays_per_pixel == 0 {
             return Err(SettingsError::Empty);
         }
-        if self.brdf_samples == 0 && self.env_samples == 0 {
+        let per_ray = match self.method {
+            Method::Mis => self.brdf_samples.max(self.env_samples),
+            Method::Bis => {
+                let bis = self.bis.params()?;
+                bis.candidates.max(bis.samples)
+            }
+            Method::Smc => {
+                self.smc.params(0.0, 0.0)?;
+                self.smc.candidates.max(self.smc.particles)
+            }
+        };
+        if per_ray == 0 {
             return Err(SettingsError::NoSamples);
         }
         // Kernels number rays within a tile, so all rays of an image may be more.
         let pixels = self.size.x.checked_mul(self.size.y);
-        let samples = self
-            .rays_per_pixel
-            .checked_mul(self.brdf_samples.max(self.env_samples));
+        let samples = self.rays_per_pixel.checked_mul(per_ray);
         if pixels.is_none() || samples.is_none() {
             return Err(SettingsError::TooMany);
         }
@@ -307,7 +343,11 @@ impl RenderSettings {
                 Shadow::Multiply => frame::SHADOW_MULTIPLY,
                 Shadow::Add => frame::SHADOW_ADD,
             },
-            unused_b: 0,
+            // Particles stay with their rays, so those must stand still.
+            film_frame: match self.method {
+                Method::Smc => 0,
+                Method::Mis | Method::Bis => self.frame,
+            },
             unused_c: 0,
         })
     }

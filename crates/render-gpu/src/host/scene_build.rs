@@ -1,40 +1,59 @@
-//! Host file: from a scene's description to the kernels' buffers.
+//! Host file: from a scene's description to the kernels' buffers, and on to those of its other poses.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use glam::{DMat3, Mat3, Vec2, Vec3, Vec4};
+use bytemuck::Zeroable;
+use glam::{Mat4, Vec3};
 
-use super::attributes::{area_weighted_normals, uv_tangents};
+use super::geometry::{Flat, Geometry};
 use super::materials::{pack_material, pack_textures};
-use super::scene::{Mesh, Object, SceneDescription};
+use super::scene::SceneDescription;
 use super::scene_error::SceneError;
-use super::tree::build_tree;
+use super::tree::{build_tree, refit, sah_cost};
 use crate::kernels::bvh::BvhNode;
 use crate::kernels::material::Material;
-use crate::kernels::scene::{Corner, MIRRORED, Scene};
-use crate::kernels::triangle::{CATCHER, Triangle};
+use crate::kernels::scene::{Corner, Scene};
+use crate::kernels::triangle::Triangle;
 
 /// World coordinates must not exceed this, so that areas and volumes stay finite in f32.
 pub const MAX_COORDINATE: f32 = 1e9;
 
-/// Rays that leave a surface start this fraction of the triangle's largest coordinate away from it: 64 units in the
-/// last place, of which about ten may be lost in the hit and in the next ray's test.
-const RAY_OFFSET: f32 = 1.0 / 262_144.0;
-
-/// A triangle is dropped when it is this many times longer than high: rounding alone decides where such a face looks.
-const MAX_ASPECT: f64 = 1e7;
+/// A refitted tree whose rays cost this many times what they did in the reference pose is built anew instead.
+const REBUILD_COST: f64 = 2.0;
 
 /// A scene as executors take it: the buffers that kernels read, all of them with at least one element.
+///
+/// The transforms of its description are the *reference pose*; [`pose`](Self::pose) moves the objects elsewhere. What the
+/// buffers hold then hangs on the reference pose and on that pose alone, not on the ones between.
 #[derive(Clone, Debug)]
 pub struct SceneBuffers {
     id: u64,
+    surface_id: u64,
     nodes: Vec<BvhNode>,
     triangles: Vec<Triangle>,
     corners: Vec<Corner>,
-    materials: Vec<Material>,
-    texels: Vec<u32>,
+    materials: Arc<Vec<Material>>,
+    texels: Arc<Vec<u32>>,
     dropped: usize,
-    has_catcher: bool,
+    geometry: Arc<Geometry>,
+    transforms: Vec<Mat4>,
+    reference: Arc<Reference>,
+    /// Whether the triangles lie as they do in the reference pose.
+    in_reference_order: bool,
+}
+
+/// What poses are refitted from.
+#[derive(Debug)]
+struct Reference {
+    nodes: Vec<BvhNode>,
+    cost: f64,
+    /// The place among the triangles of each one in the order of the description.
+    places: Vec<u32>,
+    /// The first of each object's triangles in that order.
+    starts: Vec<usize>,
+    /// Each object's faces without area.
+    dropped: Vec<Vec<u32>>,
 }
 
 impl SceneBuffers {
@@ -52,42 +71,134 @@ impl SceneBuffers {
             .enumerate()
             .map(|(index, material)| pack_material(index, material, &textures))
             .collect::<Result<Vec<_>, _>>()?;
-        let mut flat = Flat::default();
-        for (index, object) in description.objects.iter().enumerate() {
-            let mesh = description
-                .meshes
-                .get(object.mesh as usize)
-                .ok_or(SceneError::Missing {
-                    object: index,
-                    what: "mesh",
-                    index: object.mesh,
-                })?;
-            flat.add(index, object, mesh, &materials)?;
-        }
-        let Flat {
+        let geometry = Geometry::new(description, materials.len())?;
+        let objects = description.objects.iter();
+        let transforms: Vec<Mat4> = objects.map(|object| object.transform).collect();
+        let flats = flatten_all(&geometry, &transforms)?;
+        let Ordered {
+            nodes,
             triangles,
             corners,
-            dropped,
-        } = flat;
-        if triangles.is_empty() {
-            return Err(SceneError::NoTriangles { dropped });
+            order,
+        } = Ordered::build(&flats)?;
+        let mut places = vec![0; order.len()];
+        for (place, &flat) in (0..).zip(&order) {
+            places[flat as usize] = place;
         }
-        // Three corners each, and nodes up to twice as many.
-        if triangles.len() > (u32::MAX / 4) as usize {
-            return Err(SceneError::TooLarge { what: "triangles" });
-        }
-        let (nodes, order) = build_tree(&triangles);
-        static NEXT_ID: AtomicU64 = AtomicU64::new(0);
+        let starts = flats.iter().scan(0, |next, flat| {
+            let start = *next;
+            *next += flat.triangles.len();
+            Some(start)
+        });
+        let reference = Reference {
+            cost: sah_cost(&nodes),
+            nodes: nodes.clone(),
+            places,
+            starts: starts.collect(),
+            dropped: flats.iter().map(|flat| flat.dropped.clone()).collect(),
+        };
+        let id = new_id();
         Ok(Self {
-            id: NEXT_ID.fetch_add(1, Ordering::Relaxed),
+            id,
+            surface_id: id,
             nodes,
-            triangles: order.iter().map(|&i| triangles[i as usize]).collect(),
-            corners: order.iter().flat_map(|&i| corners[i as usize]).collect(),
-            materials,
-            texels,
-            dropped,
-            has_catcher: triangles.iter().any(Triangle::is_catcher),
+            triangles,
+            corners,
+            materials: Arc::new(materials),
+            texels: Arc::new(texels),
+            dropped: count_dropped(&flats),
+            geometry: Arc::new(geometry),
+            transforms,
+            reference: Arc::new(reference),
+            in_reference_order: true,
         })
+    }
+
+    /// Moves each object to its transform among `transforms`, from its mesh to the world: one for each object of the
+    /// description, each an affine map that can be inverted.
+    ///
+    /// The buffers become those of a scene that is built there, up to the order of the triangles: the tree of the reference
+    /// pose is refitted, or a new one built where that would cost rays too much or other triangles have no area. Poses between
+    /// leave no trace. Where nothing has moved nothing is done.
+    ///
+    /// # Errors
+    /// A [`SceneError`] that names the object; the scene then stays as it was.
+    pub fn pose(&mut self, transforms: &[Mat4]) -> Result<(), SceneError> {
+        let (found, expected) = (transforms.len(), self.transforms.len());
+        if found != expected {
+            return Err(SceneError::Pose { found, expected });
+        }
+        let bits = |m: &Mat4| m.to_cols_array().map(f32::to_bits);
+        let has_moved = |i: &usize| bits(&transforms[*i]) != bits(&self.transforms[*i]);
+        let mut moved: Vec<usize> = (0..expected).filter(has_moved).collect();
+        if moved.is_empty() {
+            return Ok(());
+        }
+        if !self.in_reference_order {
+            moved = (0..expected).collect();
+        }
+        let flats = moved
+            .iter()
+            .map(|&i| self.geometry.flatten(i, &transforms[i]))
+            .collect::<Result<Vec<_>, _>>()?;
+        let mut pairs = moved.iter().zip(&flats);
+        let same_faces = pairs.all(|(&i, flat)| flat.dropped == self.reference.dropped[i]);
+        if !(same_faces && self.refit(&moved, &flats)) {
+            self.rebuild(transforms)?;
+        }
+        self.transforms.copy_from_slice(transforms);
+        self.id = new_id();
+        Ok(())
+    }
+
+    /// Puts moved objects into the tree of the reference pose. Says whether that is good enough for rays.
+    fn refit(&mut self, moved: &[usize], flats: &[Flat]) -> bool {
+        let Reference {
+            nodes,
+            cost,
+            places,
+            starts,
+            dropped,
+        } = &*self.reference;
+        self.triangles.resize(places.len(), Zeroable::zeroed());
+        self.corners.resize(3 * places.len(), Zeroable::zeroed());
+        for (&object, flat) in moved.iter().zip(flats) {
+            let places = &places[starts[object]..];
+            for ((triangle, corners), &place) in
+                flat.triangles.iter().zip(&flat.corners).zip(places)
+            {
+                let place = place as usize;
+                self.triangles[place] = *triangle;
+                self.corners[3 * place..][..3].copy_from_slice(corners);
+            }
+        }
+        self.nodes.clone_from(nodes);
+        refit(&mut self.nodes, &self.triangles);
+        self.dropped = dropped.iter().map(Vec::len).sum();
+        self.in_reference_order = true;
+        sah_cost(&self.nodes) <= REBUILD_COST * cost
+    }
+
+    /// Builds a tree of this pose's own.
+    fn rebuild(&mut self, transforms: &[Mat4]) -> Result<(), SceneError> {
+        let flats = flatten_all(&self.geometry, transforms)?;
+        let Ordered {
+            nodes,
+            triangles,
+            corners,
+            ..
+        } = Ordered::build(&flats)?;
+        self.nodes = nodes;
+        self.triangles = triangles;
+        self.corners = corners;
+        self.dropped = count_dropped(&flats);
+        self.in_reference_order = false;
+        Ok(())
+    }
+
+    /// Where the objects stand: from the mesh of each to the world.
+    pub fn transforms(&self) -> &[Mat4] {
+        &self.transforms
     }
 
     /// What kernels see of it.
@@ -101,15 +212,20 @@ impl SceneBuffers {
         }
     }
 
-    /// A number that no other scene of this process has, but for clones: tells an executor whether it has uploaded
-    /// this one.
+    /// A number that no other scene of this process has, but for clones, nor this one in another pose: tells an executor
+    /// whether it has uploaded this one.
     pub fn id(&self) -> u64 {
         self.id
     }
 
+    /// The same for materials and textures, which a pose does not change.
+    pub fn surface_id(&self) -> u64 {
+        self.surface_id
+    }
+
     /// Whether there is a catcher.
     pub fn has_catcher(&self) -> bool {
-        self.has_catcher
+        self.geometry.has_catcher()
     }
 
     /// How many triangles were dropped because they have no area.
@@ -123,217 +239,47 @@ impl SceneBuffers {
     }
 }
 
-/// Triangles of all objects, in the world, in the order of the description.
-#[derive(Default)]
-struct Flat {
+fn new_id() -> u64 {
+    static NEXT_ID: AtomicU64 = AtomicU64::new(0);
+    NEXT_ID.fetch_add(1, Ordering::Relaxed)
+}
+
+fn flatten_all(geometry: &Geometry, transforms: &[Mat4]) -> Result<Vec<Flat>, SceneError> {
+    let pairs = transforms.iter().enumerate();
+    pairs.map(|(i, t)| geometry.flatten(i, t)).collect()
+}
+
+fn count_dropped(flats: &[Flat]) -> usize {
+    flats.iter().map(|flat| flat.dropped.len()).sum()
+}
+
+/// A tree, and the triangles as its leaves want them.
+struct Ordered {
+    nodes: Vec<BvhNode>,
     triangles: Vec<Triangle>,
-    corners: Vec<[Corner; 3]>,
-    dropped: usize,
+    corners: Vec<Corner>,
+    /// Which triangle of the description each of them is.
+    order: Vec<u32>,
 }
 
-impl Flat {
-    fn add(
-        &mut self,
-        object_index: usize,
-        object: &Object,
-        mesh: &Mesh,
-        materials: &[Material],
-    ) -> Result<(), SceneError> {
-        check_mesh(mesh)?;
-        if let Some(index) = object.material.filter(|&m| m as usize >= materials.len()) {
-            return Err(SceneError::Missing {
-                object: object_index,
-                what: "material",
-                index,
-            });
+impl Ordered {
+    fn build(flats: &[Flat]) -> Result<Self, SceneError> {
+        let triangles: Vec<Triangle> = flats.iter().flat_map(|f| &f.triangles).copied().collect();
+        if triangles.is_empty() {
+            let dropped = count_dropped(flats);
+            return Err(SceneError::NoTriangles { dropped });
         }
-        let linear = DMat3::from_mat4(object.transform.as_dmat4());
-        let determinant = linear.determinant();
-        if !(determinant.abs() > 0.0 && determinant.abs() <= f64::MAX) {
-            return Err(SceneError::Transform {
-                object: object_index,
-            });
+        // Three corners each, and nodes up to twice as many.
+        if triangles.len() > (u32::MAX / 4) as usize {
+            return Err(SceneError::TooLarge { what: "triangles" });
         }
-        let positions = world_positions(object_index, object, mesh)?;
-        let normal_map = linear.inverse().transpose();
-        let made_normals;
-        let normals = if mesh.normals.is_empty() {
-            made_normals = area_weighted_normals(mesh);
-            &made_normals
-        } else {
-            &mesh.normals
-        };
-        let made_tangents;
-        let tangents = if !mesh.tangents.is_empty() || mesh.uvs.is_empty() {
-            &mesh.tangents
-        } else {
-            made_tangents = uv_tangents(mesh);
-            &made_tangents
-        };
-        let tangent_map = Mat3::from_mat4(object.transform);
-        let corner = |vertex: u32| {
-            let vertex = vertex as usize;
-            let uv = mesh.uvs.get(vertex).copied().unwrap_or(Vec2::ZERO);
-            let tangent = tangents.get(vertex).copied().unwrap_or(Vec4::ZERO);
-            Corner {
-                normal: (normal_map * normals[vertex].as_dvec3())
-                    .normalize_or_zero()
-                    .as_vec3(),
-                u: uv.x,
-                tangent: (tangent_map * tangent.truncate()).normalize_or_zero(),
-                v: uv.y,
-            }
-        };
-        for (index, face) in mesh.indices.iter().enumerate() {
-            let [v0, v1, v2] = face.map(|i| positions[i as usize]);
-            if is_degenerate(v0, v1, v2) {
-                self.dropped += 1;
-                continue;
-            }
-            let material = triangle_material(object, mesh, index, materials)?;
-            let handedness = tangents
-                .get(face[0] as usize)
-                .map_or(1.0, |t| f64::from(t.w));
-            let mirrored = handedness * determinant < 0.0;
-            let extent = v0.abs().max(v1.abs()).max(v2.abs()).max_element();
-            self.triangles.push(Triangle {
-                v0,
-                material: if mirrored {
-                    material | MIRRORED
-                } else {
-                    material
-                },
-                v1,
-                object: if object.catcher {
-                    object_index as u32 | CATCHER
-                } else {
-                    object_index as u32
-                },
-                v2,
-                ray_offset: RAY_OFFSET * extent,
-            });
-            self.corners.push(face.map(corner));
-        }
-        Ok(())
-    }
-}
-
-fn triangle_material(
-    object: &Object,
-    mesh: &Mesh,
-    triangle: usize,
-    materials: &[Material],
-) -> Result<u32, SceneError> {
-    let own = if mesh.materials.len() == 1 {
-        mesh.materials[0]
-    } else {
-        mesh.materials[triangle]
-    };
-    let index = object.material.unwrap_or(own);
-    if (index as usize) < materials.len() {
-        Ok(index)
-    } else {
-        Err(SceneError::Index {
-            mesh: mesh.name.clone(),
-            triangle,
-            what: "material",
-            index,
-            count: materials.len(),
+        let corners: Vec<&[Corner; 3]> = flats.iter().flat_map(|f| &f.corners).collect();
+        let (nodes, order) = build_tree(&triangles);
+        Ok(Self {
+            nodes,
+            triangles: order.iter().map(|&i| triangles[i as usize]).collect(),
+            corners: order.iter().flat_map(|&i| *corners[i as usize]).collect(),
+            order,
         })
     }
-}
-
-fn world_positions(
-    object_index: usize,
-    object: &Object,
-    mesh: &Mesh,
-) -> Result<Vec<Vec3>, SceneError> {
-    let transform = object.transform.as_dmat4();
-    let mut used = vec![false; mesh.positions.len()];
-    for &vertex in mesh.indices.iter().flatten() {
-        used[vertex as usize] = true;
-    }
-    let positions: Vec<Vec3> = mesh
-        .positions
-        .iter()
-        .map(|p| transform.transform_point3(p.as_dvec3()).as_vec3())
-        .collect();
-    let bad = |(p, used): (&Vec3, &bool)| {
-        *used && !(p.is_finite() && p.abs().max_element() <= MAX_COORDINATE)
-    };
-    match positions.iter().zip(&used).position(bad) {
-        Some(vertex) => Err(SceneError::Position {
-            object: object_index,
-            mesh: mesh.name.clone(),
-            vertex,
-        }),
-        None => Ok(positions),
-    }
-}
-
-/// Lengths, indices and attributes of a mesh.
-fn check_mesh(mesh: &Mesh) -> Result<(), SceneError> {
-    let vertices = mesh.positions.len();
-    for (triangle, face) in mesh.indices.iter().enumerate() {
-        if let Some(&index) = face.iter().find(|&&i| i as usize >= vertices) {
-            return Err(SceneError::Index {
-                mesh: mesh.name.clone(),
-                triangle,
-                what: "vertex",
-                index,
-                count: vertices,
-            });
-        }
-    }
-    let length = |what, found: usize, expected: usize| {
-        if found == expected {
-            Ok(())
-        } else {
-            Err(SceneError::Length {
-                mesh: mesh.name.clone(),
-                what,
-                found,
-                expected,
-            })
-        }
-    };
-    let finite = |what, bad: Option<usize>| match bad {
-        Some(vertex) => Err(SceneError::Attribute {
-            mesh: mesh.name.clone(),
-            what,
-            vertex,
-        }),
-        None => Ok(()),
-    };
-    if !mesh.normals.is_empty() {
-        length("normals", mesh.normals.len(), vertices)?;
-        finite("normal", mesh.normals.iter().position(|n| !n.is_finite()))?;
-    }
-    if !mesh.uvs.is_empty() {
-        length("texture coordinates", mesh.uvs.len(), vertices)?;
-        finite(
-            "texture coordinate",
-            mesh.uvs.iter().position(|uv| !uv.is_finite()),
-        )?;
-    }
-    if !mesh.tangents.is_empty() {
-        length("tangents", mesh.tangents.len(), vertices)?;
-        finite("tangent", mesh.tangents.iter().position(|t| !t.is_finite()))?;
-    }
-    if mesh.materials.len() != 1 {
-        length("materials", mesh.materials.len(), mesh.indices.len())?;
-    }
-    Ok(())
-}
-
-/// Whether a face has no area, none that f32 could hold, or a height lost beside its length.
-fn is_degenerate(v0: Vec3, v1: Vec3, v2: Vec3) -> bool {
-    let [a, b, c] = [v0, v1, v2].map(|v| v.as_dvec3());
-    let area2 = (b - a).cross(c - a).length();
-    let longest2 = a
-        .distance_squared(b)
-        .max(b.distance_squared(c))
-        .max(c.distance_squared(a));
-    let in_f32 = (v1 - v0).cross(v2 - v0).length_squared();
-    !(area2 * MAX_ASPECT > longest2) || !(in_f32 > f32::MIN_POSITIVE)
 }

@@ -110,6 +110,14 @@ pub enum SceneError {
         /// Its number of texels.
         len: usize,
     },
+    /// A pose has another number of transforms than the scene has objects.
+    #[error("a pose of {found} transforms for {expected} objects")]
+    Pose {
+        /// Its transforms.
+        found: usize,
+        /// The objects.
+        expected: usize,
+    },
     /// The scene outgrows 32-bit indices.
     #[error("the scene has too many {what} for 32-bit indices")]
     TooLarge {

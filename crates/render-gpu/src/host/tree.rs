@@ -77,3 +77,77 @@ fn leaf(triangles: &[Triangle], first: usize) -> BvhNode {
         first: first as u32,
     }
 }
+
+/// Gives every box of a tree anew the size of what is in it, from the leaves up.
+///
+/// Children stand behind their parents.
+pub(super) fn refit(nodes: &mut [BvhNode], triangles: &[Triangle]) {
+    for index in (0..nodes.len()).rev() {
+        let BvhNode { count, first, .. } = nodes[index];
+        let at = first as usize;
+        (nodes[index].min, nodes[index].max) = if count == 0 {
+            let [a, b] = [nodes[at], nodes[at + 1]];
+            (a.min.min(b.min), a.max.max(b.max))
+        } else {
+            let fitted = leaf(&triangles[at..at + count as usize], at);
+            (fitted.min, fitted.max)
+        };
+    }
+}
+
+/// What a ray through the root's box is expected to cost: boxes and triangles that it has to be tested against, by the
+/// surface area heuristic.
+pub(super) fn sah_cost(nodes: &[BvhNode]) -> f64 {
+    let area = |node: &BvhNode| {
+        let size = (node.max - node.min).as_dvec3();
+        size.x * size.y + size.y * size.z + size.z * size.x
+    };
+    let weighted = nodes.iter().map(|node| match node.count {
+        0 => 2.0 * area(node),
+        triangles => f64::from(triangles) * area(node),
+    });
+    weighted.sum::<f64>() / area(&nodes[0]).max(f64::MIN_POSITIVE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bytemuck::Zeroable;
+    use glam::vec3;
+
+    fn scattered(count: u32) -> Vec<Triangle> {
+        let triangle = |i: u32| {
+            let at = |k: u32| f32::from((i.wrapping_mul(k) % 1009) as u16) * 0.01;
+            let v0 = vec3(at(7919), at(104_729), at(1_299_709));
+            Triangle {
+                v0,
+                v1: v0 + vec3(0.3, 0.0, 0.1),
+                v2: v0 + vec3(0.0, 0.2, 0.1),
+                ..Zeroable::zeroed()
+            }
+        };
+        (0..count).map(triangle).collect()
+    }
+
+    #[test]
+    fn refitting_what_has_not_moved_changes_nothing() {
+        // Of all at one place the tree is a balanced one.
+        for triangles in [scattered(3000), vec![scattered(1)[0]; 3000]] {
+            let (nodes, order) = build_tree(&triangles);
+            for (index, node) in nodes.iter().enumerate() {
+                assert!(node.count > 0 || node.first as usize > index);
+            }
+            let ordered: Vec<Triangle> = order.iter().map(|&i| triangles[i as usize]).collect();
+            let mut refitted = nodes.clone();
+            refit(&mut refitted, &ordered);
+            assert_eq!(refitted, nodes);
+            // And what has moved is found to cost more.
+            let mixed: Vec<Triangle> = (0..ordered.len())
+                .map(|i| ordered[i * 1117 % ordered.len()])
+                .collect();
+            refit(&mut refitted, &mixed);
+            let ratio = sah_cost(&refitted) / sah_cost(&nodes);
+            assert!(ratio > 2.0 || triangles[0] == triangles[1], "{ratio}");
+        }
+    }
+}

@@ -16,6 +16,28 @@ pub struct Environment<'a> {
     pub rotation: Vec2,
 }
 
+/// A light map without tables: one that directions are looked up in.
+#[derive(Clone, Copy, Debug)]
+pub struct RadianceMap<'a> {
+    /// Linear RGB, row by row from +z.
+    pub texels: &'a [Vec4],
+    /// Its columns and rows.
+    pub size: UVec2,
+    /// Cosine and sine of the angle by which it is turned, as [`Environment::rotation`].
+    pub rotation: Vec2,
+}
+
+impl RadianceMap<'_> {
+    /// Radiance of the texel that a direction of the world falls into.
+    #[inline]
+    #[must_use]
+    pub fn radiance(&self, direction: Vec3) -> Vec3 {
+        let to_map = Vec2::new(self.rotation.x, -self.rotation.y);
+        let texel = direction_to_texel(rotate_z(direction, to_map), self.size);
+        self.texels[(texel.y * self.size.x + texel.x) as usize].truncate()
+    }
+}
+
 impl Environment<'_> {
     /// The direction in the map's own coordinates of a direction in the world.
     #[inline]

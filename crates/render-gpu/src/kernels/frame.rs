@@ -74,8 +74,9 @@ pub struct FrameParams {
     pub exposure: f32,
     /// One of the `SHADOW_…` constants.
     pub shadow: u32,
-    /// Fills 16 bytes.
-    pub unused_b: u32,
+    /// Second key of the rays' places in their pixels: [`FrameParams::frame`] where they are new in every frame, the same number
+    /// in all frames where they stand still.
+    pub film_frame: u32,
     /// Fills 16 bytes.
     pub unused_c: u32,
 }
@@ -103,7 +104,11 @@ impl FrameParams {
         let place = if self.filter == FILTER_CENTRE {
             Vec2::splat(0.5)
         } else {
-            unit_vec2(pattern.pair(FILM, 0, 1))
+            let film = PixelPattern {
+                frame: self.film_frame,
+                ..*pattern
+            };
+            unit_vec2(film.pair(FILM, 0, 1))
         };
         let view = CameraView {
             eye: self.eye,

@@ -7,6 +7,7 @@
 use glam::{Vec3, Vec4};
 
 use super::environment::Environment;
+use super::estimator::Reflected;
 use super::frame::{BACKGROUND_ENVIRONMENT, FrameParams};
 
 /// What one ray shows: an object, a catcher, or the background. 32 bytes.
@@ -31,6 +32,26 @@ impl LayerSample {
         blocked: Vec3::ZERO,
         catcher: 0.0,
     };
+
+    /// An object or a catcher that reflects this light.
+    #[inline]
+    #[must_use]
+    pub fn of(light: &Reflected, is_catcher: bool) -> LayerSample {
+        if is_catcher {
+            return LayerSample {
+                radiance: light.lit,
+                alpha: 0.0,
+                blocked: light.blocked,
+                catcher: 1.0,
+            };
+        }
+        LayerSample {
+            radiance: light.lit,
+            alpha: 1.0,
+            blocked: Vec3::ZERO,
+            catcher: 0.0,
+        }
+    }
 }
 
 /// The layers of one pixel, means over all its rays: [`lit`](Self::lit) and [`blocked`](Self::blocked) are premultiplied by

@@ -4,8 +4,10 @@
 //! the tile in the image, and random streams are keyed by the pixel of the image, so that an image has the same bits
 //! whatever its tiles.
 
+pub mod bis;
 pub mod bvh;
 pub mod camera;
+pub mod candidates;
 pub mod capture;
 pub mod composite;
 pub mod diagnose;
@@ -14,13 +16,16 @@ pub mod estimator;
 pub mod film;
 pub mod frame;
 pub mod layers;
+pub mod light_target;
 pub mod material;
 pub mod mis;
+pub mod past;
 pub mod pattern;
 pub mod ray;
 pub mod scene;
 pub mod sensor;
 pub mod shade;
+pub mod smc;
 pub mod stage;
 pub mod texture;
 pub mod triangle;

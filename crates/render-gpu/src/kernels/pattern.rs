@@ -1,6 +1,6 @@
 //! Shared file: the uniform numbers of a ray, by one of three sample patterns.
 
-use glam::{UVec2, UVec3};
+use glam::{UVec2, UVec3, UVec4};
 use glimt_sampling::hash::{hash_u32, hash2, hash3};
 use glimt_sampling::sobol::OwenSobol;
 use glimt_sampling::uniform::UniformSource;
@@ -14,6 +14,15 @@ pub const FILM: u32 = 1;
 pub const BRDF: u32 = 2;
 /// What uniforms are for: environment samples.
 pub const ENVIRONMENT: u32 = 3;
+
+/// What uniforms are for: candidates from the BRDF.
+pub const CANDIDATE_BRDF: u32 = 4;
+/// What uniforms are for: candidates from the environment.
+pub const CANDIDATE_ENVIRONMENT: u32 = 5;
+/// What uniforms are for: picking among candidates.
+pub const RESAMPLE: u32 = 6;
+/// What uniforms are for: leading particles from one frame to the next.
+pub const PARTICLES: u32 = 7;
 
 /// The pattern of one pixel, as one of its rays sees it.
 ///
@@ -71,6 +80,18 @@ impl PixelPattern {
         jittered_pair(index, count, jitter, key).extend(jittered(index, count, single, key))
     }
 
+    /// As many uniform words as are wanted for a purpose: the dimensions of one point, of which each ray of the pixel has
+    /// one; or a generator of the ray's own, where the pattern has no points.
+    #[inline]
+    #[must_use]
+    pub fn source(&self, purpose: u32) -> PatternSource {
+        PatternSource {
+            is_sobol: self.kind == PATTERN_OWEN_SOBOL,
+            point: self.sobol_point(purpose, self.ray),
+            generator: self.generator(purpose, self.ray),
+        }
+    }
+
     #[inline]
     fn sobol_point(&self, purpose: u32, index: u32) -> OwenSobol {
         OwenSobol::new(hash2(self.seed, purpose), self.frame, self.pixel, index)
@@ -84,6 +105,44 @@ impl PixelPattern {
     #[inline]
     fn key(&self, purpose: u32) -> u32 {
         hash3(hash2(self.seed, purpose), self.frame, self.pixel)
+    }
+}
+
+/// A stream of words from a pattern.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PatternSource {
+    /// Whether the words are the point's and not the generator's.
+    is_sobol: bool,
+    point: OwenSobol,
+    generator: Xoshiro128PlusPlus,
+}
+
+impl PatternSource {
+    /// The generator's state, by which two processors' streams are compared.
+    #[inline]
+    #[must_use]
+    pub fn generator_state(&self) -> UVec4 {
+        self.generator.state
+    }
+}
+
+impl UniformSource for PatternSource {
+    #[inline]
+    fn next_u32(&mut self) -> u32 {
+        if self.is_sobol {
+            self.point.next_u32()
+        } else {
+            self.generator.next_u32()
+        }
+    }
+
+    #[inline]
+    fn next_uvec2(&mut self) -> UVec2 {
+        if self.is_sobol {
+            self.point.next_uvec2()
+        } else {
+            self.generator.next_uvec2()
+        }
     }
 }
 

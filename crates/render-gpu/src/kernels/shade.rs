@@ -1,7 +1,8 @@
 //! Shared file: pass 1 of rendering (Kronander 2014, § 7): one element is one ray.
 
-use glam::{Vec3, Vec4};
+use glam::Vec4;
 
+use super::bis::Bis;
 use super::environment::Environment;
 use super::estimator::Estimator;
 use super::frame::{BACKGROUND_ENVIRONMENT, FrameParams};
@@ -24,6 +25,30 @@ pub fn shade_mis_layers(
     scene: Scene<'_>,
 ) -> LayerSample {
     shade_layers(ray, frame, env, scene, &mis(frame))
+}
+
+/// Radiance along the tile's ray `ray`, with alpha, by bidirectional importance sampling.
+#[must_use]
+pub fn shade_bis(
+    ray: u32,
+    frame: &FrameParams,
+    bis: &Bis,
+    env: Environment<'_>,
+    scene: Scene<'_>,
+) -> Vec4 {
+    shade(ray, frame, env, scene, bis)
+}
+
+/// What the tile's ray `ray` shows in a scene with catchers, by bidirectional importance sampling.
+#[must_use]
+pub fn shade_bis_layers(
+    ray: u32,
+    frame: &FrameParams,
+    bis: &Bis,
+    env: Environment<'_>,
+    scene: Scene<'_>,
+) -> LayerSample {
+    shade_layers(ray, frame, env, scene, bis)
 }
 
 #[inline]
@@ -72,20 +97,8 @@ fn shade_layers<E: Estimator>(
     if let Some(hit) = scene.closest_hit(&camera_ray) {
         let point = scene.shading_point(&camera_ray, &hit);
         let light = estimator.reflected(&point, &pattern, env, scene);
-        if scene.triangles[hit.triangle as usize].is_catcher() {
-            return LayerSample {
-                radiance: light.lit,
-                alpha: 0.0,
-                blocked: light.blocked,
-                catcher: 1.0,
-            };
-        }
-        return LayerSample {
-            radiance: light.lit,
-            alpha: 1.0,
-            blocked: Vec3::ZERO,
-            catcher: 0.0,
-        };
+        let is_catcher = scene.triangles[hit.triangle as usize].is_catcher();
+        return LayerSample::of(&light, is_catcher);
     }
     LayerSample::NOTHING
 }

@@ -1,7 +1,9 @@
 //! Host file: glTF 2.0 files, `.gltf` and `.glb`: the scene graph, its meshes, materials and cameras.
 
+mod animation;
 mod material;
 
+use super::node::{Node, Trs};
 use super::{Model, ModelCamera, Part};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
@@ -9,7 +11,7 @@ use ::gltf::accessor::{DataType, Dimensions};
 use ::gltf::buffer::{Data, Source};
 use ::gltf::mesh::{Mode, Primitive};
 use ::gltf::{Document, Gltf, Semantic};
-use glam::Mat4;
+use glam::{Mat4, Quat};
 use glimt_render_gpu::host::scene::Mesh;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -38,7 +40,6 @@ pub fn load(file: &Path, notes: &mut Notes) -> Result<Model> {
         buffers: Vec::new(),
         model: Model {
             files: vec![file.to_owned()],
-            animations: document.animations().count(),
             ..Model::default()
         },
         textures: HashMap::new(),
@@ -112,8 +113,8 @@ impl Reader<'_> {
             let what = format!("its extension {extension} is not used");
             self.notes.note(self.file, what);
         }
-        if self.model.animations > 0 || self.document.skins().next().is_some() {
-            let what = "its animations and skins are not played: it stands as it was made";
+        if self.document.skins().next().is_some() {
+            let what = "its skins are not supported: meshes move with their nodes, not with bones";
             self.notes.note(self.file, what);
         }
     }
@@ -162,23 +163,37 @@ impl Reader<'_> {
         };
         // Meshes that stand in several places are read once.
         let mut meshes: HashMap<usize, Vec<usize>> = HashMap::new();
-        let mut stack: Vec<_> = scene
-            .nodes()
-            .map(|node| (node, Mat4::IDENTITY, 0))
-            .collect();
-        while let Some((node, parent, depth)) = stack.pop() {
+        let mut nodes: HashMap<usize, usize> = HashMap::new();
+        let is_animated = self.document.animations().next().is_some();
+        let top = |node| (node, None, Mat4::IDENTITY, 0);
+        let mut stack: Vec<_> = scene.nodes().map(top).collect();
+        while let Some((node, parent, to_file, depth)) = stack.pop() {
             let local = Mat4::from_cols_array_2d(&node.transform().matrix());
-            let transform = parent * local;
+            let transform = to_file * local;
             if depth > 1000 {
                 return Err(self.error("its nodes contain each other"));
             }
+            let own = self.model.nodes.len();
+            let (translation, rotation, scale) = node.transform().decomposed();
+            self.model.nodes.push(Node {
+                name: node.name().unwrap_or_default().to_owned(),
+                parent,
+                local,
+                parts: Trs {
+                    translation: translation.into(),
+                    rotation: Quat::from_array(rotation),
+                    scale: scale.into(),
+                },
+            });
+            nodes.insert(node.index(), own);
             if let Some(mesh) = node.mesh() {
                 let list = match meshes.entry(mesh.index()) {
                     Entry::Occupied(known) => known.into_mut(),
                     Entry::Vacant(new) => new.insert(self.read_mesh(&mesh)?),
                 };
-                if transform.is_finite() && transform.determinant() != 0.0 {
-                    let parts = list.iter().map(|&mesh| Part { mesh, transform });
+                // An animation may well unfold it.
+                if transform.is_finite() && (is_animated || transform.determinant() != 0.0) {
+                    let parts = list.iter().map(|&mesh| Part { mesh, node: own });
                     self.model.parts.extend(parts);
                 } else {
                     let name = node.name().unwrap_or("without a name");
@@ -187,25 +202,21 @@ impl Reader<'_> {
                 }
             }
             if let Some(camera) = node.camera() {
-                self.read_camera(&node, &camera, transform);
+                self.read_camera(&node, &camera, own);
             }
-            stack.extend(node.children().map(|child| (child, transform, depth + 1)));
+            let inner = |child| (child, Some(own), transform, depth + 1);
+            stack.extend(node.children().map(inner));
         }
-        Ok(())
+        self.read_animations(&nodes)
     }
 
-    fn read_camera(
-        &mut self,
-        node: &::gltf::Node<'_>,
-        camera: &::gltf::Camera<'_>,
-        transform: Mat4,
-    ) {
+    fn read_camera(&mut self, node: &::gltf::Node<'_>, camera: &::gltf::Camera<'_>, place: usize) {
         let unnamed = format!("camera {}", camera.index());
         let name = node.name().or(camera.name()).unwrap_or(&unnamed).to_owned();
         match camera.projection() {
             ::gltf::camera::Projection::Perspective(p) => self.model.cameras.push(ModelCamera {
                 name,
-                transform,
+                node: place,
                 fov_y: p.yfov(),
             }),
             ::gltf::camera::Projection::Orthographic(_) => {

@@ -1,0 +1,2973 @@
+// Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
+
+struct BvhNode {
+    min: vec3<f32>,
+    count: u32,
+    max: vec3<f32>,
+    first: u32,
+}
+
+struct Triangle {
+    v0_: vec3<f32>,
+    material: u32,
+    v1_: vec3<f32>,
+    object: u32,
+    v2_: vec3<f32>,
+    ray_offset: f32,
+}
+
+struct Corner {
+    normal: vec3<f32>,
+    u: f32,
+    tangent: vec3<f32>,
+    v: f32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
+struct Material {
+    color: vec3<f32>,
+    kind: u32,
+    specular: vec3<f32>,
+    exponent: f32,
+    metallic: f32,
+    roughness: f32,
+    normal_scale: f32,
+    unused: u32,
+    base_color_texture: TextureView,
+    metallic_roughness_texture: TextureView,
+    normal_texture: TextureView,
+}
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    brdf_samples: u32,
+    env_samples: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    shadow: u32,
+    film_frame: u32,
+    unused_c: u32,
+}
+
+struct Bis {
+    candidates: u32,
+    samples: u32,
+    source: u32,
+    unused: u32,
+}
+
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
+}
+
+struct OwenSobol {
+    seed: u32,
+    index: u32,
+    dimension: u32,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+struct CameraView {
+    eye: vec3<f32>,
+    forward: vec3<f32>,
+    right: vec3<f32>,
+    up: vec3<f32>,
+}
+
+struct Ray {
+    origin: vec3<f32>,
+    direction: vec3<f32>,
+    inverse_direction: vec3<f32>,
+}
+
+struct Hit {
+    triangle: u32,
+    t: f32,
+    barycentrics: vec2<f32>,
+}
+
+struct Option_Hit {
+    is_some: bool,
+    value: Hit,
+}
+
+struct Tuple_f32_f32_ {
+    fa: f32,
+    fb: f32,
+}
+
+struct ShadingFrame {
+    t: vec3<f32>,
+    b: vec3<f32>,
+    n: vec3<f32>,
+}
+
+struct BlinnPhong {
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    exponent: f32,
+}
+
+struct ShadingPoint {
+    origin: vec3<f32>,
+    geometric_normal: vec3<f32>,
+    frame: ShadingFrame,
+    wo: vec3<f32>,
+    brdf: BlinnPhong,
+}
+
+struct Candidates {
+    count: u32,
+    source: u32,
+    floor: f32,
+}
+
+struct RisSum {
+    sum: f32,
+    candidates: u32,
+    end: u32,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
+struct DirectionSample {
+    direction: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct HalfVector {
+    cos2_theta: f32,
+    sin2_theta: f32,
+    wo_dot_h: f32,
+}
+
+struct BrdfSample {
+    wi: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct Candidate {
+    direction: vec3<f32>,
+    wi: vec3<f32>,
+    radiance: vec3<f32>,
+    target_: f32,
+    weight: f32,
+}
+
+struct Bin {
+    index: u32,
+    first: u32,
+    units: u32,
+}
+
+struct EnvSample {
+    texel: vec2<u32>,
+    direction: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct Reflected {
+    lit: vec3<f32>,
+    blocked: vec3<f32>,
+}
+
+struct Word {
+    f0_: u32,
+}
+
+struct Comb {
+    scheme: u32,
+    picks: u32,
+    teeth: u32,
+    made: u32,
+    next: f32,
+    reach: f32,
+    state: f32,
+}
+
+struct RisPicks {
+    comb: Comb,
+    scale: f32,
+    left: u32,
+    candidate: u32,
+    end: u32,
+}
+
+struct LightSample {
+    direction: vec3<f32>,
+    contribution: vec3<f32>,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    frame: FrameParams,
+    bis: Bis,
+    env_cdf_size: vec2<u32>,
+    env_rotation: vec2<f32>,
+}
+
+@group(0) @binding(1) 
+var<storage> env_texels: array<vec4<f32>>;
+@group(0) @binding(2) 
+var<storage> env_cdf_marginal: array<u32>;
+@group(0) @binding(3) 
+var<storage> env_cdf_conditional: array<u32>;
+@group(0) @binding(4) 
+var<storage> scene_nodes: array<BvhNode>;
+@group(0) @binding(5) 
+var<storage> scene_triangles: array<Triangle>;
+@group(0) @binding(6) 
+var<storage> scene_corners: array<Corner>;
+@group(0) @binding(7) 
+var<storage> scene_materials: array<Material>;
+@group(0) @binding(8) 
+var<storage> scene_texels: array<u32>;
+@group(0) @binding(9) 
+var<storage, read_write> out: array<vec4<f32>>;
+@group(0) @binding(0) 
+var<storage> params: Params;
+
+// glimt_render_gpu/src/kernels/frame.rs:88
+fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:89
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x;
+    let _e11 = x;
+    x = (_e11 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e14 = x;
+    x = (_e14 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e18 = x;
+    let _e22 = x;
+    x = (_e22 ^ (_e18 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e25 = x;
+    x = (_e25 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e29 = x;
+    let _e30 = x;
+    return (_e29 ^ (_e30 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:171
+fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+
+    // glimt_sampling/src/sobol.rs:172
+    let _e6 = hash3_(seed, frame, pixel);
+    let _e10 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e10, (sample_index & 65535u), 0u);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:96
+fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:97
+    let _e6 = hash2_(this_1.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
+    return _e9;
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+    var x_1: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_1 = (n_1 ^ (n_1 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_1;
+    x_1 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_1;
+    x_1 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e20 = x_1;
+    let _e23 = x_1;
+    x_1 = (_e23 ^ (_e20 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e26 = x_1;
+    let _e27 = x_1;
+    return (_e26 ^ (_e27 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index_1: u32, seed_1: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_1 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_2: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_2 = index_2;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_2;
+    let _e11 = x_2;
+    x_2 = (_e11 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e14 = x_2;
+    let _e20 = x_2;
+    x_2 = (_e20 ^ ((_e14 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e23 = x_2;
+    let _e29 = x_2;
+    x_2 = (_e29 ^ ((_e23 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e32 = x_2;
+    let _e33 = x_2;
+    return (_e32 ^ ((_e33 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_3: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_3;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum;
+        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e38 = v1_;
+        v0_ = _e38;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e42 = bits;
+        bits = (_e42 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e46 = sum;
+    return _e46;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_4: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_4;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_1;
+        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e41 = v1_1;
+        v0_1 = _e41;
+        // glimt_sampling/src/sobol.rs:93
+        let _e43 = v2_;
+        v1_1 = _e43;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e47 = bits_1;
+        bits_1 = (_e47 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e51 = sum_1;
+    return _e51;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
+    var chosen: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_16 = (index_5 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen = index_16;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_16);
+            chosen = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_16);
+                chosen = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_16);
+                chosen = _e22;
+            }
+        }
+    }
+    let _e23 = chosen;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_1 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_1 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_1 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_1 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_1;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_2).dimension;
+    let dimension_3 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_2).dimension = (dimension_3 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_2).seed;
+    let _e19 = hash2_(_e15, (dimension_3 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e22 = (*this_2).index;
+    let _e23 = shuffle(_e22, _e19);
+    // glimt_sampling/src/sobol.rs:195
+    let _e25 = sobol_reversed(_e23, dimension_3);
+    let _e26 = scramble_1(_e25, dimension_3, _e19);
+    let _e29 = sobol_reversed(_e23, (dimension_3 + 1u));
+    let _e32 = scramble_1(_e29, (dimension_3 + 1u), _e19);
+    return vec2<u32>(_e26, _e32);
+}
+
+// glimt_sampling/src/hash.rs:50
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:51
+    let _e4 = hash_u32_(v.x);
+    x_3 = ((_e4 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:54
+    let _e12 = hash_u32_(v.y);
+    y = ((_e12 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:57
+    let _e20 = hash_u32_(v.z);
+    z = ((_e20 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:60
+    let _e28 = hash_u32_(v.w);
+    w = ((_e28 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:64
+    let _e35 = x_3;
+    let _e36 = y;
+    let _e37 = w;
+    x_3 = (_e35 + (_e36 * _e37));
+    // glimt_sampling/src/hash.rs:65
+    let _e41 = y;
+    let _e42 = z;
+    let _e43 = x_3;
+    y = (_e41 + (_e42 * _e43));
+    // glimt_sampling/src/hash.rs:66
+    let _e47 = z;
+    let _e48 = x_3;
+    let _e49 = y;
+    z = (_e47 + (_e48 * _e49));
+    // glimt_sampling/src/hash.rs:67
+    let _e53 = w;
+    let _e54 = y;
+    let _e55 = z;
+    w = (_e53 + (_e54 * _e55));
+    // glimt_sampling/src/hash.rs:68
+    let _e59 = x_3;
+    let _e63 = x_3;
+    x_3 = (_e63 ^ (_e59 >> 16u));
+    // glimt_sampling/src/hash.rs:69
+    let _e66 = y;
+    let _e70 = y;
+    y = (_e70 ^ (_e66 >> 16u));
+    // glimt_sampling/src/hash.rs:70
+    let _e73 = z;
+    let _e77 = z;
+    z = (_e77 ^ (_e73 >> 16u));
+    // glimt_sampling/src/hash.rs:71
+    let _e80 = w;
+    let _e84 = w;
+    w = (_e84 ^ (_e80 >> 16u));
+    // glimt_sampling/src/hash.rs:72
+    let _e87 = x_3;
+    let _e88 = y;
+    let _e89 = w;
+    x_3 = (_e87 + (_e88 * _e89));
+    // glimt_sampling/src/hash.rs:73
+    let _e93 = y;
+    let _e94 = z;
+    let _e95 = x_3;
+    y = (_e93 + (_e94 * _e95));
+    // glimt_sampling/src/hash.rs:74
+    let _e99 = z;
+    let _e100 = x_3;
+    let _e101 = y;
+    z = (_e99 + (_e100 * _e101));
+    // glimt_sampling/src/hash.rs:75
+    let _e105 = w;
+    let _e106 = y;
+    let _e107 = z;
+    w = (_e105 + (_e106 * _e107));
+    // glimt_sampling/src/hash.rs:76
+    let _e111 = x_3;
+    let _e112 = x_3;
+    let _e117 = y;
+    let _e118 = y;
+    let _e123 = z;
+    let _e124 = z;
+    let _e129 = w;
+    let _e130 = w;
+    return vec4<u32>((_e111 ^ (_e112 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e123 ^ (_e124 >> 16u)), (_e129 ^ (_e130 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_1 = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_1 == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:101
+fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:102
+    let _e6 = hash3_(this_3.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
+    return _e9;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s = (*this_4).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s.x + s.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_1 = (s.z ^ s.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s.w ^ s.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:106
+fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:107
+    let _e5 = hash2_(this_6.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:181
+fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
+    var x_4: u32;
+    var round_key: u32;
+    var counter: i32;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:182
+    if (length_ <= 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:183
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:185
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
+    // glimt_render_gpu/src/kernels/pattern.rs:186
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:187
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:188
+    loop {
+        // glimt_render_gpu/src/kernels/pattern.rs:189
+        round_key = key;
+        // glimt_render_gpu/src/kernels/pattern.rs:190
+        counter = 0i;
+        loop {
+            let _e31 = counter;
+            if (_e31 >= 3i) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pattern.rs:191
+            let _e34 = round_key;
+            let _e35 = hash_u32_(_e34);
+            round_key = _e35;
+            // glimt_render_gpu/src/kernels/pattern.rs:193
+            let _e37 = x_4;
+            let _e38 = round_key;
+            x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:194
+            let _e44 = x_4;
+            let _e46 = (bits_2 / 2u);
+            let _e56 = x_4;
+            x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            continuing {
+                let _e58 = counter;
+                counter = (_e58 + 1i);
+            }
+        }
+        // glimt_render_gpu/src/kernels/pattern.rs:196
+        let _e62 = x_4;
+        if (_e62 < length_) {
+            // glimt_render_gpu/src/kernels/pattern.rs:197
+            let _e65 = x_4;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:172
+fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:173
+    return ((cell * (4294967295u / count)) + (jitter / count));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:152
+fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:153
+    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    // glimt_render_gpu/src/kernels/pattern.rs:154
+    let _e12 = (count_1 / columns);
+    let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    // glimt_render_gpu/src/kernels/pattern.rs:155
+    let _e21 = hash2_(key_1, 1u);
+    let _e22 = permute(index_8, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:156
+    let _e26 = hash2_(key_1, 2u);
+    let _e27 = permute((_e22 % columns), columns, _e26);
+    // glimt_render_gpu/src/kernels/pattern.rs:157
+    let _e31 = hash2_(key_1, 3u);
+    let _e32 = permute((_e22 / columns), rows, _e31);
+    // glimt_render_gpu/src/kernels/pattern.rs:158
+    let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
+    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    return vec2<u32>(_e38, _e40);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:51
+fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed: OwenSobol;
+    var borrowed_1: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:52
+    let index_17 = ((this_7.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:53
+    if (this_7.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:54
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_17);
+        borrowed = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed));
+        return _e16;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:56
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_17);
+    borrowed_1 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
+    // glimt_render_gpu/src/kernels/pattern.rs:57
+    if (this_7.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:58
+        return _e20;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:60
+    let _e29 = PixelPattern_key(this_7, purpose_3);
+    let _e30 = jittered_pair(index_17, (this_7.rays * samples), _e20, _e29);
+    return _e30;
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_sampling/src/uniform.rs:22
+fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+
+    // glimt_sampling/src/uniform.rs:23
+    let _e4 = unit_f32_(u_1.x);
+    let _e6 = unit_f32_(u_1.y);
+    return vec2<f32>(_e4, _e6);
+}
+
+// glimt_render_gpu/src/kernels/camera.rs:23
+fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/camera.rs:24
+    let x_8 = (((2f * p.x) / f32(size.x)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:25
+    let y_1 = (((2f * p.y) / f32(size.y)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:26
+    return normalize(((this_8.forward + (this_8.right * x_8)) - (this_8.up * y_1)));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:48
+fn inverse(x_5: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/ray.rs:49
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_5), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_5) & 2147483648u))));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:34
+fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
+
+    // glimt_render_gpu/src/kernels/ray.rs:35
+    let _e5 = inverse(direction.x);
+    let _e7 = inverse(direction.y);
+    let _e9 = inverse(direction.z);
+    return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:102
+fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
+    var chosen_2: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/frame.rs:103
+    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:104
+    if (this_9.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:105
+        chosen_2 = vec2(0.5f);
+    } else {
+        // glimt_render_gpu/src/kernels/frame.rs:107
+        let film = PixelPattern(pattern.kind, pattern.seed, this_9.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+        // glimt_render_gpu/src/kernels/frame.rs:111
+        let _e32 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e33 = unit_vec2_(_e32);
+        chosen_2 = _e33;
+    }
+    let place = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:113
+    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:119
+    let _e47 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    let _e48 = Ray_new(this_9.eye, _e47);
+    return _e48;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:29
+fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
+    var chosen_3: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:30
+    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:31
+    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:32
+    let _e16 = min(to_min, to_max);
+    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
+    let _e23 = max(to_min, to_max);
+    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:34
+    if ((far_1 >= near_1) && (far_1 >= 0f)) {
+        // glimt_render_gpu/src/kernels/bvh.rs:35
+        chosen_3 = near_1;
+    } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:37
+        chosen_3 = 340282350000000000000000000000000000000f;
+    }
+    let _e40 = chosen_3;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:51
+fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:52
+    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
+    var chosen_4: f32;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    let a_3 = (triangle.v0_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:66
+    let b_3 = (triangle.v1_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:67
+    let c_2 = (triangle.v2_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:69
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:70
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:73
+    let slope = dot(normal_1, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:74
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:75
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let t_2 = (dot(a_3, normal_1) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:78
+    if ((t_2 > 0f) && (t_2 < t_max)) {
+        chosen_4 = t_2;
+    } else {
+        chosen_4 = 340282350000000000000000000000000000000f;
+    }
+    let _e59 = chosen_4;
+    return _e59;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:33
+fn Triangle_is_catcher(this_10: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:34
+    return ((this_10.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:145
+fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
+    var nearest: u32;
+    var counter_1: u32;
+    var both: bool;
+    var both_1: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:153
+    nearest = best;
+    // glimt_render_gpu/src/kernels/bvh.rs:154
+    counter_1 = leaf.first;
+    loop {
+        let i = counter_1;
+        if (i >= (leaf.first + leaf.count)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:155
+        let _e19 = scene_triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_3, _e20);
+        // glimt_render_gpu/src/kernels/bvh.rs:157
+        let _e23 = (*reach);
+        let _e24 = (_e21 < _e23);
+        both = _e24;
+        if _e24 {
+            both_1 = no_catcher;
+            if no_catcher {
+                let _e29 = scene_triangles[i];
+                let _e30 = Triangle_is_catcher(_e29);
+                both_1 = _e30;
+            }
+            let _e31 = both_1;
+            both = !(_e31);
+        }
+        let _e33 = both;
+        if _e33 {
+            // glimt_render_gpu/src/kernels/bvh.rs:158
+            (*reach) = _e21;
+            // glimt_render_gpu/src/kernels/bvh.rs:159
+            nearest = i;
+        }
+        continuing {
+            let _e36 = counter_1;
+            counter_1 = (_e36 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:162
+    let _e40 = nearest;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:77
+fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+    var either: bool;
+    var best_1: u32;
+    var stack: array<u32, 64>;
+    var height: u32;
+    var pair: u32;
+    var near: BvhNode;
+    var far: BvhNode;
+    var t_near: f32;
+    var t_far: f32;
+    var into_near: bool;
+    var into_far: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:84
+    let _e8 = (arrayLength((&scene_nodes)) == 0u);
+    either = _e8;
+    if _e8 {
+    } else {
+        let _e13 = scene_nodes[0u];
+        let _e14 = box_distance(_e13, ray_4);
+        let _e15 = (*reach_1);
+        either = (_e14 >= _e15);
+    }
+    let _e17 = either;
+    if _e17 {
+        // glimt_render_gpu/src/kernels/bvh.rs:85
+        return 4294967295u;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:87
+    let root = scene_nodes[0u];
+    // glimt_render_gpu/src/kernels/bvh.rs:88
+    if (root.count > 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:89
+        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u, any_);
+        return _e31;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:91
+    best_1 = 4294967295u;
+    // glimt_render_gpu/src/kernels/bvh.rs:92
+    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:93
+    height = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:94
+    pair = root.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:95
+    loop {
+        // glimt_render_gpu/src/kernels/bvh.rs:96
+        let _e47 = pair;
+        let _e50 = scene_nodes[_e47];
+        near = _e50;
+        // glimt_render_gpu/src/kernels/bvh.rs:97
+        let _e53 = pair;
+        let _e58 = scene_nodes[(_e53 + 1u)];
+        far = _e58;
+        // glimt_render_gpu/src/kernels/bvh.rs:98
+        let _e61 = near;
+        let _e62 = box_distance(_e61, ray_4);
+        t_near = _e62;
+        // glimt_render_gpu/src/kernels/bvh.rs:99
+        let _e65 = far;
+        let _e66 = box_distance(_e65, ray_4);
+        t_far = _e66;
+        // glimt_render_gpu/src/kernels/bvh.rs:101
+        let _e69 = t_near;
+        let _e70 = t_far;
+        if (_e69 > _e70) {
+            // glimt_render_gpu/src/kernels/bvh.rs:102
+            let node_1 = near;
+            // glimt_render_gpu/src/kernels/bvh.rs:103
+            let _e75 = far;
+            near = _e75;
+            // glimt_render_gpu/src/kernels/bvh.rs:104
+            far = node_1;
+            // glimt_render_gpu/src/kernels/bvh.rs:105
+            let t_3 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:106
+            let _e80 = t_far;
+            t_near = _e80;
+            // glimt_render_gpu/src/kernels/bvh.rs:107
+            t_far = t_3;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:109
+        let _e83 = t_near;
+        let _e84 = (*reach_1);
+        into_near = (_e83 < _e84);
+        // glimt_render_gpu/src/kernels/bvh.rs:110
+        let _e88 = into_near;
+        let _e90 = near.count;
+        if (_e88 && (_e90 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:111
+            let _e95 = near;
+            let _e96 = best_1;
+            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96, any_);
+            best_1 = _e97;
+            // glimt_render_gpu/src/kernels/bvh.rs:112
+            let _e99 = best_1;
+            if (any_ && (_e99 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:113
+                let _e104 = best_1;
+                return _e104;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:115
+            into_near = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:117
+        let _e108 = t_far;
+        let _e109 = (*reach_1);
+        into_far = (_e108 < _e109);
+        // glimt_render_gpu/src/kernels/bvh.rs:118
+        let _e113 = into_far;
+        let _e115 = far.count;
+        if (_e113 && (_e115 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:119
+            let _e120 = far;
+            let _e121 = best_1;
+            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121, any_);
+            best_1 = _e122;
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let _e124 = best_1;
+            if (any_ && (_e124 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:121
+                let _e129 = best_1;
+                return _e129;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:123
+            into_far = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:125
+        let _e133 = into_near;
+        if _e133 {
+            // glimt_render_gpu/src/kernels/bvh.rs:126
+            let _e136 = near.first;
+            pair = _e136;
+            // glimt_render_gpu/src/kernels/bvh.rs:127
+            let _e138 = into_far;
+            if _e138 {
+                // glimt_render_gpu/src/kernels/bvh.rs:128
+                let _e141 = far.first;
+                let _e142 = height;
+                stack[_e142] = _e141;
+                // glimt_render_gpu/src/kernels/bvh.rs:129
+                let _e146 = height;
+                height = (_e146 + 1u);
+            }
+        } else {
+            let _e148 = into_far;
+            if _e148 {
+                // glimt_render_gpu/src/kernels/bvh.rs:132
+                let _e151 = far.first;
+                pair = _e151;
+            } else {
+                let _e152 = height;
+                if (_e152 > 0u) {
+                    // glimt_render_gpu/src/kernels/bvh.rs:134
+                    let _e157 = height;
+                    height = (_e157 - 1u);
+                    // glimt_render_gpu/src/kernels/bvh.rs:135
+                    let _e160 = height;
+                    let _e162 = stack[_e160];
+                    pair = _e162;
+                } else {
+                    // glimt_render_gpu/src/kernels/bvh.rs:137
+                    let _e164 = best_1;
+                    return _e164;
+                }
+            }
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:84
+fn barycentrics(triangle_1: Triangle, ray_5: Ray) -> vec2<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:85
+    let _e14 = edge_functions((triangle_1.v0_ - ray_5.origin), (triangle_1.v1_ - ray_5.origin), (triangle_1.v2_ - ray_5.origin), ray_5.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:91
+    let sum_3 = ((_e14.x + _e14.y) + _e14.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:92
+    if (sum_3 == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:94
+        return vec2((1f / 3f));
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:96
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_3));
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:45
+fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
+    var t: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:51
+    t = t_max_1;
+    // glimt_render_gpu/src/kernels/bvh.rs:52
+    let _e7 = traverse(ray_6, (&t), false);
+    // glimt_render_gpu/src/kernels/bvh.rs:53
+    if (_e7 == 4294967295u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:54
+        return Option_Hit();
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    let _e14 = t;
+    let _e17 = scene_triangles[_e7];
+    let _e18 = barycentrics(_e17, ray_6);
+    return Option_Hit(true, Hit(_e7, _e14, _e18));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:63
+fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
+
+    // glimt_render_gpu/src/kernels/scene.rs:64
+    let _e4 = closest_hit(ray_7, 340282350000000000000000000000000000000f);
+    return _e4;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:40
+fn Triangle_area_normal(this_11: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:41
+    return cross((this_11.v1_ - this_11.v0_), (this_11.v2_ - this_11.v0_));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:120
+fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
+    var chosen_5: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:121
+    let length_squared = dot(v_1, v_1);
+    // glimt_render_gpu/src/kernels/scene.rs:122
+    if (length_squared > 0.000000000001f) {
+        // glimt_render_gpu/src/kernels/scene.rs:123
+        chosen_5 = (v_1 / vec3(sqrt(length_squared)));
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:125
+        chosen_5 = otherwise;
+    }
+    let _e14 = chosen_5;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:40
+fn TextureView_exists(this_12: TextureView) -> bool {
+
+    // glimt_render_gpu/src/kernels/texture.rs:41
+    return (this_12.width > 0u);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:90
+fn wrap(x_6: f32, mode: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:91
+    if (mode == 2u) {
+        // glimt_render_gpu/src/kernels/texture.rs:92
+        return clamp(x_6, 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:94
+    if (mode == 1u) {
+        // glimt_render_gpu/src/kernels/texture.rs:95
+        let folded = (x_6 - (2f * floor((0.5f * x_6))));
+        // glimt_render_gpu/src/kernels/texture.rs:96
+        return clamp(min(folded, (2f - folded)), 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:98
+    return clamp((x_6 - floor(x_6)), 0f, 1f);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:103
+fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:104
+    let last = (i32(size_1) - 1i);
+    // glimt_render_gpu/src/kernels/texture.rs:105
+    if (mode_1 == 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:106
+        if (index_9 < 0i) {
+            // glimt_render_gpu/src/kernels/texture.rs:107
+            return u32(last);
+        }
+        // glimt_render_gpu/src/kernels/texture.rs:109
+        if (index_9 > last) {
+            // glimt_render_gpu/src/kernels/texture.rs:110
+            return 0u;
+        }
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:113
+    return u32(clamp(index_9, 0i, last));
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:69
+fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
+    var chosen_6: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/texture.rs:70
+    let word = scene_texels[(this_13.first + index_10)];
+    // glimt_render_gpu/src/kernels/texture.rs:71
+    let r_1 = (word & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:72
+    let g = ((word >> 8u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:73
+    let b_4 = ((word >> 16u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:74
+    let alpha = (f32((word >> 24u)) / 255f);
+    // glimt_render_gpu/src/kernels/texture.rs:75
+    if ((this_13.flags & 1u) != 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:76
+        let _e41 = scene_texels[r_1];
+        let _e45 = scene_texels[g];
+        let _e49 = scene_texels[b_4];
+        chosen_6 = vec4<f32>(bitcast<f32>(_e41), bitcast<f32>(_e45), bitcast<f32>(_e49), alpha);
+    } else {
+        // glimt_render_gpu/src/kernels/texture.rs:83
+        chosen_6 = vec4<f32>((f32(r_1) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha);
+    }
+    let _e63 = chosen_6;
+    return _e63;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:49
+fn TextureView_sample(this_14: TextureView, uv: vec2<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/texture.rs:50
+    let wrap_u = ((this_14.flags >> 1u) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:51
+    let wrap_v = ((this_14.flags >> ((1u + 2u) & 31u)) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:52
+    let _e22 = wrap(uv.x, wrap_u);
+    let x_9 = ((_e22 * f32(this_14.width)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:53
+    let _e30 = wrap(uv.y, wrap_v);
+    let y_2 = ((_e30 * f32(this_14.height)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:54
+    let _e39 = Tuple_f32_f32_(floor(x_9), floor(y_2));
+    let left = _e39.fa;
+    let top = _e39.fb;
+    // glimt_render_gpu/src/kernels/texture.rs:55
+    let _e45 = neighbour(i32(left), this_14.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:56
+    let _e51 = neighbour((i32(left) + 1i), this_14.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:57
+    let _e55 = neighbour(i32(top), this_14.height, wrap_v);
+    let row0_ = (_e55 * this_14.width);
+    // glimt_render_gpu/src/kernels/texture.rs:58
+    let _e63 = neighbour((i32(top) + 1i), this_14.height, wrap_v);
+    let row1_ = (_e63 * this_14.width);
+    // glimt_render_gpu/src/kernels/texture.rs:59
+    let _e68 = TextureView_texel(this_14, (row0_ + _e45));
+    let _e70 = TextureView_texel(this_14, (row0_ + _e51));
+    let _e71 = (x_9 - left);
+    let upper = ((_e68 * (1f - _e71)) + (_e70 * _e71));
+    // glimt_render_gpu/src/kernels/texture.rs:62
+    let _e79 = TextureView_texel(this_14, (row1_ + _e45));
+    let _e81 = TextureView_texel(this_14, (row1_ + _e51));
+    let _e82 = (x_9 - left);
+    let lower = ((_e79 * (1f - _e82)) + (_e81 * _e82));
+    // glimt_render_gpu/src/kernels/texture.rs:65
+    let _e89 = (y_2 - top);
+    return ((upper * (1f - _e89)) + (lower * _e89));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:73
+fn Material_bumped_normal(this_15: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:81
+    let across = (tangent - (normal * dot(normal, tangent)));
+    // glimt_render_gpu/src/kernels/material.rs:82
+    let _e12 = TextureView_exists(this_15.normal_texture);
+    if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:83
+        return normal;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:85
+    let t_4 = normalize(across);
+    // glimt_render_gpu/src/kernels/material.rs:86
+    let b_5 = (cross(normal, t_4) * handedness);
+    // glimt_render_gpu/src/kernels/material.rs:87
+    let _e27 = TextureView_sample(this_15.normal_texture, uv_1);
+    let map = ((_e27.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:88
+    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_15.normal_scale);
+    // glimt_render_gpu/src/kernels/material.rs:89
+    let _e46 = unit_or((tilt + (normal * map.z)), normal);
+    return _e46;
+}
+
+// glimt_sampling/src/math.rs:45
+fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
+
+    // glimt_sampling/src/math.rs:46
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
+    // glimt_sampling/src/math.rs:47
+    let a_4 = (-1f / (sign_ + n_2.z));
+    // glimt_sampling/src/math.rs:48
+    let c_3 = ((n_2.x * n_2.y) * a_4);
+    // glimt_sampling/src/math.rs:49
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_4)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_4)), -(n_2.y)), n_2);
+}
+
+// glimt_sampling/src/math.rs:66
+fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:67
+    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+}
+
+// glimt_brdf/src/metallic_roughness.rs:31
+fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness: f32) -> BlinnPhong {
+
+    // glimt_brdf/src/metallic_roughness.rs:32
+    let base_1 = clamp(base, vec3(0f), vec3(1f));
+    // glimt_brdf/src/metallic_roughness.rs:33
+    let metallic_2 = clamp(metallic, 0f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:34
+    let roughness_2 = clamp(roughness, 0.12f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:35
+    let alpha_1 = (roughness_2 * roughness_2);
+    // glimt_brdf/src/metallic_roughness.rs:36
+    let dielectric = (1f - metallic_2);
+    // glimt_brdf/src/metallic_roughness.rs:37
+    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:46
+fn Material_brdf(this_17: Material, uv_2: vec2<f32>) -> BlinnPhong {
+    var color: vec3<f32>;
+    var metallic_1: f32;
+    var roughness_1: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:47
+    if (this_17.kind == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:48
+        return BlinnPhong(this_17.color, this_17.specular, this_17.exponent);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:54
+    color = this_17.color;
+    // glimt_render_gpu/src/kernels/material.rs:55
+    let _e17 = TextureView_exists(this_17.base_color_texture);
+    if _e17 {
+        // glimt_render_gpu/src/kernels/material.rs:56
+        let _e20 = TextureView_sample(this_17.base_color_texture, uv_2);
+        let _e22 = color;
+        color = (_e22 * _e20.xyz);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:58
+    metallic_1 = this_17.metallic;
+    // glimt_render_gpu/src/kernels/material.rs:59
+    roughness_1 = this_17.roughness;
+    // glimt_render_gpu/src/kernels/material.rs:60
+    let _e32 = TextureView_exists(this_17.metallic_roughness_texture);
+    if _e32 {
+        // glimt_render_gpu/src/kernels/material.rs:61
+        let _e35 = TextureView_sample(this_17.metallic_roughness_texture, uv_2);
+        // glimt_render_gpu/src/kernels/material.rs:62
+        let _e38 = roughness_1;
+        roughness_1 = (_e38 * _e35.y);
+        // glimt_render_gpu/src/kernels/material.rs:63
+        let _e42 = metallic_1;
+        metallic_1 = (_e42 * _e35.z);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:65
+    let _e45 = color;
+    let _e46 = metallic_1;
+    let _e47 = roughness_1;
+    let _e48 = BlinnPhong_from_metallic_roughness(_e45, _e46, _e47);
+    return _e48;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:69
+fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
+    var chosen_7: vec3<f32>;
+    var chosen_8: f32;
+    var chosen_9: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let triangle_2 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:71
+    let first = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:72
+    let a_5 = scene_corners[first];
+    // glimt_render_gpu/src/kernels/scene.rs:73
+    let b_6 = scene_corners[(first + 1u)];
+    // glimt_render_gpu/src/kernels/scene.rs:74
+    let c_4 = scene_corners[(first + 2u)];
+    // glimt_render_gpu/src/kernels/scene.rs:75
+    let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
+    let u_12 = _e33.fa;
+    let v_4 = _e33.fb;
+    // glimt_render_gpu/src/kernels/scene.rs:76
+    let w_2 = ((1f - u_12) - v_4);
+    // glimt_render_gpu/src/kernels/scene.rs:78
+    let to_eye = -(ray_8.direction);
+    // glimt_render_gpu/src/kernels/scene.rs:79
+    let _e44 = Triangle_area_normal(triangle_2);
+    let face = normalize(_e44);
+    // glimt_render_gpu/src/kernels/scene.rs:80
+    if (dot(face, to_eye) < 0f) {
+        chosen_7 = -(face);
+    } else {
+        chosen_7 = face;
+    }
+    let geometric_normal = chosen_7;
+    // glimt_render_gpu/src/kernels/scene.rs:81
+    let _e62 = unit_or((((a_5.normal * w_2) + (b_6.normal * u_12)) + (c_4.normal * v_4)), face);
+    // glimt_render_gpu/src/kernels/scene.rs:83
+    let uv_3 = vec2<f32>((((a_5.u * w_2) + (b_6.u * u_12)) + (c_4.u * v_4)), (((a_5.v * w_2) + (b_6.v * u_12)) + (c_4.v * v_4)));
+    // glimt_render_gpu/src/kernels/scene.rs:84
+    let material = scene_materials[(triangle_2.material & 2147483647u)];
+    // glimt_render_gpu/src/kernels/scene.rs:85
+    let tangent_1 = (((a_5.tangent * w_2) + (b_6.tangent * u_12)) + (c_4.tangent * v_4));
+    // glimt_render_gpu/src/kernels/scene.rs:86
+    if ((triangle_2.material & 2147483648u) != 0u) {
+        // glimt_render_gpu/src/kernels/scene.rs:87
+        chosen_8 = -1f;
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:89
+        chosen_8 = 1f;
+    }
+    let handedness_1 = chosen_8;
+    // glimt_render_gpu/src/kernels/scene.rs:91
+    let _e110 = Material_bumped_normal(material, uv_3, _e62, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:92
+    if (dot(_e110, to_eye) < 0f) {
+        // glimt_render_gpu/src/kernels/scene.rs:93
+        chosen_9 = -(_e110);
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:95
+        chosen_9 = _e110;
+    }
+    let normal_2 = chosen_9;
+    // glimt_render_gpu/src/kernels/scene.rs:98
+    let _e121 = ShadingFrame_from_normal(normal_2);
+    // glimt_render_gpu/src/kernels/scene.rs:99
+    let edges = (((triangle_2.v1_ - triangle_2.v0_) * u_12) + ((triangle_2.v2_ - triangle_2.v0_) * v_4));
+    // glimt_render_gpu/src/kernels/scene.rs:100
+    let _e138 = ShadingFrame_to_local(_e121, to_eye);
+    let _e139 = Material_brdf(material, uv_3);
+    return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
+}
+
+// glimt_sampling/src/ris.rs:61
+fn RisSum_new() -> RisSum {
+
+    // glimt_sampling/src/ris.rs:62
+    return RisSum(0f, 0u, 0u);
+}
+
+// glimt_render_gpu/src/kernels/candidates.rs:60
+fn Candidates_of_brdf(this_18: Candidates) -> u32 {
+    var chosen_10: u32;
+    var chosen_11: u32;
+
+    // glimt_render_gpu/src/kernels/candidates.rs:61
+    if (this_18.source == 0u) {
+        // glimt_render_gpu/src/kernels/candidates.rs:62
+        chosen_10 = this_18.count;
+    } else {
+        if (this_18.source == 1u) {
+            // glimt_render_gpu/src/kernels/candidates.rs:64
+            chosen_11 = 0u;
+        } else {
+            // glimt_render_gpu/src/kernels/candidates.rs:66
+            let _e18 = (this_18.count / 2u);
+            chosen_11 = select(_e18, (_e18 + 1u), ((this_18.count % 2u) != 0u));
+        }
+        let _e25 = chosen_11;
+        chosen_10 = _e25;
+    }
+    let _e26 = chosen_10;
+    return _e26;
+}
+
+// glimt_sampling/src/sobol.rs:135
+fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:136
+    let _e5 = shuffle(index_11, seed_4);
+    let _e6 = sobol_reversed(_e5, dimension_2);
+    let _e7 = scramble_1(_e6, dimension_2, seed_4);
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:182
+fn OwenSobol_next_u32_(this_19: ptr<function, OwenSobol>) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:183
+    let dimension_4 = (*this_19).dimension;
+    // glimt_sampling/src/sobol.rs:184
+    (*this_19).dimension = (dimension_4 + 1u);
+    // glimt_sampling/src/sobol.rs:185
+    let _e11 = (*this_19).index;
+    let _e13 = (*this_19).seed;
+    let _e17 = hash2_(_e13, (dimension_4 >> 2u));
+    let _e18 = owen_sobol(_e11, dimension_4, _e17);
+    return _e18;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:166
+fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:167
+    let _e7 = hash2_(key_2, 4u);
+    let _e8 = permute(index_12, count_2, _e7);
+    let _e9 = stratum(_e8, count_2, jitter_2);
+    return _e9;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:66
+fn PixelPattern_triple(this_20: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+    var point: OwenSobol;
+    var generator: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    let index_18 = ((this_20.ray * samples_1) + sample_1);
+    // glimt_render_gpu/src/kernels/pattern.rs:68
+    if (this_20.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:69
+        let _e14 = PixelPattern_sobol_point(this_20, purpose_4, index_18);
+        point = _e14;
+        // glimt_render_gpu/src/kernels/pattern.rs:70
+        let _e17 = OwenSobol_next_uvec2_((&point));
+        // glimt_render_gpu/src/kernels/pattern.rs:71
+        let _e19 = OwenSobol_next_u32_((&point));
+        return vec3<u32>(_e17, _e19);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:73
+    let _e22 = PixelPattern_generator(this_20, purpose_4, index_18);
+    generator = _e22;
+    // glimt_render_gpu/src/kernels/pattern.rs:74
+    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:75
+    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:76
+    if (this_20.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:77
+        return vec3<u32>(_e25, _e27);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:79
+    let _e37 = PixelPattern_key(this_20, purpose_4);
+    let _e38 = Tuple_u32_u32_((this_20.rays * samples_1), _e37);
+    let count_3 = _e38.fa;
+    let key_3 = _e38.fb;
+    // glimt_render_gpu/src/kernels/pattern.rs:80
+    let _e42 = jittered_pair(index_18, count_3, _e25, key_3);
+    let _e43 = jittered(index_18, count_3, _e27, key_3);
+    return vec3<u32>(_e42, _e43);
+}
+
+// glimt_sampling/src/math.rs:16
+fn luminance(rgb: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/math.rs:17
+    return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
+}
+
+// glimt_brdf/src/blinn_phong.rs:116
+fn BlinnPhong_pmf_specular(this_21: BlinnPhong) -> f32 {
+    var chosen_12: f32;
+
+    // glimt_brdf/src/blinn_phong.rs:117
+    let _e4 = luminance(this_21.specular);
+    // glimt_brdf/src/blinn_phong.rs:118
+    let _e7 = luminance(this_21.diffuse);
+    let both_3 = (_e7 + _e4);
+    // glimt_brdf/src/blinn_phong.rs:119
+    if (both_3 > 0f) {
+        chosen_12 = (_e4 / both_3);
+    } else {
+        chosen_12 = 0f;
+    }
+    let _e15 = chosen_12;
+    return _e15;
+}
+
+// glimt_sampling/src/warp.rs:190
+fn height_of(direction_2: vec3<f32>) -> f32 {
+    var chosen_13: f32;
+
+    // glimt_sampling/src/warp.rs:191
+    if (direction_2.z > 0f) {
+        // glimt_sampling/src/warp.rs:192
+        chosen_13 = (((direction_2.x * direction_2.x) + (direction_2.y * direction_2.y)) / (1f + direction_2.z));
+    } else {
+        // glimt_sampling/src/warp.rs:194
+        chosen_13 = (1f - direction_2.z);
+    }
+    let _e23 = chosen_13;
+    return _e23;
+}
+
+// glimt_sampling/src/warp.rs:201
+fn ln_cos_theta(direction_3: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:202
+    let _e3 = height_of(direction_3);
+    // glimt_sampling/src/warp.rs:203
+    if (_e3 < 0.1f) {
+        // glimt_sampling/src/warp.rs:204
+        let tail = ((1f / 3f) + (_e3 * (0.25f + (_e3 * (0.2f + (_e3 * ((1f / 6f) + (_e3 / 7f))))))));
+        // glimt_sampling/src/warp.rs:205
+        return (0f - (_e3 * (1f + (_e3 * (0.5f + (_e3 * tail))))));
+    }
+    // glimt_sampling/src/warp.rs:207
+    return log(direction_3.z);
+}
+
+// glimt_sampling/src/warp.rs:289
+fn pdf_power_cosine_sr(direction_4: vec3<f32>, exponent: f32) -> f32 {
+    var chosen_14: f32;
+
+    // glimt_sampling/src/warp.rs:290
+    let normalisation_1 = ((exponent + 1f) * (0.5f * 0.31830987f));
+    // glimt_sampling/src/warp.rs:291
+    if (exponent <= 0f) {
+        // glimt_sampling/src/warp.rs:292
+        if (direction_4.z >= 0f) {
+            // glimt_sampling/src/warp.rs:293
+            chosen_14 = normalisation_1;
+        } else {
+            // glimt_sampling/src/warp.rs:295
+            chosen_14 = 0f;
+        }
+        let _e21 = chosen_14;
+        return _e21;
+    }
+    // glimt_sampling/src/warp.rs:298
+    if (direction_4.z <= 0f) {
+        // glimt_sampling/src/warp.rs:299
+        return 0f;
+    }
+    // glimt_sampling/src/warp.rs:301
+    let _e29 = ln_cos_theta(direction_4);
+    return (normalisation_1 * exp((exponent * _e29)));
+}
+
+// glimt_sampling/src/warp.rs:182
+fn cos_sin_turns(turns: f32) -> vec2<f32> {
+    var chosen_15: f32;
+
+    // glimt_sampling/src/warp.rs:183
+    if (turns < 0.5f) {
+        chosen_15 = turns;
+    } else {
+        chosen_15 = (turns - 1f);
+    }
+    let signed = chosen_15;
+    // glimt_sampling/src/warp.rs:184
+    let phi = (6.2831855f * signed);
+    // glimt_sampling/src/warp.rs:185
+    return vec2<f32>(cos(phi), sin(phi));
+}
+
+// glimt_sampling/src/warp.rs:257
+fn sample_power_cosine(u_2: vec2<f32>, exponent_1: f32) -> DirectionSample {
+    var sin2_theta: f32;
+    var cos_theta: f32;
+
+    // glimt_sampling/src/warp.rs:258
+    if (u_2.x <= 0f) {
+        // glimt_sampling/src/warp.rs:259
+        let _e16 = pdf_power_cosine_sr(vec3<f32>(1f, 0f, 0f), exponent_1);
+        return DirectionSample(vec3<f32>(1f, 0f, 0f), _e16);
+    }
+    // glimt_sampling/src/warp.rs:266
+    let t_5 = ((2f / (exponent_1 + 1f)) * (0f - log(u_2.x)));
+    // glimt_sampling/src/warp.rs:269
+    if (t_5 < 0.25f) {
+        // glimt_sampling/src/warp.rs:270
+        let tail_1 = ((1f / 6f) - (t_5 * ((1f / 24f) - (t_5 * ((1f / 120f) - (t_5 / 720f))))));
+        // glimt_sampling/src/warp.rs:271
+        sin2_theta = max((t_5 * (1f - (t_5 * (0.5f - (t_5 * tail_1))))), 0f);
+        // glimt_sampling/src/warp.rs:272
+        let _e62 = sin2_theta;
+        cos_theta = sqrt((1f - _e62));
+    } else {
+        // glimt_sampling/src/warp.rs:274
+        cos_theta = exp((-0.5f * t_5));
+        // glimt_sampling/src/warp.rs:275
+        let _e71 = cos_theta;
+        let _e72 = cos_theta;
+        sin2_theta = (1f - (_e71 * _e72));
+    }
+    // glimt_sampling/src/warp.rs:277
+    let _e76 = sin2_theta;
+    let sin_theta = sqrt(_e76);
+    // glimt_sampling/src/warp.rs:278
+    let _e80 = cos_sin_turns(u_2.y);
+    // glimt_sampling/src/warp.rs:279
+    let _e86 = cos_theta;
+    let direction_12 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
+    // glimt_sampling/src/warp.rs:280
+    let _e89 = pdf_power_cosine_sr(direction_12, exponent_1);
+    return DirectionSample(direction_12, _e89);
+}
+
+// glimt_sampling/src/warp.rs:31
+fn sample_concentric_disk(u_3: vec2<f32>) -> vec2<f32> {
+
+    // glimt_sampling/src/warp.rs:32
+    let a_6 = ((2f * u_3.x) - 1f);
+    // glimt_sampling/src/warp.rs:33
+    let b_7 = ((2f * u_3.y) - 1f);
+    // glimt_sampling/src/warp.rs:34
+    if ((a_6 == 0f) && (b_7 == 0f)) {
+        // glimt_sampling/src/warp.rs:35
+        return vec2(0f);
+    }
+    // glimt_sampling/src/warp.rs:37
+    if ((a_6 * a_6) > (b_7 * b_7)) {
+        // glimt_sampling/src/warp.rs:38
+        let phi_1 = (0.7853982f * (b_7 / a_6));
+        // glimt_sampling/src/warp.rs:39
+        return vec2<f32>((a_6 * cos(phi_1)), (a_6 * sin(phi_1)));
+    }
+    // glimt_sampling/src/warp.rs:41
+    let phi_2 = (0.7853982f * (a_6 / b_7));
+    // glimt_sampling/src/warp.rs:42
+    return vec2<f32>((b_7 * sin(phi_2)), (b_7 * cos(phi_2)));
+}
+
+// glimt_sampling/src/warp.rs:88
+fn sample_cosine_hemisphere(u_4: vec2<f32>) -> DirectionSample {
+
+    // glimt_sampling/src/warp.rs:89
+    let _e3 = sample_concentric_disk(u_4);
+    // glimt_sampling/src/warp.rs:92
+    let _e10 = abs(((2f * u_4) - vec2(1f)));
+    let r_2 = max(_e10.x, _e10.y);
+    // glimt_sampling/src/warp.rs:93
+    let z_2 = sqrt(((1f - r_2) * (1f + r_2)));
+    // glimt_sampling/src/warp.rs:94
+    return DirectionSample(vec3<f32>(_e3, z_2), (z_2 * 0.31830987f));
+}
+
+// glimt_sampling/src/warp.rs:103
+fn pdf_cosine_hemisphere_sr(direction_5: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:104
+    return (max(direction_5.z, 0f) * 0.31830987f);
+}
+
+// glimt_brdf/src/lobe.rs:20
+fn HalfVector_new(wo: vec3<f32>, wi: vec3<f32>) -> HalfVector {
+
+    // glimt_brdf/src/lobe.rs:21
+    let sum_4 = (wo + wi);
+    // glimt_brdf/src/lobe.rs:23
+    let length2_ = max(dot(sum_4, sum_4), 0.00000000000000000001f);
+    // glimt_brdf/src/lobe.rs:24
+    return HalfVector(((sum_4.z * sum_4.z) / length2_), (((sum_4.x * sum_4.x) + (sum_4.y * sum_4.y)) / length2_), (0.5f * sqrt(length2_)));
+}
+
+// glimt_brdf/src/lobe.rs:59
+fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
+    var chosen_16: f32;
+
+    // glimt_brdf/src/lobe.rs:60
+    if (sin2_theta_1 < (1f / 16f)) {
+        // glimt_brdf/src/lobe.rs:62
+        let t_6 = (sin2_theta_1 / (2f - sin2_theta_1));
+        // glimt_brdf/src/lobe.rs:63
+        let t2_ = (t_6 * t_6);
+        // glimt_brdf/src/lobe.rs:64
+        chosen_16 = ((-2f * t_6) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
+    } else {
+        // glimt_brdf/src/lobe.rs:66
+        chosen_16 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
+    }
+    let log_cos2_ = chosen_16;
+    // glimt_brdf/src/lobe.rs:68
+    let log_power = ((0.5f * exponent_2) * log_cos2_);
+    // glimt_brdf/src/lobe.rs:69
+    if (log_power < -85f) {
+        // glimt_brdf/src/lobe.rs:70
+        return 0f;
+    }
+    // glimt_brdf/src/lobe.rs:72
+    return exp(log_power);
+}
+
+// glimt_brdf/src/lobe.rs:32
+fn HalfVector_lobe(this_22: HalfVector, exponent_3: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:33
+    let _e6 = cosine_power(this_22.cos2_theta, this_22.sin2_theta, exponent_3);
+    return _e6;
+}
+
+// glimt_brdf/src/lobe.rs:37
+fn HalfVector_pdf_sr(this_23: HalfVector, exponent_4: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:38
+    let _e10 = HalfVector_lobe(this_23, exponent_4);
+    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_23.wo_dot_h));
+}
+
+// glimt_brdf/src/blinn_phong.rs:99
+fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+
+    // glimt_brdf/src/blinn_phong.rs:100
+    if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
+        // glimt_brdf/src/blinn_phong.rs:101
+        return 0f;
+    }
+    // glimt_brdf/src/blinn_phong.rs:103
+    let _e15 = pdf_cosine_hemisphere_sr(wi_1);
+    // glimt_brdf/src/blinn_phong.rs:104
+    let _e17 = BlinnPhong_pmf_specular(this_24);
+    // glimt_brdf/src/blinn_phong.rs:105
+    if (_e17 <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:106
+        return _e15;
+    }
+    // glimt_brdf/src/blinn_phong.rs:108
+    let _e23 = HalfVector_new(wo_1, wi_1);
+    let _e25 = HalfVector_pdf_sr(_e23, this_24.exponent);
+    // glimt_brdf/src/blinn_phong.rs:109
+    return ((_e17 * _e25) + ((1f - _e17) * _e15));
+}
+
+// glimt_brdf/src/blinn_phong.rs:80
+fn BlinnPhong_sample(this_25: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+    var chosen_17: vec3<f32>;
+
+    // glimt_brdf/src/blinn_phong.rs:81
+    let _e7 = unit_f32_(u_lobe);
+    let _e8 = BlinnPhong_pmf_specular(this_25);
+    if (_e7 < _e8) {
+        // glimt_brdf/src/blinn_phong.rs:82
+        let _e12 = sample_power_cosine(u_5, this_25.exponent);
+        let h = _e12.direction;
+        // glimt_brdf/src/blinn_phong.rs:83
+        chosen_17 = (((2f * dot(wo_2, h)) * h) - wo_2);
+    } else {
+        // glimt_brdf/src/blinn_phong.rs:85
+        let _e21 = sample_cosine_hemisphere(u_5);
+        chosen_17 = _e21.direction;
+    }
+    let wi_5 = chosen_17;
+    // glimt_brdf/src/blinn_phong.rs:87
+    let _e25 = BlinnPhong_pdf_sr(this_25, wo_2, wi_5);
+    return BrdfSample(wi_5, _e25);
+}
+
+// glimt_sampling/src/math.rs:59
+fn ShadingFrame_to_world(this_26: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:60
+    return (((this_26.t * v_3.x) + (this_26.b * v_3.y)) + (this_26.n * v_3.z));
+}
+
+// glimt_probe/src/rotate.rs:33
+fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
+
+    // glimt_probe/src/rotate.rs:34
+    return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:45
+fn Environment_to_map(cdf_size: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:46
+    let _e9 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
+    return _e9;
+}
+
+// glimt_probe/src/latlong.rs:45
+fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
+    var chosen_18: f32;
+    var chosen_19: f32;
+
+    // glimt_probe/src/latlong.rs:46
+    let horizontal = sqrt(((d_1.x * d_1.x) + (d_1.y * d_1.y)));
+    // glimt_probe/src/latlong.rs:47
+    if (horizontal <= 0f) {
+        // glimt_probe/src/latlong.rs:48
+        if (d_1.z < 0f) {
+            chosen_18 = 1f;
+        } else {
+            chosen_18 = 0f;
+        }
+        let v_5 = chosen_18;
+        // glimt_probe/src/latlong.rs:49
+        return vec2<f32>(0.5f, v_5);
+    }
+    // glimt_probe/src/latlong.rs:52
+    let v_6 = (atan2(horizontal, d_1.z) * 0.31830987f);
+    // glimt_probe/src/latlong.rs:53
+    let u_13 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
+    // glimt_probe/src/latlong.rs:54
+    if (u_13 < 1f) {
+        chosen_19 = max(u_13, 0f);
+    } else {
+        chosen_19 = 0f;
+    }
+    let _e47 = chosen_19;
+    return vec2<f32>(_e47, clamp(v_6, 0f, 1f));
+}
+
+// glimt_probe/src/latlong.rs:68
+fn direction_to_texel(d_2: vec3<f32>, size_2: vec2<u32>) -> vec2<u32> {
+
+    // glimt_probe/src/latlong.rs:69
+    let size_12 = max(size_2, vec2(1u));
+    // glimt_probe/src/latlong.rs:70
+    let _e8 = direction_to_uv(d_2);
+    let position = (_e8 * vec2<f32>(size_12));
+    // glimt_probe/src/latlong.rs:71
+    return min(vec2<u32>(position), (size_12 - vec2(1u)));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:52
+fn Environment_texel(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:53
+    let _e5 = Environment_to_map(cdf_size_1, rotation_1, direction_7);
+    let _e6 = direction_to_texel(_e5, cdf_size_1);
+    return _e6;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:59
+fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:60
+    let _e12 = env_texels[((texel.y * cdf_size_2.x) + texel.x)];
+    return _e12.xyz;
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:142
+fn EnvCdf_row(size_3: vec2<u32>, texel_1: vec2<u32>) -> Bin {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:143
+    let y_3 = texel_1.y;
+    // glimt_envmap_cdf/src/env_cdf.rs:144
+    let _e9 = env_cdf_marginal[y_3];
+    let _e14 = env_cdf_marginal[(y_3 + 1u)];
+    let _e17 = env_cdf_marginal[y_3];
+    return Bin(texel_1.y, _e9, (_e14 - _e17));
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:151
+fn EnvCdf_column(size_4: vec2<u32>, texel_2: vec2<u32>) -> Bin {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:152
+    let x_10 = ((texel_2.y * (size_4.x + 1u)) + texel_2.x);
+    // glimt_envmap_cdf/src/env_cdf.rs:153
+    let _e15 = env_cdf_conditional[x_10];
+    let _e20 = env_cdf_conditional[(x_10 + 1u)];
+    let _e23 = env_cdf_conditional[x_10];
+    return Bin(texel_2.x, _e15, (_e20 - _e23));
+}
+
+// glimt_probe/src/trig.rs:25
+fn cos_sin_pi(x_7: f32) -> vec2<f32> {
+    var chosen_20: vec2<f32>;
+
+    // glimt_probe/src/trig.rs:27
+    let quarter = floor(((2f * x_7) + 0.5f));
+    // glimt_probe/src/trig.rs:28
+    let y_4 = (x_7 - (0.5f * quarter));
+    // glimt_probe/src/trig.rs:29
+    let y2_ = (y_4 * y_4);
+    // glimt_probe/src/trig.rs:31
+    let c_5 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
+    // glimt_probe/src/trig.rs:34
+    let s_1 = (y_4 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    // glimt_probe/src/trig.rs:37
+    let _e49 = (i32(quarter) & 3i);
+    if (_e49 == 0i) {
+        // glimt_probe/src/trig.rs:38
+        chosen_20 = vec2<f32>(c_5, (s_1 + 0f));
+    } else {
+        if (_e49 == 1i) {
+            // glimt_probe/src/trig.rs:39
+            chosen_20 = vec2<f32>((0f - s_1), c_5);
+        } else {
+            if (_e49 == 2i) {
+                // glimt_probe/src/trig.rs:40
+                chosen_20 = vec2<f32>((0f - c_5), (0f - s_1));
+            } else {
+                // glimt_probe/src/trig.rs:41
+                chosen_20 = vec2<f32>((s_1 + 0f), (0f - c_5));
+            }
+        }
+    }
+    let _e77 = chosen_20;
+    return _e77;
+}
+
+// glimt_probe/src/latlong.rs:121
+fn texel_solid_angle_sr(row: u32, size_5: vec2<u32>) -> f32 {
+
+    // glimt_probe/src/latlong.rs:122
+    let size_13 = max(size_5, vec2(1u));
+    // glimt_probe/src/latlong.rs:123
+    let row_2 = min(row, (size_13.y - 1u));
+    // glimt_probe/src/latlong.rs:124
+    let from_pole = min(row_2, ((size_13.y - 1u) - row_2));
+    // glimt_probe/src/latlong.rs:125
+    let half_row = (0.5f / f32(size_13.y));
+    // glimt_probe/src/latlong.rs:126
+    let middle = (f32(((2u * from_pole) + 1u)) * half_row);
+    // glimt_probe/src/latlong.rs:127
+    let _e37 = cos_sin_pi(middle);
+    let _e40 = cos_sin_pi(half_row);
+    return ((((4f * 3.1415927f) / f32(size_13.x)) * _e37.y) * _e40.y);
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:162
+fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_6: vec2<u32>) -> f32 {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:163
+    let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
+    // glimt_envmap_cdf/src/env_cdf.rs:164
+    let _e14 = texel_solid_angle_sr(row_1, size_6);
+    return (pmf / _e14);
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:119
+fn EnvCdf_texel_pdf_sr(size_7: vec2<u32>, texel_3: vec2<u32>) -> f32 {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:120
+    let _e4 = EnvCdf_row(size_7, texel_3);
+    // glimt_envmap_cdf/src/env_cdf.rs:121
+    let _e6 = EnvCdf_column(size_7, texel_3);
+    // glimt_envmap_cdf/src/env_cdf.rs:122
+    let _e11 = density_sr(_e4.units, _e6.units, texel_3.y, size_7);
+    return _e11;
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:47
+fn EnvCdf_is_black(size_8: vec2<u32>) -> bool {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:48
+    let _e6 = env_cdf_marginal[size_8.y];
+    return (_e6 == 0u);
+}
+
+// glimt_envmap_cdf/src/search.rs:27
+fn find_bin(u_6: u32) -> Bin {
+    var index_13: u32;
+    var bins: u32;
+
+    // glimt_envmap_cdf/src/search.rs:29
+    index_13 = 0u;
+    // glimt_envmap_cdf/src/search.rs:30
+    bins = (arrayLength((&env_cdf_marginal)) - 1u);
+    // glimt_envmap_cdf/src/search.rs:31
+    loop {
+        let _e12 = bins;
+        if !((_e12 > 1u)) {
+            break;
+        }
+        // glimt_envmap_cdf/src/search.rs:32
+        let _e17 = bins;
+        let half = (_e17 / 2u);
+        // glimt_envmap_cdf/src/search.rs:33
+        let _e21 = index_13;
+        let _e25 = env_cdf_marginal[(_e21 + half)];
+        if (_e25 <= u_6) {
+            // glimt_envmap_cdf/src/search.rs:34
+            let _e28 = index_13;
+            index_13 = (_e28 + half);
+        }
+        // glimt_envmap_cdf/src/search.rs:36
+        let _e31 = bins;
+        bins = (_e31 - half);
+    }
+    // glimt_envmap_cdf/src/search.rs:38
+    let _e34 = index_13;
+    let first_1 = env_cdf_marginal[_e34];
+    // glimt_envmap_cdf/src/search.rs:39
+    let _e39 = index_13;
+    let _e40 = index_13;
+    let _e45 = env_cdf_marginal[(_e40 + 1u)];
+    return Bin(_e39, first_1, (_e45 - first_1));
+}
+
+// glimt_envmap_cdf/src/search.rs:27
+fn find_bin_1(edges_start: u32, edges_len: u32, u_7: u32) -> Bin {
+    var index_14: u32;
+    var bins_1: u32;
+
+    // glimt_envmap_cdf/src/search.rs:29
+    index_14 = 0u;
+    // glimt_envmap_cdf/src/search.rs:30
+    bins_1 = (edges_len - 1u);
+    // glimt_envmap_cdf/src/search.rs:31
+    loop {
+        let _e12 = bins_1;
+        if !((_e12 > 1u)) {
+            break;
+        }
+        // glimt_envmap_cdf/src/search.rs:32
+        let _e17 = bins_1;
+        let half_1 = (_e17 / 2u);
+        // glimt_envmap_cdf/src/search.rs:33
+        let _e21 = index_14;
+        let _e26 = env_cdf_conditional[(edges_start + (_e21 + half_1))];
+        if (_e26 <= u_7) {
+            // glimt_envmap_cdf/src/search.rs:34
+            let _e29 = index_14;
+            index_14 = (_e29 + half_1);
+        }
+        // glimt_envmap_cdf/src/search.rs:36
+        let _e32 = bins_1;
+        bins_1 = (_e32 - half_1);
+    }
+    // glimt_envmap_cdf/src/search.rs:38
+    let _e35 = index_14;
+    let first_2 = env_cdf_conditional[(edges_start + _e35)];
+    // glimt_envmap_cdf/src/search.rs:39
+    let _e41 = index_14;
+    let _e42 = index_14;
+    let _e48 = env_cdf_conditional[(edges_start + (_e42 + 1u))];
+    return Bin(_e41, first_2, (_e48 - first_2));
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:168
+fn place_in_bin(bin: Bin, u_8: u32, fraction: u32) -> f32 {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:169
+    let below_unit = (f32(fraction) * (1f / 65536f));
+    // glimt_envmap_cdf/src/env_cdf.rs:170
+    return min(((f32((u_8 - bin.first)) + below_unit) / f32(bin.units)), 0.99999994f);
+}
+
+// glimt_probe/src/latlong.rs:142
+fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+    var chosen_21: u32;
+    var chosen_22: u32;
+    var chosen_23: f32;
+
+    // glimt_probe/src/latlong.rs:143
+    let size_14 = max(size_9, vec2(1u));
+    // glimt_probe/src/latlong.rs:144
+    let row_3 = min(texel_4.y, (size_14.y - 1u));
+    // glimt_probe/src/latlong.rs:146
+    let southern = ((2u * row_3) >= size_14.y);
+    // glimt_probe/src/latlong.rs:147
+    if southern {
+        chosen_21 = (size_14.y - row_3);
+    } else {
+        chosen_21 = row_3;
+    }
+    let upper_1 = chosen_21;
+    // glimt_probe/src/latlong.rs:148
+    if southern {
+        chosen_22 = ((size_14.y - row_3) - 1u);
+    } else {
+        chosen_22 = (row_3 + 1u);
+    }
+    let lower_1 = chosen_22;
+    // glimt_probe/src/latlong.rs:149
+    let half_2 = (0.5f / f32(size_14.y));
+    // glimt_probe/src/latlong.rs:150
+    let _e41 = cos_sin_pi((f32(upper_1) * half_2));
+    let sin_upper = _e41.y;
+    // glimt_probe/src/latlong.rs:151
+    let _e46 = cos_sin_pi((f32(lower_1) * half_2));
+    let sin_lower = _e46.y;
+    // glimt_probe/src/latlong.rs:152
+    let s_upper = (sin_upper * sin_upper);
+    // glimt_probe/src/latlong.rs:153
+    let s_2 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
+    // glimt_probe/src/latlong.rs:154
+    let sin_theta_1 = (2f * sqrt(max((s_2 * (1f - s_2)), 0f)));
+    // glimt_probe/src/latlong.rs:155
+    if southern {
+        // glimt_probe/src/latlong.rs:156
+        chosen_23 = ((2f * s_2) - 1f);
+    } else {
+        // glimt_probe/src/latlong.rs:158
+        chosen_23 = (1f - (2f * s_2));
+    }
+    let cos_theta_1 = chosen_23;
+    // glimt_probe/src/latlong.rs:160
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_14.x))));
+    // glimt_probe/src/latlong.rs:161
+    return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:60
+fn EnvCdf_sample(size_10: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:61
+    let _e4 = EnvCdf_is_black(size_10);
+    if _e4 {
+        // glimt_envmap_cdf/src/env_cdf.rs:62
+        return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
+    }
+    // glimt_envmap_cdf/src/env_cdf.rs:68
+    let _e19 = find_bin((u_9.y >> 1u));
+    // glimt_envmap_cdf/src/env_cdf.rs:69
+    let row_start = (_e19.index * (size_10.x + 1u));
+    // glimt_envmap_cdf/src/env_cdf.rs:70
+    let row_end = ((row_start + size_10.x) + 1u);
+    // glimt_envmap_cdf/src/env_cdf.rs:71
+    let _e37 = find_bin_1(row_start, (row_end - row_start), (u_9.x >> 1u));
+    // glimt_envmap_cdf/src/env_cdf.rs:72
+    let texel_5 = vec2<u32>(_e37.index, _e19.index);
+    // glimt_envmap_cdf/src/env_cdf.rs:73
+    let _e45 = hash2_(u_9.x, u_9.y);
+    // glimt_envmap_cdf/src/env_cdf.rs:74
+    let _e53 = place_in_bin(_e37, (u_9.x >> 1u), (_e45 & 65535u));
+    let _e61 = place_in_bin(_e19, (u_9.y >> 1u), (_e45 >> 16u));
+    let place_1 = vec2<f32>(_e53, _e61);
+    // glimt_envmap_cdf/src/env_cdf.rs:78
+    let _e64 = direction_in_texel(texel_5, size_10, place_1);
+    let _e68 = density_sr(_e19.units, _e37.units, _e19.index, size_10);
+    return EnvSample(texel_5, _e64, _e68);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:66
+fn Environment_sample(cdf_size_3: vec2<u32>, rotation_3: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
+
+    // glimt_render_gpu/src/kernels/environment.rs:67
+    let _e5 = EnvCdf_sample(cdf_size_3, u_10);
+    // glimt_render_gpu/src/kernels/environment.rs:68
+    let _e8 = rotate_z(_e5.direction, rotation_3);
+    return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
+}
+
+// glimt_brdf/src/lobe.rs:86
+fn normalisation(exponent_5: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:87
+    let tail_2 = exp2(max((-0.5f * exponent_5), -60f));
+    // glimt_brdf/src/lobe.rs:88
+    return ((((exponent_5 + 2f) * (exponent_5 + 4f)) * (0.125f * 0.31830987f)) / (tail_2 + exponent_5));
+}
+
+// glimt_brdf/src/blinn_phong.rs:59
+fn BlinnPhong_eval(this_27: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_brdf/src/blinn_phong.rs:60
+    if ((wo_3.z <= 0f) || (wi_2.z <= 0f)) {
+        // glimt_brdf/src/blinn_phong.rs:61
+        return vec3(0f);
+    }
+    // glimt_brdf/src/blinn_phong.rs:63
+    let diffuse = (this_27.diffuse * 0.31830987f);
+    // glimt_brdf/src/blinn_phong.rs:65
+    if (max(max(this_27.specular.x, this_27.specular.y), this_27.specular.z) <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:66
+        return diffuse;
+    }
+    // glimt_brdf/src/blinn_phong.rs:68
+    let _e31 = normalisation(this_27.exponent);
+    let _e32 = HalfVector_new(wo_3, wi_2);
+    let _e34 = HalfVector_lobe(_e32, this_27.exponent);
+    let lobe = (_e31 * _e34);
+    // glimt_brdf/src/blinn_phong.rs:69
+    return (diffuse + (this_27.specular * lobe));
+}
+
+// glimt_render_gpu/src/kernels/candidates.rs:73
+fn Candidates_draw(this_28: Candidates, index_15: u32, point_1: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+    var density: f32;
+    var direction_8: vec3<f32>;
+    var wi_3: vec3<f32>;
+    var radiance: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/candidates.rs:80
+    let _e8 = Candidates_of_brdf(this_28);
+    // glimt_render_gpu/src/kernels/candidates.rs:81
+    let of_env = (this_28.count - _e8);
+    // glimt_render_gpu/src/kernels/candidates.rs:83
+    density = 0f;
+    // glimt_render_gpu/src/kernels/candidates.rs:87
+    if (index_15 < _e8) {
+        // glimt_render_gpu/src/kernels/candidates.rs:88
+        let _e22 = PixelPattern_triple(pattern_1, 4u, index_15, _e8);
+        // glimt_render_gpu/src/kernels/candidates.rs:89
+        let _e28 = unit_vec2_(_e22.xy);
+        let _e29 = BlinnPhong_sample(point_1.brdf, point_1.wo, _e22.z, _e28);
+        // glimt_render_gpu/src/kernels/candidates.rs:90
+        if !((_e29.pdf_sr > 0f)) {
+            // glimt_render_gpu/src/kernels/candidates.rs:91
+            return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
+        }
+        // glimt_render_gpu/src/kernels/candidates.rs:93
+        wi_3 = _e29.wi;
+        // glimt_render_gpu/src/kernels/candidates.rs:94
+        let _e53 = wi_3;
+        let _e54 = ShadingFrame_to_world(point_1.frame, _e53);
+        direction_8 = _e54;
+        // glimt_render_gpu/src/kernels/candidates.rs:95
+        let _e56 = direction_8;
+        let _e57 = Environment_texel(env_cdf_size, env_rotation, _e56);
+        // glimt_render_gpu/src/kernels/candidates.rs:96
+        let _e59 = Environment_radiance(env_cdf_size, env_rotation, _e57);
+        radiance = _e59;
+        // glimt_render_gpu/src/kernels/candidates.rs:97
+        let _e64 = density;
+        density = (_e64 + (f32(_e8) * _e29.pdf_sr));
+        // glimt_render_gpu/src/kernels/candidates.rs:98
+        if (of_env > 0u) {
+            // glimt_render_gpu/src/kernels/candidates.rs:99
+            let _e71 = EnvCdf_texel_pdf_sr(env_cdf_size, _e57);
+            let _e73 = density;
+            density = (_e73 + (f32(of_env) * _e71));
+        }
+    } else {
+        // glimt_render_gpu/src/kernels/candidates.rs:102
+        let _e78 = PixelPattern_pair(pattern_1, 5u, (index_15 - _e8), of_env);
+        // glimt_render_gpu/src/kernels/candidates.rs:103
+        let _e80 = Environment_sample(env_cdf_size, env_rotation, _e78);
+        // glimt_render_gpu/src/kernels/candidates.rs:104
+        if !((_e80.pdf_sr > 0f)) {
+            // glimt_render_gpu/src/kernels/candidates.rs:105
+            return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
+        }
+        // glimt_render_gpu/src/kernels/candidates.rs:107
+        direction_8 = _e80.direction;
+        // glimt_render_gpu/src/kernels/candidates.rs:108
+        let _e104 = direction_8;
+        let _e105 = ShadingFrame_to_local(point_1.frame, _e104);
+        wi_3 = _e105;
+        // glimt_render_gpu/src/kernels/candidates.rs:109
+        let _e108 = Environment_radiance(env_cdf_size, env_rotation, _e80.texel);
+        radiance = _e108;
+        // glimt_render_gpu/src/kernels/candidates.rs:110
+        let _e113 = density;
+        density = (_e113 + (f32(of_env) * _e80.pdf_sr));
+        // glimt_render_gpu/src/kernels/candidates.rs:111
+        if (_e8 > 0u) {
+            // glimt_render_gpu/src/kernels/candidates.rs:112
+            let _e122 = wi_3;
+            let _e123 = BlinnPhong_pdf_sr(point_1.brdf, point_1.wo, _e122);
+            let _e125 = density;
+            density = (_e125 + (f32(_e8) * _e123));
+        }
+    }
+    // glimt_render_gpu/src/kernels/candidates.rs:115
+    let _e129 = wi_3.z;
+    if !((_e129 > 0f)) {
+        // glimt_render_gpu/src/kernels/candidates.rs:116
+        return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
+    }
+    // glimt_render_gpu/src/kernels/candidates.rs:118
+    let _e150 = wi_3;
+    let _e151 = BlinnPhong_eval(point_1.brdf, point_1.wo, _e150);
+    let _e152 = luminance(_e151);
+    let _e154 = wi_3.z;
+    let reflected = (_e152 * _e154);
+    // glimt_render_gpu/src/kernels/candidates.rs:119
+    let _e157 = radiance;
+    let _e158 = luminance(_e157);
+    let target_ = ((_e158 + this_28.floor) * reflected);
+    // glimt_render_gpu/src/kernels/candidates.rs:120
+    let _e163 = direction_8;
+    let _e164 = wi_3;
+    let _e165 = radiance;
+    let _e168 = density;
+    return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_28.count) / _e168)));
+}
+
+// glimt_sampling/src/ris.rs:71
+fn RisSum_add(this_29: ptr<function, RisSum>, weight: f32) {
+
+    // glimt_sampling/src/ris.rs:72
+    let _e6 = (*this_29).candidates;
+    (*this_29).candidates = (_e6 + 1u);
+    // glimt_sampling/src/ris.rs:73
+    if (weight > 0f) {
+        // glimt_sampling/src/ris.rs:74
+        let _e13 = (*this_29).sum;
+        (*this_29).sum = (_e13 + weight);
+        // glimt_sampling/src/ris.rs:75
+        let _e17 = (*this_29).candidates;
+        (*this_29).end = _e17;
+    }
+    return;
+}
+
+// glimt_sampling/src/ris.rs:108
+fn Word_next_u32_(this_30: ptr<function, Word>) -> u32 {
+
+    // glimt_sampling/src/ris.rs:109
+    let _e4 = (*this_30).f0_;
+    return _e4;
+}
+
+// glimt_sampling/src/resample.rs:135
+fn Comb_place_tooth(this_31: ptr<function, Comb>, source: ptr<function, Word>) {
+
+    // glimt_sampling/src/resample.rs:136
+    let _e5 = (*this_31).made;
+    let _e7 = (*this_31).teeth;
+    if (_e5 >= _e7) {
+        // glimt_sampling/src/resample.rs:137
+        return;
+    }
+    // glimt_sampling/src/resample.rs:139
+    let _e12 = (*this_31).made;
+    let first_3 = f32(_e12);
+    // glimt_sampling/src/resample.rs:140
+    let _e16 = (*this_31).scheme;
+    if (_e16 == 0u) {
+        // glimt_sampling/src/resample.rs:141
+        let _e21 = (*this_31).state;
+        (*this_31).next = (first_3 + _e21);
+    } else {
+        let _e25 = (*this_31).scheme;
+        if (_e25 == 1u) {
+            // glimt_sampling/src/resample.rs:143
+            let _e29 = Word_next_u32_(source);
+            let _e30 = unit_f32_(_e29);
+            (*this_31).next = (first_3 + _e30);
+        } else {
+            // glimt_sampling/src/resample.rs:146
+            let _e35 = Word_next_u32_(source);
+            let _e36 = unit_f32_(_e35);
+            let v_7 = (1f - _e36);
+            // glimt_sampling/src/resample.rs:147
+            let _e40 = (*this_31).teeth;
+            let _e42 = (*this_31).made;
+            let left_1 = f32((_e40 - _e42));
+            // glimt_sampling/src/resample.rs:148
+            let _e50 = (*this_31).state;
+            (*this_31).state = (_e50 * pow(v_7, (1f / left_1)));
+            // glimt_sampling/src/resample.rs:149
+            let _e55 = (*this_31).state;
+            let _e58 = (*this_31).teeth;
+            (*this_31).next = ((1f - _e55) * f32(_e58));
+        }
+    }
+    return;
+}
+
+// glimt_sampling/src/resample.rs:84
+fn Comb_new(scheme: u32, picks: u32, sure: u32, source_1: ptr<function, Word>) -> Comb {
+    var comb: Comb;
+
+    // glimt_sampling/src/resample.rs:85
+    comb = Comb(scheme, picks, (max(picks, sure) - sure), 0u, 0f, 0f, 1f);
+    // glimt_sampling/src/resample.rs:94
+    if (scheme == 0u) {
+        // glimt_sampling/src/resample.rs:95
+        let _e18 = Word_next_u32_(source_1);
+        let _e19 = unit_f32_(_e18);
+        comb.state = _e19;
+    }
+    // glimt_sampling/src/resample.rs:97
+    Comb_place_tooth((&comb), source_1);
+    // glimt_sampling/src/resample.rs:98
+    let _e23 = comb;
+    return _e23;
+}
+
+// glimt_sampling/src/ris.rs:117
+fn RisPicks_new(weights: RisSum, samples_2: u32, u_11: u32) -> RisPicks {
+    var borrowed_2: Word;
+    var chosen_24: f32;
+    var chosen_25: u32;
+
+    // glimt_sampling/src/ris.rs:118
+    let possible = (weights.sum > 0f);
+    // glimt_sampling/src/ris.rs:119
+    borrowed_2 = Word(u_11);
+    let _e13 = Comb_new(0u, samples_2, 0u, (&borrowed_2));
+    if possible {
+        // glimt_sampling/src/ris.rs:122
+        chosen_24 = (f32(samples_2) / weights.sum);
+    } else {
+        // glimt_sampling/src/ris.rs:124
+        chosen_24 = 0f;
+    }
+    let _e21 = chosen_24;
+    if possible {
+        // glimt_sampling/src/ris.rs:126
+        chosen_25 = samples_2;
+    } else {
+        chosen_25 = 0u;
+    }
+    let _e25 = chosen_25;
+    return RisPicks(_e13, _e21, _e25, 0u, weights.end);
+}
+
+// glimt_sampling/src/ris.rs:82
+fn RisSum_normaliser(this_32: RisSum) -> f32 {
+    var chosen_26: f32;
+
+    // glimt_sampling/src/ris.rs:83
+    if (this_32.candidates > 0u) {
+        // glimt_sampling/src/ris.rs:84
+        chosen_26 = (this_32.sum / f32(this_32.candidates));
+    } else {
+        // glimt_sampling/src/ris.rs:86
+        chosen_26 = 0f;
+    }
+    let _e14 = chosen_26;
+    return _e14;
+}
+
+// glimt_sampling/src/ris.rs:154
+fn RisPicks_is_done(this_33: RisPicks) -> bool {
+
+    // glimt_sampling/src/ris.rs:155
+    return (this_33.left == 0u);
+}
+
+// glimt_sampling/src/resample.rs:44
+fn sure_copies(scheme_1: u32, expected: f32) -> u32 {
+    var chosen_27: u32;
+
+    // glimt_sampling/src/resample.rs:45
+    if (scheme_1 == 3u) {
+        // glimt_sampling/src/resample.rs:46
+        chosen_27 = u32(expected);
+    } else {
+        // glimt_sampling/src/resample.rs:48
+        chosen_27 = 0u;
+    }
+    let _e11 = chosen_27;
+    return _e11;
+}
+
+// glimt_sampling/src/resample.rs:105
+fn Comb_take(this_34: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, Word>) -> u32 {
+
+    // glimt_sampling/src/resample.rs:106
+    let _e6 = (*this_34).scheme;
+    let _e7 = sure_copies(_e6, expected_1);
+    // glimt_sampling/src/resample.rs:107
+    let _e12 = (*this_34).reach;
+    (*this_34).reach = (_e12 + (expected_1 - f32(_e7)));
+    // glimt_sampling/src/resample.rs:108
+    let before = (*this_34).made;
+    // glimt_sampling/src/resample.rs:109
+    loop {
+        let _e19 = (*this_34).made;
+        let _e21 = (*this_34).teeth;
+        let _e24 = (*this_34).next;
+        let _e26 = (*this_34).reach;
+        if ((_e19 < _e21) && (_e24 < _e26)) {
+            // glimt_sampling/src/resample.rs:110
+            let _e32 = (*this_34).made;
+            (*this_34).made = (_e32 + 1u);
+            // glimt_sampling/src/resample.rs:111
+            Comb_place_tooth(this_34, source_2);
+        } else {
+            break;
+        }
+    }
+    // glimt_sampling/src/resample.rs:113
+    let _e37 = (*this_34).made;
+    return (_e7 + (_e37 - before));
+}
+
+// glimt_sampling/src/ris.rs:135
+fn RisPicks_take(this_35: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+    var chosen_28: u32;
+    var borrowed_3: Comb;
+    var borrowed_4: Word;
+
+    // glimt_sampling/src/ris.rs:136
+    let _e6 = (*this_35).candidate;
+    (*this_35).candidate = (_e6 + 1u);
+    // glimt_sampling/src/ris.rs:137
+    let _e13 = (*this_35).left;
+    if (!((weight_1 > 0f)) || (_e13 == 0u)) {
+        // glimt_sampling/src/ris.rs:138
+        return 0u;
+    }
+    // glimt_sampling/src/ris.rs:140
+    let _e22 = (*this_35).candidate;
+    let _e24 = (*this_35).end;
+    if (_e22 == _e24) {
+        // glimt_sampling/src/ris.rs:141
+        let _e28 = (*this_35).left;
+        chosen_28 = _e28;
+    } else {
+        // glimt_sampling/src/ris.rs:143
+        let _e32 = (*this_35).comb;
+        borrowed_3 = _e32;
+        let _e34 = (*this_35).scale;
+        borrowed_4 = Word(0u);
+        let _e39 = Comb_take((&borrowed_3), (weight_1 * _e34), (&borrowed_4));
+        let _e40 = borrowed_3;
+        (*this_35).comb = _e40;
+        let _e42 = (*this_35).left;
+        chosen_28 = min(_e39, _e42);
+    }
+    let picks_2 = chosen_28;
+    // glimt_sampling/src/ris.rs:147
+    let _e47 = (*this_35).left;
+    (*this_35).left = (_e47 - picks_2);
+    // glimt_sampling/src/ris.rs:148
+    return picks_2;
+}
+
+// glimt_render_gpu/src/kernels/estimator.rs:76
+fn LightSample_new(point_2: ShadingPoint, direction_9: vec3<f32>, wi_4: vec3<f32>, radiance_1: vec3<f32>, density_1: f32) -> LightSample {
+
+    // glimt_render_gpu/src/kernels/estimator.rs:83
+    let in_front = ((wi_4.z > 0f) && (dot(point_2.geometric_normal, direction_9) > 0f));
+    // glimt_render_gpu/src/kernels/estimator.rs:84
+    if (!(in_front) || !((density_1 > 0.000000000000000000000000000000000000011754944f))) {
+        // glimt_render_gpu/src/kernels/estimator.rs:85
+        return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
+    }
+    // glimt_render_gpu/src/kernels/estimator.rs:88
+    let _e32 = BlinnPhong_eval(point_2.brdf, point_2.wo, wi_4);
+    let weight_2 = (_e32 * (wi_4.z / density_1));
+    // glimt_render_gpu/src/kernels/estimator.rs:89
+    return LightSample(direction_9, (radiance_1 * weight_2));
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:65
+fn any_hit(ray_9: Ray, t_max_2: f32) -> bool {
+    var t_1: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:66
+    t_1 = t_max_2;
+    // glimt_render_gpu/src/kernels/bvh.rs:67
+    let _e7 = traverse(ray_9, (&t_1), true);
+    return (_e7 != 4294967295u);
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:112
+fn Scene_is_lit(point_3: ShadingPoint, direction_10: vec3<f32>) -> bool {
+
+    // glimt_render_gpu/src/kernels/scene.rs:113
+    let _e5 = Ray_new(point_3.origin, direction_10);
+    // glimt_render_gpu/src/kernels/scene.rs:114
+    let _e8 = any_hit(_e5, 340282350000000000000000000000000000000f);
+    return !(_e8);
+}
+
+// glimt_render_gpu/src/kernels/estimator.rs:98
+fn LightSample_traced(this_36: LightSample, point_4: ShadingPoint) -> Reflected {
+    var chosen_29: Reflected;
+
+    // glimt_render_gpu/src/kernels/estimator.rs:99
+    if !((max(max(this_36.contribution.x, this_36.contribution.y), this_36.contribution.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/estimator.rs:100
+        return Reflected(vec3(0f), vec3(0f));
+    }
+    // glimt_render_gpu/src/kernels/estimator.rs:102
+    let _e22 = Scene_is_lit(point_4, this_36.direction);
+    if _e22 {
+        // glimt_render_gpu/src/kernels/estimator.rs:103
+        chosen_29 = Reflected(this_36.contribution, vec3(0f));
+    } else {
+        // glimt_render_gpu/src/kernels/estimator.rs:108
+        chosen_29 = Reflected(vec3(0f), this_36.contribution);
+    }
+    let _e33 = chosen_29;
+    return _e33;
+}
+
+// glimt_render_gpu/src/kernels/estimator.rs:37
+fn Reflected_gather(this_37: ptr<function, Reflected>, light: Reflected) {
+
+    // glimt_render_gpu/src/kernels/estimator.rs:38
+    let _e6 = (*this_37).lit;
+    (*this_37).lit = (_e6 + light.lit);
+    // glimt_render_gpu/src/kernels/estimator.rs:39
+    let _e11 = (*this_37).blocked;
+    (*this_37).blocked = (_e11 + light.blocked);
+    return;
+}
+
+// glimt_render_gpu/src/kernels/bis.rs:35
+fn Bis_reflected(this_38: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Reflected {
+    var weights_1: RisSum;
+    var counter_2: u32;
+    var sum_2: Reflected;
+    var picks_1: RisPicks;
+    var j: u32;
+    var both_2: bool;
+
+    // glimt_render_gpu/src/kernels/bis.rs:42
+    let candidates = Candidates(this_38.candidates, this_38.source, 0f);
+    // glimt_render_gpu/src/kernels/bis.rs:47
+    let _e12 = RisSum_new();
+    weights_1 = _e12;
+    // glimt_render_gpu/src/kernels/bis.rs:48
+    counter_2 = 0u;
+    loop {
+        let j_1 = counter_2;
+        if (j_1 >= this_38.candidates) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bis.rs:49
+        let _e21 = Candidates_draw(candidates, j_1, point_5, pattern_2, env_cdf_size_1, env_rotation_1);
+        RisSum_add((&weights_1), _e21.weight);
+        continuing {
+            let _e23 = counter_2;
+            counter_2 = (_e23 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bis.rs:51
+    sum_2 = Reflected(vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/bis.rs:52
+    let _e34 = weights_1;
+    let _e39 = PixelPattern_pair(pattern_2, 6u, 0u, 1u);
+    let _e41 = RisPicks_new(_e34, this_38.samples, _e39.x);
+    picks_1 = _e41;
+    // glimt_render_gpu/src/kernels/bis.rs:53
+    let _e46 = weights_1;
+    let _e47 = RisSum_normaliser(_e46);
+    let scale = (f32(this_38.samples) / max(_e47, 0.000000000000000000000000000000000000011754944f));
+    // glimt_render_gpu/src/kernels/bis.rs:54
+    j = 0u;
+    // glimt_render_gpu/src/kernels/bis.rs:55
+    loop {
+        let _e55 = j;
+        let _e57 = (_e55 < this_38.candidates);
+        both_2 = _e57;
+        if _e57 {
+            let _e59 = picks_1;
+            let _e60 = RisPicks_is_done(_e59);
+            both_2 = !(_e60);
+        }
+        let _e62 = both_2;
+        if _e62 {
+            // glimt_render_gpu/src/kernels/bis.rs:56
+            let _e64 = j;
+            let _e65 = Candidates_draw(candidates, _e64, point_5, pattern_2, env_cdf_size_1, env_rotation_1);
+            // glimt_render_gpu/src/kernels/bis.rs:57
+            let _e68 = RisPicks_take((&picks_1), _e65.weight);
+            // glimt_render_gpu/src/kernels/bis.rs:58
+            if (_e68 > 0u) {
+                // glimt_render_gpu/src/kernels/bis.rs:59
+                let density_2 = (_e65.target_ * (scale / f32(_e68)));
+                // glimt_render_gpu/src/kernels/bis.rs:60
+                let _e81 = LightSample_new(point_5, _e65.direction, _e65.wi, _e65.radiance, density_2);
+                // glimt_render_gpu/src/kernels/bis.rs:67
+                let _e83 = LightSample_traced(_e81, point_5);
+                Reflected_gather((&sum_2), _e83);
+            }
+            // glimt_render_gpu/src/kernels/bis.rs:69
+            let _e86 = j;
+            j = (_e86 + 1u);
+        } else {
+            break;
+        }
+    }
+    // glimt_render_gpu/src/kernels/bis.rs:71
+    let _e89 = sum_2;
+    return _e89;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:88
+fn bilinear(size_11: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:89
+    let _e4 = direction_to_uv(d_3);
+    let p_1 = ((_e4 * vec2<f32>(size_11)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:91
+    let next = vec2<u32>((p_1 + vec2(1f)));
+    // glimt_render_gpu/src/kernels/environment.rs:92
+    let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
+    // glimt_render_gpu/src/kernels/environment.rs:93
+    let x0_ = (((next.x + size_11.x) - 1u) % size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:94
+    let x1_ = (next.x % size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:95
+    let row0_1 = ((max(next.y, 1u) * size_11.x) - size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:96
+    let row1_1 = (min(next.y, (size_11.y - 1u)) * size_11.x);
+    // glimt_render_gpu/src/kernels/environment.rs:97
+    let _e53 = env_texels[(row0_1 + x0_)];
+    let _e57 = env_texels[(row0_1 + x1_)];
+    let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:98
+    let _e68 = env_texels[(row1_1 + x0_)];
+    let _e72 = env_texels[(row1_1 + x1_)];
+    let lower_2 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:99
+    return ((upper_2 * (1f - f.y)) + (lower_2 * f.y)).xyz;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:79
+fn Environment_background(cdf_size_4: vec2<u32>, rotation_4: vec2<f32>, direction_11: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:80
+    let _e5 = Environment_to_map(cdf_size_4, rotation_4, direction_11);
+    let _e6 = bilinear(cdf_size_4, _e5);
+    return _e6;
+}
+
+// glimt_render_gpu/src/kernels/shade.rs:64
+fn shade(ray_10: u32, frame_2: FrameParams, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>, estimator: Bis) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/shade.rs:71
+    let _e7 = FrameParams_pattern_of(frame_2, ray_10);
+    // glimt_render_gpu/src/kernels/shade.rs:72
+    let _e9 = FrameParams_camera_ray(frame_2, _e7);
+    // glimt_render_gpu/src/kernels/shade.rs:73
+    let _e11 = Scene_closest_hit(_e9);
+    let hit_1 = _e11.value;
+    if _e11.is_some {
+        // glimt_render_gpu/src/kernels/shade.rs:74
+        let _e16 = Scene_shading_point(_e9, hit_1);
+        // glimt_render_gpu/src/kernels/shade.rs:75
+        let _e18 = Bis_reflected(estimator, _e16, _e7, env_cdf_size_2, env_rotation_2);
+        return vec4<f32>(_e18.lit, 1f);
+    }
+    // glimt_render_gpu/src/kernels/shade.rs:80
+    if (frame_2.background == 0u) {
+        // glimt_render_gpu/src/kernels/shade.rs:81
+        let _e28 = Environment_background(env_cdf_size_2, env_rotation_2, _e9.direction);
+        return vec4<f32>(_e28, 1f);
+    }
+    // glimt_render_gpu/src/kernels/shade.rs:83
+    return vec4(0f);
+}
+
+// glimt_render_gpu/src/kernels/shade.rs:32
+fn shade_bis_1(ray_11: u32, frame_3: FrameParams, bis: Bis, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/shade.rs:39
+    let _e7 = shade(ray_11, frame_3, env_cdf_size_3, env_rotation_3, bis);
+    return _e7;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn shade_bis(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e19 = params.bis;
+    let _e21 = params.env_cdf_size;
+    let _e23 = params.env_rotation;
+    let _e24 = shade_bis_1((_e14 + local), _e17, _e19, _e21, _e23);
+    out[local] = _e24;
+}

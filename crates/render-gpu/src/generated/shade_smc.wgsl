@@ -1,0 +1,4491 @@
+// Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
+
+struct BvhNode {
+    min: vec3<f32>,
+    count: u32,
+    max: vec3<f32>,
+    first: u32,
+}
+
+struct Triangle {
+    v0_: vec3<f32>,
+    material: u32,
+    v1_: vec3<f32>,
+    object: u32,
+    v2_: vec3<f32>,
+    ray_offset: f32,
+}
+
+struct Corner {
+    normal: vec3<f32>,
+    u: f32,
+    tangent: vec3<f32>,
+    v: f32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
+struct Material {
+    color: vec3<f32>,
+    kind: u32,
+    specular: vec3<f32>,
+    exponent: f32,
+    metallic: f32,
+    roughness: f32,
+    normal_scale: f32,
+    unused: u32,
+    base_color_texture: TextureView,
+    metallic_roughness_texture: TextureView,
+    normal_texture: TextureView,
+}
+
+struct RayState {
+    normal: vec3<f32>,
+    log_normaliser: f32,
+    wo: vec3<f32>,
+    depth: f32,
+    diffuse: f32,
+    specular: f32,
+    exponent: f32,
+    age: u32,
+    ess: f32,
+    log_ratio: f32,
+    started: u32,
+    accepted: u32,
+}
+
+struct Particle {
+    state: vec3<f32>,
+    log_weight: f32,
+}
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    brdf_samples: u32,
+    env_samples: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    shadow: u32,
+    film_frame: u32,
+    unused_c: u32,
+}
+
+struct SmcParams {
+    intermediate: u32,
+    path: u32,
+    scheme: u32,
+    ess_threshold: f32,
+    floor: f32,
+    previous_floor: f32,
+    cap_height: f32,
+    cap_share: f32,
+    light_share: f32,
+    band: f32,
+    max_age: u32,
+    candidates: u32,
+    source: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+}
+
+struct PastView {
+    eye: vec3<f32>,
+    first_pixel: u32,
+    forward: vec3<f32>,
+    pixels: u32,
+    right: vec3<f32>,
+    depth_tolerance: f32,
+    up: vec3<f32>,
+    normal_cosine: f32,
+}
+
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
+}
+
+struct OwenSobol {
+    seed: u32,
+    index: u32,
+    dimension: u32,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+struct CameraView {
+    eye: vec3<f32>,
+    forward: vec3<f32>,
+    right: vec3<f32>,
+    up: vec3<f32>,
+}
+
+struct Ray {
+    origin: vec3<f32>,
+    direction: vec3<f32>,
+    inverse_direction: vec3<f32>,
+}
+
+struct Hit {
+    triangle: u32,
+    t: f32,
+    barycentrics: vec2<f32>,
+}
+
+struct Option_Hit {
+    is_some: bool,
+    value: Hit,
+}
+
+struct Tuple_f32_f32_ {
+    fa: f32,
+    fb: f32,
+}
+
+struct ShadingFrame {
+    t: vec3<f32>,
+    b: vec3<f32>,
+    n: vec3<f32>,
+}
+
+struct BlinnPhong {
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    exponent: f32,
+}
+
+struct ShadingPoint {
+    origin: vec3<f32>,
+    geometric_normal: vec3<f32>,
+    frame: ShadingFrame,
+    wo: vec3<f32>,
+    brdf: BlinnPhong,
+}
+
+struct LightLobe {
+    frame: ShadingFrame,
+    wo: vec3<f32>,
+    brdf: BlinnPhong,
+}
+
+struct Option_u32_ {
+    is_some: bool,
+    value: u32,
+}
+
+struct Option_Vec3_ {
+    is_some: bool,
+    value: vec3<f32>,
+}
+
+struct PatternSource {
+    is_sobol: bool,
+    point: OwenSobol,
+    generator: Xoshiro128PlusPlus,
+}
+
+struct CapMove {
+    height: f32,
+}
+
+struct BrdfDraw {
+    frame: ShadingFrame,
+    wo: vec3<f32>,
+    brdf: BlinnPhong,
+}
+
+struct Independent_BrdfDraw {
+    sampler: BrdfDraw,
+}
+
+struct Bridge {
+    path: u32,
+    intermediate: u32,
+}
+
+struct Sampler {
+    bridge: Bridge,
+    scheme: u32,
+    ess_threshold: f32,
+}
+
+struct Report {
+    log_ratio: f32,
+    ess: f32,
+    resampled: u32,
+    accepted: u32,
+}
+
+struct HalfVector {
+    cos2_theta: f32,
+    sin2_theta: f32,
+    wo_dot_h: f32,
+}
+
+struct Endpoints {
+    previous: f32,
+    current: f32,
+}
+
+struct Comb {
+    scheme: u32,
+    picks: u32,
+    teeth: u32,
+    made: u32,
+    next: f32,
+    reach: f32,
+    state: f32,
+}
+
+struct Split {
+    first: bool,
+    word: u32,
+}
+
+struct Proposed {
+    state: vec3<f32>,
+    forward: f32,
+    backward: f32,
+}
+
+struct DirectionSample {
+    direction: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct EnvSample {
+    texel: vec2<u32>,
+    direction: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct Bin {
+    index: u32,
+    first: u32,
+    units: u32,
+}
+
+struct Sampled {
+    state: vec3<f32>,
+    pdf: f32,
+}
+
+struct BrdfSample {
+    wi: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct Candidates {
+    count: u32,
+    source: u32,
+    floor: f32,
+}
+
+struct RisSum {
+    sum: f32,
+    candidates: u32,
+    end: u32,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
+struct Candidate {
+    direction: vec3<f32>,
+    wi: vec3<f32>,
+    radiance: vec3<f32>,
+    target_: f32,
+    weight: f32,
+}
+
+struct Word {
+    f0_: u32,
+}
+
+struct RisPicks {
+    comb: Comb,
+    scale: f32,
+    left: u32,
+    candidate: u32,
+    end: u32,
+}
+
+struct Reflected {
+    lit: vec3<f32>,
+    blocked: vec3<f32>,
+}
+
+struct LightSample {
+    direction: vec3<f32>,
+    contribution: vec3<f32>,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    state_len: u32,
+    particles_len: u32,
+    frame: FrameParams,
+    smc: SmcParams,
+    view: PastView,
+    env_cdf_size: vec2<u32>,
+    env_rotation: vec2<f32>,
+    before_size: vec2<u32>,
+    before_rotation: vec2<f32>,
+}
+
+@group(0) @binding(1) 
+var<storage> env_texels: array<vec4<f32>>;
+@group(0) @binding(2) 
+var<storage> env_cdf_marginal: array<u32>;
+@group(0) @binding(3) 
+var<storage> env_cdf_conditional: array<u32>;
+@group(0) @binding(4) 
+var<storage> before_texels: array<vec4<f32>>;
+@group(0) @binding(5) 
+var<storage> scene_nodes: array<BvhNode>;
+@group(0) @binding(6) 
+var<storage> scene_triangles: array<Triangle>;
+@group(0) @binding(7) 
+var<storage> scene_corners: array<Corner>;
+@group(0) @binding(8) 
+var<storage> scene_materials: array<Material>;
+@group(0) @binding(9) 
+var<storage> scene_texels: array<u32>;
+@group(0) @binding(10) 
+var<storage> past_motions: array<mat4x4<f32>>;
+@group(0) @binding(11) 
+var<storage> past_states: array<RayState>;
+@group(0) @binding(12) 
+var<storage> past_particles: array<Particle>;
+@group(0) @binding(13) 
+var<storage, read_write> state_5: array<RayState>;
+@group(0) @binding(14) 
+var<storage, read_write> particles: array<Particle>;
+@group(0) @binding(15) 
+var<storage, read_write> out: array<vec4<f32>>;
+@group(0) @binding(0) 
+var<storage> params: Params;
+
+// glimt_render_gpu/src/kernels/frame.rs:88
+fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:89
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x;
+    let _e11 = x;
+    x = (_e11 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e14 = x;
+    x = (_e14 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e18 = x;
+    let _e22 = x;
+    x = (_e22 ^ (_e18 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e25 = x;
+    x = (_e25 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e29 = x;
+    let _e30 = x;
+    return (_e29 ^ (_e30 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:171
+fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+
+    // glimt_sampling/src/sobol.rs:172
+    let _e6 = hash3_(seed, frame, pixel);
+    let _e10 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e10, (sample_index & 65535u), 0u);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:96
+fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:97
+    let _e6 = hash2_(this_1.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
+    return _e9;
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+    var x_1: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_1 = (n_1 ^ (n_1 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_1;
+    x_1 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_1;
+    x_1 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e20 = x_1;
+    let _e23 = x_1;
+    x_1 = (_e23 ^ (_e20 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e26 = x_1;
+    let _e27 = x_1;
+    return (_e26 ^ (_e27 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index_1: u32, seed_1: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_1 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_2: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_2 = index_2;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_2;
+    let _e11 = x_2;
+    x_2 = (_e11 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e14 = x_2;
+    let _e20 = x_2;
+    x_2 = (_e20 ^ ((_e14 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e23 = x_2;
+    let _e29 = x_2;
+    x_2 = (_e29 ^ ((_e23 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e32 = x_2;
+    let _e33 = x_2;
+    return (_e32 ^ ((_e33 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_3: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_3;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum;
+        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e38 = v1_;
+        v0_ = _e38;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e42 = bits;
+        bits = (_e42 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e46 = sum;
+    return _e46;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_4: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_4;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_1;
+        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e41 = v1_1;
+        v0_1 = _e41;
+        // glimt_sampling/src/sobol.rs:93
+        let _e43 = v2_;
+        v1_1 = _e43;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e47 = bits_1;
+        bits_1 = (_e47 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e51 = sum_1;
+    return _e51;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
+    var chosen: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_16 = (index_5 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen = index_16;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_16);
+            chosen = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_16);
+                chosen = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_16);
+                chosen = _e22;
+            }
+        }
+    }
+    let _e23 = chosen;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_1 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_1 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_1 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_1 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_1;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_2).dimension;
+    let dimension_3 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_2).dimension = (dimension_3 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_2).seed;
+    let _e19 = hash2_(_e15, (dimension_3 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e22 = (*this_2).index;
+    let _e23 = shuffle(_e22, _e19);
+    // glimt_sampling/src/sobol.rs:195
+    let _e25 = sobol_reversed(_e23, dimension_3);
+    let _e26 = scramble_1(_e25, dimension_3, _e19);
+    let _e29 = sobol_reversed(_e23, (dimension_3 + 1u));
+    let _e32 = scramble_1(_e29, (dimension_3 + 1u), _e19);
+    return vec2<u32>(_e26, _e32);
+}
+
+// glimt_sampling/src/hash.rs:50
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:51
+    let _e4 = hash_u32_(v.x);
+    x_3 = ((_e4 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:54
+    let _e12 = hash_u32_(v.y);
+    y = ((_e12 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:57
+    let _e20 = hash_u32_(v.z);
+    z = ((_e20 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:60
+    let _e28 = hash_u32_(v.w);
+    w = ((_e28 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:64
+    let _e35 = x_3;
+    let _e36 = y;
+    let _e37 = w;
+    x_3 = (_e35 + (_e36 * _e37));
+    // glimt_sampling/src/hash.rs:65
+    let _e41 = y;
+    let _e42 = z;
+    let _e43 = x_3;
+    y = (_e41 + (_e42 * _e43));
+    // glimt_sampling/src/hash.rs:66
+    let _e47 = z;
+    let _e48 = x_3;
+    let _e49 = y;
+    z = (_e47 + (_e48 * _e49));
+    // glimt_sampling/src/hash.rs:67
+    let _e53 = w;
+    let _e54 = y;
+    let _e55 = z;
+    w = (_e53 + (_e54 * _e55));
+    // glimt_sampling/src/hash.rs:68
+    let _e59 = x_3;
+    let _e63 = x_3;
+    x_3 = (_e63 ^ (_e59 >> 16u));
+    // glimt_sampling/src/hash.rs:69
+    let _e66 = y;
+    let _e70 = y;
+    y = (_e70 ^ (_e66 >> 16u));
+    // glimt_sampling/src/hash.rs:70
+    let _e73 = z;
+    let _e77 = z;
+    z = (_e77 ^ (_e73 >> 16u));
+    // glimt_sampling/src/hash.rs:71
+    let _e80 = w;
+    let _e84 = w;
+    w = (_e84 ^ (_e80 >> 16u));
+    // glimt_sampling/src/hash.rs:72
+    let _e87 = x_3;
+    let _e88 = y;
+    let _e89 = w;
+    x_3 = (_e87 + (_e88 * _e89));
+    // glimt_sampling/src/hash.rs:73
+    let _e93 = y;
+    let _e94 = z;
+    let _e95 = x_3;
+    y = (_e93 + (_e94 * _e95));
+    // glimt_sampling/src/hash.rs:74
+    let _e99 = z;
+    let _e100 = x_3;
+    let _e101 = y;
+    z = (_e99 + (_e100 * _e101));
+    // glimt_sampling/src/hash.rs:75
+    let _e105 = w;
+    let _e106 = y;
+    let _e107 = z;
+    w = (_e105 + (_e106 * _e107));
+    // glimt_sampling/src/hash.rs:76
+    let _e111 = x_3;
+    let _e112 = x_3;
+    let _e117 = y;
+    let _e118 = y;
+    let _e123 = z;
+    let _e124 = z;
+    let _e129 = w;
+    let _e130 = w;
+    return vec4<u32>((_e111 ^ (_e112 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e123 ^ (_e124 >> 16u)), (_e129 ^ (_e130 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_1 = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_1 == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:101
+fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:102
+    let _e6 = hash3_(this_3.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
+    return _e9;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s = (*this_4).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s.x + s.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_1 = (s.z ^ s.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s.w ^ s.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:106
+fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:107
+    let _e5 = hash2_(this_6.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:181
+fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
+    var x_4: u32;
+    var round_key: u32;
+    var counter: i32;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:182
+    if (length_ <= 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:183
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:185
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
+    // glimt_render_gpu/src/kernels/pattern.rs:186
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:187
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:188
+    loop {
+        // glimt_render_gpu/src/kernels/pattern.rs:189
+        round_key = key;
+        // glimt_render_gpu/src/kernels/pattern.rs:190
+        counter = 0i;
+        loop {
+            let _e31 = counter;
+            if (_e31 >= 3i) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pattern.rs:191
+            let _e34 = round_key;
+            let _e35 = hash_u32_(_e34);
+            round_key = _e35;
+            // glimt_render_gpu/src/kernels/pattern.rs:193
+            let _e37 = x_4;
+            let _e38 = round_key;
+            x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:194
+            let _e44 = x_4;
+            let _e46 = (bits_2 / 2u);
+            let _e56 = x_4;
+            x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            continuing {
+                let _e58 = counter;
+                counter = (_e58 + 1i);
+            }
+        }
+        // glimt_render_gpu/src/kernels/pattern.rs:196
+        let _e62 = x_4;
+        if (_e62 < length_) {
+            // glimt_render_gpu/src/kernels/pattern.rs:197
+            let _e65 = x_4;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:172
+fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:173
+    return ((cell * (4294967295u / count)) + (jitter / count));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:152
+fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:153
+    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    // glimt_render_gpu/src/kernels/pattern.rs:154
+    let _e12 = (count_1 / columns);
+    let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    // glimt_render_gpu/src/kernels/pattern.rs:155
+    let _e21 = hash2_(key_1, 1u);
+    let _e22 = permute(index_8, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:156
+    let _e26 = hash2_(key_1, 2u);
+    let _e27 = permute((_e22 % columns), columns, _e26);
+    // glimt_render_gpu/src/kernels/pattern.rs:157
+    let _e31 = hash2_(key_1, 3u);
+    let _e32 = permute((_e22 / columns), rows, _e31);
+    // glimt_render_gpu/src/kernels/pattern.rs:158
+    let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
+    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    return vec2<u32>(_e38, _e40);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:51
+fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed: OwenSobol;
+    var borrowed_1: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:52
+    let index_17 = ((this_7.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:53
+    if (this_7.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:54
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_17);
+        borrowed = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed));
+        return _e16;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:56
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_17);
+    borrowed_1 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
+    // glimt_render_gpu/src/kernels/pattern.rs:57
+    if (this_7.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:58
+        return _e20;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:60
+    let _e29 = PixelPattern_key(this_7, purpose_3);
+    let _e30 = jittered_pair(index_17, (this_7.rays * samples), _e20, _e29);
+    return _e30;
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_sampling/src/uniform.rs:22
+fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+
+    // glimt_sampling/src/uniform.rs:23
+    let _e4 = unit_f32_(u_1.x);
+    let _e6 = unit_f32_(u_1.y);
+    return vec2<f32>(_e4, _e6);
+}
+
+// glimt_render_gpu/src/kernels/camera.rs:23
+fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/camera.rs:24
+    let x_8 = (((2f * p.x) / f32(size.x)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:25
+    let y_1 = (((2f * p.y) / f32(size.y)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:26
+    return normalize(((this_8.forward + (this_8.right * x_8)) - (this_8.up * y_1)));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:48
+fn inverse(x_5: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/ray.rs:49
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_5), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_5) & 2147483648u))));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:34
+fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
+
+    // glimt_render_gpu/src/kernels/ray.rs:35
+    let _e5 = inverse(direction.x);
+    let _e7 = inverse(direction.y);
+    let _e9 = inverse(direction.z);
+    return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:102
+fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
+    var chosen_2: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/frame.rs:103
+    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:104
+    if (this_9.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:105
+        chosen_2 = vec2(0.5f);
+    } else {
+        // glimt_render_gpu/src/kernels/frame.rs:107
+        let film = PixelPattern(pattern.kind, pattern.seed, this_9.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+        // glimt_render_gpu/src/kernels/frame.rs:111
+        let _e32 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e33 = unit_vec2_(_e32);
+        chosen_2 = _e33;
+    }
+    let place = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:113
+    let view_2 = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:119
+    let _e47 = CameraView_direction(view_2, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    let _e48 = Ray_new(this_9.eye, _e47);
+    return _e48;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:29
+fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
+    var chosen_3: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:30
+    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:31
+    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:32
+    let _e16 = min(to_min, to_max);
+    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
+    let _e23 = max(to_min, to_max);
+    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:34
+    if ((far_1 >= near_1) && (far_1 >= 0f)) {
+        // glimt_render_gpu/src/kernels/bvh.rs:35
+        chosen_3 = near_1;
+    } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:37
+        chosen_3 = 340282350000000000000000000000000000000f;
+    }
+    let _e40 = chosen_3;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:51
+fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:52
+    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
+    var chosen_4: f32;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    let a_3 = (triangle.v0_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:66
+    let b_3 = (triangle.v1_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:67
+    let c_2 = (triangle.v2_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:69
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:70
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:73
+    let slope = dot(normal_1, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:74
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:75
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let t_2 = (dot(a_3, normal_1) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:78
+    if ((t_2 > 0f) && (t_2 < t_max)) {
+        chosen_4 = t_2;
+    } else {
+        chosen_4 = 340282350000000000000000000000000000000f;
+    }
+    let _e59 = chosen_4;
+    return _e59;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:33
+fn Triangle_is_catcher(this_10: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:34
+    return ((this_10.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:145
+fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
+    var nearest: u32;
+    var counter_1: u32;
+    var both: bool;
+    var both_1: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:153
+    nearest = best;
+    // glimt_render_gpu/src/kernels/bvh.rs:154
+    counter_1 = leaf.first;
+    loop {
+        let i = counter_1;
+        if (i >= (leaf.first + leaf.count)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:155
+        let _e19 = scene_triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_3, _e20);
+        // glimt_render_gpu/src/kernels/bvh.rs:157
+        let _e23 = (*reach);
+        let _e24 = (_e21 < _e23);
+        both = _e24;
+        if _e24 {
+            both_1 = no_catcher;
+            if no_catcher {
+                let _e29 = scene_triangles[i];
+                let _e30 = Triangle_is_catcher(_e29);
+                both_1 = _e30;
+            }
+            let _e31 = both_1;
+            both = !(_e31);
+        }
+        let _e33 = both;
+        if _e33 {
+            // glimt_render_gpu/src/kernels/bvh.rs:158
+            (*reach) = _e21;
+            // glimt_render_gpu/src/kernels/bvh.rs:159
+            nearest = i;
+        }
+        continuing {
+            let _e36 = counter_1;
+            counter_1 = (_e36 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:162
+    let _e40 = nearest;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:77
+fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+    var either: bool;
+    var best_1: u32;
+    var stack: array<u32, 64>;
+    var height: u32;
+    var pair: u32;
+    var near: BvhNode;
+    var far: BvhNode;
+    var t_near: f32;
+    var t_far: f32;
+    var into_near: bool;
+    var into_far: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:84
+    let _e8 = (arrayLength((&scene_nodes)) == 0u);
+    either = _e8;
+    if _e8 {
+    } else {
+        let _e13 = scene_nodes[0u];
+        let _e14 = box_distance(_e13, ray_4);
+        let _e15 = (*reach_1);
+        either = (_e14 >= _e15);
+    }
+    let _e17 = either;
+    if _e17 {
+        // glimt_render_gpu/src/kernels/bvh.rs:85
+        return 4294967295u;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:87
+    let root = scene_nodes[0u];
+    // glimt_render_gpu/src/kernels/bvh.rs:88
+    if (root.count > 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:89
+        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u, any_);
+        return _e31;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:91
+    best_1 = 4294967295u;
+    // glimt_render_gpu/src/kernels/bvh.rs:92
+    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:93
+    height = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:94
+    pair = root.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:95
+    loop {
+        // glimt_render_gpu/src/kernels/bvh.rs:96
+        let _e47 = pair;
+        let _e50 = scene_nodes[_e47];
+        near = _e50;
+        // glimt_render_gpu/src/kernels/bvh.rs:97
+        let _e53 = pair;
+        let _e58 = scene_nodes[(_e53 + 1u)];
+        far = _e58;
+        // glimt_render_gpu/src/kernels/bvh.rs:98
+        let _e61 = near;
+        let _e62 = box_distance(_e61, ray_4);
+        t_near = _e62;
+        // glimt_render_gpu/src/kernels/bvh.rs:99
+        let _e65 = far;
+        let _e66 = box_distance(_e65, ray_4);
+        t_far = _e66;
+        // glimt_render_gpu/src/kernels/bvh.rs:101
+        let _e69 = t_near;
+        let _e70 = t_far;
+        if (_e69 > _e70) {
+            // glimt_render_gpu/src/kernels/bvh.rs:102
+            let node_1 = near;
+            // glimt_render_gpu/src/kernels/bvh.rs:103
+            let _e75 = far;
+            near = _e75;
+            // glimt_render_gpu/src/kernels/bvh.rs:104
+            far = node_1;
+            // glimt_render_gpu/src/kernels/bvh.rs:105
+            let t_3 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:106
+            let _e80 = t_far;
+            t_near = _e80;
+            // glimt_render_gpu/src/kernels/bvh.rs:107
+            t_far = t_3;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:109
+        let _e83 = t_near;
+        let _e84 = (*reach_1);
+        into_near = (_e83 < _e84);
+        // glimt_render_gpu/src/kernels/bvh.rs:110
+        let _e88 = into_near;
+        let _e90 = near.count;
+        if (_e88 && (_e90 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:111
+            let _e95 = near;
+            let _e96 = best_1;
+            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96, any_);
+            best_1 = _e97;
+            // glimt_render_gpu/src/kernels/bvh.rs:112
+            let _e99 = best_1;
+            if (any_ && (_e99 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:113
+                let _e104 = best_1;
+                return _e104;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:115
+            into_near = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:117
+        let _e108 = t_far;
+        let _e109 = (*reach_1);
+        into_far = (_e108 < _e109);
+        // glimt_render_gpu/src/kernels/bvh.rs:118
+        let _e113 = into_far;
+        let _e115 = far.count;
+        if (_e113 && (_e115 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:119
+            let _e120 = far;
+            let _e121 = best_1;
+            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121, any_);
+            best_1 = _e122;
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let _e124 = best_1;
+            if (any_ && (_e124 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:121
+                let _e129 = best_1;
+                return _e129;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:123
+            into_far = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:125
+        let _e133 = into_near;
+        if _e133 {
+            // glimt_render_gpu/src/kernels/bvh.rs:126
+            let _e136 = near.first;
+            pair = _e136;
+            // glimt_render_gpu/src/kernels/bvh.rs:127
+            let _e138 = into_far;
+            if _e138 {
+                // glimt_render_gpu/src/kernels/bvh.rs:128
+                let _e141 = far.first;
+                let _e142 = height;
+                stack[_e142] = _e141;
+                // glimt_render_gpu/src/kernels/bvh.rs:129
+                let _e146 = height;
+                height = (_e146 + 1u);
+            }
+        } else {
+            let _e148 = into_far;
+            if _e148 {
+                // glimt_render_gpu/src/kernels/bvh.rs:132
+                let _e151 = far.first;
+                pair = _e151;
+            } else {
+                let _e152 = height;
+                if (_e152 > 0u) {
+                    // glimt_render_gpu/src/kernels/bvh.rs:134
+                    let _e157 = height;
+                    height = (_e157 - 1u);
+                    // glimt_render_gpu/src/kernels/bvh.rs:135
+                    let _e160 = height;
+                    let _e162 = stack[_e160];
+                    pair = _e162;
+                } else {
+                    // glimt_render_gpu/src/kernels/bvh.rs:137
+                    let _e164 = best_1;
+                    return _e164;
+                }
+            }
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:84
+fn barycentrics(triangle_1: Triangle, ray_5: Ray) -> vec2<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:85
+    let _e14 = edge_functions((triangle_1.v0_ - ray_5.origin), (triangle_1.v1_ - ray_5.origin), (triangle_1.v2_ - ray_5.origin), ray_5.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:91
+    let sum_4 = ((_e14.x + _e14.y) + _e14.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:92
+    if (sum_4 == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:94
+        return vec2((1f / 3f));
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:96
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_4));
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:45
+fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
+    var t: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:51
+    t = t_max_1;
+    // glimt_render_gpu/src/kernels/bvh.rs:52
+    let _e7 = traverse(ray_6, (&t), false);
+    // glimt_render_gpu/src/kernels/bvh.rs:53
+    if (_e7 == 4294967295u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:54
+        return Option_Hit();
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    let _e14 = t;
+    let _e17 = scene_triangles[_e7];
+    let _e18 = barycentrics(_e17, ray_6);
+    return Option_Hit(true, Hit(_e7, _e14, _e18));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:63
+fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
+
+    // glimt_render_gpu/src/kernels/scene.rs:64
+    let _e4 = closest_hit(ray_7, 340282350000000000000000000000000000000f);
+    return _e4;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:40
+fn Triangle_area_normal(this_11: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:41
+    return cross((this_11.v1_ - this_11.v0_), (this_11.v2_ - this_11.v0_));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:120
+fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
+    var chosen_5: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:121
+    let length_squared = dot(v_1, v_1);
+    // glimt_render_gpu/src/kernels/scene.rs:122
+    if (length_squared > 0.000000000001f) {
+        // glimt_render_gpu/src/kernels/scene.rs:123
+        chosen_5 = (v_1 / vec3(sqrt(length_squared)));
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:125
+        chosen_5 = otherwise;
+    }
+    let _e14 = chosen_5;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:40
+fn TextureView_exists(this_12: TextureView) -> bool {
+
+    // glimt_render_gpu/src/kernels/texture.rs:41
+    return (this_12.width > 0u);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:90
+fn wrap(x_6: f32, mode: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:91
+    if (mode == 2u) {
+        // glimt_render_gpu/src/kernels/texture.rs:92
+        return clamp(x_6, 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:94
+    if (mode == 1u) {
+        // glimt_render_gpu/src/kernels/texture.rs:95
+        let folded = (x_6 - (2f * floor((0.5f * x_6))));
+        // glimt_render_gpu/src/kernels/texture.rs:96
+        return clamp(min(folded, (2f - folded)), 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:98
+    return clamp((x_6 - floor(x_6)), 0f, 1f);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:103
+fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:104
+    let last_1 = (i32(size_1) - 1i);
+    // glimt_render_gpu/src/kernels/texture.rs:105
+    if (mode_1 == 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:106
+        if (index_9 < 0i) {
+            // glimt_render_gpu/src/kernels/texture.rs:107
+            return u32(last_1);
+        }
+        // glimt_render_gpu/src/kernels/texture.rs:109
+        if (index_9 > last_1) {
+            // glimt_render_gpu/src/kernels/texture.rs:110
+            return 0u;
+        }
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:113
+    return u32(clamp(index_9, 0i, last_1));
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:69
+fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
+    var chosen_6: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/texture.rs:70
+    let word_1 = scene_texels[(this_13.first + index_10)];
+    // glimt_render_gpu/src/kernels/texture.rs:71
+    let r_1 = (word_1 & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:72
+    let g = ((word_1 >> 8u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:73
+    let b_4 = ((word_1 >> 16u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:74
+    let alpha = (f32((word_1 >> 24u)) / 255f);
+    // glimt_render_gpu/src/kernels/texture.rs:75
+    if ((this_13.flags & 1u) != 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:76
+        let _e41 = scene_texels[r_1];
+        let _e45 = scene_texels[g];
+        let _e49 = scene_texels[b_4];
+        chosen_6 = vec4<f32>(bitcast<f32>(_e41), bitcast<f32>(_e45), bitcast<f32>(_e49), alpha);
+    } else {
+        // glimt_render_gpu/src/kernels/texture.rs:83
+        chosen_6 = vec4<f32>((f32(r_1) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha);
+    }
+    let _e63 = chosen_6;
+    return _e63;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:49
+fn TextureView_sample(this_14: TextureView, uv: vec2<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/texture.rs:50
+    let wrap_u = ((this_14.flags >> 1u) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:51
+    let wrap_v = ((this_14.flags >> ((1u + 2u) & 31u)) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:52
+    let _e22 = wrap(uv.x, wrap_u);
+    let x_9 = ((_e22 * f32(this_14.width)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:53
+    let _e30 = wrap(uv.y, wrap_v);
+    let y_2 = ((_e30 * f32(this_14.height)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:54
+    let _e39 = Tuple_f32_f32_(floor(x_9), floor(y_2));
+    let left = _e39.fa;
+    let top = _e39.fb;
+    // glimt_render_gpu/src/kernels/texture.rs:55
+    let _e45 = neighbour(i32(left), this_14.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:56
+    let _e51 = neighbour((i32(left) + 1i), this_14.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:57
+    let _e55 = neighbour(i32(top), this_14.height, wrap_v);
+    let row0_ = (_e55 * this_14.width);
+    // glimt_render_gpu/src/kernels/texture.rs:58
+    let _e63 = neighbour((i32(top) + 1i), this_14.height, wrap_v);
+    let row1_ = (_e63 * this_14.width);
+    // glimt_render_gpu/src/kernels/texture.rs:59
+    let _e68 = TextureView_texel(this_14, (row0_ + _e45));
+    let _e70 = TextureView_texel(this_14, (row0_ + _e51));
+    let _e71 = (x_9 - left);
+    let upper = ((_e68 * (1f - _e71)) + (_e70 * _e71));
+    // glimt_render_gpu/src/kernels/texture.rs:62
+    let _e79 = TextureView_texel(this_14, (row1_ + _e45));
+    let _e81 = TextureView_texel(this_14, (row1_ + _e51));
+    let _e82 = (x_9 - left);
+    let lower = ((_e79 * (1f - _e82)) + (_e81 * _e82));
+    // glimt_render_gpu/src/kernels/texture.rs:65
+    let _e89 = (y_2 - top);
+    return ((upper * (1f - _e89)) + (lower * _e89));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:73
+fn Material_bumped_normal(this_15: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:81
+    let across = (tangent - (normal * dot(normal, tangent)));
+    // glimt_render_gpu/src/kernels/material.rs:82
+    let _e12 = TextureView_exists(this_15.normal_texture);
+    if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:83
+        return normal;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:85
+    let t_4 = normalize(across);
+    // glimt_render_gpu/src/kernels/material.rs:86
+    let b_5 = (cross(normal, t_4) * handedness);
+    // glimt_render_gpu/src/kernels/material.rs:87
+    let _e27 = TextureView_sample(this_15.normal_texture, uv_1);
+    let map = ((_e27.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:88
+    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_15.normal_scale);
+    // glimt_render_gpu/src/kernels/material.rs:89
+    let _e46 = unit_or((tilt + (normal * map.z)), normal);
+    return _e46;
+}
+
+// glimt_sampling/src/math.rs:45
+fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
+
+    // glimt_sampling/src/math.rs:46
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
+    // glimt_sampling/src/math.rs:47
+    let a_4 = (-1f / (sign_ + n_2.z));
+    // glimt_sampling/src/math.rs:48
+    let c_3 = ((n_2.x * n_2.y) * a_4);
+    // glimt_sampling/src/math.rs:49
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_4)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_4)), -(n_2.y)), n_2);
+}
+
+// glimt_sampling/src/math.rs:66
+fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:67
+    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+}
+
+// glimt_brdf/src/metallic_roughness.rs:31
+fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness: f32) -> BlinnPhong {
+
+    // glimt_brdf/src/metallic_roughness.rs:32
+    let base_1 = clamp(base, vec3(0f), vec3(1f));
+    // glimt_brdf/src/metallic_roughness.rs:33
+    let metallic_2 = clamp(metallic, 0f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:34
+    let roughness_2 = clamp(roughness, 0.12f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:35
+    let alpha_1 = (roughness_2 * roughness_2);
+    // glimt_brdf/src/metallic_roughness.rs:36
+    let dielectric = (1f - metallic_2);
+    // glimt_brdf/src/metallic_roughness.rs:37
+    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:46
+fn Material_brdf(this_17: Material, uv_2: vec2<f32>) -> BlinnPhong {
+    var color: vec3<f32>;
+    var metallic_1: f32;
+    var roughness_1: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:47
+    if (this_17.kind == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:48
+        return BlinnPhong(this_17.color, this_17.specular, this_17.exponent);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:54
+    color = this_17.color;
+    // glimt_render_gpu/src/kernels/material.rs:55
+    let _e17 = TextureView_exists(this_17.base_color_texture);
+    if _e17 {
+        // glimt_render_gpu/src/kernels/material.rs:56
+        let _e20 = TextureView_sample(this_17.base_color_texture, uv_2);
+        let _e22 = color;
+        color = (_e22 * _e20.xyz);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:58
+    metallic_1 = this_17.metallic;
+    // glimt_render_gpu/src/kernels/material.rs:59
+    roughness_1 = this_17.roughness;
+    // glimt_render_gpu/src/kernels/material.rs:60
+    let _e32 = TextureView_exists(this_17.metallic_roughness_texture);
+    if _e32 {
+        // glimt_render_gpu/src/kernels/material.rs:61
+        let _e35 = TextureView_sample(this_17.metallic_roughness_texture, uv_2);
+        // glimt_render_gpu/src/kernels/material.rs:62
+        let _e38 = roughness_1;
+        roughness_1 = (_e38 * _e35.y);
+        // glimt_render_gpu/src/kernels/material.rs:63
+        let _e42 = metallic_1;
+        metallic_1 = (_e42 * _e35.z);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:65
+    let _e45 = color;
+    let _e46 = metallic_1;
+    let _e47 = roughness_1;
+    let _e48 = BlinnPhong_from_metallic_roughness(_e45, _e46, _e47);
+    return _e48;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:69
+fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
+    var chosen_7: vec3<f32>;
+    var chosen_8: f32;
+    var chosen_9: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let triangle_2 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:71
+    let first_1 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:72
+    let a_5 = scene_corners[first_1];
+    // glimt_render_gpu/src/kernels/scene.rs:73
+    let b_6 = scene_corners[(first_1 + 1u)];
+    // glimt_render_gpu/src/kernels/scene.rs:74
+    let c_4 = scene_corners[(first_1 + 2u)];
+    // glimt_render_gpu/src/kernels/scene.rs:75
+    let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
+    let u_22 = _e33.fa;
+    let v_4 = _e33.fb;
+    // glimt_render_gpu/src/kernels/scene.rs:76
+    let w_2 = ((1f - u_22) - v_4);
+    // glimt_render_gpu/src/kernels/scene.rs:78
+    let to_eye = -(ray_8.direction);
+    // glimt_render_gpu/src/kernels/scene.rs:79
+    let _e44 = Triangle_area_normal(triangle_2);
+    let face = normalize(_e44);
+    // glimt_render_gpu/src/kernels/scene.rs:80
+    if (dot(face, to_eye) < 0f) {
+        chosen_7 = -(face);
+    } else {
+        chosen_7 = face;
+    }
+    let geometric_normal = chosen_7;
+    // glimt_render_gpu/src/kernels/scene.rs:81
+    let _e62 = unit_or((((a_5.normal * w_2) + (b_6.normal * u_22)) + (c_4.normal * v_4)), face);
+    // glimt_render_gpu/src/kernels/scene.rs:83
+    let uv_3 = vec2<f32>((((a_5.u * w_2) + (b_6.u * u_22)) + (c_4.u * v_4)), (((a_5.v * w_2) + (b_6.v * u_22)) + (c_4.v * v_4)));
+    // glimt_render_gpu/src/kernels/scene.rs:84
+    let material = scene_materials[(triangle_2.material & 2147483647u)];
+    // glimt_render_gpu/src/kernels/scene.rs:85
+    let tangent_1 = (((a_5.tangent * w_2) + (b_6.tangent * u_22)) + (c_4.tangent * v_4));
+    // glimt_render_gpu/src/kernels/scene.rs:86
+    if ((triangle_2.material & 2147483648u) != 0u) {
+        // glimt_render_gpu/src/kernels/scene.rs:87
+        chosen_8 = -1f;
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:89
+        chosen_8 = 1f;
+    }
+    let handedness_1 = chosen_8;
+    // glimt_render_gpu/src/kernels/scene.rs:91
+    let _e110 = Material_bumped_normal(material, uv_3, _e62, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:92
+    if (dot(_e110, to_eye) < 0f) {
+        // glimt_render_gpu/src/kernels/scene.rs:93
+        chosen_9 = -(_e110);
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:95
+        chosen_9 = _e110;
+    }
+    let normal_2 = chosen_9;
+    // glimt_render_gpu/src/kernels/scene.rs:98
+    let _e121 = ShadingFrame_from_normal(normal_2);
+    // glimt_render_gpu/src/kernels/scene.rs:99
+    let edges = (((triangle_2.v1_ - triangle_2.v0_) * u_22) + ((triangle_2.v2_ - triangle_2.v0_) * v_4));
+    // glimt_render_gpu/src/kernels/scene.rs:100
+    let _e138 = ShadingFrame_to_local(_e121, to_eye);
+    let _e139 = Material_brdf(material, uv_3);
+    return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
+}
+
+// glimt_sampling/src/math.rs:16
+fn luminance(rgb: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/math.rs:17
+    return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:26
+fn LightLobe_of_point(point: ShadingPoint) -> LightLobe {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:27
+    let _e7 = luminance(point.brdf.diffuse);
+    let _e11 = luminance(point.brdf.specular);
+    return LightLobe(point.frame, point.wo, BlinnPhong(vec3(_e7), vec3(_e11), point.brdf.exponent));
+}
+
+// glimt_render_gpu/src/kernels/past.rs:109
+fn PastView_project(this_18: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
+
+    // glimt_render_gpu/src/kernels/past.rs:110
+    let v_5 = (was_at - this_18.eye);
+    // glimt_render_gpu/src/kernels/past.rs:111
+    let along = dot(v_5, this_18.forward);
+    // glimt_render_gpu/src/kernels/past.rs:112
+    if !((along > 0f)) {
+        // glimt_render_gpu/src/kernels/past.rs:113
+        return Option_Vec3_();
+    }
+    // glimt_render_gpu/src/kernels/past.rs:115
+    let x_10 = (dot(v_5, this_18.right) / (along * dot(this_18.right, this_18.right)));
+    // glimt_render_gpu/src/kernels/past.rs:116
+    let y_3 = (dot(v_5, this_18.up) / (along * dot(this_18.up, this_18.up)));
+    // glimt_render_gpu/src/kernels/past.rs:117
+    let place_1 = (vec2<f32>((0.5f + (0.5f * x_10)), (0.5f - (0.5f * y_3))) * size_2);
+    // glimt_render_gpu/src/kernels/past.rs:118
+    return Option_Vec3_(true, vec3<f32>(place_1, length(v_5)));
+}
+
+// glimt_render_gpu/src/kernels/past.rs:126
+fn PastView_predecessor(this_19: PastView, point_1: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
+    var chosen_10: vec3<f32>;
+    var chosen_11: u32;
+    var chosen_12: Option_u32_;
+
+    // glimt_render_gpu/src/kernels/past.rs:134
+    if (this_19.pixels == 0u) {
+        // glimt_render_gpu/src/kernels/past.rs:135
+        return Option_u32_();
+    }
+    // glimt_render_gpu/src/kernels/past.rs:137
+    let motion = past_motions[object];
+    // glimt_render_gpu/src/kernels/past.rs:138
+    let was_at_1 = (motion * vec4<f32>(point_1.origin, 1f)).xyz;
+    // glimt_render_gpu/src/kernels/past.rs:139
+    let size_14 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
+    // glimt_render_gpu/src/kernels/past.rs:140
+    let _e29 = PastView_project(this_19, was_at_1, size_14);
+    let value = _e29.value;
+    if _e29.is_some {
+        chosen_10 = value;
+    } else {
+        return Option_u32_();
+    }
+    let seen = chosen_10;
+    // glimt_render_gpu/src/kernels/past.rs:141
+    let own = vec2<f32>(f32((pattern_1.pixel % frame_2.width)), f32((pattern_1.pixel / frame_2.width)));
+    // glimt_render_gpu/src/kernels/past.rs:145
+    let off = (seen.xy - own);
+    // glimt_render_gpu/src/kernels/past.rs:146
+    let still = ((min(off.x, off.y) > -0.015625f) && (max(off.x, off.y) < (1f + 0.015625f)));
+    // glimt_render_gpu/src/kernels/past.rs:147
+    let in_image = ((((seen.x >= 0f) && (seen.y >= 0f)) && (seen.x < size_14.x)) && (seen.y < size_14.y));
+    // glimt_render_gpu/src/kernels/past.rs:148
+    if (!(still) && !(in_image)) {
+        // glimt_render_gpu/src/kernels/past.rs:149
+        return Option_u32_();
+    }
+    // glimt_render_gpu/src/kernels/past.rs:151
+    if still {
+        // glimt_render_gpu/src/kernels/past.rs:152
+        chosen_11 = pattern_1.pixel;
+    } else {
+        // glimt_render_gpu/src/kernels/past.rs:154
+        chosen_11 = ((u32(seen.y) * frame_2.width) + u32(seen.x));
+    }
+    let pixel_2 = chosen_11;
+    // glimt_render_gpu/src/kernels/past.rs:156
+    if ((pixel_2 < this_19.first_pixel) || ((pixel_2 - this_19.first_pixel) >= this_19.pixels)) {
+        // glimt_render_gpu/src/kernels/past.rs:157
+        return Option_u32_();
+    }
+    // glimt_render_gpu/src/kernels/past.rs:159
+    let ray_11 = (((pixel_2 - this_19.first_pixel) * pattern_1.rays) + pattern_1.ray);
+    // glimt_render_gpu/src/kernels/past.rs:160
+    let state_6 = past_states[ray_11];
+    // glimt_render_gpu/src/kernels/past.rs:161
+    let turned = normalize((motion * vec4<f32>(point_1.frame.n, 0f)).xyz);
+    // glimt_render_gpu/src/kernels/past.rs:162
+    let same_depth = (abs((state_6.depth - seen.z)) <= (this_19.depth_tolerance * seen.z));
+    // glimt_render_gpu/src/kernels/past.rs:163
+    if (((state_6.depth > 0f) && same_depth) && (dot(turned, state_6.normal) >= this_19.normal_cosine)) {
+        // glimt_render_gpu/src/kernels/past.rs:164
+        chosen_12 = Option_u32_(true, ray_11);
+    } else {
+        // glimt_render_gpu/src/kernels/past.rs:166
+        chosen_12 = Option_u32_();
+    }
+    let _e152 = chosen_12;
+    return _e152;
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:41
+fn LightLobe_of_state(state_1: RayState) -> LightLobe {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:42
+    let _e4 = ShadingFrame_from_normal(state_1.normal);
+    // glimt_render_gpu/src/kernels/light_target.rs:43
+    let _e7 = ShadingFrame_to_local(_e4, state_1.wo);
+    return LightLobe(_e4, _e7, BlinnPhong(vec3(state_1.diffuse), vec3(state_1.specular), state_1.exponent));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:87
+fn PixelPattern_source(this_20: PixelPattern, purpose_4: u32) -> PatternSource {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:88
+    let _e8 = PixelPattern_sobol_point(this_20, purpose_4, this_20.ray);
+    let _e10 = PixelPattern_generator(this_20, purpose_4, this_20.ray);
+    return PatternSource((this_20.kind == 0u), _e8, _e10);
+}
+
+// glimt_render_gpu/src/kernels/smc.rs:83
+fn SmcParams_sampler(this_21: SmcParams) -> Sampler {
+    var chosen_13: u32;
+    var chosen_14: u32;
+    var chosen_15: u32;
+    var chosen_16: u32;
+
+    // glimt_render_gpu/src/kernels/smc.rs:84
+    if (this_21.path == 1u) {
+        // glimt_render_gpu/src/kernels/smc.rs:85
+        chosen_13 = 1u;
+    } else {
+        // glimt_render_gpu/src/kernels/smc.rs:87
+        chosen_13 = 0u;
+    }
+    let path = chosen_13;
+    // glimt_render_gpu/src/kernels/smc.rs:89
+    if (this_21.scheme == 1u) {
+        // glimt_render_gpu/src/kernels/smc.rs:90
+        chosen_14 = 1u;
+    } else {
+        if (this_21.scheme == 2u) {
+            // glimt_render_gpu/src/kernels/smc.rs:92
+            chosen_15 = 2u;
+        } else {
+            if (this_21.scheme == 3u) {
+                // glimt_render_gpu/src/kernels/smc.rs:94
+                chosen_16 = 3u;
+            } else {
+                // glimt_render_gpu/src/kernels/smc.rs:96
+                chosen_16 = 0u;
+            }
+            let _e33 = chosen_16;
+            chosen_15 = _e33;
+        }
+        let _e34 = chosen_15;
+        chosen_14 = _e34;
+    }
+    let scheme_6 = chosen_14;
+    // glimt_render_gpu/src/kernels/smc.rs:98
+    return Sampler(Bridge(path, this_21.intermediate), scheme_6, this_21.ess_threshold);
+}
+
+// glimt_smc/src/bridge.rs:47
+fn Bridge_steps(this_22: Bridge) -> u32 {
+
+    // glimt_smc/src/bridge.rs:48
+    return (this_22.intermediate + 1u);
+}
+
+// glimt_brdf/src/lobe.rs:86
+fn normalisation(exponent: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:87
+    let tail = exp2(max((-0.5f * exponent), -60f));
+    // glimt_brdf/src/lobe.rs:88
+    return ((((exponent + 2f) * (exponent + 4f)) * (0.125f * 0.31830987f)) / (tail + exponent));
+}
+
+// glimt_brdf/src/lobe.rs:20
+fn HalfVector_new(wo: vec3<f32>, wi: vec3<f32>) -> HalfVector {
+
+    // glimt_brdf/src/lobe.rs:21
+    let sum_5 = (wo + wi);
+    // glimt_brdf/src/lobe.rs:23
+    let length2_ = max(dot(sum_5, sum_5), 0.00000000000000000001f);
+    // glimt_brdf/src/lobe.rs:24
+    return HalfVector(((sum_5.z * sum_5.z) / length2_), (((sum_5.x * sum_5.x) + (sum_5.y * sum_5.y)) / length2_), (0.5f * sqrt(length2_)));
+}
+
+// glimt_brdf/src/lobe.rs:59
+fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
+    var chosen_17: f32;
+
+    // glimt_brdf/src/lobe.rs:60
+    if (sin2_theta < (1f / 16f)) {
+        // glimt_brdf/src/lobe.rs:62
+        let t_5 = (sin2_theta / (2f - sin2_theta));
+        // glimt_brdf/src/lobe.rs:63
+        let t2_ = (t_5 * t_5);
+        // glimt_brdf/src/lobe.rs:64
+        chosen_17 = ((-2f * t_5) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
+    } else {
+        // glimt_brdf/src/lobe.rs:66
+        chosen_17 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
+    }
+    let log_cos2_ = chosen_17;
+    // glimt_brdf/src/lobe.rs:68
+    let log_power = ((0.5f * exponent_1) * log_cos2_);
+    // glimt_brdf/src/lobe.rs:69
+    if (log_power < -85f) {
+        // glimt_brdf/src/lobe.rs:70
+        return 0f;
+    }
+    // glimt_brdf/src/lobe.rs:72
+    return exp(log_power);
+}
+
+// glimt_brdf/src/lobe.rs:32
+fn HalfVector_lobe(this_23: HalfVector, exponent_2: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:33
+    let _e6 = cosine_power(this_23.cos2_theta, this_23.sin2_theta, exponent_2);
+    return _e6;
+}
+
+// glimt_brdf/src/blinn_phong.rs:59
+fn BlinnPhong_eval(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_brdf/src/blinn_phong.rs:60
+    if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
+        // glimt_brdf/src/blinn_phong.rs:61
+        return vec3(0f);
+    }
+    // glimt_brdf/src/blinn_phong.rs:63
+    let diffuse = (this_24.diffuse * 0.31830987f);
+    // glimt_brdf/src/blinn_phong.rs:65
+    if (max(max(this_24.specular.x, this_24.specular.y), this_24.specular.z) <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:66
+        return diffuse;
+    }
+    // glimt_brdf/src/blinn_phong.rs:68
+    let _e31 = normalisation(this_24.exponent);
+    let _e32 = HalfVector_new(wo_1, wi_1);
+    let _e34 = HalfVector_lobe(_e32, this_24.exponent);
+    let lobe_4 = (_e31 * _e34);
+    // glimt_brdf/src/blinn_phong.rs:69
+    return (diffuse + (this_24.specular * lobe_4));
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:57
+fn LightLobe_value(this_25: LightLobe, direction_2: vec3<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:58
+    let _e5 = ShadingFrame_to_local(this_25.frame, direction_2);
+    // glimt_render_gpu/src/kernels/light_target.rs:59
+    if !((_e5.z > 0f)) {
+        // glimt_render_gpu/src/kernels/light_target.rs:60
+        return 0f;
+    }
+    // glimt_render_gpu/src/kernels/light_target.rs:62
+    let _e16 = BlinnPhong_eval(this_25.brdf, this_25.wo, _e5);
+    return (_e16.x * _e5.z);
+}
+
+// glimt_probe/src/rotate.rs:33
+fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
+
+    // glimt_probe/src/rotate.rs:34
+    return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
+}
+
+// glimt_probe/src/latlong.rs:45
+fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
+    var chosen_18: f32;
+    var chosen_19: f32;
+
+    // glimt_probe/src/latlong.rs:46
+    let horizontal = sqrt(((d_1.x * d_1.x) + (d_1.y * d_1.y)));
+    // glimt_probe/src/latlong.rs:47
+    if (horizontal <= 0f) {
+        // glimt_probe/src/latlong.rs:48
+        if (d_1.z < 0f) {
+            chosen_18 = 1f;
+        } else {
+            chosen_18 = 0f;
+        }
+        let v_6 = chosen_18;
+        // glimt_probe/src/latlong.rs:49
+        return vec2<f32>(0.5f, v_6);
+    }
+    // glimt_probe/src/latlong.rs:52
+    let v_7 = (atan2(horizontal, d_1.z) * 0.31830987f);
+    // glimt_probe/src/latlong.rs:53
+    let u_23 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
+    // glimt_probe/src/latlong.rs:54
+    if (u_23 < 1f) {
+        chosen_19 = max(u_23, 0f);
+    } else {
+        chosen_19 = 0f;
+    }
+    let _e47 = chosen_19;
+    return vec2<f32>(_e47, clamp(v_7, 0f, 1f));
+}
+
+// glimt_probe/src/latlong.rs:68
+fn direction_to_texel(d_2: vec3<f32>, size_3: vec2<u32>) -> vec2<u32> {
+
+    // glimt_probe/src/latlong.rs:69
+    let size_15 = max(size_3, vec2(1u));
+    // glimt_probe/src/latlong.rs:70
+    let _e8 = direction_to_uv(d_2);
+    let position = (_e8 * vec2<f32>(size_15));
+    // glimt_probe/src/latlong.rs:71
+    return min(vec2<u32>(position), (size_15 - vec2(1u)));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:34
+fn RadianceMap_radiance(size_4: vec2<u32>, rotation: vec2<f32>, direction_3: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:35
+    let to_map = vec2<f32>(rotation.x, -(rotation.y));
+    // glimt_render_gpu/src/kernels/environment.rs:36
+    let _e10 = rotate_z(direction_3, to_map);
+    let _e11 = direction_to_texel(_e10, size_4);
+    // glimt_render_gpu/src/kernels/environment.rs:37
+    let _e20 = before_texels[((_e11.y * size_4.x) + _e11.x)];
+    return _e20.xyz;
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:101
+fn LightTarget_previous(previous_light_size: vec2<u32>, previous_light_rotation: vec2<f32>, previous_floor: f32, previous_lobe: LightLobe, light_cdf_size: vec2<u32>, light_rotation: vec2<f32>, floor_: f32, lobe: LightLobe, direction_4: vec3<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:102
+    let _e11 = LightLobe_value(previous_lobe, direction_4);
+    // glimt_render_gpu/src/kernels/light_target.rs:103
+    if !((_e11 > 0f)) {
+        // glimt_render_gpu/src/kernels/light_target.rs:104
+        return 0f;
+    }
+    // glimt_render_gpu/src/kernels/light_target.rs:106
+    let _e19 = RadianceMap_radiance(previous_light_size, previous_light_rotation, direction_4);
+    let _e20 = luminance(_e19);
+    return ((_e20 + previous_floor) * _e11);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:45
+fn Environment_to_map(cdf_size: vec2<u32>, rotation_1: vec2<f32>, direction_5: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:46
+    let _e9 = rotate_z(direction_5, vec2<f32>(rotation_1.x, -(rotation_1.y)));
+    return _e9;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:52
+fn Environment_texel(cdf_size_1: vec2<u32>, rotation_2: vec2<f32>, direction_6: vec3<f32>) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:53
+    let _e5 = Environment_to_map(cdf_size_1, rotation_2, direction_6);
+    let _e6 = direction_to_texel(_e5, cdf_size_1);
+    return _e6;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:59
+fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_3: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:60
+    let _e12 = env_texels[((texel.y * cdf_size_2.x) + texel.x)];
+    return _e12.xyz;
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:89
+fn LightTarget_current(previous_light_size_1: vec2<u32>, previous_light_rotation_1: vec2<f32>, previous_floor_1: f32, previous_lobe_1: LightLobe, light_cdf_size_1: vec2<u32>, light_rotation_1: vec2<f32>, floor_1: f32, lobe_1: LightLobe, direction_7: vec3<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:90
+    let _e11 = LightLobe_value(lobe_1, direction_7);
+    // glimt_render_gpu/src/kernels/light_target.rs:91
+    if !((_e11 > 0f)) {
+        // glimt_render_gpu/src/kernels/light_target.rs:92
+        return 0f;
+    }
+    // glimt_render_gpu/src/kernels/light_target.rs:94
+    let _e19 = Environment_texel(light_cdf_size_1, light_rotation_1, direction_7);
+    let _e20 = Environment_radiance(light_cdf_size_1, light_rotation_1, _e19);
+    // glimt_render_gpu/src/kernels/light_target.rs:95
+    let _e22 = luminance(_e20);
+    return ((_e22 + floor_1) * _e11);
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:112
+fn LightTarget_densities(previous_light_size_2: vec2<u32>, previous_light_rotation_2: vec2<f32>, previous_floor_2: f32, previous_lobe_2: LightLobe, light_cdf_size_2: vec2<u32>, light_rotation_2: vec2<f32>, floor_2: f32, lobe_2: LightLobe, state_2: vec3<f32>) -> Endpoints {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:113
+    let _e11 = LightTarget_previous(previous_light_size_2, previous_light_rotation_2, previous_floor_2, previous_lobe_2, light_cdf_size_2, light_rotation_2, floor_2, lobe_2, state_2);
+    let _e12 = LightTarget_current(previous_light_size_2, previous_light_rotation_2, previous_floor_2, previous_lobe_2, light_cdf_size_2, light_rotation_2, floor_2, lobe_2, state_2);
+    return Endpoints(_e11, _e12);
+}
+
+// glimt_smc/src/bridge.rs:64
+fn Bridge_density(this_26: Bridge, k: u32, ends: Endpoints) -> f32 {
+
+    // glimt_smc/src/bridge.rs:65
+    if (k == 0u) {
+        // glimt_smc/src/bridge.rs:66
+        return ends.previous;
+    }
+    // glimt_smc/src/bridge.rs:68
+    let _e10 = Bridge_steps(this_26);
+    if (k >= _e10) {
+        // glimt_smc/src/bridge.rs:69
+        return ends.current;
+    }
+    // glimt_smc/src/bridge.rs:71
+    let _e16 = Bridge_steps(this_26);
+    let beta = (f32(k) / f32(_e16));
+    // glimt_smc/src/bridge.rs:72
+    if (this_26.path == 0u) {
+        // glimt_smc/src/bridge.rs:73
+        return (((1f - beta) * ends.previous) + (beta * ends.current));
+    }
+    // glimt_smc/src/bridge.rs:75
+    if (!((ends.previous > 0f)) || !((ends.current > 0f))) {
+        // glimt_smc/src/bridge.rs:76
+        return 0f;
+    }
+    // glimt_smc/src/bridge.rs:78
+    return (pow(ends.previous, (1f - beta)) * pow(ends.current, beta));
+}
+
+// glimt_smc/src/particle.rs:33
+fn is_log_zero(log_weight: f32) -> bool {
+
+    // glimt_smc/src/particle.rs:34
+    return !((log_weight > (0.5f * -1000000000000000000000000000000f)));
+}
+
+// glimt_smc/src/weights.rs:28
+fn normalise(particles_start: u32, particles_len: u32) -> f32 {
+    var largest: f32;
+    var counter_2: u32;
+    var sum_2: f32;
+    var counter_3: u32;
+    var counter_4: u32;
+
+    // glimt_smc/src/weights.rs:29
+    // glimt_smc/src/weights.rs:30
+    largest = -1000000000000000000000000000000f;
+    // glimt_smc/src/weights.rs:31
+    counter_2 = 0u;
+    loop {
+        let i_1 = counter_2;
+        if (i_1 >= particles_len) {
+            break;
+        }
+        // glimt_smc/src/weights.rs:32
+        let _e13 = largest;
+        let _e18 = particles[(particles_start + i_1)].log_weight;
+        largest = max(_e13, _e18);
+        continuing {
+            let _e20 = counter_2;
+            counter_2 = (_e20 + 1u);
+        }
+    }
+    // glimt_smc/src/weights.rs:34
+    let _e24 = largest;
+    let _e25 = is_log_zero(_e24);
+    if _e25 {
+        // glimt_smc/src/weights.rs:35
+        return -1000000000000000000000000000000f;
+    }
+    // glimt_smc/src/weights.rs:37
+    sum_2 = 0f;
+    // glimt_smc/src/weights.rs:38
+    counter_3 = 0u;
+    loop {
+        let i_2 = counter_3;
+        if (i_2 >= particles_len) {
+            break;
+        }
+        // glimt_smc/src/weights.rs:39
+        let _e41 = particles[(particles_start + i_2)].log_weight;
+        let _e42 = largest;
+        let _e45 = sum_2;
+        sum_2 = (_e45 + exp((_e41 - _e42)));
+        continuing {
+            let _e47 = counter_3;
+            counter_3 = (_e47 + 1u);
+        }
+    }
+    // glimt_smc/src/weights.rs:41
+    let _e51 = largest;
+    let _e52 = sum_2;
+    let log_sum = (_e51 + log(_e52));
+    // glimt_smc/src/weights.rs:42
+    counter_4 = 0u;
+    loop {
+        let i_3 = counter_4;
+        if (i_3 >= particles_len) {
+            break;
+        }
+        // glimt_smc/src/weights.rs:43
+        let _e65 = particles[(particles_start + i_3)].log_weight;
+        let _e66 = is_log_zero(_e65);
+        if !(_e66) {
+            // glimt_smc/src/weights.rs:44
+            let _e73 = particles[(particles_start + i_3)].log_weight;
+            particles[(particles_start + i_3)].log_weight = (_e73 - log_sum);
+        }
+        continuing {
+            let _e75 = counter_4;
+            counter_4 = (_e75 + 1u);
+        }
+    }
+    // glimt_smc/src/weights.rs:47
+    return log_sum;
+}
+
+// glimt_smc/src/reweight.rs:13
+fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, target_previous_light_rotation: vec2<f32>, target_previous_floor: f32, target_previous_lobe: LightLobe, target_light_cdf_size: vec2<u32>, target_light_rotation: vec2<f32>, target_floor: f32, target_lobe: LightLobe, particles_start_1: u32, particles_len_1: u32) -> f32 {
+    var counter_5: u32;
+    var chosen_20: f32;
+    var both_2: bool;
+
+    // glimt_smc/src/reweight.rs:14
+    counter_5 = 0u;
+    loop {
+        let i_4 = counter_5;
+        if (i_4 >= particles_len_1) {
+            break;
+        }
+        // glimt_smc/src/reweight.rs:15
+        let _e23 = particles[(particles_start_1 + i_4)].state;
+        let _e24 = LightTarget_densities(target_previous_light_size, target_previous_light_rotation, target_previous_floor, target_previous_lobe, target_light_cdf_size, target_light_rotation, target_floor, target_lobe, _e23);
+        // glimt_smc/src/reweight.rs:16
+        let _e28 = Bridge_density(bridge, (k_1 - 1u), _e24);
+        // glimt_smc/src/reweight.rs:17
+        let _e30 = Bridge_density(bridge, k_1, _e24);
+        // glimt_smc/src/reweight.rs:18
+        let old = particles[(particles_start_1 + i_4)].log_weight;
+        // glimt_smc/src/reweight.rs:19
+        let _e43 = ((_e28 > 0f) && (_e30 > 0f));
+        both_2 = _e43;
+        if _e43 {
+            let _e45 = is_log_zero(old);
+            both_2 = !(_e45);
+        }
+        let _e47 = both_2;
+        if _e47 {
+            // glimt_smc/src/reweight.rs:20
+            chosen_20 = (old + (log(_e30) - log(_e28)));
+        } else {
+            // glimt_smc/src/reweight.rs:22
+            chosen_20 = -1000000000000000000000000000000f;
+        }
+        let _e55 = chosen_20;
+        particles[(particles_start_1 + i_4)].log_weight = _e55;
+        continuing {
+            let _e60 = counter_5;
+            counter_5 = (_e60 + 1u);
+        }
+    }
+    // glimt_smc/src/reweight.rs:25
+    let _e64 = normalise(particles_start_1, particles_len_1);
+    return _e64;
+}
+
+// glimt_smc/src/particle.rs:25
+fn Particle_weight(this_27: Particle) -> f32 {
+
+    // glimt_smc/src/particle.rs:26
+    return exp(this_27.log_weight);
+}
+
+// glimt_smc/src/weights.rs:64
+fn ess(particles_start_2: u32, particles_len_2: u32) -> f32 {
+    var squares: f32;
+    var counter_6: u32;
+    var chosen_21: f32;
+
+    // glimt_smc/src/weights.rs:65
+    squares = 0f;
+    // glimt_smc/src/weights.rs:66
+    counter_6 = 0u;
+    loop {
+        let i_5 = counter_6;
+        if (i_5 >= particles_len_2) {
+            break;
+        }
+        // glimt_smc/src/weights.rs:67
+        let _e15 = particles[(particles_start_2 + i_5)];
+        let _e16 = Particle_weight(_e15);
+        // glimt_smc/src/weights.rs:68
+        let _e19 = squares;
+        squares = (_e19 + (_e16 * _e16));
+        continuing {
+            let _e21 = counter_6;
+            counter_6 = (_e21 + 1u);
+        }
+    }
+    // glimt_smc/src/weights.rs:70
+    let _e26 = squares;
+    if (_e26 > 0f) {
+        let _e30 = squares;
+        chosen_21 = (1f / _e30);
+    } else {
+        chosen_21 = 0f;
+    }
+    let _e33 = chosen_21;
+    return _e33;
+}
+
+// glimt_sampling/src/resample.rs:44
+fn sure_copies(scheme: u32, expected: f32) -> u32 {
+    var chosen_22: u32;
+
+    // glimt_sampling/src/resample.rs:45
+    if (scheme == 3u) {
+        // glimt_sampling/src/resample.rs:46
+        chosen_22 = u32(expected);
+    } else {
+        // glimt_sampling/src/resample.rs:48
+        chosen_22 = 0u;
+    }
+    let _e11 = chosen_22;
+    return _e11;
+}
+
+// glimt_sampling/src/sobol.rs:135
+fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:136
+    let _e5 = shuffle(index_11, seed_4);
+    let _e6 = sobol_reversed(_e5, dimension_2);
+    let _e7 = scramble_1(_e6, dimension_2, seed_4);
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:182
+fn OwenSobol_next_u32_(this_28: ptr<function, OwenSobol>) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:183
+    let dimension_4 = (*this_28).dimension;
+    // glimt_sampling/src/sobol.rs:184
+    (*this_28).dimension = (dimension_4 + 1u);
+    // glimt_sampling/src/sobol.rs:185
+    let _e11 = (*this_28).index;
+    let _e13 = (*this_28).seed;
+    let _e17 = hash2_(_e13, (dimension_4 >> 2u));
+    let _e18 = owen_sobol(_e11, dimension_4, _e17);
+    return _e18;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:131
+fn PatternSource_next_u32_(this_29: ptr<function, PatternSource>) -> u32 {
+    var chosen_23: u32;
+    var borrowed_2: OwenSobol;
+    var borrowed_3: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:132
+    let _e5 = (*this_29).is_sobol;
+    if _e5 {
+        // glimt_render_gpu/src/kernels/pattern.rs:133
+        let _e9 = (*this_29).point;
+        borrowed_2 = _e9;
+        let _e10 = OwenSobol_next_u32_((&borrowed_2));
+        let _e11 = borrowed_2;
+        (*this_29).point = _e11;
+        chosen_23 = _e10;
+    } else {
+        // glimt_render_gpu/src/kernels/pattern.rs:135
+        let _e15 = (*this_29).generator;
+        borrowed_3 = _e15;
+        let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_3));
+        let _e17 = borrowed_3;
+        (*this_29).generator = _e17;
+        chosen_23 = _e16;
+    }
+    let _e18 = chosen_23;
+    return _e18;
+}
+
+// glimt_sampling/src/resample.rs:135
+fn Comb_place_tooth(this_30: ptr<function, Comb>, source: ptr<function, PatternSource>) {
+
+    // glimt_sampling/src/resample.rs:136
+    let _e5 = (*this_30).made;
+    let _e7 = (*this_30).teeth;
+    if (_e5 >= _e7) {
+        // glimt_sampling/src/resample.rs:137
+        return;
+    }
+    // glimt_sampling/src/resample.rs:139
+    let _e12 = (*this_30).made;
+    let first_2 = f32(_e12);
+    // glimt_sampling/src/resample.rs:140
+    let _e16 = (*this_30).scheme;
+    if (_e16 == 0u) {
+        // glimt_sampling/src/resample.rs:141
+        let _e21 = (*this_30).state;
+        (*this_30).next = (first_2 + _e21);
+    } else {
+        let _e25 = (*this_30).scheme;
+        if (_e25 == 1u) {
+            // glimt_sampling/src/resample.rs:143
+            let _e29 = PatternSource_next_u32_(source);
+            let _e30 = unit_f32_(_e29);
+            (*this_30).next = (first_2 + _e30);
+        } else {
+            // glimt_sampling/src/resample.rs:146
+            let _e35 = PatternSource_next_u32_(source);
+            let _e36 = unit_f32_(_e35);
+            let v_8 = (1f - _e36);
+            // glimt_sampling/src/resample.rs:147
+            let _e40 = (*this_30).teeth;
+            let _e42 = (*this_30).made;
+            let left_1 = f32((_e40 - _e42));
+            // glimt_sampling/src/resample.rs:148
+            let _e50 = (*this_30).state;
+            (*this_30).state = (_e50 * pow(v_8, (1f / left_1)));
+            // glimt_sampling/src/resample.rs:149
+            let _e55 = (*this_30).state;
+            let _e58 = (*this_30).teeth;
+            (*this_30).next = ((1f - _e55) * f32(_e58));
+        }
+    }
+    return;
+}
+
+// glimt_sampling/src/resample.rs:84
+fn Comb_new(scheme_1: u32, picks: u32, sure: u32, source_1: ptr<function, PatternSource>) -> Comb {
+    var comb: Comb;
+
+    // glimt_sampling/src/resample.rs:85
+    comb = Comb(scheme_1, picks, (max(picks, sure) - sure), 0u, 0f, 0f, 1f);
+    // glimt_sampling/src/resample.rs:94
+    if (scheme_1 == 0u) {
+        // glimt_sampling/src/resample.rs:95
+        let _e18 = PatternSource_next_u32_(source_1);
+        let _e19 = unit_f32_(_e18);
+        comb.state = _e19;
+    }
+    // glimt_sampling/src/resample.rs:97
+    Comb_place_tooth((&comb), source_1);
+    // glimt_sampling/src/resample.rs:98
+    let _e23 = comb;
+    return _e23;
+}
+
+// glimt_sampling/src/resample.rs:105
+fn Comb_take(this_31: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
+
+    // glimt_sampling/src/resample.rs:106
+    let _e6 = (*this_31).scheme;
+    let _e7 = sure_copies(_e6, expected_1);
+    // glimt_sampling/src/resample.rs:107
+    let _e12 = (*this_31).reach;
+    (*this_31).reach = (_e12 + (expected_1 - f32(_e7)));
+    // glimt_sampling/src/resample.rs:108
+    let before = (*this_31).made;
+    // glimt_sampling/src/resample.rs:109
+    loop {
+        let _e19 = (*this_31).made;
+        let _e21 = (*this_31).teeth;
+        let _e24 = (*this_31).next;
+        let _e26 = (*this_31).reach;
+        if ((_e19 < _e21) && (_e24 < _e26)) {
+            // glimt_sampling/src/resample.rs:110
+            let _e32 = (*this_31).made;
+            (*this_31).made = (_e32 + 1u);
+            // glimt_sampling/src/resample.rs:111
+            Comb_place_tooth(this_31, source_2);
+        } else {
+            break;
+        }
+    }
+    // glimt_sampling/src/resample.rs:113
+    let _e37 = (*this_31).made;
+    return (_e7 + (_e37 - before));
+}
+
+// glimt_sampling/src/resample.rs:120
+fn Comb_finish(this_32: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
+    var counter_7: u32;
+
+    // glimt_sampling/src/resample.rs:121
+    let _e5 = (*this_32).teeth;
+    let _e7 = (*this_32).made;
+    let left_2 = (_e5 - _e7);
+    // glimt_sampling/src/resample.rs:122
+    let _e11 = (*this_32).scheme;
+    if (_e11 != 0u) {
+        // glimt_sampling/src/resample.rs:124
+        let _e16 = (*this_32).teeth;
+        let _e18 = (*this_32).made;
+        let drawn = min(_e16, (_e18 + 1u));
+        // glimt_sampling/src/resample.rs:125
+        let _e24 = (*this_32).picks;
+        counter_7 = drawn;
+        loop {
+            let _e26 = counter_7;
+            if (_e26 >= _e24) {
+                break;
+            }
+            // glimt_sampling/src/resample.rs:126
+            let _e29 = PatternSource_next_u32_(source_3);
+            continuing {
+                let _e30 = counter_7;
+                counter_7 = (_e30 + 1u);
+            }
+        }
+    }
+    // glimt_sampling/src/resample.rs:129
+    let _e35 = (*this_32).teeth;
+    (*this_32).made = _e35;
+    // glimt_sampling/src/resample.rs:130
+    return left_2;
+}
+
+// glimt_smc/src/resample.rs:45
+fn spread(particles_start_3: u32, particles_len_3: u32) {
+    var donor: u32;
+    var counter_8: u32;
+    var both_3: bool;
+
+    // glimt_smc/src/resample.rs:46
+    // glimt_smc/src/resample.rs:47
+    donor = 0u;
+    // glimt_smc/src/resample.rs:48
+    counter_8 = 0u;
+    loop {
+        let i_6 = counter_8;
+        if (i_6 >= particles_len_3) {
+            break;
+        }
+        // glimt_smc/src/resample.rs:49
+        let _e17 = particles[(particles_start_3 + i_6)].log_weight;
+        if (_e17 == 0f) {
+            // glimt_smc/src/resample.rs:50
+            loop {
+                let _e21 = donor;
+                let _e22 = (_e21 < particles_len_3);
+                both_3 = _e22;
+                if _e22 {
+                    let _e24 = donor;
+                    let _e29 = particles[(particles_start_3 + _e24)].log_weight;
+                    both_3 = (_e29 < 2f);
+                }
+                let _e32 = both_3;
+                if _e32 {
+                    // glimt_smc/src/resample.rs:51
+                    let _e35 = donor;
+                    donor = (_e35 + 1u);
+                } else {
+                    break;
+                }
+            }
+            // glimt_smc/src/resample.rs:53
+            let _e38 = donor;
+            if (_e38 == particles_len_3) {
+                // glimt_smc/src/resample.rs:54
+                return;
+            }
+            // glimt_smc/src/resample.rs:56
+            let _e43 = donor;
+            let _e48 = particles[(particles_start_3 + _e43)].log_weight;
+            particles[(particles_start_3 + _e43)].log_weight = (_e48 - 1f);
+            // glimt_smc/src/resample.rs:57
+            let _e51 = donor;
+            let _e56 = particles[(particles_start_3 + _e51)].state;
+            particles[(particles_start_3 + i_6)].state = _e56;
+            // glimt_smc/src/resample.rs:58
+            particles[(particles_start_3 + i_6)].log_weight = 1f;
+        }
+        continuing {
+            let _e67 = counter_8;
+            counter_8 = (_e67 + 1u);
+        }
+    }
+    return;
+}
+
+// glimt_smc/src/weights.rs:7
+fn make_equal(particles_start_4: u32, particles_len_4: u32) {
+    var counter_9: u32;
+
+    // glimt_smc/src/weights.rs:8
+    // glimt_smc/src/weights.rs:9
+    let log_weight_1 = -(log(f32(particles_len_4)));
+    // glimt_smc/src/weights.rs:10
+    counter_9 = 0u;
+    loop {
+        let i_7 = counter_9;
+        if (i_7 >= particles_len_4) {
+            break;
+        }
+        // glimt_smc/src/weights.rs:11
+        particles[(particles_start_4 + i_7)].log_weight = log_weight_1;
+        continuing {
+            let _e18 = counter_9;
+            counter_9 = (_e18 + 1u);
+        }
+    }
+    return;
+}
+
+// glimt_smc/src/resample.rs:16
+fn resample(scheme_2: u32, particles_start_5: u32, particles_len_5: u32, source_4: ptr<function, PatternSource>) {
+    var sure_1: u32;
+    var counter_10: u32;
+    var comb_1: Comb;
+    var last: u32;
+    var picks_1: u32;
+    var counter_11: u32;
+
+    // glimt_smc/src/resample.rs:17
+    // glimt_smc/src/resample.rs:18
+    let scale = f32(particles_len_5);
+    // glimt_smc/src/resample.rs:19
+    sure_1 = 0u;
+    // glimt_smc/src/resample.rs:20
+    counter_10 = 0u;
+    loop {
+        let i_8 = counter_10;
+        if (i_8 >= particles_len_5) {
+            break;
+        }
+        // glimt_smc/src/resample.rs:21
+        let _e20 = particles[(particles_start_5 + i_8)];
+        let _e21 = Particle_weight(_e20);
+        let _e23 = sure_copies(scheme_2, (_e21 * scale));
+        let _e24 = sure_1;
+        sure_1 = (_e24 + _e23);
+        continuing {
+            let _e26 = counter_10;
+            counter_10 = (_e26 + 1u);
+        }
+    }
+    // glimt_smc/src/resample.rs:23
+    let _e30 = sure_1;
+    let _e31 = Comb_new(scheme_2, particles_len_5, _e30, source_4);
+    comb_1 = _e31;
+    // glimt_smc/src/resample.rs:24
+    last = particles_len_5;
+    // glimt_smc/src/resample.rs:25
+    picks_1 = 0u;
+    // glimt_smc/src/resample.rs:26
+    counter_11 = 0u;
+    loop {
+        let i_9 = counter_11;
+        if (i_9 >= particles_len_5) {
+            break;
+        }
+        // glimt_smc/src/resample.rs:27
+        let _e48 = particles[(particles_start_5 + i_9)].log_weight;
+        let _e49 = is_log_zero(_e48);
+        let possible = !(_e49);
+        // glimt_smc/src/resample.rs:28
+        let _e55 = particles[(particles_start_5 + i_9)];
+        let _e56 = Particle_weight(_e55);
+        let _e58 = Comb_take((&comb_1), (_e56 * scale), source_4);
+        // glimt_smc/src/resample.rs:29
+        particles[(particles_start_5 + i_9)].log_weight = f32(_e58);
+        // glimt_smc/src/resample.rs:30
+        let _e66 = picks_1;
+        picks_1 = (_e66 + _e58);
+        // glimt_smc/src/resample.rs:31
+        if possible {
+            // glimt_smc/src/resample.rs:32
+            last = i_9;
+        }
+        continuing {
+            let _e70 = counter_11;
+            counter_11 = (_e70 + 1u);
+        }
+    }
+    // glimt_smc/src/resample.rs:35
+    let _e74 = Comb_finish((&comb_1), source_4);
+    // glimt_smc/src/resample.rs:36
+    let _e76 = last;
+    if (_e76 < particles_len_5) {
+        // glimt_smc/src/resample.rs:37
+        let _e79 = picks_1;
+        let _e83 = last;
+        let _e88 = particles[(particles_start_5 + _e83)].log_weight;
+        particles[(particles_start_5 + _e83)].log_weight = (_e88 + f32((max(particles_len_5, _e79) - _e79)));
+        // glimt_smc/src/resample.rs:38
+        spread(particles_start_5, particles_len_5);
+    }
+    // glimt_smc/src/resample.rs:40
+    make_equal(particles_start_5, particles_len_5);
+    return;
+}
+
+// glimt_sampling/src/resample.rs:25
+fn words(scheme_3: u32, picks_2: u32) -> u32 {
+    var chosen_24: u32;
+
+    // glimt_sampling/src/resample.rs:26
+    if (scheme_3 == 0u) {
+        // glimt_sampling/src/resample.rs:27
+        chosen_24 = 1u;
+    } else {
+        // glimt_sampling/src/resample.rs:29
+        chosen_24 = picks_2;
+    }
+    let _e10 = chosen_24;
+    return _e10;
+}
+
+// glimt_sampling/src/resample.rs:35
+fn skip(scheme_4: u32, picks_3: u32, source_5: ptr<function, PatternSource>) {
+    var counter_12: u32;
+
+    // glimt_sampling/src/resample.rs:36
+    let _e6 = words(scheme_4, picks_3);
+    counter_12 = 0u;
+    loop {
+        let _e8 = counter_12;
+        if (_e8 >= _e6) {
+            break;
+        }
+        // glimt_sampling/src/resample.rs:37
+        let _e11 = PatternSource_next_u32_(source_5);
+        continuing {
+            let _e12 = counter_12;
+            counter_12 = (_e12 + 1u);
+        }
+    }
+    return;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:140
+fn PatternSource_next_uvec2_(this_33: ptr<function, PatternSource>) -> vec2<u32> {
+    var chosen_25: vec2<u32>;
+    var borrowed_4: OwenSobol;
+    var borrowed_5: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:141
+    let _e5 = (*this_33).is_sobol;
+    if _e5 {
+        // glimt_render_gpu/src/kernels/pattern.rs:142
+        let _e9 = (*this_33).point;
+        borrowed_4 = _e9;
+        let _e10 = OwenSobol_next_uvec2_((&borrowed_4));
+        let _e11 = borrowed_4;
+        (*this_33).point = _e11;
+        chosen_25 = _e10;
+    } else {
+        // glimt_render_gpu/src/kernels/pattern.rs:144
+        let _e15 = (*this_33).generator;
+        borrowed_5 = _e15;
+        let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
+        let _e17 = borrowed_5;
+        (*this_33).generator = _e17;
+        chosen_25 = _e16;
+    }
+    let _e18 = chosen_25;
+    return _e18;
+}
+
+// glimt_smc/src/proposal.rs:136
+fn split_word(word: u32, pmf_first: f32) -> Split {
+    var chosen_26: u32;
+    var chosen_27: u32;
+
+    // glimt_smc/src/proposal.rs:138
+    let edge = u32((clamp(pmf_first, 0f, 1f) * 65536f));
+    // glimt_smc/src/proposal.rs:139
+    let first_3 = ((word >> 16u) < edge);
+    // glimt_smc/src/proposal.rs:140
+    if first_3 {
+        chosen_26 = edge;
+    } else {
+        chosen_26 = (65536u - edge);
+    }
+    let width = chosen_26;
+    // glimt_smc/src/proposal.rs:142
+    if first_3 {
+        // glimt_smc/src/proposal.rs:143
+        chosen_27 = word;
+    } else {
+        // glimt_smc/src/proposal.rs:145
+        chosen_27 = (word - (edge << 16u));
+    }
+    let place_2 = chosen_27;
+    // glimt_smc/src/proposal.rs:147
+    let width_1 = max(width, 1u);
+    // glimt_smc/src/proposal.rs:148
+    let upper_1 = (place_2 / width_1);
+    // glimt_smc/src/proposal.rs:149
+    let lower_1 = (((place_2 % width_1) * 65536u) / width_1);
+    // glimt_smc/src/proposal.rs:150
+    return Split(first_3, ((upper_1 << 16u) + lower_1));
+}
+
+// glimt_sampling/src/warp.rs:182
+fn cos_sin_turns(turns: f32) -> vec2<f32> {
+    var chosen_28: f32;
+
+    // glimt_sampling/src/warp.rs:183
+    if (turns < 0.5f) {
+        chosen_28 = turns;
+    } else {
+        chosen_28 = (turns - 1f);
+    }
+    let signed = chosen_28;
+    // glimt_sampling/src/warp.rs:184
+    let phi = (6.2831855f * signed);
+    // glimt_sampling/src/warp.rs:185
+    return vec2<f32>(cos(phi), sin(phi));
+}
+
+// glimt_sampling/src/warp.rs:169
+fn sample_cap(u_2: vec2<f32>, height_1: f32) -> DirectionSample {
+
+    // glimt_sampling/src/warp.rs:170
+    let h = (u_2.x * height_1);
+    // glimt_sampling/src/warp.rs:172
+    let sin_theta = sqrt(max((h * (2f - h)), 0f));
+    // glimt_sampling/src/warp.rs:173
+    let _e15 = cos_sin_turns(u_2.y);
+    // glimt_sampling/src/warp.rs:174
+    return DirectionSample(vec3<f32>((sin_theta * _e15.x), (sin_theta * _e15.y), (1f - h)), ((0.5f * 0.31830987f) / height_1));
+}
+
+// glimt_sampling/src/math.rs:59
+fn ShadingFrame_to_world(this_34: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:60
+    return (((this_34.t * v_3.x) + (this_34.b * v_3.y)) + (this_34.n * v_3.z));
+}
+
+// glimt_smc/src/proposal.rs:43
+fn CapMove_propose(this_35: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
+
+    // glimt_smc/src/proposal.rs:44
+    let _e6 = unit_vec2_(u_3.xy);
+    let _e8 = sample_cap(_e6, this_35.height);
+    let local = _e8.direction;
+    // glimt_smc/src/proposal.rs:45
+    let _e11 = ShadingFrame_from_normal(from_);
+    let _e12 = ShadingFrame_to_world(_e11, local);
+    return Proposed(normalize(_e12), 1f, 1f);
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:47
+fn EnvCdf_is_black(size_5: vec2<u32>) -> bool {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:48
+    let _e6 = env_cdf_marginal[size_5.y];
+    return (_e6 == 0u);
+}
+
+// glimt_envmap_cdf/src/search.rs:27
+fn find_bin(u_4: u32) -> Bin {
+    var index_12: u32;
+    var bins: u32;
+
+    // glimt_envmap_cdf/src/search.rs:29
+    index_12 = 0u;
+    // glimt_envmap_cdf/src/search.rs:30
+    bins = (arrayLength((&env_cdf_marginal)) - 1u);
+    // glimt_envmap_cdf/src/search.rs:31
+    loop {
+        let _e12 = bins;
+        if !((_e12 > 1u)) {
+            break;
+        }
+        // glimt_envmap_cdf/src/search.rs:32
+        let _e17 = bins;
+        let half = (_e17 / 2u);
+        // glimt_envmap_cdf/src/search.rs:33
+        let _e21 = index_12;
+        let _e25 = env_cdf_marginal[(_e21 + half)];
+        if (_e25 <= u_4) {
+            // glimt_envmap_cdf/src/search.rs:34
+            let _e28 = index_12;
+            index_12 = (_e28 + half);
+        }
+        // glimt_envmap_cdf/src/search.rs:36
+        let _e31 = bins;
+        bins = (_e31 - half);
+    }
+    // glimt_envmap_cdf/src/search.rs:38
+    let _e34 = index_12;
+    let first_4 = env_cdf_marginal[_e34];
+    // glimt_envmap_cdf/src/search.rs:39
+    let _e39 = index_12;
+    let _e40 = index_12;
+    let _e45 = env_cdf_marginal[(_e40 + 1u)];
+    return Bin(_e39, first_4, (_e45 - first_4));
+}
+
+// glimt_envmap_cdf/src/search.rs:27
+fn find_bin_1(edges_start: u32, edges_len: u32, u_5: u32) -> Bin {
+    var index_13: u32;
+    var bins_1: u32;
+
+    // glimt_envmap_cdf/src/search.rs:29
+    index_13 = 0u;
+    // glimt_envmap_cdf/src/search.rs:30
+    bins_1 = (edges_len - 1u);
+    // glimt_envmap_cdf/src/search.rs:31
+    loop {
+        let _e12 = bins_1;
+        if !((_e12 > 1u)) {
+            break;
+        }
+        // glimt_envmap_cdf/src/search.rs:32
+        let _e17 = bins_1;
+        let half_1 = (_e17 / 2u);
+        // glimt_envmap_cdf/src/search.rs:33
+        let _e21 = index_13;
+        let _e26 = env_cdf_conditional[(edges_start + (_e21 + half_1))];
+        if (_e26 <= u_5) {
+            // glimt_envmap_cdf/src/search.rs:34
+            let _e29 = index_13;
+            index_13 = (_e29 + half_1);
+        }
+        // glimt_envmap_cdf/src/search.rs:36
+        let _e32 = bins_1;
+        bins_1 = (_e32 - half_1);
+    }
+    // glimt_envmap_cdf/src/search.rs:38
+    let _e35 = index_13;
+    let first_5 = env_cdf_conditional[(edges_start + _e35)];
+    // glimt_envmap_cdf/src/search.rs:39
+    let _e41 = index_13;
+    let _e42 = index_13;
+    let _e48 = env_cdf_conditional[(edges_start + (_e42 + 1u))];
+    return Bin(_e41, first_5, (_e48 - first_5));
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:168
+fn place_in_bin(bin: Bin, u_6: u32, fraction: u32) -> f32 {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:169
+    let below_unit = (f32(fraction) * (1f / 65536f));
+    // glimt_envmap_cdf/src/env_cdf.rs:170
+    return min(((f32((u_6 - bin.first)) + below_unit) / f32(bin.units)), 0.99999994f);
+}
+
+// glimt_probe/src/trig.rs:25
+fn cos_sin_pi(x_7: f32) -> vec2<f32> {
+    var chosen_29: vec2<f32>;
+
+    // glimt_probe/src/trig.rs:27
+    let quarter = floor(((2f * x_7) + 0.5f));
+    // glimt_probe/src/trig.rs:28
+    let y_4 = (x_7 - (0.5f * quarter));
+    // glimt_probe/src/trig.rs:29
+    let y2_ = (y_4 * y_4);
+    // glimt_probe/src/trig.rs:31
+    let c_5 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
+    // glimt_probe/src/trig.rs:34
+    let s_1 = (y_4 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    // glimt_probe/src/trig.rs:37
+    let _e49 = (i32(quarter) & 3i);
+    if (_e49 == 0i) {
+        // glimt_probe/src/trig.rs:38
+        chosen_29 = vec2<f32>(c_5, (s_1 + 0f));
+    } else {
+        if (_e49 == 1i) {
+            // glimt_probe/src/trig.rs:39
+            chosen_29 = vec2<f32>((0f - s_1), c_5);
+        } else {
+            if (_e49 == 2i) {
+                // glimt_probe/src/trig.rs:40
+                chosen_29 = vec2<f32>((0f - c_5), (0f - s_1));
+            } else {
+                // glimt_probe/src/trig.rs:41
+                chosen_29 = vec2<f32>((s_1 + 0f), (0f - c_5));
+            }
+        }
+    }
+    let _e77 = chosen_29;
+    return _e77;
+}
+
+// glimt_probe/src/latlong.rs:142
+fn direction_in_texel(texel_1: vec2<u32>, size_6: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+    var chosen_30: u32;
+    var chosen_31: u32;
+    var chosen_32: f32;
+
+    // glimt_probe/src/latlong.rs:143
+    let size_16 = max(size_6, vec2(1u));
+    // glimt_probe/src/latlong.rs:144
+    let row_2 = min(texel_1.y, (size_16.y - 1u));
+    // glimt_probe/src/latlong.rs:146
+    let southern = ((2u * row_2) >= size_16.y);
+    // glimt_probe/src/latlong.rs:147
+    if southern {
+        chosen_30 = (size_16.y - row_2);
+    } else {
+        chosen_30 = row_2;
+    }
+    let upper_2 = chosen_30;
+    // glimt_probe/src/latlong.rs:148
+    if southern {
+        chosen_31 = ((size_16.y - row_2) - 1u);
+    } else {
+        chosen_31 = (row_2 + 1u);
+    }
+    let lower_2 = chosen_31;
+    // glimt_probe/src/latlong.rs:149
+    let half_2 = (0.5f / f32(size_16.y));
+    // glimt_probe/src/latlong.rs:150
+    let _e41 = cos_sin_pi((f32(upper_2) * half_2));
+    let sin_upper = _e41.y;
+    // glimt_probe/src/latlong.rs:151
+    let _e46 = cos_sin_pi((f32(lower_2) * half_2));
+    let sin_lower = _e46.y;
+    // glimt_probe/src/latlong.rs:152
+    let s_upper = (sin_upper * sin_upper);
+    // glimt_probe/src/latlong.rs:153
+    let s_2 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
+    // glimt_probe/src/latlong.rs:154
+    let sin_theta_1 = (2f * sqrt(max((s_2 * (1f - s_2)), 0f)));
+    // glimt_probe/src/latlong.rs:155
+    if southern {
+        // glimt_probe/src/latlong.rs:156
+        chosen_32 = ((2f * s_2) - 1f);
+    } else {
+        // glimt_probe/src/latlong.rs:158
+        chosen_32 = (1f - (2f * s_2));
+    }
+    let cos_theta_1 = chosen_32;
+    // glimt_probe/src/latlong.rs:160
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_1.x) + r.x)) / f32(size_16.x))));
+    // glimt_probe/src/latlong.rs:161
+    return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
+}
+
+// glimt_probe/src/latlong.rs:121
+fn texel_solid_angle_sr(row: u32, size_7: vec2<u32>) -> f32 {
+
+    // glimt_probe/src/latlong.rs:122
+    let size_17 = max(size_7, vec2(1u));
+    // glimt_probe/src/latlong.rs:123
+    let row_3 = min(row, (size_17.y - 1u));
+    // glimt_probe/src/latlong.rs:124
+    let from_pole = min(row_3, ((size_17.y - 1u) - row_3));
+    // glimt_probe/src/latlong.rs:125
+    let half_row = (0.5f / f32(size_17.y));
+    // glimt_probe/src/latlong.rs:126
+    let middle = (f32(((2u * from_pole) + 1u)) * half_row);
+    // glimt_probe/src/latlong.rs:127
+    let _e37 = cos_sin_pi(middle);
+    let _e40 = cos_sin_pi(half_row);
+    return ((((4f * 3.1415927f) / f32(size_17.x)) * _e37.y) * _e40.y);
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:162
+fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_8: vec2<u32>) -> f32 {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:163
+    let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
+    // glimt_envmap_cdf/src/env_cdf.rs:164
+    let _e14 = texel_solid_angle_sr(row_1, size_8);
+    return (pmf / _e14);
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:60
+fn EnvCdf_sample(size_9: vec2<u32>, u_7: vec2<u32>) -> EnvSample {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:61
+    let _e4 = EnvCdf_is_black(size_9);
+    if _e4 {
+        // glimt_envmap_cdf/src/env_cdf.rs:62
+        return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
+    }
+    // glimt_envmap_cdf/src/env_cdf.rs:68
+    let _e19 = find_bin((u_7.y >> 1u));
+    // glimt_envmap_cdf/src/env_cdf.rs:69
+    let row_start = (_e19.index * (size_9.x + 1u));
+    // glimt_envmap_cdf/src/env_cdf.rs:70
+    let row_end = ((row_start + size_9.x) + 1u);
+    // glimt_envmap_cdf/src/env_cdf.rs:71
+    let _e37 = find_bin_1(row_start, (row_end - row_start), (u_7.x >> 1u));
+    // glimt_envmap_cdf/src/env_cdf.rs:72
+    let texel_5 = vec2<u32>(_e37.index, _e19.index);
+    // glimt_envmap_cdf/src/env_cdf.rs:73
+    let _e45 = hash2_(u_7.x, u_7.y);
+    // glimt_envmap_cdf/src/env_cdf.rs:74
+    let _e53 = place_in_bin(_e37, (u_7.x >> 1u), (_e45 & 65535u));
+    let _e61 = place_in_bin(_e19, (u_7.y >> 1u), (_e45 >> 16u));
+    let place_3 = vec2<f32>(_e53, _e61);
+    // glimt_envmap_cdf/src/env_cdf.rs:78
+    let _e64 = direction_in_texel(texel_5, size_9, place_3);
+    let _e68 = density_sr(_e19.units, _e37.units, _e19.index, size_9);
+    return EnvSample(texel_5, _e64, _e68);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:66
+fn Environment_sample(cdf_size_3: vec2<u32>, rotation_4: vec2<f32>, u_8: vec2<u32>) -> EnvSample {
+
+    // glimt_render_gpu/src/kernels/environment.rs:67
+    let _e5 = EnvCdf_sample(cdf_size_3, u_8);
+    // glimt_render_gpu/src/kernels/environment.rs:68
+    let _e8 = rotate_z(_e5.direction, rotation_4);
+    return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:156
+fn LightDraw_sample(light_cdf_size_3: vec2<u32>, light_rotation_3: vec2<f32>, u_9: vec3<u32>) -> Sampled {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:157
+    let _e8 = Environment_sample(light_cdf_size_3, light_rotation_3, vec2<u32>(u_9.x, u_9.y));
+    // glimt_render_gpu/src/kernels/light_target.rs:158
+    return Sampled(_e8.direction, _e8.pdf_sr);
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:142
+fn EnvCdf_row(size_10: vec2<u32>, texel_2: vec2<u32>) -> Bin {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:143
+    let y_5 = texel_2.y;
+    // glimt_envmap_cdf/src/env_cdf.rs:144
+    let _e9 = env_cdf_marginal[y_5];
+    let _e14 = env_cdf_marginal[(y_5 + 1u)];
+    let _e17 = env_cdf_marginal[y_5];
+    return Bin(texel_2.y, _e9, (_e14 - _e17));
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:151
+fn EnvCdf_column(size_11: vec2<u32>, texel_3: vec2<u32>) -> Bin {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:152
+    let x_11 = ((texel_3.y * (size_11.x + 1u)) + texel_3.x);
+    // glimt_envmap_cdf/src/env_cdf.rs:153
+    let _e15 = env_cdf_conditional[x_11];
+    let _e20 = env_cdf_conditional[(x_11 + 1u)];
+    let _e23 = env_cdf_conditional[x_11];
+    return Bin(texel_3.x, _e15, (_e20 - _e23));
+}
+
+// glimt_envmap_cdf/src/env_cdf.rs:119
+fn EnvCdf_texel_pdf_sr(size_12: vec2<u32>, texel_4: vec2<u32>) -> f32 {
+
+    // glimt_envmap_cdf/src/env_cdf.rs:120
+    let _e4 = EnvCdf_row(size_12, texel_4);
+    // glimt_envmap_cdf/src/env_cdf.rs:121
+    let _e6 = EnvCdf_column(size_12, texel_4);
+    // glimt_envmap_cdf/src/env_cdf.rs:122
+    let _e11 = density_sr(_e4.units, _e6.units, texel_4.y, size_12);
+    return _e11;
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:165
+fn LightDraw_pdf(light_cdf_size_4: vec2<u32>, light_rotation_4: vec2<f32>, state_3: vec3<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:166
+    let _e5 = Environment_texel(light_cdf_size_4, light_rotation_4, state_3);
+    let _e6 = EnvCdf_texel_pdf_sr(light_cdf_size_4, _e5);
+    return _e6;
+}
+
+// glimt_smc/src/proposal.rs:81
+fn Independent_LightDraw_propose(sampler_light_cdf_size: vec2<u32>, sampler_light_rotation: vec2<f32>, from_1: vec3<f32>, u_10: vec3<u32>) -> Proposed {
+
+    // glimt_smc/src/proposal.rs:82
+    let _e6 = LightDraw_sample(sampler_light_cdf_size, sampler_light_rotation, u_10);
+    // glimt_smc/src/proposal.rs:83
+    let _e10 = LightDraw_pdf(sampler_light_cdf_size, sampler_light_rotation, from_1);
+    return Proposed(_e6.state, _e6.pdf, _e10);
+}
+
+// glimt_brdf/src/blinn_phong.rs:116
+fn BlinnPhong_pmf_specular(this_36: BlinnPhong) -> f32 {
+    var chosen_33: f32;
+
+    // glimt_brdf/src/blinn_phong.rs:117
+    let _e4 = luminance(this_36.specular);
+    // glimt_brdf/src/blinn_phong.rs:118
+    let _e7 = luminance(this_36.diffuse);
+    let both_4 = (_e7 + _e4);
+    // glimt_brdf/src/blinn_phong.rs:119
+    if (both_4 > 0f) {
+        chosen_33 = (_e4 / both_4);
+    } else {
+        chosen_33 = 0f;
+    }
+    let _e15 = chosen_33;
+    return _e15;
+}
+
+// glimt_sampling/src/warp.rs:190
+fn height_of(direction_8: vec3<f32>) -> f32 {
+    var chosen_34: f32;
+
+    // glimt_sampling/src/warp.rs:191
+    if (direction_8.z > 0f) {
+        // glimt_sampling/src/warp.rs:192
+        chosen_34 = (((direction_8.x * direction_8.x) + (direction_8.y * direction_8.y)) / (1f + direction_8.z));
+    } else {
+        // glimt_sampling/src/warp.rs:194
+        chosen_34 = (1f - direction_8.z);
+    }
+    let _e23 = chosen_34;
+    return _e23;
+}
+
+// glimt_sampling/src/warp.rs:201
+fn ln_cos_theta(direction_9: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:202
+    let _e3 = height_of(direction_9);
+    // glimt_sampling/src/warp.rs:203
+    if (_e3 < 0.1f) {
+        // glimt_sampling/src/warp.rs:204
+        let tail_1 = ((1f / 3f) + (_e3 * (0.25f + (_e3 * (0.2f + (_e3 * ((1f / 6f) + (_e3 / 7f))))))));
+        // glimt_sampling/src/warp.rs:205
+        return (0f - (_e3 * (1f + (_e3 * (0.5f + (_e3 * tail_1))))));
+    }
+    // glimt_sampling/src/warp.rs:207
+    return log(direction_9.z);
+}
+
+// glimt_sampling/src/warp.rs:289
+fn pdf_power_cosine_sr(direction_10: vec3<f32>, exponent_3: f32) -> f32 {
+    var chosen_35: f32;
+
+    // glimt_sampling/src/warp.rs:290
+    let normalisation_1 = ((exponent_3 + 1f) * (0.5f * 0.31830987f));
+    // glimt_sampling/src/warp.rs:291
+    if (exponent_3 <= 0f) {
+        // glimt_sampling/src/warp.rs:292
+        if (direction_10.z >= 0f) {
+            // glimt_sampling/src/warp.rs:293
+            chosen_35 = normalisation_1;
+        } else {
+            // glimt_sampling/src/warp.rs:295
+            chosen_35 = 0f;
+        }
+        let _e21 = chosen_35;
+        return _e21;
+    }
+    // glimt_sampling/src/warp.rs:298
+    if (direction_10.z <= 0f) {
+        // glimt_sampling/src/warp.rs:299
+        return 0f;
+    }
+    // glimt_sampling/src/warp.rs:301
+    let _e29 = ln_cos_theta(direction_10);
+    return (normalisation_1 * exp((exponent_3 * _e29)));
+}
+
+// glimt_sampling/src/warp.rs:257
+fn sample_power_cosine(u_11: vec2<f32>, exponent_4: f32) -> DirectionSample {
+    var sin2_theta_1: f32;
+    var cos_theta: f32;
+
+    // glimt_sampling/src/warp.rs:258
+    if (u_11.x <= 0f) {
+        // glimt_sampling/src/warp.rs:259
+        let _e16 = pdf_power_cosine_sr(vec3<f32>(1f, 0f, 0f), exponent_4);
+        return DirectionSample(vec3<f32>(1f, 0f, 0f), _e16);
+    }
+    // glimt_sampling/src/warp.rs:266
+    let t_6 = ((2f / (exponent_4 + 1f)) * (0f - log(u_11.x)));
+    // glimt_sampling/src/warp.rs:269
+    if (t_6 < 0.25f) {
+        // glimt_sampling/src/warp.rs:270
+        let tail_2 = ((1f / 6f) - (t_6 * ((1f / 24f) - (t_6 * ((1f / 120f) - (t_6 / 720f))))));
+        // glimt_sampling/src/warp.rs:271
+        sin2_theta_1 = max((t_6 * (1f - (t_6 * (0.5f - (t_6 * tail_2))))), 0f);
+        // glimt_sampling/src/warp.rs:272
+        let _e62 = sin2_theta_1;
+        cos_theta = sqrt((1f - _e62));
+    } else {
+        // glimt_sampling/src/warp.rs:274
+        cos_theta = exp((-0.5f * t_6));
+        // glimt_sampling/src/warp.rs:275
+        let _e71 = cos_theta;
+        let _e72 = cos_theta;
+        sin2_theta_1 = (1f - (_e71 * _e72));
+    }
+    // glimt_sampling/src/warp.rs:277
+    let _e76 = sin2_theta_1;
+    let sin_theta_2 = sqrt(_e76);
+    // glimt_sampling/src/warp.rs:278
+    let _e80 = cos_sin_turns(u_11.y);
+    // glimt_sampling/src/warp.rs:279
+    let _e86 = cos_theta;
+    let direction_16 = vec3<f32>((sin_theta_2 * _e80.x), (sin_theta_2 * _e80.y), _e86);
+    // glimt_sampling/src/warp.rs:280
+    let _e89 = pdf_power_cosine_sr(direction_16, exponent_4);
+    return DirectionSample(direction_16, _e89);
+}
+
+// glimt_sampling/src/warp.rs:31
+fn sample_concentric_disk(u_12: vec2<f32>) -> vec2<f32> {
+
+    // glimt_sampling/src/warp.rs:32
+    let a_6 = ((2f * u_12.x) - 1f);
+    // glimt_sampling/src/warp.rs:33
+    let b_7 = ((2f * u_12.y) - 1f);
+    // glimt_sampling/src/warp.rs:34
+    if ((a_6 == 0f) && (b_7 == 0f)) {
+        // glimt_sampling/src/warp.rs:35
+        return vec2(0f);
+    }
+    // glimt_sampling/src/warp.rs:37
+    if ((a_6 * a_6) > (b_7 * b_7)) {
+        // glimt_sampling/src/warp.rs:38
+        let phi_1 = (0.7853982f * (b_7 / a_6));
+        // glimt_sampling/src/warp.rs:39
+        return vec2<f32>((a_6 * cos(phi_1)), (a_6 * sin(phi_1)));
+    }
+    // glimt_sampling/src/warp.rs:41
+    let phi_2 = (0.7853982f * (a_6 / b_7));
+    // glimt_sampling/src/warp.rs:42
+    return vec2<f32>((b_7 * sin(phi_2)), (b_7 * cos(phi_2)));
+}
+
+// glimt_sampling/src/warp.rs:88
+fn sample_cosine_hemisphere(u_13: vec2<f32>) -> DirectionSample {
+
+    // glimt_sampling/src/warp.rs:89
+    let _e3 = sample_concentric_disk(u_13);
+    // glimt_sampling/src/warp.rs:92
+    let _e10 = abs(((2f * u_13) - vec2(1f)));
+    let r_2 = max(_e10.x, _e10.y);
+    // glimt_sampling/src/warp.rs:93
+    let z_2 = sqrt(((1f - r_2) * (1f + r_2)));
+    // glimt_sampling/src/warp.rs:94
+    return DirectionSample(vec3<f32>(_e3, z_2), (z_2 * 0.31830987f));
+}
+
+// glimt_sampling/src/warp.rs:103
+fn pdf_cosine_hemisphere_sr(direction_11: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:104
+    return (max(direction_11.z, 0f) * 0.31830987f);
+}
+
+// glimt_brdf/src/lobe.rs:37
+fn HalfVector_pdf_sr(this_37: HalfVector, exponent_5: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:38
+    let _e10 = HalfVector_lobe(this_37, exponent_5);
+    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_37.wo_dot_h));
+}
+
+// glimt_brdf/src/blinn_phong.rs:99
+fn BlinnPhong_pdf_sr(this_38: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
+
+    // glimt_brdf/src/blinn_phong.rs:100
+    if ((wo_2.z <= 0f) || (wi_2.z <= 0f)) {
+        // glimt_brdf/src/blinn_phong.rs:101
+        return 0f;
+    }
+    // glimt_brdf/src/blinn_phong.rs:103
+    let _e15 = pdf_cosine_hemisphere_sr(wi_2);
+    // glimt_brdf/src/blinn_phong.rs:104
+    let _e17 = BlinnPhong_pmf_specular(this_38);
+    // glimt_brdf/src/blinn_phong.rs:105
+    if (_e17 <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:106
+        return _e15;
+    }
+    // glimt_brdf/src/blinn_phong.rs:108
+    let _e23 = HalfVector_new(wo_2, wi_2);
+    let _e25 = HalfVector_pdf_sr(_e23, this_38.exponent);
+    // glimt_brdf/src/blinn_phong.rs:109
+    return ((_e17 * _e25) + ((1f - _e17) * _e15));
+}
+
+// glimt_brdf/src/blinn_phong.rs:80
+fn BlinnPhong_sample(this_39: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
+    var chosen_36: vec3<f32>;
+
+    // glimt_brdf/src/blinn_phong.rs:81
+    let _e7 = unit_f32_(u_lobe);
+    let _e8 = BlinnPhong_pmf_specular(this_39);
+    if (_e7 < _e8) {
+        // glimt_brdf/src/blinn_phong.rs:82
+        let _e12 = sample_power_cosine(u_14, this_39.exponent);
+        let h_1 = _e12.direction;
+        // glimt_brdf/src/blinn_phong.rs:83
+        chosen_36 = (((2f * dot(wo_3, h_1)) * h_1) - wo_3);
+    } else {
+        // glimt_brdf/src/blinn_phong.rs:85
+        let _e21 = sample_cosine_hemisphere(u_14);
+        chosen_36 = _e21.direction;
+    }
+    let wi_5 = chosen_36;
+    // glimt_brdf/src/blinn_phong.rs:87
+    let _e25 = BlinnPhong_pdf_sr(this_39, wo_3, wi_5);
+    return BrdfSample(wi_5, _e25);
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:133
+fn BrdfDraw_sample(this_40: BrdfDraw, u_15: vec3<u32>) -> Sampled {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:134
+    let _e8 = unit_vec2_(u_15.xy);
+    let _e9 = BlinnPhong_sample(this_40.brdf, this_40.wo, u_15.z, _e8);
+    // glimt_render_gpu/src/kernels/light_target.rs:135
+    let _e13 = ShadingFrame_to_world(this_40.frame, _e9.wi);
+    return Sampled(_e13, _e9.pdf_sr);
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:142
+fn BrdfDraw_pdf(this_41: BrdfDraw, state_4: vec3<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:143
+    let _e7 = ShadingFrame_to_local(this_41.frame, state_4);
+    let _e8 = BlinnPhong_pdf_sr(this_41.brdf, this_41.wo, _e7);
+    return _e8;
+}
+
+// glimt_smc/src/proposal.rs:81
+fn Independent_BrdfDraw_propose(this_42: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
+
+    // glimt_smc/src/proposal.rs:82
+    let _e6 = BrdfDraw_sample(this_42.sampler, u_16);
+    // glimt_smc/src/proposal.rs:83
+    let _e11 = BrdfDraw_pdf(this_42.sampler, from_2);
+    return Proposed(_e6.state, _e6.pdf, _e11);
+}
+
+// glimt_smc/src/proposal.rs:106
+fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, first_sampler_light_cdf_size: vec2<u32>, first_sampler_light_rotation: vec2<f32>, second: Independent_BrdfDraw, from_3: vec3<f32>, u_17: vec3<u32>) -> Proposed {
+    var chosen_37: Proposed;
+
+    // glimt_smc/src/proposal.rs:107
+    let _e9 = split_word(u_17.z, pmf_first_1);
+    // glimt_smc/src/proposal.rs:108
+    let rest = vec3<u32>(u_17.x, u_17.y, _e9.word);
+    // glimt_smc/src/proposal.rs:109
+    if _e9.first {
+        // glimt_smc/src/proposal.rs:110
+        let _e19 = Independent_LightDraw_propose(first_sampler_light_cdf_size, first_sampler_light_rotation, from_3, rest);
+        chosen_37 = _e19;
+    } else {
+        // glimt_smc/src/proposal.rs:112
+        let _e21 = Independent_BrdfDraw_propose(second, from_3, rest);
+        chosen_37 = _e21;
+    }
+    let _e22 = chosen_37;
+    return _e22;
+}
+
+// glimt_smc/src/proposal.rs:106
+fn Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_2: f32, first: CapMove, second_pmf_first: f32, second_first_sampler_light_cdf_size: vec2<u32>, second_first_sampler_light_rotation: vec2<f32>, second_second: Independent_BrdfDraw, from_4: vec3<f32>, u_18: vec3<u32>) -> Proposed {
+    var chosen_38: Proposed;
+
+    // glimt_smc/src/proposal.rs:107
+    let _e11 = split_word(u_18.z, pmf_first_2);
+    // glimt_smc/src/proposal.rs:108
+    let rest_1 = vec3<u32>(u_18.x, u_18.y, _e11.word);
+    // glimt_smc/src/proposal.rs:109
+    if _e11.first {
+        // glimt_smc/src/proposal.rs:110
+        let _e21 = CapMove_propose(first, from_4, rest_1);
+        chosen_38 = _e21;
+    } else {
+        // glimt_smc/src/proposal.rs:112
+        let _e23 = Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(second_pmf_first, second_first_sampler_light_cdf_size, second_first_sampler_light_rotation, second_second, from_4, rest_1);
+        chosen_38 = _e23;
+    }
+    let _e24 = chosen_38;
+    return _e24;
+}
+
+// glimt_smc/src/metropolis.rs:25
+fn accept(u_19: f32, density: f32, forward: f32, proposed_density: f32, backward: f32) -> bool {
+
+    // glimt_smc/src/metropolis.rs:26
+    return ((forward > 0f) && ((u_19 * (density * forward)) < (proposed_density * backward)));
+}
+
+// glimt_smc/src/metropolis.rs:32
+fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32>, target_previous_light_rotation_1: vec2<f32>, target_previous_floor_1: f32, target_previous_lobe_1: LightLobe, target_light_cdf_size_1: vec2<u32>, target_light_rotation_1: vec2<f32>, target_floor_1: f32, target_lobe_1: LightLobe, proposal_pmf_first: f32, proposal_first: CapMove, proposal_second_pmf_first: f32, proposal_second_first_sampler_light_cdf_size: vec2<u32>, proposal_second_first_sampler_light_rotation: vec2<f32>, proposal_second_second: Independent_BrdfDraw, particle: ptr<function, Particle>, u_20: vec4<u32>) -> bool {
+
+    // glimt_smc/src/metropolis.rs:40
+    let _e21 = (*particle).state;
+    let _e23 = Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(proposal_pmf_first, proposal_first, proposal_second_pmf_first, proposal_second_first_sampler_light_cdf_size, proposal_second_first_sampler_light_rotation, proposal_second_second, _e21, u_20.xyz);
+    // glimt_smc/src/metropolis.rs:41
+    let _e26 = (*particle).state;
+    let _e27 = LightTarget_densities(target_previous_light_size_1, target_previous_light_rotation_1, target_previous_floor_1, target_previous_lobe_1, target_light_cdf_size_1, target_light_rotation_1, target_floor_1, target_lobe_1, _e26);
+    let _e28 = Bridge_density(bridge_1, k_2, _e27);
+    // glimt_smc/src/metropolis.rs:42
+    let _e31 = LightTarget_densities(target_previous_light_size_1, target_previous_light_rotation_1, target_previous_floor_1, target_previous_lobe_1, target_light_cdf_size_1, target_light_rotation_1, target_floor_1, target_lobe_1, _e23.state);
+    let _e32 = Bridge_density(bridge_1, k_2, _e31);
+    // glimt_smc/src/metropolis.rs:43
+    let _e35 = unit_f32_(u_20.w);
+    let _e38 = accept(_e35, _e28, _e23.forward, _e32, _e23.backward);
+    // glimt_smc/src/metropolis.rs:50
+    if _e38 {
+        // glimt_smc/src/metropolis.rs:51
+        (*particle).state = _e23.state;
+    }
+    // glimt_smc/src/metropolis.rs:53
+    return _e38;
+}
+
+// glimt_smc/src/sampler.rs:47
+fn Sampler_step(this_43: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_cdf_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_cdf_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
+    var accepted: u32;
+    var counter_13: u32;
+    var borrowed_6: Particle;
+    var chosen_39: u32;
+
+    // glimt_smc/src/sampler.rs:55
+    // glimt_smc/src/sampler.rs:56
+    let _e23 = reweight(k_3, this_43.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
+    // glimt_smc/src/sampler.rs:57
+    let _e25 = ess(particles_start_6, particles_len_6);
+    // glimt_smc/src/sampler.rs:58
+    let resampled = ((_e25 < (this_43.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
+    // glimt_smc/src/sampler.rs:59
+    if resampled {
+        // glimt_smc/src/sampler.rs:60
+        resample(this_43.scheme, particles_start_6, particles_len_6, source_6);
+    } else {
+        // glimt_smc/src/sampler.rs:62
+        skip(this_43.scheme, particles_len_6, source_6);
+    }
+    // glimt_smc/src/sampler.rs:64
+    accepted = 0u;
+    // glimt_smc/src/sampler.rs:65
+    counter_13 = 0u;
+    loop {
+        let i_10 = counter_13;
+        if (i_10 >= particles_len_6) {
+            break;
+        }
+        // glimt_smc/src/sampler.rs:66
+        let _e48 = PatternSource_next_uvec2_(source_6);
+        // glimt_smc/src/sampler.rs:67
+        let _e50 = PatternSource_next_u32_(source_6);
+        // glimt_smc/src/sampler.rs:68
+        let _e52 = PatternSource_next_u32_(source_6);
+        // glimt_smc/src/sampler.rs:69
+        let u_24 = vec4<u32>(_e48.x, _e48.y, _e50, _e52);
+        // glimt_smc/src/sampler.rs:70
+        let _e63 = particles[(particles_start_6 + i_10)];
+        borrowed_6 = _e63;
+        let _e64 = metropolis(k_3, this_43.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_cdf_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_6), u_24);
+        let _e65 = borrowed_6;
+        particles[(particles_start_6 + i_10)] = _e65;
+        if _e64 {
+            // glimt_smc/src/sampler.rs:71
+            let _e68 = accepted;
+            accepted = (_e68 + 1u);
+        }
+        continuing {
+            let _e70 = counter_13;
+            counter_13 = (_e70 + 1u);
+        }
+    }
+    // glimt_smc/src/sampler.rs:74
+    if resampled {
+        // glimt_smc/src/sampler.rs:77
+        chosen_39 = 1u;
+    } else {
+        chosen_39 = 0u;
+    }
+    let _e78 = chosen_39;
+    let _e79 = accepted;
+    return Report(_e23, _e25, _e78, _e79);
+}
+
+// glimt_smc/src/sampler.rs:85
+fn Sampler_advance(this_44: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_cdf_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_cdf_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
+    var frame_3: Report;
+    var counter_14: u32;
+    var chosen_40: f32;
+    var either_1: bool;
+
+    // glimt_smc/src/sampler.rs:92
+    frame_3 = Report(0f, f32(particles_len_7), 0u, 0u);
+    // glimt_smc/src/sampler.rs:98
+    let _e29 = Bridge_steps(this_44.bridge);
+    counter_14 = 1u;
+    loop {
+        let k_4 = counter_14;
+        if (k_4 >= (_e29 + 1u)) {
+            break;
+        }
+        // glimt_smc/src/sampler.rs:99
+        let _e36 = Sampler_step(this_44, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_cdf_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_cdf_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
+        // glimt_smc/src/sampler.rs:100
+        let _e40 = is_log_zero(_e36.log_ratio);
+        either_1 = _e40;
+        if _e40 {
+        } else {
+            let _e43 = frame_3.log_ratio;
+            let _e44 = is_log_zero(_e43);
+            either_1 = _e44;
+        }
+        let _e45 = either_1;
+        if _e45 {
+            // glimt_smc/src/sampler.rs:101
+            chosen_40 = -1000000000000000000000000000000f;
+        } else {
+            // glimt_smc/src/sampler.rs:103
+            let _e50 = frame_3.log_ratio;
+            chosen_40 = (_e50 + _e36.log_ratio);
+        }
+        let _e53 = chosen_40;
+        frame_3.log_ratio = _e53;
+        // glimt_smc/src/sampler.rs:105
+        let _e57 = frame_3.ess;
+        frame_3.ess = min(_e57, _e36.ess);
+        // glimt_smc/src/sampler.rs:106
+        let _e64 = frame_3.resampled;
+        frame_3.resampled = (_e64 + _e36.resampled);
+        // glimt_smc/src/sampler.rs:107
+        let _e69 = frame_3.accepted;
+        frame_3.accepted = (_e69 + _e36.accepted);
+        continuing {
+            let _e71 = counter_14;
+            counter_14 = (_e71 + 1u);
+        }
+    }
+    // glimt_smc/src/sampler.rs:109
+    let _e75 = frame_3;
+    return _e75;
+}
+
+// glimt_render_gpu/src/kernels/smc.rs:111
+fn SmcParams_advance(this_45: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_cdf_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
+
+    // glimt_render_gpu/src/kernels/smc.rs:118
+    // glimt_render_gpu/src/kernels/smc.rs:139
+    let _e25 = SmcParams_sampler(this_45);
+    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_cdf_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_45.cap_share, CapMove(this_45.cap_height), this_45.light_share, target_light_cdf_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
+    return _e26;
+}
+
+// glimt_sampling/src/ris.rs:61
+fn RisSum_new() -> RisSum {
+
+    // glimt_sampling/src/ris.rs:62
+    return RisSum(0f, 0u, 0u);
+}
+
+// glimt_render_gpu/src/kernels/candidates.rs:60
+fn Candidates_of_brdf(this_46: Candidates) -> u32 {
+    var chosen_41: u32;
+    var chosen_42: u32;
+
+    // glimt_render_gpu/src/kernels/candidates.rs:61
+    if (this_46.source == 0u) {
+        // glimt_render_gpu/src/kernels/candidates.rs:62
+        chosen_41 = this_46.count;
+    } else {
+        if (this_46.source == 1u) {
+            // glimt_render_gpu/src/kernels/candidates.rs:64
+            chosen_42 = 0u;
+        } else {
+            // glimt_render_gpu/src/kernels/candidates.rs:66
+            let _e18 = (this_46.count / 2u);
+            chosen_42 = select(_e18, (_e18 + 1u), ((this_46.count % 2u) != 0u));
+        }
+        let _e25 = chosen_42;
+        chosen_41 = _e25;
+    }
+    let _e26 = chosen_41;
+    return _e26;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:166
+fn jittered(index_14: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:167
+    let _e7 = hash2_(key_2, 4u);
+    let _e8 = permute(index_14, count_2, _e7);
+    let _e9 = stratum(_e8, count_2, jitter_2);
+    return _e9;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:66
+fn PixelPattern_triple(this_47: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+    var point_3: OwenSobol;
+    var generator: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    let index_18 = ((this_47.ray * samples_1) + sample_1);
+    // glimt_render_gpu/src/kernels/pattern.rs:68
+    if (this_47.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:69
+        let _e14 = PixelPattern_sobol_point(this_47, purpose_5, index_18);
+        point_3 = _e14;
+        // glimt_render_gpu/src/kernels/pattern.rs:70
+        let _e17 = OwenSobol_next_uvec2_((&point_3));
+        // glimt_render_gpu/src/kernels/pattern.rs:71
+        let _e19 = OwenSobol_next_u32_((&point_3));
+        return vec3<u32>(_e17, _e19);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:73
+    let _e22 = PixelPattern_generator(this_47, purpose_5, index_18);
+    generator = _e22;
+    // glimt_render_gpu/src/kernels/pattern.rs:74
+    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:75
+    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:76
+    if (this_47.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:77
+        return vec3<u32>(_e25, _e27);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:79
+    let _e37 = PixelPattern_key(this_47, purpose_5);
+    let _e38 = Tuple_u32_u32_((this_47.rays * samples_1), _e37);
+    let count_3 = _e38.fa;
+    let key_3 = _e38.fb;
+    // glimt_render_gpu/src/kernels/pattern.rs:80
+    let _e42 = jittered_pair(index_18, count_3, _e25, key_3);
+    let _e43 = jittered(index_18, count_3, _e27, key_3);
+    return vec3<u32>(_e42, _e43);
+}
+
+// glimt_render_gpu/src/kernels/candidates.rs:73
+fn Candidates_draw(this_48: Candidates, index_15: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+    var density_1: f32;
+    var direction_12: vec3<f32>;
+    var wi_3: vec3<f32>;
+    var radiance: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/candidates.rs:80
+    let _e8 = Candidates_of_brdf(this_48);
+    // glimt_render_gpu/src/kernels/candidates.rs:81
+    let of_env = (this_48.count - _e8);
+    // glimt_render_gpu/src/kernels/candidates.rs:83
+    density_1 = 0f;
+    // glimt_render_gpu/src/kernels/candidates.rs:87
+    if (index_15 < _e8) {
+        // glimt_render_gpu/src/kernels/candidates.rs:88
+        let _e22 = PixelPattern_triple(pattern_2, 4u, index_15, _e8);
+        // glimt_render_gpu/src/kernels/candidates.rs:89
+        let _e28 = unit_vec2_(_e22.xy);
+        let _e29 = BlinnPhong_sample(point_4.brdf, point_4.wo, _e22.z, _e28);
+        // glimt_render_gpu/src/kernels/candidates.rs:90
+        if !((_e29.pdf_sr > 0f)) {
+            // glimt_render_gpu/src/kernels/candidates.rs:91
+            return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
+        }
+        // glimt_render_gpu/src/kernels/candidates.rs:93
+        wi_3 = _e29.wi;
+        // glimt_render_gpu/src/kernels/candidates.rs:94
+        let _e53 = wi_3;
+        let _e54 = ShadingFrame_to_world(point_4.frame, _e53);
+        direction_12 = _e54;
+        // glimt_render_gpu/src/kernels/candidates.rs:95
+        let _e56 = direction_12;
+        let _e57 = Environment_texel(env_cdf_size, env_rotation, _e56);
+        // glimt_render_gpu/src/kernels/candidates.rs:96
+        let _e59 = Environment_radiance(env_cdf_size, env_rotation, _e57);
+        radiance = _e59;
+        // glimt_render_gpu/src/kernels/candidates.rs:97
+        let _e64 = density_1;
+        density_1 = (_e64 + (f32(_e8) * _e29.pdf_sr));
+        // glimt_render_gpu/src/kernels/candidates.rs:98
+        if (of_env > 0u) {
+            // glimt_render_gpu/src/kernels/candidates.rs:99
+            let _e71 = EnvCdf_texel_pdf_sr(env_cdf_size, _e57);
+            let _e73 = density_1;
+            density_1 = (_e73 + (f32(of_env) * _e71));
+        }
+    } else {
+        // glimt_render_gpu/src/kernels/candidates.rs:102
+        let _e78 = PixelPattern_pair(pattern_2, 5u, (index_15 - _e8), of_env);
+        // glimt_render_gpu/src/kernels/candidates.rs:103
+        let _e80 = Environment_sample(env_cdf_size, env_rotation, _e78);
+        // glimt_render_gpu/src/kernels/candidates.rs:104
+        if !((_e80.pdf_sr > 0f)) {
+            // glimt_render_gpu/src/kernels/candidates.rs:105
+            return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
+        }
+        // glimt_render_gpu/src/kernels/candidates.rs:107
+        direction_12 = _e80.direction;
+        // glimt_render_gpu/src/kernels/candidates.rs:108
+        let _e104 = direction_12;
+        let _e105 = ShadingFrame_to_local(point_4.frame, _e104);
+        wi_3 = _e105;
+        // glimt_render_gpu/src/kernels/candidates.rs:109
+        let _e108 = Environment_radiance(env_cdf_size, env_rotation, _e80.texel);
+        radiance = _e108;
+        // glimt_render_gpu/src/kernels/candidates.rs:110
+        let _e113 = density_1;
+        density_1 = (_e113 + (f32(of_env) * _e80.pdf_sr));
+        // glimt_render_gpu/src/kernels/candidates.rs:111
+        if (_e8 > 0u) {
+            // glimt_render_gpu/src/kernels/candidates.rs:112
+            let _e122 = wi_3;
+            let _e123 = BlinnPhong_pdf_sr(point_4.brdf, point_4.wo, _e122);
+            let _e125 = density_1;
+            density_1 = (_e125 + (f32(_e8) * _e123));
+        }
+    }
+    // glimt_render_gpu/src/kernels/candidates.rs:115
+    let _e129 = wi_3.z;
+    if !((_e129 > 0f)) {
+        // glimt_render_gpu/src/kernels/candidates.rs:116
+        return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
+    }
+    // glimt_render_gpu/src/kernels/candidates.rs:118
+    let _e150 = wi_3;
+    let _e151 = BlinnPhong_eval(point_4.brdf, point_4.wo, _e150);
+    let _e152 = luminance(_e151);
+    let _e154 = wi_3.z;
+    let reflected = (_e152 * _e154);
+    // glimt_render_gpu/src/kernels/candidates.rs:119
+    let _e157 = radiance;
+    let _e158 = luminance(_e157);
+    let target_ = ((_e158 + this_48.floor) * reflected);
+    // glimt_render_gpu/src/kernels/candidates.rs:120
+    let _e163 = direction_12;
+    let _e164 = wi_3;
+    let _e165 = radiance;
+    let _e168 = density_1;
+    return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_48.count) / _e168)));
+}
+
+// glimt_sampling/src/ris.rs:71
+fn RisSum_add(this_49: ptr<function, RisSum>, weight: f32) {
+
+    // glimt_sampling/src/ris.rs:72
+    let _e6 = (*this_49).candidates;
+    (*this_49).candidates = (_e6 + 1u);
+    // glimt_sampling/src/ris.rs:73
+    if (weight > 0f) {
+        // glimt_sampling/src/ris.rs:74
+        let _e13 = (*this_49).sum;
+        (*this_49).sum = (_e13 + weight);
+        // glimt_sampling/src/ris.rs:75
+        let _e17 = (*this_49).candidates;
+        (*this_49).end = _e17;
+    }
+    return;
+}
+
+// glimt_sampling/src/ris.rs:82
+fn RisSum_normaliser(this_50: RisSum) -> f32 {
+    var chosen_43: f32;
+
+    // glimt_sampling/src/ris.rs:83
+    if (this_50.candidates > 0u) {
+        // glimt_sampling/src/ris.rs:84
+        chosen_43 = (this_50.sum / f32(this_50.candidates));
+    } else {
+        // glimt_sampling/src/ris.rs:86
+        chosen_43 = 0f;
+    }
+    let _e14 = chosen_43;
+    return _e14;
+}
+
+// glimt_sampling/src/ris.rs:108
+fn Word_next_u32_(this_51: ptr<function, Word>) -> u32 {
+
+    // glimt_sampling/src/ris.rs:109
+    let _e4 = (*this_51).f0_;
+    return _e4;
+}
+
+// glimt_sampling/src/resample.rs:135
+fn Comb_place_tooth_1(this_52: ptr<function, Comb>, source_9: ptr<function, Word>) {
+
+    // glimt_sampling/src/resample.rs:136
+    let _e5 = (*this_52).made;
+    let _e7 = (*this_52).teeth;
+    if (_e5 >= _e7) {
+        // glimt_sampling/src/resample.rs:137
+        return;
+    }
+    // glimt_sampling/src/resample.rs:139
+    let _e12 = (*this_52).made;
+    let first_6 = f32(_e12);
+    // glimt_sampling/src/resample.rs:140
+    let _e16 = (*this_52).scheme;
+    if (_e16 == 0u) {
+        // glimt_sampling/src/resample.rs:141
+        let _e21 = (*this_52).state;
+        (*this_52).next = (first_6 + _e21);
+    } else {
+        let _e25 = (*this_52).scheme;
+        if (_e25 == 1u) {
+            // glimt_sampling/src/resample.rs:143
+            let _e29 = Word_next_u32_(source_9);
+            let _e30 = unit_f32_(_e29);
+            (*this_52).next = (first_6 + _e30);
+        } else {
+            // glimt_sampling/src/resample.rs:146
+            let _e35 = Word_next_u32_(source_9);
+            let _e36 = unit_f32_(_e35);
+            let v_9 = (1f - _e36);
+            // glimt_sampling/src/resample.rs:147
+            let _e40 = (*this_52).teeth;
+            let _e42 = (*this_52).made;
+            let left_3 = f32((_e40 - _e42));
+            // glimt_sampling/src/resample.rs:148
+            let _e50 = (*this_52).state;
+            (*this_52).state = (_e50 * pow(v_9, (1f / left_3)));
+            // glimt_sampling/src/resample.rs:149
+            let _e55 = (*this_52).state;
+            let _e58 = (*this_52).teeth;
+            (*this_52).next = ((1f - _e55) * f32(_e58));
+        }
+    }
+    return;
+}
+
+// glimt_sampling/src/resample.rs:84
+fn Comb_new_1(scheme_5: u32, picks_4: u32, sure_2: u32, source_10: ptr<function, Word>) -> Comb {
+    var comb_2: Comb;
+
+    // glimt_sampling/src/resample.rs:85
+    comb_2 = Comb(scheme_5, picks_4, (max(picks_4, sure_2) - sure_2), 0u, 0f, 0f, 1f);
+    // glimt_sampling/src/resample.rs:94
+    if (scheme_5 == 0u) {
+        // glimt_sampling/src/resample.rs:95
+        let _e18 = Word_next_u32_(source_10);
+        let _e19 = unit_f32_(_e18);
+        comb_2.state = _e19;
+    }
+    // glimt_sampling/src/resample.rs:97
+    Comb_place_tooth_1((&comb_2), source_10);
+    // glimt_sampling/src/resample.rs:98
+    let _e23 = comb_2;
+    return _e23;
+}
+
+// glimt_sampling/src/ris.rs:117
+fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
+    var borrowed_7: Word;
+    var chosen_44: f32;
+    var chosen_45: u32;
+
+    // glimt_sampling/src/ris.rs:118
+    let possible_1 = (weights.sum > 0f);
+    // glimt_sampling/src/ris.rs:119
+    borrowed_7 = Word(u_21);
+    let _e13 = Comb_new_1(0u, samples_2, 0u, (&borrowed_7));
+    if possible_1 {
+        // glimt_sampling/src/ris.rs:122
+        chosen_44 = (f32(samples_2) / weights.sum);
+    } else {
+        // glimt_sampling/src/ris.rs:124
+        chosen_44 = 0f;
+    }
+    let _e21 = chosen_44;
+    if possible_1 {
+        // glimt_sampling/src/ris.rs:126
+        chosen_45 = samples_2;
+    } else {
+        chosen_45 = 0u;
+    }
+    let _e25 = chosen_45;
+    return RisPicks(_e13, _e21, _e25, 0u, weights.end);
+}
+
+// glimt_sampling/src/resample.rs:105
+fn Comb_take_1(this_53: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
+
+    // glimt_sampling/src/resample.rs:106
+    let _e6 = (*this_53).scheme;
+    let _e7 = sure_copies(_e6, expected_2);
+    // glimt_sampling/src/resample.rs:107
+    let _e12 = (*this_53).reach;
+    (*this_53).reach = (_e12 + (expected_2 - f32(_e7)));
+    // glimt_sampling/src/resample.rs:108
+    let before_1 = (*this_53).made;
+    // glimt_sampling/src/resample.rs:109
+    loop {
+        let _e19 = (*this_53).made;
+        let _e21 = (*this_53).teeth;
+        let _e24 = (*this_53).next;
+        let _e26 = (*this_53).reach;
+        if ((_e19 < _e21) && (_e24 < _e26)) {
+            // glimt_sampling/src/resample.rs:110
+            let _e32 = (*this_53).made;
+            (*this_53).made = (_e32 + 1u);
+            // glimt_sampling/src/resample.rs:111
+            Comb_place_tooth_1(this_53, source_11);
+        } else {
+            break;
+        }
+    }
+    // glimt_sampling/src/resample.rs:113
+    let _e37 = (*this_53).made;
+    return (_e7 + (_e37 - before_1));
+}
+
+// glimt_sampling/src/ris.rs:135
+fn RisPicks_take(this_54: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+    var chosen_46: u32;
+    var borrowed_8: Comb;
+    var borrowed_9: Word;
+
+    // glimt_sampling/src/ris.rs:136
+    let _e6 = (*this_54).candidate;
+    (*this_54).candidate = (_e6 + 1u);
+    // glimt_sampling/src/ris.rs:137
+    let _e13 = (*this_54).left;
+    if (!((weight_1 > 0f)) || (_e13 == 0u)) {
+        // glimt_sampling/src/ris.rs:138
+        return 0u;
+    }
+    // glimt_sampling/src/ris.rs:140
+    let _e22 = (*this_54).candidate;
+    let _e24 = (*this_54).end;
+    if (_e22 == _e24) {
+        // glimt_sampling/src/ris.rs:141
+        let _e28 = (*this_54).left;
+        chosen_46 = _e28;
+    } else {
+        // glimt_sampling/src/ris.rs:143
+        let _e32 = (*this_54).comb;
+        borrowed_8 = _e32;
+        let _e34 = (*this_54).scale;
+        borrowed_9 = Word(0u);
+        let _e39 = Comb_take_1((&borrowed_8), (weight_1 * _e34), (&borrowed_9));
+        let _e40 = borrowed_8;
+        (*this_54).comb = _e40;
+        let _e42 = (*this_54).left;
+        chosen_46 = min(_e39, _e42);
+    }
+    let picks_6 = chosen_46;
+    // glimt_sampling/src/ris.rs:147
+    let _e47 = (*this_54).left;
+    (*this_54).left = (_e47 - picks_6);
+    // glimt_sampling/src/ris.rs:148
+    return picks_6;
+}
+
+// glimt_render_gpu/src/kernels/smc.rs:145
+fn SmcParams_start(this_55: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
+    var weights_1: RisSum;
+    var counter_15: u32;
+    var counter_16: u32;
+    var picks_5: RisPicks;
+    var filled: u32;
+    var counter_17: u32;
+    var counter_18: u32;
+
+    // glimt_render_gpu/src/kernels/smc.rs:152
+    // glimt_render_gpu/src/kernels/smc.rs:153
+    let candidates = Candidates(this_55.candidates, this_55.source, this_55.floor);
+    // glimt_render_gpu/src/kernels/smc.rs:158
+    let _e15 = RisSum_new();
+    weights_1 = _e15;
+    // glimt_render_gpu/src/kernels/smc.rs:159
+    counter_15 = 0u;
+    loop {
+        let j = counter_15;
+        if (j >= this_55.candidates) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/smc.rs:160
+        let _e24 = Candidates_draw(candidates, j, point_5, pattern_3, env_cdf_size_1, env_rotation_1);
+        RisSum_add((&weights_1), _e24.weight);
+        continuing {
+            let _e26 = counter_15;
+            counter_15 = (_e26 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:162
+    let _e30 = weights_1;
+    let _e31 = RisSum_normaliser(_e30);
+    // glimt_render_gpu/src/kernels/smc.rs:163
+    if !((_e31 > 0f)) {
+        // glimt_render_gpu/src/kernels/smc.rs:164
+        counter_16 = 0u;
+        loop {
+            let i_11 = counter_16;
+            if (i_11 >= particles_len_9) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/smc.rs:165
+            particles[(particles_start_9 + i_11)] = Particle(point_5.frame.n, -1000000000000000000000000000000f);
+            continuing {
+                let _e49 = counter_16;
+                counter_16 = (_e49 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/smc.rs:170
+        return -1000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:172
+    let _e55 = weights_1;
+    let _e59 = PixelPattern_pair(pattern_3, 6u, 0u, 1u);
+    let _e61 = RisPicks_new(_e55, particles_len_9, _e59.x);
+    picks_5 = _e61;
+    // glimt_render_gpu/src/kernels/smc.rs:173
+    filled = 0u;
+    // glimt_render_gpu/src/kernels/smc.rs:174
+    counter_17 = 0u;
+    loop {
+        let j_1 = counter_17;
+        if (j_1 >= this_55.candidates) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/smc.rs:175
+        let _e73 = Candidates_draw(candidates, j_1, point_5, pattern_3, env_cdf_size_1, env_rotation_1);
+        // glimt_render_gpu/src/kernels/smc.rs:176
+        let _e76 = RisPicks_take((&picks_5), _e73.weight);
+        // glimt_render_gpu/src/kernels/smc.rs:177
+        counter_18 = 0u;
+        loop {
+            let _e80 = counter_18;
+            if (_e80 >= _e76) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/smc.rs:178
+            let _e84 = filled;
+            particles[(particles_start_9 + _e84)].state = _e73.direction;
+            // glimt_render_gpu/src/kernels/smc.rs:179
+            let _e91 = filled;
+            filled = (_e91 + 1u);
+            continuing {
+                let _e93 = counter_18;
+                counter_18 = (_e93 + 1u);
+            }
+        }
+        continuing {
+            let _e96 = counter_17;
+            counter_17 = (_e96 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:182
+    make_equal(particles_start_9, particles_len_9);
+    // glimt_render_gpu/src/kernels/smc.rs:183
+    return log(_e31);
+}
+
+// glimt_render_gpu/src/kernels/estimator.rs:76
+fn LightSample_new(point_6: ShadingPoint, direction_13: vec3<f32>, wi_4: vec3<f32>, radiance_1: vec3<f32>, density_2: f32) -> LightSample {
+
+    // glimt_render_gpu/src/kernels/estimator.rs:83
+    let in_front = ((wi_4.z > 0f) && (dot(point_6.geometric_normal, direction_13) > 0f));
+    // glimt_render_gpu/src/kernels/estimator.rs:84
+    if (!(in_front) || !((density_2 > 0.000000000000000000000000000000000000011754944f))) {
+        // glimt_render_gpu/src/kernels/estimator.rs:85
+        return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
+    }
+    // glimt_render_gpu/src/kernels/estimator.rs:88
+    let _e32 = BlinnPhong_eval(point_6.brdf, point_6.wo, wi_4);
+    let weight_2 = (_e32 * (wi_4.z / density_2));
+    // glimt_render_gpu/src/kernels/estimator.rs:89
+    return LightSample(direction_13, (radiance_1 * weight_2));
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:65
+fn any_hit(ray_9: Ray, t_max_2: f32) -> bool {
+    var t_1: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:66
+    t_1 = t_max_2;
+    // glimt_render_gpu/src/kernels/bvh.rs:67
+    let _e7 = traverse(ray_9, (&t_1), true);
+    return (_e7 != 4294967295u);
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:112
+fn Scene_is_lit(point_7: ShadingPoint, direction_14: vec3<f32>) -> bool {
+
+    // glimt_render_gpu/src/kernels/scene.rs:113
+    let _e5 = Ray_new(point_7.origin, direction_14);
+    // glimt_render_gpu/src/kernels/scene.rs:114
+    let _e8 = any_hit(_e5, 340282350000000000000000000000000000000f);
+    return !(_e8);
+}
+
+// glimt_render_gpu/src/kernels/estimator.rs:98
+fn LightSample_traced(this_56: LightSample, point_8: ShadingPoint) -> Reflected {
+    var chosen_47: Reflected;
+
+    // glimt_render_gpu/src/kernels/estimator.rs:99
+    if !((max(max(this_56.contribution.x, this_56.contribution.y), this_56.contribution.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/estimator.rs:100
+        return Reflected(vec3(0f), vec3(0f));
+    }
+    // glimt_render_gpu/src/kernels/estimator.rs:102
+    let _e22 = Scene_is_lit(point_8, this_56.direction);
+    if _e22 {
+        // glimt_render_gpu/src/kernels/estimator.rs:103
+        chosen_47 = Reflected(this_56.contribution, vec3(0f));
+    } else {
+        // glimt_render_gpu/src/kernels/estimator.rs:108
+        chosen_47 = Reflected(vec3(0f), this_56.contribution);
+    }
+    let _e33 = chosen_47;
+    return _e33;
+}
+
+// glimt_render_gpu/src/kernels/estimator.rs:37
+fn Reflected_gather(this_57: ptr<function, Reflected>, light: Reflected) {
+
+    // glimt_render_gpu/src/kernels/estimator.rs:38
+    let _e6 = (*this_57).lit;
+    (*this_57).lit = (_e6 + light.lit);
+    // glimt_render_gpu/src/kernels/estimator.rs:39
+    let _e11 = (*this_57).blocked;
+    (*this_57).blocked = (_e11 + light.blocked);
+    return;
+}
+
+// glimt_render_gpu/src/kernels/smc.rs:189
+fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normaliser: f32, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>, particles_start_10: u32, particles_len_10: u32) -> Reflected {
+    var sum_3: Reflected;
+    var counter_19: u32;
+
+    // glimt_render_gpu/src/kernels/smc.rs:198
+    sum_3 = Reflected(vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/smc.rs:199
+    counter_19 = 0u;
+    loop {
+        let i_12 = counter_19;
+        if (i_12 >= particles_len_10) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/smc.rs:200
+        let particle_1 = particles[(particles_start_10 + i_12)];
+        // glimt_render_gpu/src/kernels/smc.rs:201
+        let _e28 = is_log_zero(particle_1.log_weight);
+        if !(_e28) {
+            // glimt_render_gpu/src/kernels/smc.rs:202
+            let direction_17 = particle_1.state;
+            // glimt_render_gpu/src/kernels/smc.rs:203
+            let _e33 = Environment_texel(env_cdf_size_2, env_rotation_2, direction_17);
+            let _e34 = Environment_radiance(env_cdf_size_2, env_rotation_2, _e33);
+            // glimt_render_gpu/src/kernels/smc.rs:204
+            let _e36 = luminance(_e34);
+            let _e38 = LightLobe_value(lobe_3, direction_17);
+            let target_1 = ((_e36 + floor_3) * _e38);
+            // glimt_render_gpu/src/kernels/smc.rs:205
+            let density_3 = (target_1 * exp(-((log_normaliser + particle_1.log_weight))));
+            // glimt_render_gpu/src/kernels/smc.rs:206
+            let _e48 = ShadingFrame_to_local(point_9.frame, direction_17);
+            // glimt_render_gpu/src/kernels/smc.rs:207
+            let _e50 = LightSample_new(point_9, direction_17, _e48, _e34, density_3);
+            // glimt_render_gpu/src/kernels/smc.rs:208
+            let _e52 = LightSample_traced(_e50, point_9);
+            Reflected_gather((&sum_3), _e52);
+        }
+        continuing {
+            let _e53 = counter_19;
+            counter_19 = (_e53 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:211
+    let _e57 = sum_3;
+    return _e57;
+}
+
+// glimt_render_gpu/src/kernels/smc.rs:217
+fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, frame_4: FrameParams, smc: SmcParams, view: PastView, pattern_4: PixelPattern, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_11: u32, particles_len_11: u32) -> Reflected {
+    var now: RayState;
+    var counter_20: u32;
+    var source_12: PatternSource;
+    var either_2: bool;
+    var chosen_48: u32;
+    var chosen_49: u32;
+    var chosen_50: f32;
+    var chosen_51: Reflected;
+
+    // glimt_render_gpu/src/kernels/smc.rs:233
+    // glimt_render_gpu/src/kernels/smc.rs:234
+    let _e19 = LightLobe_of_point(point_10);
+    // glimt_render_gpu/src/kernels/smc.rs:235
+    let _e26 = luminance(point_10.brdf.diffuse);
+    let _e29 = luminance(point_10.brdf.specular);
+    now = RayState(point_10.frame.n, -1000000000000000000000000000000f, wo_4, depth, _e26, _e29, point_10.brdf.exponent, 0u, f32(particles_len_11), 0f, 1u, 0u);
+    // glimt_render_gpu/src/kernels/smc.rs:249
+    let _e40 = PastView_predecessor(view, point_10, object_1, frame_4, pattern_4);
+    let ray_12 = _e40.value;
+    if _e40.is_some {
+        // glimt_render_gpu/src/kernels/smc.rs:250
+        let old_1 = past_states[ray_12];
+        // glimt_render_gpu/src/kernels/smc.rs:251
+        let first_7 = (ray_12 * particles_len_11);
+        // glimt_render_gpu/src/kernels/smc.rs:252
+        counter_20 = 0u;
+        loop {
+            let i_13 = counter_20;
+            if (i_13 >= particles_len_11) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/smc.rs:253
+            let _e59 = past_particles[(first_7 + i_13)];
+            particles[(particles_start_11 + i_13)] = _e59;
+            continuing {
+                let _e63 = counter_20;
+                counter_20 = (_e63 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/smc.rs:255
+        let _e68 = LightLobe_of_state(old_1);
+        // glimt_render_gpu/src/kernels/smc.rs:263
+        let _e72 = PixelPattern_source(pattern_4, 7u);
+        source_12 = _e72;
+        // glimt_render_gpu/src/kernels/smc.rs:264
+        let _e75 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e68, env_cdf_size_3, env_rotation_3, smc.floor, _e19, point_10, particles_start_11, particles_len_11, (&source_12));
+        // glimt_render_gpu/src/kernels/smc.rs:265
+        let _e78 = is_log_zero(_e75.log_ratio);
+        either_2 = _e78;
+        if _e78 {
+        } else {
+            let _e81 = is_log_zero(old_1.log_normaliser);
+            either_2 = _e81;
+        }
+        let dead = either_2;
+        // glimt_render_gpu/src/kernels/smc.rs:266
+        now.log_ratio = _e75.log_ratio;
+        // glimt_render_gpu/src/kernels/smc.rs:267
+        now.ess = _e75.ess;
+        // glimt_render_gpu/src/kernels/smc.rs:268
+        now.accepted = _e75.accepted;
+        // glimt_render_gpu/src/kernels/smc.rs:269
+        now.age = (old_1.age + 1u);
+        // glimt_render_gpu/src/kernels/smc.rs:270
+        if ((smc.band > 0f) && (dead || (abs(_e75.log_ratio) > smc.band))) {
+            // glimt_render_gpu/src/kernels/smc.rs:271
+            chosen_48 = 2u;
+        } else {
+            let _e115 = now.age;
+            if ((smc.max_age > 0u) && (_e115 >= smc.max_age)) {
+                // glimt_render_gpu/src/kernels/smc.rs:273
+                chosen_49 = 3u;
+            } else {
+                // glimt_render_gpu/src/kernels/smc.rs:275
+                chosen_49 = 0u;
+            }
+            let _e123 = chosen_49;
+            chosen_48 = _e123;
+        }
+        let _e124 = chosen_48;
+        now.started = _e124;
+        // glimt_render_gpu/src/kernels/smc.rs:277
+        if dead {
+            // glimt_render_gpu/src/kernels/smc.rs:278
+            chosen_50 = -1000000000000000000000000000000f;
+        } else {
+            // glimt_render_gpu/src/kernels/smc.rs:280
+            chosen_50 = (old_1.log_normaliser + _e75.log_ratio);
+        }
+        let _e134 = chosen_50;
+        now.log_normaliser = _e134;
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:283
+    let _e138 = now.started;
+    if (_e138 != 0u) {
+        // glimt_render_gpu/src/kernels/smc.rs:284
+        now.age = 0u;
+        // glimt_render_gpu/src/kernels/smc.rs:285
+        let _e145 = SmcParams_start(smc, point_10, pattern_4, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
+        now.log_normaliser = _e145;
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:287
+    let _e150 = now.log_normaliser;
+    let _e151 = is_log_zero(_e150);
+    if _e151 {
+        // glimt_render_gpu/src/kernels/smc.rs:288
+        chosen_51 = Reflected(vec3(0f), vec3(0f));
+    } else {
+        // glimt_render_gpu/src/kernels/smc.rs:290
+        let _e161 = now.log_normaliser;
+        let _e162 = estimate(point_10, _e19, smc.floor, _e161, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
+        chosen_51 = _e162;
+    }
+    let light_1 = chosen_51;
+    // glimt_render_gpu/src/kernels/smc.rs:300
+    let _e165 = now;
+    state_5[(state_start + 0u)] = _e165;
+    // glimt_render_gpu/src/kernels/smc.rs:301
+    return light_1;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:88
+fn bilinear(size_13: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:89
+    let _e4 = direction_to_uv(d_3);
+    let p_1 = ((_e4 * vec2<f32>(size_13)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:91
+    let next = vec2<u32>((p_1 + vec2(1f)));
+    // glimt_render_gpu/src/kernels/environment.rs:92
+    let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
+    // glimt_render_gpu/src/kernels/environment.rs:93
+    let x0_ = (((next.x + size_13.x) - 1u) % size_13.x);
+    // glimt_render_gpu/src/kernels/environment.rs:94
+    let x1_ = (next.x % size_13.x);
+    // glimt_render_gpu/src/kernels/environment.rs:95
+    let row0_1 = ((max(next.y, 1u) * size_13.x) - size_13.x);
+    // glimt_render_gpu/src/kernels/environment.rs:96
+    let row1_1 = (min(next.y, (size_13.y - 1u)) * size_13.x);
+    // glimt_render_gpu/src/kernels/environment.rs:97
+    let _e53 = env_texels[(row0_1 + x0_)];
+    let _e57 = env_texels[(row0_1 + x1_)];
+    let upper_3 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:98
+    let _e68 = env_texels[(row1_1 + x0_)];
+    let _e72 = env_texels[(row1_1 + x1_)];
+    let lower_3 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:99
+    return ((upper_3 * (1f - f.y)) + (lower_3 * f.y)).xyz;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:79
+fn Environment_background(cdf_size_4: vec2<u32>, rotation_5: vec2<f32>, direction_15: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:80
+    let _e5 = Environment_to_map(cdf_size_4, rotation_5, direction_15);
+    let _e6 = bilinear(cdf_size_4, _e5);
+    return _e6;
+}
+
+// glimt_render_gpu/src/kernels/smc.rs:307
+fn shade_smc_1(ray_10: u32, frame_5: FrameParams, smc_1: SmcParams, view_1: PastView, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>, before_size_1: vec2<u32>, before_rotation_1: vec2<f32>, state_start_1: u32, state_len_1: u32, particles_start_12: u32, particles_len_12: u32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/smc.rs:319
+    let _e14 = FrameParams_pattern_of(frame_5, ray_10);
+    // glimt_render_gpu/src/kernels/smc.rs:320
+    let _e16 = FrameParams_camera_ray(frame_5, _e14);
+    // glimt_render_gpu/src/kernels/smc.rs:321
+    let _e18 = Scene_closest_hit(_e16);
+    let hit_1 = _e18.value;
+    if _e18.is_some {
+        // glimt_render_gpu/src/kernels/smc.rs:322
+        let _e23 = Scene_shading_point(_e16, hit_1);
+        // glimt_render_gpu/src/kernels/smc.rs:323
+        let _e29 = scene_triangles[hit_1.triangle].object;
+        let object_2 = (_e29 & 2147483647u);
+        // glimt_render_gpu/src/kernels/smc.rs:324
+        let wo_5 = -(_e16.direction);
+        // glimt_render_gpu/src/kernels/smc.rs:325
+        let _e37 = follow(_e23, hit_1.t, wo_5, object_2, frame_5, smc_1, view_1, _e14, env_cdf_size_4, env_rotation_4, before_size_1, before_rotation_1, state_start_1, state_len_1, particles_start_12, particles_len_12);
+        // glimt_render_gpu/src/kernels/smc.rs:329
+        return vec4<f32>(_e37.lit, 1f);
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:331
+    state_5[(state_start_1 + 0u)] = RayState(vec3(0f), 0f, vec3(0f), 0f, 0f, 0f, 0f, 0u, 0f, 0f, 0u, 0u);
+    // glimt_render_gpu/src/kernels/smc.rs:332
+    if (frame_5.background == 0u) {
+        // glimt_render_gpu/src/kernels/smc.rs:333
+        let _e68 = Environment_background(env_cdf_size_4, env_rotation_4, _e16.direction);
+        return vec4<f32>(_e68, 1f);
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:335
+    return vec4(0f);
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn shade_smc(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local_1 = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local_1 >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e19 = params.smc;
+    let _e21 = params.view;
+    let _e23 = params.env_cdf_size;
+    let _e25 = params.env_rotation;
+    let _e27 = params.before_size;
+    let _e29 = params.before_rotation;
+    let _e31 = params.state_len;
+    let _e34 = params.particles_len;
+    let _e36 = shade_smc_1((_e14 + local_1), _e17, _e19, _e21, _e23, _e25, _e27, _e29, (local_1 * _e31), _e31, (local_1 * _e34), _e34);
+    out[local_1] = _e36;
+}

@@ -1,0 +1,294 @@
+//! Host file: the objects of a scene with their meshes, and their triangles in the world at given transforms.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use glam::{DMat3, Mat3, Mat4, Vec2, Vec3, Vec4};
+use rayon::prelude::*;
+
+use super::attributes::{area_weighted_normals, uv_tangents};
+use super::scene::{Mesh, SceneDescription};
+use super::scene_build::MAX_COORDINATE;
+use super::scene_error::SceneError;
+use crate::kernels::scene::{Corner, MIRRORED};
+use crate::kernels::triangle::{CATCHER, Triangle};
+
+/// Rays that leave a surface start this fraction of the triangle's largest coordinate away from it: 64 units in the
+/// last place, of which about ten may be lost in the hit and in the next ray's test.
+const RAY_OFFSET: f32 = 1.0 / 262_144.0;
+
+/// A triangle is dropped when it is this many times longer than high: rounding alone decides where such a face looks.
+const MAX_ASPECT: f64 = 1e7;
+
+/// What does not change when the objects of a scene move.
+#[derive(Debug)]
+pub(super) struct Geometry {
+    bodies: Vec<Body>,
+}
+
+/// An object without its place.
+#[derive(Debug)]
+struct Body {
+    /// With normals, and with tangents where it has texture coordinates.
+    mesh: Arc<Mesh>,
+    material: Option<u32>,
+    catcher: bool,
+}
+
+/// Triangles of an object in the world, in the order of its mesh.
+#[derive(Default)]
+pub(super) struct Flat {
+    pub(super) triangles: Vec<Triangle>,
+    pub(super) corners: Vec<[Corner; 3]>,
+    /// Faces that were dropped because they have no area.
+    pub(super) dropped: Vec<u32>,
+}
+
+impl Geometry {
+    /// Checks the meshes of a scene that has `materials` materials, and makes the normals and tangents that they lack.
+    pub(super) fn new(
+        description: &SceneDescription,
+        materials: usize,
+    ) -> Result<Self, SceneError> {
+        let mut meshes: HashMap<u32, Arc<Mesh>> = HashMap::new();
+        let mut bodies = Vec::with_capacity(description.objects.len());
+        for (index, object) in description.objects.iter().enumerate() {
+            let missing = |what, index_given| SceneError::Missing {
+                object: index,
+                what,
+                index: index_given,
+            };
+            let mesh = description
+                .meshes
+                .get(object.mesh as usize)
+                .ok_or(missing("mesh", object.mesh))?;
+            let known = meshes.get(&object.mesh).cloned();
+            let complete = match known {
+                Some(known) => known,
+                None => {
+                    check_mesh(mesh)?;
+                    let complete = Arc::new(completed(mesh));
+                    meshes.insert(object.mesh, Arc::clone(&complete));
+                    complete
+                }
+            };
+            match object.material {
+                Some(own) if own as usize >= materials => return Err(missing("material", own)),
+                Some(_) => {}
+                None => check_materials(mesh, materials)?,
+            }
+            bodies.push(Body {
+                mesh: complete,
+                material: object.material,
+                catcher: object.catcher,
+            });
+        }
+        Ok(Self { bodies })
+    }
+
+    /// Whether there is a catcher with a triangle.
+    pub(super) fn has_catcher(&self) -> bool {
+        let mut bodies = self.bodies.iter();
+        bodies.any(|body| body.catcher && !body.mesh.indices.is_empty())
+    }
+
+    /// The triangles of an object that stands at `transform`, an affine map.
+    pub(super) fn flatten(&self, object: usize, transform: &Mat4) -> Result<Flat, SceneError> {
+        let body = &self.bodies[object];
+        let mesh = &*body.mesh;
+        let linear = DMat3::from_mat4(transform.as_dmat4());
+        let determinant = linear.determinant();
+        if !(determinant.abs() > 0.0 && determinant.abs() <= f64::MAX) {
+            return Err(SceneError::Transform { object });
+        }
+        let positions = world_positions(object, mesh, transform)?;
+        let normal_map = linear.inverse().transpose();
+        let tangent_map = Mat3::from_mat4(*transform);
+        let corner = |vertex: usize| {
+            let uv = mesh.uvs.get(vertex).copied().unwrap_or(Vec2::ZERO);
+            let tangent = mesh.tangents.get(vertex).copied().unwrap_or(Vec4::ZERO);
+            Corner {
+                normal: (normal_map * mesh.normals[vertex].as_dvec3())
+                    .normalize_or_zero()
+                    .as_vec3(),
+                u: uv.x,
+                tangent: (tangent_map * tangent.truncate()).normalize_or_zero(),
+                v: uv.y,
+            }
+        };
+        let corners: Vec<Corner> = (0..positions.len()).into_par_iter().map(corner).collect();
+        let number = if body.catcher {
+            object as u32 | CATCHER
+        } else {
+            object as u32
+        };
+        let triangle = |(index, face): (usize, &[u32; 3])| {
+            let [v0, v1, v2] = face.map(|i| positions[i as usize]);
+            if is_degenerate(v0, v1, v2) {
+                return None;
+            }
+            let own = match mesh.materials.len() {
+                1 => mesh.materials[0],
+                _ => mesh.materials[index],
+            };
+            let material = body.material.unwrap_or(own);
+            let handedness = mesh
+                .tangents
+                .get(face[0] as usize)
+                .map_or(1.0, |t| f64::from(t.w));
+            let mirrored = handedness * determinant < 0.0;
+            let extent = v0.abs().max(v1.abs()).max(v2.abs()).max_element();
+            Some(Triangle {
+                v0,
+                material: if mirrored {
+                    material | MIRRORED
+                } else {
+                    material
+                },
+                v1,
+                object: number,
+                v2,
+                ray_offset: RAY_OFFSET * extent,
+            })
+        };
+        let made: Vec<Option<Triangle>> = mesh
+            .indices
+            .par_iter()
+            .enumerate()
+            .with_min_len(256)
+            .map(triangle)
+            .collect();
+        let mut flat = Flat::default();
+        flat.triangles.reserve_exact(made.len());
+        flat.corners.reserve_exact(made.len());
+        for (index, (made, face)) in made.into_iter().zip(&mesh.indices).enumerate() {
+            match made {
+                Some(triangle) => {
+                    flat.triangles.push(triangle);
+                    flat.corners.push(face.map(|i| corners[i as usize]));
+                }
+                None => flat.dropped.push(index as u32),
+            }
+        }
+        Ok(flat)
+    }
+}
+
+/// A mesh with normals; with tangents, where it has texture coordinates.
+fn completed(mesh: &Mesh) -> Mesh {
+    let mut mesh = mesh.clone();
+    if mesh.normals.is_empty() {
+        mesh.normals = area_weighted_normals(&mesh);
+    }
+    if mesh.tangents.is_empty() && !mesh.uvs.is_empty() {
+        mesh.tangents = uv_tangents(&mesh);
+    }
+    mesh
+}
+
+/// The materials that a mesh names itself.
+fn check_materials(mesh: &Mesh, count: usize) -> Result<(), SceneError> {
+    let named = &mesh.materials[..mesh.materials.len().min(mesh.indices.len())];
+    match named.iter().position(|&index| index as usize >= count) {
+        None => Ok(()),
+        Some(triangle) => Err(SceneError::Index {
+            mesh: mesh.name.clone(),
+            triangle,
+            what: "material",
+            index: named[triangle],
+            count,
+        }),
+    }
+}
+
+fn world_positions(object: usize, mesh: &Mesh, transform: &Mat4) -> Result<Vec<Vec3>, SceneError> {
+    let transform = transform.as_dmat4();
+    let mut used = vec![false; mesh.positions.len()];
+    for &vertex in mesh.indices.iter().flatten() {
+        used[vertex as usize] = true;
+    }
+    let positions: Vec<Vec3> = mesh
+        .positions
+        .par_iter()
+        .with_min_len(256)
+        .map(|p| transform.transform_point3(p.as_dvec3()).as_vec3())
+        .collect();
+    let bad = |(p, used): (&Vec3, &bool)| {
+        *used && !(p.is_finite() && p.abs().max_element() <= MAX_COORDINATE)
+    };
+    match positions.iter().zip(&used).position(bad) {
+        Some(vertex) => Err(SceneError::Position {
+            object,
+            mesh: mesh.name.clone(),
+            vertex,
+        }),
+        None => Ok(positions),
+    }
+}
+
+/// Lengths, indices and attributes of a mesh.
+fn check_mesh(mesh: &Mesh) -> Result<(), SceneError> {
+    let vertices = mesh.positions.len();
+    for (triangle, face) in mesh.indices.iter().enumerate() {
+        if let Some(&index) = face.iter().find(|&&i| i as usize >= vertices) {
+            return Err(SceneError::Index {
+                mesh: mesh.name.clone(),
+                triangle,
+                what: "vertex",
+                index,
+                count: vertices,
+            });
+        }
+    }
+    let length = |what, found: usize, expected: usize| {
+        if found == expected {
+            Ok(())
+        } else {
+            Err(SceneError::Length {
+                mesh: mesh.name.clone(),
+                what,
+                found,
+                expected,
+            })
+        }
+    };
+    let finite = |what, bad: Option<usize>| match bad {
+        Some(vertex) => Err(SceneError::Attribute {
+            mesh: mesh.name.clone(),
+            what,
+            vertex,
+        }),
+        None => Ok(()),
+    };
+    if !mesh.normals.is_empty() {
+        length("normals", mesh.normals.len(), vertices)?;
+        finite("normal", mesh.normals.iter().position(|n| !n.is_finite()))?;
+    }
+    if !mesh.uvs.is_empty() {
+        length("texture coordinates", mesh.uvs.len(), vertices)?;
+        finite(
+            "texture coordinate",
+            mesh.uvs.iter().position(|uv| !uv.is_finite()),
+        )?;
+    }
+    if !mesh.tangents.is_empty() {
+        length("tangents", mesh.tangents.len(), vertices)?;
+        finite("tangent", mesh.tangents.iter().position(|t| !t.is_finite()))?;
+    }
+    if mesh.materials.len() != 1 {
+        length("materials", mesh.materials.len(), mesh.indices.len())?;
+    }
+    Ok(())
+}
+
+/// Whether a face has no area, none that f32 could hold, or a height lost beside its length.
+fn is_degenerate(v0: Vec3, v1: Vec3, v2: Vec3) -> bool {
+    let [a, b, c] = [v0, v1, v2].map(|v| v.as_dvec3());
+    let area2 = (b - a).cross(c - a).length();
+    let longest2 = a
+        .distance_squared(b)
+        .max(b.distance_squared(c))
+        .max(c.distance_squared(a));
+    let in_f32 = (v1 - v0).cross(v2 - v0).length_squared();
+    !(area2 * MAX_ASPECT > longest2) || !(in_f32 > f32::MIN_POSITIVE)
+}
