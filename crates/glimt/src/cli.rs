@@ -341,7 +341,7 @@ Over footage, with what it shows already as a shadow catcher:
 
 const COMPARE_EXAMPLES: &str = "\
 Examples:
-  glimt compare shot.toml                                at the time that MIS 15+15 takes, into compare/
+  glimt compare shot.toml                                at the time that 15 + 15 samples take, into compare/
   glimt compare shot.toml --equal-time 40 --measure 5,90 --seeds 32
   glimt compare shot.toml --equal-samples --preset stratified --preset owen-sobol
   glimt compare shot.toml --preset kronander --contestant 'ours: render.pattern=owen-sobol image.rays_per_pixel=8'

@@ -350,7 +350,15 @@ fn a_given_reference_that_is_off_shows_bias() {
             .unwrap()
             .replace("fov_x_deg = 60", "fov_x_deg = 120"),
     );
-    t.run(&["render", "small.toml", "--out", "lit"]).ok();
+    t.run(&[
+        "render",
+        "small.toml",
+        "--out",
+        "lit",
+        "--set",
+        "output.video=",
+    ])
+    .ok();
     t.run(&[
         "compare",
         "small.toml",

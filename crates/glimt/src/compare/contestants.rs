@@ -15,7 +15,7 @@ use std::path::Path;
 const BUILT_IN: [(&str, &str, &[&str]); 6] = [
     (
         "kronander-mis",
-        "MIS 15+15",
+        "kronander MIS",
         &[
             "render.method=mis",
             "image.rays_per_pixel=1",
@@ -26,7 +26,7 @@ const BUILT_IN: [(&str, &str, &[&str]); 6] = [
     ),
     (
         "kronander-bis",
-        "BIS 400/20",
+        "kronander BIS",
         &[
             "render.method=bis",
             "image.rays_per_pixel=1",
@@ -37,7 +37,7 @@ const BUILT_IN: [(&str, &str, &[&str]); 6] = [
     ),
     (
         "kronander-smc",
-        "SMC 8",
+        "kronander SMC",
         &[
             "render.method=smc",
             "image.rays_per_pixel=1",
@@ -382,9 +382,9 @@ mod tests {
         let names = |list: Vec<Asked>| list.into_iter().map(|a| a.name).collect::<Vec<_>>();
         let all = names(of(&[]).unwrap());
         let expected = [
-            "MIS 15+15",
-            "BIS 400/20",
-            "SMC 8",
+            "kronander MIS",
+            "kronander BIS",
+            "kronander SMC",
             "stratified MIS",
             "the shot's own",
         ];

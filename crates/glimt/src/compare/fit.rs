@@ -102,6 +102,13 @@ pub fn fit(
         };
         if full {
             let held = holds(TOLERANCE);
+            // One more takes at most this much longer; where that is less than the tolerance is wide, some count fits, and only
+            // noise hid it.
+            for (i, search) in searches.iter_mut().enumerate() {
+                let step = medians[i] / f64::from(search.count);
+                search.granular &= target.is_some_and(|t| step > 2.0 * TOLERANCE * t)
+                    || [1, MOST].contains(&search.count);
+            }
             let done = |i: usize| held[i] || searches[i].granular || is_given(budget, i);
             if steps == 0 || (0..held.len()).all(done) {
                 let fitted = searches
@@ -327,6 +334,14 @@ mod tests {
         let (fitted, _) = fit(&mut fake, &[7, 3], Budget::Seconds(0.1), 5).unwrap();
         assert_eq!((fitted[0].count, fitted[0].hold), (2, Hold::Granular));
         assert_eq!((fitted[1].count, fitted[1].hold), (1, Hold::Granular));
+    }
+
+    /// Noise may make neighbours look too short and too long; where the steps are fine, that is no excuse.
+    #[test]
+    fn noise_is_no_coarse_count() {
+        let mut fake = Fake::new(&[0.0], &[0.006], 0.3);
+        let (fitted, _) = fit(&mut fake, &[40], Budget::Seconds(0.1), 15).unwrap();
+        assert_eq!(fitted[0].hold, Hold::Held, "{fitted:?}");
     }
 
     #[test]

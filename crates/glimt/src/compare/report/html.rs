@@ -15,20 +15,20 @@ const STYLE: &str = "\
 body { background: var(--ground); color: var(--text); font: 15px/1.5 system-ui, sans-serif; max-width: 78rem; margin: 2rem auto; padding: 0 1.2rem; }
 h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2.2rem; }
 .verdict { font-size: 1.05rem; border-left: 4px solid #2c728e; padding: .5rem 1rem; background: var(--mark); }
-.verdict.bad { border-color: var(--bad); }
+.verdict.bad { border-color: var(--bad); color: inherit; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .85rem; }
 th, td { text-align: right; padding: .25rem .5rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
 th:first-child, td:first-child, .left { text-align: left; }
 thead th { color: var(--faint); font-weight: 600; }
-.bad { color: var(--bad); } .faint { color: var(--faint); }
+td .bad { color: var(--bad); } .faint { color: var(--faint); }
 .key { display: inline-block; width: .8em; height: .8em; border-radius: 50%; margin-right: .4em; }
 svg { width: 100%; max-width: 640px; } svg text { fill: var(--faint); font-size: 12px; stroke: none; }
 .grid { stroke: var(--line); } .axis { stroke: var(--faint); fill: none; } polyline { stroke-width: 1.6; }
 .charts { display: flex; flex-wrap: wrap; gap: 1rem; } .charts > figure { flex: 1 1 26rem; }
 figure { margin: 0; } figcaption { color: var(--faint); font-size: .85rem; }
 .strip { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: .8rem; margin-top: .6rem; }
-.strip img { width: 100%; display: block; image-rendering: pixelated; }
+.strip img { width: 100%; height: auto; display: block; image-rendering: pixelated; }
 .scale { height: .9rem; max-width: 24rem; margin-top: .8rem; } .ends { display: flex; justify-content: space-between; max-width: 24rem; }
 code { font-size: .85rem; overflow-wrap: anywhere; } dt { font-weight: 600; margin-top: .6rem; } dd { margin: 0; }
 ";
