@@ -56,6 +56,26 @@ pub enum Command {
         #[command(flatten)]
         follow: FollowFlags,
     },
+    /// Put estimators side by side on one shot, at equal time or equal samples: error, bias, flicker, time, efficiency, pictures
+    ///
+    /// Contestants are sets of keys of the shot; all share scene, light, camera and image.filter ("centre" unless the shot or --set
+    /// gives it: light is compared, not how well edges are covered). Nothing is behind the objects: no background, no backplate;
+    /// catchers count as they are lit. Each is rendered with --seeds independent scramblings and held against a long reference run.
+    ///
+    /// Writes compare.html (one file, with pictures, curves and definitions), compare.json and compare.csv. What is rendered is kept
+    /// in cache/ below: another run goes on from there, and a longer --reference-time refines what is there.
+    #[command(after_help = COMPARE_EXAMPLES)]
+    Compare {
+        /// The shot file (TOML)
+        #[arg(value_name = "SHOT.toml")]
+        shot: PathBuf,
+        /// Common flags.
+        #[command(flatten)]
+        flags: RenderFlags,
+        /// Who is compared, and how.
+        #[command(flatten)]
+        compare: CompareFlags,
+    },
     /// Film a simulated mirror ball, with a backplate and the truth: its light, centre, radius and sun in every frame
     ///
     /// Writes capture/, plate/, truth/ and a shot that fits. A frame that is there already, made by this version from the same
@@ -154,6 +174,55 @@ pub struct FollowFlags {
     pub wait: Duration,
 }
 
+/// Flags of `glimt compare`.
+#[derive(Clone, Debug, Default, Args)]
+pub struct CompareFlags {
+    /// A built-in contestant: kronander (all three of the paper), kronander-mis, kronander-bis, kronander-smc, stratified,
+    /// owen-sobol, shot (its own settings); repeat for more. Default: kronander, stratified and shot
+    #[arg(long, value_name = "NAME")]
+    pub preset: Vec<String>,
+    /// A contestant of one's own: a name, and the keys of the shot that make it (render.* and image.rays_per_pixel); repeat for
+    /// more
+    #[arg(long, value_name = "NAME: KEY=VALUE …")]
+    pub contestant: Vec<String>,
+    /// Compare with the counts of samples as they are given
+    #[arg(long, conflicts_with = "equal_time")]
+    pub equal_samples: bool,
+    /// Fit the counts until every contestant's frame takes this long, to 5 %; the first contestant's time if not given
+    ///
+    /// It fits image.rays_per_pixel, or, for a contestant with one ray, its samples: MIS n + n, BIS N with M / N kept, SMC its
+    /// particles.
+    #[arg(long, value_name = "MS", value_parser = milliseconds)]
+    pub equal_time: Option<f64>,
+    /// Measure errors in these frames, as 5,90; spread over the shot, at most 8, if not given
+    #[arg(
+        long,
+        value_name = "FRAMES",
+        value_delimiter = ',',
+        conflicts_with = "stride"
+    )]
+    pub measure: Vec<u32>,
+    /// Measure errors in every N-th frame
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub stride: Option<u32>,
+    /// Independent scramblings of each contestant; a standard error needs at least 16
+    #[arg(long, value_name = "K", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub seeds: u32,
+    /// Compare with DIR/frame.####.exr, rendered with image.background = "transparent" and the same filter, instead of a
+    /// reference of the command's own; compare --keep writes such a folder
+    #[arg(long, value_name = "DIR")]
+    pub reference: Option<PathBuf>,
+    /// Render no longer than this for the reference; without it, until its noise is below a tenth of the smallest error
+    #[arg(long, value_name = "SECONDS", value_parser = reference_seconds, conflicts_with = "reference")]
+    pub reference_time: Option<f64>,
+    /// Rounds in which times are measured
+    #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub rounds: u32,
+    /// Write the mean image of each contestant and the reference as EXR, too
+    #[arg(long)]
+    pub keep: bool,
+}
+
 /// Flags of `glimt synth`.
 #[derive(Clone, Debug, Args)]
 pub struct SynthFlags {
@@ -224,6 +293,22 @@ fn seconds(text: &str) -> Result<Duration, String> {
         .ok_or_else(|| "a wait is between 0.2 and 1000000 seconds".to_owned())
 }
 
+/// Reads a time of a frame.
+fn milliseconds(text: &str) -> Result<f64, String> {
+    let value: Option<f64> = text.parse().ok();
+    value
+        .filter(|ms| (0.01..=1e7).contains(ms))
+        .ok_or_else(|| "a frame's time is between 0.01 and 10000000 milliseconds".to_owned())
+}
+
+/// Reads a time for the reference.
+fn reference_seconds(text: &str) -> Result<f64, String> {
+    let value: Option<f64> = text.parse().ok();
+    value
+        .filter(|s| (0.0..=1e8).contains(s))
+        .ok_or_else(|| "a time is between 0 and 100000000 seconds".to_owned())
+}
+
 /// Reads a seed.
 fn seed(text: &str) -> Result<u32, String> {
     text.parse()
@@ -278,6 +363,18 @@ Over footage, with what it shows already as a shadow catcher:
   mesh = \"plane\"
   scale = 20
   catcher = true";
+
+const COMPARE_EXAMPLES: &str = "\
+Examples:
+  glimt compare shot.toml                                at the time that 15 + 15 samples take, into compare/
+  glimt compare shot.toml --equal-time 40 --measure 5,90 --seeds 32
+  glimt compare shot.toml --equal-samples --preset stratified --preset owen-sobol
+  glimt compare shot.toml --preset kronander --contestant 'ours: render.pattern=owen-sobol image.rays_per_pixel=8'
+  glimt compare shot.toml --frames 1-90 --stride 10 --reference-time 600 --keep --json
+  glimt compare shot.toml --reference compare/reference  # what --keep wrote
+
+Each contestant needs --seeds frames for every measured frame and the one before it; SMC, which goes on from frame to frame,
+all frames of --frames up to the last that is measured.";
 
 const DEMO_EXAMPLES: &str = "\
 Examples:

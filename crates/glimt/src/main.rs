@@ -7,7 +7,7 @@ use glimt::error::{Error, Kind, Result};
 use glimt::job::Job;
 use glimt::notes::Notes;
 use glimt::report::Reporter;
-use glimt::{demo, follow, info, render, synth};
+use glimt::{compare, demo, follow, info, render, synth};
 use std::io::IsTerminal;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -47,6 +47,11 @@ fn run(command: Command, reporter: &Reporter) -> Result<()> {
             reporter.notes(notes.take());
             render::render(job?, flags.device, notes, reporter)
         }
+        Command::Compare {
+            shot,
+            flags,
+            compare,
+        } => compare::run(&shot, &flags, &compare, reporter),
         Command::Synth { input, flags } => synth::run(input.as_deref(), &flags, reporter),
         Command::Unwarp { input, flags } => unwarp::run(&input, &flags, reporter),
         Command::Info { file: None, .. } => {

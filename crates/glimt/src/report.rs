@@ -27,6 +27,16 @@ pub fn count(n: usize, noun: &str) -> String {
     }
 }
 
+/// Seconds in words: `12 s`, `3 min 20 s`, `2 h 5 min`.
+pub fn duration(seconds: f64) -> String {
+    let seconds = seconds.max(0.0).round() as u64;
+    match seconds {
+        0..60 => format!("{seconds} s"),
+        60..3600 => format!("{} min {} s", seconds / 60, seconds % 60),
+        _ => format!("{} h {} min", seconds / 3600, seconds / 60 % 60),
+    }
+}
+
 /// What became of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrameStatus {
@@ -87,6 +97,49 @@ impl Reporter {
                 .with_message(format!("0/{frames} frames"));
             *self.lock() = Some(bar);
         }
+    }
+
+    /// A comparison of so many contestants begins.
+    pub fn start_comparing(&self, contestants: &[String], frames: usize, out: &Path, device: &str) {
+        self.event(&json!({
+            "event": "start", "contestants": contestants, "frames": frames, "out": out, "device": device,
+        }));
+        if self.talk.quiet || self.talk.json {
+            return;
+        }
+        self.line(&format!(
+            "{} in {}, on {device}, into {}",
+            count(contestants.len(), "contestant"),
+            count(frames, "measured frame"),
+            out.display()
+        ));
+        if std::io::stderr().is_terminal() {
+            let style = ProgressStyle::with_template("{bar:32} {msg}")
+                .unwrap_or_else(|_| ProgressStyle::default_bar());
+            let target = ProgressDrawTarget::stderr();
+            let bar = ProgressBar::with_draw_target(Some(STEPS), target).with_style(style);
+            *self.lock() = Some(bar);
+        }
+    }
+
+    /// How far work of many kinds is: a share, and the seconds that are probably left, where that is known.
+    pub fn progress(&self, what: &str, share: f64, left: Option<f64>) {
+        self.event(&json!({"event": "progress", "what": what, "share": share, "left": left}));
+        let text = match left {
+            Some(left) => format!("{what}, {} to go", duration(left)),
+            None => what.to_owned(),
+        };
+        if let Some(bar) = self.lock().as_ref() {
+            bar.set_position((share * STEPS as f64) as u64);
+            bar.set_message(text);
+            return;
+        }
+        self.plain(&format!("{:3.0} %: {text}", share * 100.0));
+    }
+
+    /// Whether progress is drawn, and not printed line by line.
+    pub fn draws(&self) -> bool {
+        self.lock().is_some()
     }
 
     /// Frames are rendered as they appear.

@@ -339,6 +339,17 @@ impl Renderer for GpuRenderer {
         image
     }
 
+    fn phases(&self) -> Vec<(&'static str, Duration)> {
+        let times = &self.times;
+        // As the host saw them, like the whole that they are parts of.
+        vec![
+            ("upload", times.upload),
+            ("shade", times.shade.wall),
+            ("film", times.film.wall),
+            ("read back", times.read_back),
+        ]
+    }
+
     fn smc_state(&mut self) -> Result<Option<SmcState>, RenderError> {
         match &self.smc {
             Some(smc) => smc.read(&self.context).map_err(device),

@@ -1,5 +1,7 @@
 //! Host file: what an executor is asked for and what it gives back.
 
+use std::time::Duration;
+
 use glam::{UVec2, Vec4};
 
 use super::env::PreparedEnv;
@@ -155,6 +157,11 @@ pub trait Renderer {
         progress: &(dyn Fn(f32) + Sync),
     ) -> Result<FrameImage, RenderError> {
         self.render_over(scene, env, None, settings, progress)
+    }
+
+    /// Where the last frame's time went, where the renderer knows: names of phases with their times, none of them in another.
+    fn phases(&self) -> Vec<(&'static str, Duration)> {
+        Vec::new()
     }
 
     /// What [`Method::Smc`] would go on from; `None` before its first frame.

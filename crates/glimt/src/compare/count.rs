@@ -1,0 +1,138 @@
+//! Host file: the count of a contestant that its time is fitted by.
+
+use crate::shot::{Method, Shot};
+use serde_json::Value;
+
+/// The most of any count: what a shot may have.
+pub const MOST: u32 = 65_536;
+
+/// What a contestant has more of when it is given more time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Knob {
+    /// Rays through each pixel.
+    Rays(u32),
+    /// MIS on one ray: samples of the BRDF and of the environment, in the proportion that they were given in.
+    Samples {
+        /// Of the BRDF.
+        brdf: u32,
+        /// Of the environment.
+        env: u32,
+    },
+    /// BIS on one ray: picks N, with M / N candidates for each.
+    Picks {
+        /// M.
+        candidates: u32,
+        /// N.
+        samples: u32,
+    },
+    /// SMC on one ray: particles N.
+    Particles(u32),
+}
+
+impl Knob {
+    /// Of a shot: its rays where it has more than one, else what its method counts on a ray.
+    #[must_use]
+    pub fn of(shot: &Shot) -> Self {
+        if shot.image.rays_per_pixel > 1 {
+            return Self::Rays(shot.image.rays_per_pixel);
+        }
+        // By name, so that this does not hang on which tables a shot has.
+        let value = serde_json::to_value(shot).unwrap_or(Value::Null);
+        let number = |place: &str, default: u32| {
+            let found = value.pointer(place).and_then(Value::as_u64);
+            found.map_or(default, |n| n.clamp(1, u64::from(MOST)) as u32)
+        };
+        match shot.render.method {
+            Method::Bis => Self::Picks {
+                candidates: number("/render/bis/candidates", 400),
+                samples: number("/render/bis/samples", 20),
+            },
+            Method::Smc => Self::Particles(number("/render/smc/particles", 8)),
+            _ => Self::Samples {
+                brdf: shot.render.brdf_samples,
+                env: shot.render.env_samples,
+            },
+        }
+    }
+
+    /// The count as the shot has it, at least 1.
+    #[must_use]
+    pub fn count(self) -> u32 {
+        match self {
+            Self::Rays(n) | Self::Particles(n) => n,
+            Self::Samples { brdf, env } => brdf.max(env),
+            Self::Picks { samples, .. } => samples,
+        }
+        .max(1)
+    }
+
+    /// The keys that give another count.
+    #[must_use]
+    pub fn keys(self, count: u32) -> Vec<String> {
+        let scaled = |other: u32| {
+            let n = f64::from(count) * f64::from(other) / f64::from(self.count());
+            // A kind of sample that there was stays.
+            (n.round() as u32).clamp(other.min(1), MOST)
+        };
+        match self {
+            Self::Rays(_) => vec![format!("image.rays_per_pixel={count}")],
+            Self::Samples { brdf, env } => vec![
+                format!("render.brdf_samples={}", scaled(brdf)),
+                format!("render.env_samples={}", scaled(env)),
+            ],
+            Self::Picks { candidates, .. } => vec![
+                format!("render.bis.candidates={}", scaled(candidates)),
+                format!("render.bis.samples={count}"),
+            ],
+            Self::Particles(_) => vec![format!("render.smc.particles={count}")],
+        }
+    }
+
+    /// Samples of a pixel, in words.
+    #[must_use]
+    pub fn describe(self, shot: &Shot) -> String {
+        let now = Self::of(shot);
+        match now {
+            Self::Rays(n) => match shot.render.method {
+                Method::Mis => format!(
+                    "{n} rays × ({} + {})",
+                    shot.render.brdf_samples, shot.render.env_samples
+                ),
+                _ => format!("{n} rays"),
+            },
+            Self::Samples { brdf, env } => format!("{brdf} + {env} on 1 ray"),
+            Self::Picks {
+                candidates,
+                samples,
+            } => format!("M = {candidates}, N = {samples} on 1 ray"),
+            Self::Particles(n) => format!("N = {n} on 1 ray"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_keep_their_proportions() {
+        let mut shot = Shot::default();
+        assert_eq!(Knob::of(&shot), Knob::Rays(16));
+        assert_eq!(Knob::of(&shot).keys(5), ["image.rays_per_pixel=5"]);
+        shot.image.rays_per_pixel = 1;
+        (shot.render.brdf_samples, shot.render.env_samples) = (15, 15);
+        let keys = ["render.brdf_samples=7", "render.env_samples=7"];
+        assert_eq!(Knob::of(&shot).keys(7), keys);
+        (shot.render.brdf_samples, shot.render.env_samples) = (0, 8);
+        let keys = ["render.brdf_samples=0", "render.env_samples=3"];
+        assert_eq!(Knob::of(&shot).keys(3), keys);
+        (shot.render.brdf_samples, shot.render.env_samples) = (1, 8);
+        let keys = ["render.brdf_samples=1", "render.env_samples=2"];
+        assert_eq!(Knob::of(&shot).keys(2), keys);
+        shot.render.method = Method::Bis;
+        let keys = ["render.bis.candidates=200", "render.bis.samples=10"];
+        assert_eq!(Knob::of(&shot).keys(10), keys);
+        shot.render.method = Method::Smc;
+        assert_eq!(Knob::of(&shot).keys(12), ["render.smc.particles=12"]);
+    }
+}

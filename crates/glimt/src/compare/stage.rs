@@ -1,0 +1,205 @@
+//! Host file: what contestants render on: one device, one scene, the light of every frame.
+
+use super::contestants::Contestant;
+use crate::cli::Device;
+use crate::device;
+use crate::error::{Error, Kind, Result};
+use crate::job::Job;
+use crate::notes::Notes;
+use crate::report::Reporter;
+use crate::shot::Shot;
+use glam::{UVec2, Vec3, Vec4};
+use glimt_render_gpu::host::env::PreparedEnv;
+use glimt_render_gpu::host::render::{RenderSettings, Renderer};
+use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::kernels::film::tonemap;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Lights are kept while they take no more than this.
+const LIGHT_BYTES: usize = 2 << 30;
+
+/// A frame that was rendered.
+#[derive(Clone, Debug)]
+pub struct Rendered {
+    /// Radiance of what reflects light, objects and catchers both; alpha is how much of the pixel they cover.
+    pub pixels: Vec<Vec4>,
+    /// Seconds that the renderer took.
+    pub seconds: f64,
+    /// Where they went, where the renderer knows.
+    pub phases: Vec<(&'static str, f64)>,
+}
+
+/// The device, the scene, and the lights.
+pub struct Stage<'a> {
+    /// The shot.
+    pub job: Job,
+    renderer: Box<dyn Renderer>,
+    scene: SceneBuffers,
+    lights: Lights,
+    reporter: &'a Reporter,
+}
+
+impl<'a> Stage<'a> {
+    /// Opens a device for a job.
+    ///
+    /// # Errors
+    /// The scene is refused, or the device is not there.
+    pub fn open(job: Job, device: Device, notes: Notes, reporter: &'a Reporter) -> Result<Self> {
+        let refused = |e| job.setup.refused_scene(job.setup.first, &e);
+        let scene = SceneBuffers::build(&job.setup.scene).map_err(refused)?;
+        Ok(Self {
+            renderer: device::open(device)?,
+            scene,
+            lights: Lights {
+                notes,
+                kept: Vec::new(),
+                bytes: 0,
+            },
+            reporter,
+            job,
+        })
+    }
+
+    /// The device's name.
+    #[must_use]
+    pub fn device(&self) -> String {
+        self.renderer.name()
+    }
+
+    /// Width and height of the image.
+    #[must_use]
+    pub fn size(&self) -> UVec2 {
+        self.job.setup.size()
+    }
+
+    /// Settings of a frame, by the keys of another shot of the same scene.
+    ///
+    /// # Errors
+    /// The camera sees nothing then.
+    pub fn settings(&mut self, shot: &Shot, frame: u32, seed: u32) -> Result<RenderSettings> {
+        let camera = self.job.setup.camera(frame)?;
+        let own = std::mem::replace(&mut self.job.setup.shot, shot.clone());
+        let settings = self.job.setup.settings(frame, camera);
+        self.job.setup.shot = own;
+        Ok(RenderSettings {
+            seed,
+            // What falls on catchers is a layer.
+            layers: self.scene.has_catcher(),
+            ..settings
+        })
+    }
+
+    /// Whether the renderer accepts a contestant.
+    ///
+    /// # Errors
+    /// It does not.
+    pub fn check(&mut self, contestant: &Contestant) -> Result<()> {
+        let settings = self.settings(&contestant.shot, self.job.frames[0], 1)?;
+        settings
+            .frame_params()
+            .map(drop)
+            .map_err(|e| contestant.refused(e))
+    }
+
+    /// Renders a frame. Reading the light and moving the scene are no part of its time.
+    ///
+    /// # Errors
+    /// The light cannot be read, or the device fails.
+    pub fn render(&mut self, shot: &Shot, frame: u32, seed: u32) -> Result<Rendered> {
+        let light = self.lights.of(&self.job, frame)?;
+        self.reporter.notes(self.lights.notes.take());
+        let settings = self.settings(shot, frame, seed)?;
+        let setup = &self.job.setup;
+        let refused = |e| setup.refused_scene(frame, &e);
+        self.scene
+            .pose(&setup.pose(frame)?.transforms)
+            .map_err(refused)?;
+        let began = Instant::now();
+        let image = self
+            .renderer
+            .render_frame(&self.scene, &light, &settings, &|_| ())
+            .map_err(device::failure)?;
+        let seconds = began.elapsed().as_secs_f64();
+        let mut pixels = image.linear;
+        if let Some(layers) = image.layers {
+            for (pixel, layer) in pixels.iter_mut().zip(&layers) {
+                let radiance = layer.object.truncate() + layer.lit;
+                *pixel = radiance.extend((layer.object.w + layer.catcher).min(1.0));
+            }
+        }
+        let bad = |p: &Vec4| !p.is_finite();
+        if let Some(at) = pixels.iter().position(bad) {
+            let (x, y) = (at as u32 % image.size.x, at as u32 / image.size.x);
+            return Err(Error::new(
+                Kind::Internal,
+                format!("pixel ({x}, {y}) of frame {frame} is not a number"),
+            )
+            .fix("please report it, with the shot"));
+        }
+        let phases = self.renderer.phases();
+        Ok(Rendered {
+            pixels,
+            seconds,
+            phases: phases
+                .into_iter()
+                .map(|(name, time)| (name, time.as_secs_f64()))
+                .collect(),
+        })
+    }
+
+    /// Makes a contestant that goes on from the frame before start anew in the next.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn break_off(&mut self) -> Result<()> {
+        self.renderer.set_smc_state(None).map_err(device::failure)
+    }
+
+    /// What is displayed of radiance, over black.
+    ///
+    /// # Errors
+    /// The shot's settings are refused.
+    pub fn display(&mut self, shot: &Shot, pixels: &[Vec4]) -> Result<Vec<u8>> {
+        let frame = self.job.frames[0];
+        let settings = self.settings(shot, frame, 1)?.frame_params();
+        let params = settings.map_err(|e| Error::new(Kind::Usage, e))?;
+        let codes: Vec<[u8; 4]> = (0..pixels.len() as u32)
+            .map(|i| tonemap(i, &params, pixels).to_le_bytes())
+            .collect();
+        Ok(crate::output::rgb_over_black(&codes))
+    }
+}
+
+/// Lights with their tables, those of the first frames that fit.
+struct Lights {
+    notes: Notes,
+    kept: Vec<(u32, Arc<PreparedEnv>)>,
+    bytes: usize,
+}
+
+impl Lights {
+    fn of(&mut self, job: &Job, frame: u32) -> Result<Arc<PreparedEnv>> {
+        let key = if job.is_still() { 0 } else { frame };
+        if let Some((_, light)) = self.kept.iter().find(|(f, _)| *f == key) {
+            return Ok(Arc::clone(light));
+        }
+        let light = Arc::new(job.light(frame, &mut self.notes)?);
+        // Frames are gone through in order, again and again: to drop the oldest for the newest would keep none.
+        let size = light.view().cdf.size;
+        let texels = size.x as usize * size.y as usize;
+        let bytes = texels * (size_of::<Vec4>() + size_of::<u32>());
+        if self.kept.is_empty() || self.bytes + bytes <= LIGHT_BYTES {
+            self.bytes += bytes;
+            self.kept.push((key, Arc::clone(&light)));
+        }
+        Ok(light)
+    }
+}
+
+/// The luminance of a pixel.
+#[must_use]
+pub fn luminance_of(pixel: Vec4) -> f64 {
+    let colour: Vec3 = pixel.truncate();
+    f64::from(glimt_sampling::luminance(colour))
+}
