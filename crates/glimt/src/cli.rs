@@ -52,6 +52,9 @@ pub enum Command {
         /// Common flags.
         #[command(flatten)]
         flags: RenderFlags,
+        /// What frames go on from.
+        #[command(flatten)]
+        past: PastFlags,
         /// Whether frames are still to come.
         #[command(flatten)]
         follow: FollowFlags,
@@ -137,8 +140,8 @@ pub struct RenderFlags {
     /// Refuse inputs with defects (texels that are no light, degenerate triangles) rather than work around them
     #[arg(long)]
     pub strict: bool,
-    /// What the sequential sampler goes on from.
-    #[command(flatten)]
+    /// What the sequential sampler goes on from: flags of `glimt render` alone.
+    #[arg(skip)]
     pub past: PastFlags,
 }
 
@@ -154,10 +157,10 @@ pub struct PastFlags {
     )]
     pub preroll: u32,
     /// With the method smc: go on from a state that --state-out saved
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "follow")]
     pub state_in: Option<PathBuf>,
     /// With the method smc: save what the next frame would go on from
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "follow")]
     pub state_out: Option<PathBuf>,
 }
 

@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use glimt::capture::unwarp;
-use glimt::cli::{Cli, Command};
+use glimt::cli::{Cli, Command, RenderFlags};
 use glimt::error::{Error, Kind, Result};
 use glimt::job::Job;
 use glimt::notes::Notes;
@@ -40,8 +40,12 @@ fn run(command: Command, reporter: &Reporter) -> Result<()> {
             shot,
             flags,
             follow,
+            ..
         } if follow.follow => follow::render(&shot, &flags, follow.wait, reporter),
-        Command::Render { shot, flags, .. } => {
+        Command::Render {
+            shot, flags, past, ..
+        } => {
+            let flags = RenderFlags { past, ..flags };
             let mut notes = Notes::new(flags.strict);
             let job = Job::from_file(&shot, &flags, &mut notes, reporter);
             reporter.notes(notes.take());

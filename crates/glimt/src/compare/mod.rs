@@ -79,7 +79,12 @@ pub fn run(
     atomic::prepare_folder(&cache)?;
     let plan = Plan {
         measured: measured(&job.frames, compare)?,
-        frames: job.frames.iter().copied().zip(job.identities()?.0).collect(),
+        frames: job
+            .frames
+            .iter()
+            .copied()
+            .zip(job.identities()?.0)
+            .collect(),
         seeds: compare.seeds,
         folder: cache.clone(),
     };
