@@ -1,7 +1,6 @@
 //! Host file: the count of a contestant that its time is fitted by.
 
 use crate::shot::{Method, Shot};
-use serde_json::Value;
 
 /// The most of any count: what a shot may have.
 pub const MOST: u32 = 65_536;
@@ -36,21 +35,16 @@ impl Knob {
         if shot.image.rays_per_pixel > 1 {
             return Self::Rays(shot.image.rays_per_pixel);
         }
-        // By name, so that this does not hang on which tables a shot has.
-        let value = serde_json::to_value(shot).unwrap_or(Value::Null);
-        let number = |place: &str, default: u32| {
-            let found = value.pointer(place).and_then(Value::as_u64);
-            found.map_or(default, |n| n.clamp(1, u64::from(MOST)) as u32)
-        };
-        match shot.render.method {
+        let render = &shot.render;
+        match render.method {
             Method::Bis => Self::Picks {
-                candidates: number("/render/bis/candidates", 400),
-                samples: number("/render/bis/samples", 20),
+                candidates: render.bis.candidates,
+                samples: render.bis.samples,
             },
-            Method::Smc => Self::Particles(number("/render/smc/particles", 8)),
+            Method::Smc => Self::Particles(render.smc.particles),
             _ => Self::Samples {
-                brdf: shot.render.brdf_samples,
-                env: shot.render.env_samples,
+                brdf: render.brdf_samples,
+                env: render.env_samples,
             },
         }
     }
@@ -130,6 +124,7 @@ mod tests {
         let keys = ["render.brdf_samples=1", "render.env_samples=2"];
         assert_eq!(Knob::of(&shot).keys(2), keys);
         shot.render.method = Method::Bis;
+        (shot.render.bis.candidates, shot.render.bis.samples) = (400, 20);
         let keys = ["render.bis.candidates=200", "render.bis.samples=10"];
         assert_eq!(Knob::of(&shot).keys(10), keys);
         shot.render.method = Method::Smc;

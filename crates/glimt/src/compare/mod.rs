@@ -1,6 +1,6 @@
 //! Host file: `glimt compare`: estimators side by side on one shot, in figures that can be cited and made again.
 //!
-//! [`contestants`] says who takes part, [`fit`] finds the counts that make them equally long, [`reference`] renders what they are
+//! [`contestants`] says who takes part, [`fit`] finds the counts that make them equally long, [`mod@reference`] renders what they are
 //! held against, [`trials`] renders them, [`measures`] defines the figures, [`statistics`] their spreads, and [`report`] writes all
 //! of it. What is rendered is kept below the outputs as [`moments`]; a run that was stopped goes on there.
 
