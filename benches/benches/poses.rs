@@ -12,7 +12,7 @@ use glimt_render_gpu::host::scene_build::{SceneBuffers, Tree};
 use glimt_render_gpu::kernels::bvh::BvhNode;
 use std::cell::RefCell;
 
-const ROUNDS: usize = 7;
+const ROUNDS: usize = 5;
 
 fn main() {
     let mesh = statue();
@@ -51,7 +51,7 @@ fn main() {
             .entry("refitted", pose(Tree::Refitted))
             .entry("rebuilt", pose(Tree::Rebuilt))
             .run(ROUNDS);
-        for (size, rays) in [(UVec2::new(320, 180), 4), (UVec2::new(640, 360), 16)] {
+        for (size, rays) in [(UVec2::new(320, 180), 4), (UVec2::new(480, 270), 8)] {
             let settings = RenderSettings {
                 rays_per_pixel: rays,
                 ..RenderSettings::new(size, camera())
@@ -91,14 +91,14 @@ fn main() {
     }
 }
 
-/// Five statues in a row on a plane.
+/// Three statues in a row on a plane.
 fn crowd(mesh: &TriangleMesh) -> SceneDescription {
     let mut scene = on_a_plane(mesh);
     let stand = scene.objects[0].transform;
     scene.objects.remove(0);
-    scene.objects.extend((0..5).map(|i| Object {
+    scene.objects.extend((0..3).map(|i| Object {
         mesh: 0,
-        transform: Mat4::from_translation(vec3(0.75 * (i as f32 - 2.0), 0.0, 0.0))
+        transform: Mat4::from_translation(vec3(0.75 * (i as f32 - 1.0), 0.0, 0.0))
             * Mat4::from_scale(Vec3::splat(0.9))
             * stand,
         material: None,
