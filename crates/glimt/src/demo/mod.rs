@@ -5,6 +5,7 @@
 //! two files that it writes: `film/synth.toml` and `shot.toml`.
 
 mod armillary;
+mod helicopter;
 mod land;
 mod sheet;
 mod sky;
@@ -12,6 +13,7 @@ mod solid;
 mod sun;
 
 pub use armillary::model as armillary;
+pub use helicopter::model as helicopter;
 pub(crate) use sky::clear_sky;
 pub(crate) use sun::irradiance as sun_irradiance;
 

@@ -133,6 +133,17 @@ pub(super) struct Place {
 }
 
 impl Place {
+    /// Where it is.
+    pub(super) const IDENTITY: Self = Self {
+        turn: DMat3::IDENTITY,
+        origin: DVec3::ZERO,
+    };
+
+    /// Moved up the z axis.
+    pub(super) fn at_height(height: f64) -> Self {
+        Self::IDENTITY.raised(height)
+    }
+
     pub(super) fn at(&self, local: DVec3) -> DVec3 {
         self.turn * local + self.origin
     }

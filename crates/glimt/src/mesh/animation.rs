@@ -58,7 +58,7 @@ pub enum Values {
 
 impl Channel {
     /// Puts the property's value at a time into `parts`. Before the first key it is the first one's, after the last the last's.
-    pub fn apply(&self, time_s: f64, parts: &mut Trs) {
+    pub fn apply(&self, time_s: f32, parts: &mut Trs) {
         match &self.values {
             Values::Translation(values) => {
                 parts.translation = self.sample(values, time_s, |a, b, s| a.lerp(b, s));
@@ -84,15 +84,13 @@ impl Channel {
         }
     }
 
-    fn sample<T>(&self, values: &[T], time_s: f64, between: impl Fn(T, T, f32) -> T) -> T
+    fn sample<T>(&self, values: &[T], time_s: f32, between: impl Fn(T, T, f32) -> T) -> T
     where
         T: Copy + Add<Output = T> + Mul<f32, Output = T>,
     {
         let is_cubic = self.interpolation == Interpolation::CubicSpline;
         let value = |key: usize| values[if is_cubic { 3 * key + 1 } else { key }];
-        let after = self
-            .times_s
-            .partition_point(|&key| f64::from(key) <= time_s);
+        let after = self.times_s.partition_point(|&key| key <= time_s);
         if after == 0 {
             return value(0);
         }
@@ -100,20 +98,16 @@ impl Channel {
         if after == self.times_s.len() {
             return value(key);
         }
-        let [start, end] = [key, after].map(|k| f64::from(self.times_s[k]));
-        let span = end - start;
-        let s = ((time_s - start) / span) as f32;
+        let span = self.times_s[after] - self.times_s[key];
+        let s = (time_s - self.times_s[key]) / span;
         match self.interpolation {
             Interpolation::Step => value(key),
             Interpolation::Linear => between(value(key), value(after), s),
-            Interpolation::CubicSpline => {
-                let span = span as f32;
-                hermite(
-                    s,
-                    [value(key), value(after)],
-                    [values[3 * key + 2] * span, values[3 * after] * span],
-                )
-            }
+            Interpolation::CubicSpline => hermite(
+                s,
+                [value(key), value(after)],
+                [values[3 * key + 2] * span, values[3 * after] * span],
+            ),
         }
     }
 }

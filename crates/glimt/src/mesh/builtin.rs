@@ -14,6 +14,7 @@ const SECTORS: u32 = 128;
 pub fn load(name: &str) -> Option<Model> {
     let mesh = match name {
         "armillary" => return Some(demo::armillary()),
+        "helicopter" => return Some(demo::helicopter()),
         "sphere" => sphere(),
         "plane" => plane(),
         _ => return None,

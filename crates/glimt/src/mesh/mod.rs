@@ -88,7 +88,7 @@ pub fn default_material() -> Material {
     }
 }
 
-/// Loads `sphere`, `plane`, or a file by its extension; a relative path is relative to `base`.
+/// Loads a built-in mesh, as `sphere`, or a file by its extension; a relative path is relative to `base`.
 ///
 /// # Errors
 /// The file cannot be read, is broken, or holds no triangle.
@@ -109,7 +109,7 @@ pub fn load(base: &Path, name: &str, notes: &mut Notes) -> Result<Model> {
         "ply" => ply::load(&file, notes)?,
         _ => {
             return Err(Error::input(&file, "it is no kind of mesh that is known")
-                .fix("known are .glb, .gltf, .obj, .ply, .ply.gz, and the built-in \"sphere\", \"plane\" and \"armillary\""));
+                .fix("known are .glb, .gltf, .obj, .ply, .ply.gz, and the built-in \"sphere\", \"plane\", \"armillary\" and \"helicopter\""));
         }
     };
     clean::clean(&mut model, &file, notes)?;

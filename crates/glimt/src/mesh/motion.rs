@@ -96,6 +96,8 @@ impl Motion {
                 true => time_s.rem_euclid(duration_s),
                 false => time_s,
             };
+            // As its keys are stored, so that a frame on a key is neither before nor behind it.
+            let time_s = time_s as f32;
             for channel in &animation.channels {
                 let rest = self.nodes[channel.node].parts;
                 channel.apply(time_s, moved[channel.node].get_or_insert(rest));

@@ -459,7 +459,7 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
         let key = |name: &str| format!("object.{i}.{name}");
         if object.mesh.is_empty() {
             return Err(source.error(&key("mesh"), "the object has no mesh").fix(
-                "name a file (.glb .gltf .obj .ply), or \"sphere\", \"plane\" or \"armillary\"",
+                "name a file (.glb .gltf .obj .ply), or \"sphere\", \"plane\", \"armillary\" or \"helicopter\"",
             ));
         }
         within_world(source, &key("translate"), &object.translate)?;

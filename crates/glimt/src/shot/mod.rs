@@ -182,7 +182,8 @@ pub struct Patch {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Object {
-    /// A mesh file, or `sphere` (radius 1), `plane` (2 × 2, facing +z), or `armillary` (the sculpture of the demonstration).
+    /// A mesh file, or `sphere` (radius 1), `plane` (2 × 2, facing +z), `armillary` (the sculpture of the demonstration), or
+    /// `helicopter` (with the nodes `main rotor` and `tail rotor` to spin).
     pub mesh: String,
     /// Where it is moved to.
     pub translate: [f32; 3],

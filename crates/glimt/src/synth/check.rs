@@ -33,6 +33,13 @@ pub fn check(synth: &Synth, source: &Source) -> Result<()> {
         let key = |name: &str| format!("lamp.{i}.{name}");
         keys.between(&key("azimuth_deg"), lamp.azimuth_deg, -1e6, 1e6)?;
         keys.between(&key("elevation_deg"), lamp.elevation_deg, -90.0, 90.0)?;
+        let ends = [
+            ("to_azimuth_deg", lamp.to_azimuth_deg, 1e6),
+            ("to_elevation_deg", lamp.to_elevation_deg, 90.0),
+        ];
+        for (name, end, most) in ends {
+            keys.between(&key(name), end.unwrap_or(0.0), -most, most)?;
+        }
         keys.between(&key("radius_deg"), lamp.radius_deg, 0.05, 60.0)?;
         keys.colour(&key("radiance"), lamp.radiance, 1e12)?;
         keys.between(&key("flicker"), lamp.flicker, 0.0, 1.0)?;

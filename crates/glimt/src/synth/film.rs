@@ -66,7 +66,7 @@ impl Filming {
         map: Option<(UVec2, Vec<Vec4>)>,
         panorama: Option<(UVec2, Vec<Vec4>)>,
     ) -> Self {
-        let base = map.map_or(Base::Sky, |(size, texels)| {
+        let base = map.map_or_else(Base::sky, |(size, texels)| {
             Base::of_map(&synth, size, texels)
         });
         let panorama = panorama.map(|(size, texels)| World::still(&synth, size, texels));

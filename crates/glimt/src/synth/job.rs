@@ -34,8 +34,13 @@ pub fn run(input: Option<&Path>, flags: &SynthFlags, reporter: &Reporter) -> Res
     let job = Job::load(input, flags, &mut notes);
     reporter.notes(notes.take());
     let job = job?;
-    for folder in ["capture", "plate", "truth"] {
-        if folder != "plate" || job.filming.synth().plate.on {
+    let synth = job.filming.synth();
+    for (folder, on) in [
+        ("capture", synth.capture.on),
+        ("plate", synth.plate.on),
+        ("truth", true),
+    ] {
+        if on {
             atomic::prepare_folder(&job.out.join(folder))?;
         }
     }
@@ -186,7 +191,8 @@ impl Job {
             PlateFormat::Png => png::read_hash(&self.plate_file(frame)) == hash,
             PlateFormat::Exr => exr::read_hash(&self.plate_file(frame), &[]) == hash,
         };
-        exr::read_hash(&self.ball_file(frame), &[]) == hash
+        let ball_there = || exr::read_hash(&self.ball_file(frame), &[]) == hash;
+        (!self.filming.synth().capture.on || ball_there())
             && exr::read_hash(&self.map_file(frame), &[]) == hash
             && (!plate.on || plate_there())
     }
@@ -209,19 +215,16 @@ impl Job {
         let (filming, stamp) = (&self.filming, self.stamp(frame));
         let synth = filming.synth();
         let world: World = filming.world(frame);
-        let ball = filming.film_frame(processor, &world, frame)?;
-        let storage = match (synth.capture.half, synth.noise.exposures) {
-            (true, _) => Storage::Half,
-            (false, 0) => Storage::Float,
-            (false, _) => Storage::Noisy,
-        };
-        exr::write_rgb(
-            &self.ball_file(frame),
-            ball.size,
-            &ball.pixels,
-            &stamp,
-            storage,
-        )?;
+        if synth.capture.on {
+            let ball = filming.film_frame(processor, &world, frame)?;
+            let storage = match (synth.capture.half, synth.noise.exposures) {
+                (true, _) => Storage::Half,
+                (false, 0) => Storage::Float,
+                (false, _) => Storage::Noisy,
+            };
+            let file = self.ball_file(frame);
+            exr::write_rgb(&file, ball.size, &ball.pixels, &stamp, storage)?;
+        }
         let size = UVec2::from(synth.truth.size);
         let map = filming.truth_map(processor, &world, frame, size)?;
         exr::write_rgb(&self.map_file(frame), size, &map, &stamp, Storage::Float)?;

@@ -60,6 +60,8 @@ pub struct Light {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Capture {
+    /// Whether the ball is filmed. Without, the truth is the light.
+    pub on: bool,
     /// Width and height in pixels.
     pub size: [u32; 2],
     /// Width of a pixel on the sensor, in micrometres.
@@ -160,7 +162,7 @@ pub struct Sun {
     pub to_deg: Option<[f32; 2]>,
 }
 
-/// A lamp: a disc on the stage.
+/// A lamp: a disc on the stage. With `to_…` it moves, at a constant rate in both angles, until the last frame.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Lamp {
@@ -168,6 +170,12 @@ pub struct Lamp {
     pub azimuth_deg: f32,
     /// Above the horizon, in degrees.
     pub elevation_deg: f32,
+    /// Azimuth in the last frame, 360 more for an orbit; that of the first, if not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub to_azimuth_deg: Option<f32>,
+    /// Elevation in the last frame; that of the first, if not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub to_elevation_deg: Option<f32>,
     /// Angular radius, in degrees.
     pub radius_deg: f32,
     /// Radiance before it flickers, linear RGB.
@@ -307,6 +315,7 @@ impl Default for Light {
 impl Default for Capture {
     fn default() -> Self {
         Self {
+            on: true,
             size: [2400, 1700],
             pixel_um: 5.0,
             lens_mm: 100.0,
@@ -369,6 +378,8 @@ impl Default for Lamp {
         Self {
             azimuth_deg: 0.0,
             elevation_deg: 30.0,
+            to_azimuth_deg: None,
+            to_elevation_deg: None,
             radius_deg: 2.0,
             radiance: [100.0; 3],
             flicker: 0.0,

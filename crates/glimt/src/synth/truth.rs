@@ -96,13 +96,29 @@ pub(super) fn shot_toml(synth: &Synth) -> String {
         (true, PlateFormat::Png) => "[backplate]\nframes = \"plate/plate.####.png\"\n\n".to_owned(),
         (true, PlateFormat::Exr) => "[backplate]\nframes = \"plate/plate.####.exr\"\n\n".to_owned(),
     };
+    let probe = match capture.on {
+        true => format!(
+            "[probe]\nframes = \"capture/ball.####.exr\"\nmapping = \"mirror-ball\"\nfps = {fps:?}\nscale = {scale:?}\n\n\
+             [probe.ball]\ndistance_mm = {distance:?}\nradius_mm = {radius:?}\nforward = {forward}\nup = {ball_up}\n\
+             reflectance = {reflectance}\nrig_deg = {rig_deg:.1}\n\n",
+            fps = synth.fps,
+            distance = capture.distance_mm,
+            radius = capture.radius_mm,
+            forward = vector(steady.forward),
+            ball_up = vector(steady.up),
+            reflectance = vector(reflectance),
+            rig_deg = rig_half_angle(synth).to_degrees(),
+        ),
+        false => format!(
+            "[probe]\nframes = \"truth/latlong.####.exr\"\nfps = {:?}\n\n",
+            synth.fps
+        ),
+    };
     format!(
         "# A sphere where the mirror ball was, seen by the second camera. Written by glimt synth.\n\n\
          [image]\nsize = [{width}, {height}]\nexposure_ev = {exposure:?}\n\n\
          [camera]\neye = {eye}\ntarget = {target}\nup = {up}\nfov_x_deg = {fov:?}\n\n\
-         [probe]\nframes = \"capture/ball.####.exr\"\nmapping = \"mirror-ball\"\nfps = {fps:?}\nscale = {scale:?}\n\n\
-         [probe.ball]\ndistance_mm = {distance:?}\nradius_mm = {radius:?}\nforward = {forward}\nup = {ball_up}\n\
-         reflectance = {reflectance}\nrig_deg = {rig_deg:.1}\n\n\
+         {probe}\
          {backplate}\
          [[object]]\nmesh = \"sphere\"\nscale = 0.2\ntranslate = {place}\n\
          material = {{ diffuse = [0.3, 0.3, 0.3], specular = [0.6, 0.6, 0.6], exponent = 200 }}\n\n\
@@ -112,13 +128,6 @@ pub(super) fn shot_toml(synth: &Synth) -> String {
         target = vector(camera.target),
         up = vector(camera.up),
         fov = synth.plate.fov_x_deg,
-        fps = synth.fps,
-        distance = capture.distance_mm,
-        radius = capture.radius_mm,
-        forward = vector(steady.forward),
-        ball_up = vector(steady.up),
-        reflectance = vector(reflectance),
-        rig_deg = rig_half_angle(synth).to_degrees(),
         place = vector(place),
         floor = vector(floor),
     )
@@ -170,5 +179,11 @@ mod tests {
             shot["backplate"]["frames"].as_str(),
             Some("plate/plate.####.png")
         );
+        let mut synth = Synth::default();
+        synth.capture.on = false;
+        let shot: toml::Table = toml::from_str(&shot_toml(&synth)).unwrap();
+        let frames = shot["probe"]["frames"].as_str();
+        assert_eq!(frames, Some("truth/latlong.####.exr"));
+        assert!(shot["probe"].get("ball").is_none());
     }
 }

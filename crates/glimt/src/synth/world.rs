@@ -3,7 +3,7 @@
 
 use super::clouds::transmittance;
 use super::geometry::{SunTruth, on_path, time_of};
-use super::settings::{Shape, Synth};
+use super::settings::{Lamp, Shape, Synth};
 use super::sun::{self, Blob};
 use crate::demo;
 use crate::disc::add_disc;
@@ -15,6 +15,7 @@ use glimt_render_gpu::kernels::stage::{
     STAGE_BOX, STAGE_INFINITE, STAGE_SPHERE, Stage, StageParams,
 };
 use rayon::prelude::*;
+use std::sync::OnceLock;
 
 /// Width of a map from which on discs of a quarter of a degree keep their shape.
 const FINE_WIDTH: u32 = 1024;
@@ -80,8 +81,8 @@ impl World {
 /// The map without what changes from frame to frame.
 #[derive(Clone, Debug)]
 pub(super) enum Base {
-    /// The built-in sky.
-    Sky,
+    /// The built-in sky; kept where its sun stands still.
+    Sky { still: OnceLock<Vec<Vec4>> },
     /// A map, the blob of its sun taken out where that is drawn anew.
     Map {
         size: UVec2,
@@ -91,6 +92,13 @@ pub(super) enum Base {
 }
 
 impl Base {
+    /// The built-in sky.
+    pub(super) fn sky() -> Self {
+        Self::Sky {
+            still: OnceLock::new(),
+        }
+    }
+
     /// Prepares a map: scaled, made finer where something small is drawn into it, its sun found, and taken out where it is to
     /// move.
     pub(super) fn of_map(synth: &Synth, size: UVec2, mut texels: Vec<Vec4>) -> Self {
@@ -118,7 +126,7 @@ impl Base {
         let time = time_of(synth, frame);
         let given = keys.irradiance.map(|e| Vec3::from(e).as_dvec3());
         match self {
-            Self::Sky => {
+            Self::Sky { .. } => {
                 let irradiance = given.unwrap_or_else(|| {
                     // One irradiance along the whole arc: that in its middle.
                     let elevation = built_in_sun(synth, 0.5).z.asin();
@@ -159,21 +167,32 @@ impl Base {
         };
         let placed = self.place_sun(synth, frame);
         let (size, mut texels) = match self {
-            Self::Sky => {
+            Self::Sky { still } => {
                 let size = demo::ENV_SIZE;
                 let scale = synth.light.scale;
-                let sun = to_map(built_in_sun(synth, time)).as_vec3();
-                let irradiance = placed.map_or(DVec3::ZERO, |blob| blob.irradiance);
-                let irradiance = irradiance.as_vec3() / scale.max(1e-30);
-                let mut texels = demo::clear_sky(size, sun, irradiance);
-                for texel in &mut texels {
-                    *texel *= scale;
-                }
+                let made = || {
+                    let sun = to_map(built_in_sun(synth, time)).as_vec3();
+                    let irradiance = placed.map_or(DVec3::ZERO, |blob| blob.irradiance);
+                    let irradiance = irradiance.as_vec3() / scale.max(1e-30);
+                    let mut texels = demo::clear_sky(size, sun, irradiance);
+                    for texel in &mut texels {
+                        *texel *= scale;
+                    }
+                    texels
+                };
+                let is_still = built_in_sun(synth, 0.0) == built_in_sun(synth, 1.0);
+                let texels = match is_still {
+                    true => still.get_or_init(made).clone(),
+                    false => made(),
+                };
                 (size, texels)
             }
             Self::Map { size, texels, .. } => (*size, texels.clone()),
         };
-        if let (Some(blob), true) = (placed, matches!(self, Self::Sky) || is_sun_drawn(synth)) {
+        if let (Some(blob), true) = (
+            placed,
+            matches!(self, Self::Sky { .. }) || is_sun_drawn(synth),
+        ) {
             let radius = synth.sun.radius_deg;
             add_disc(
                 &mut texels,
@@ -193,7 +212,7 @@ impl Base {
             });
         }
         for (index, lamp) in synth.lamps.iter().enumerate() {
-            let direction = sun::from_angles(lamp.azimuth_deg.into(), lamp.elevation_deg.into());
+            let direction = place_lamp(lamp, time);
             let level = 1.0 - lamp.flicker * flicker(f64::from(frame), index as f64);
             add_disc(
                 &mut texels,
@@ -209,6 +228,18 @@ impl Base {
             sun: self.sun(synth, frame),
         }
     }
+}
+
+/// Where a lamp is at time `time`, 0 in the first frame and 1 in the last.
+fn place_lamp(lamp: &Lamp, time: f64) -> DVec3 {
+    let between = |from: f32, to: Option<f32>| {
+        let (from, to) = (f64::from(from), f64::from(to.unwrap_or(from)));
+        from + (to - from) * time
+    };
+    sun::from_angles(
+        between(lamp.azimuth_deg, lamp.to_azimuth_deg),
+        between(lamp.elevation_deg, lamp.to_elevation_deg),
+    )
 }
 
 /// Whether the sun is drawn as a disc, rather than left as the map has it.
@@ -347,6 +378,45 @@ mod tests {
     }
 
     #[test]
+    fn lamps_move() {
+        let lamp = Lamp {
+            azimuth_deg: 10.0,
+            elevation_deg: 20.0,
+            to_azimuth_deg: Some(370.0),
+            to_elevation_deg: Some(60.0),
+            ..Lamp::default()
+        };
+        for (time, azimuth, elevation) in
+            [(0.0, 10.0, 20.0), (0.25, 100.0, 30.0), (1.0, 10.0, 60.0)]
+        {
+            let expected = sun::from_angles(azimuth, elevation);
+            assert!(place_lamp(&lamp, time).distance(expected) < 1e-12, "{time}");
+        }
+        let still = Lamp {
+            to_azimuth_deg: None,
+            to_elevation_deg: None,
+            ..lamp.clone()
+        };
+        assert_eq!(place_lamp(&still, 0.7), place_lamp(&lamp, 0.0));
+        // It is drawn there.
+        let mut synth = Synth {
+            lamps: vec![lamp],
+            ..Synth::default()
+        };
+        synth.sun.from_deg = Some([200.0, 50.0]);
+        let (size, texels) = map();
+        let base = Base::of_map(&synth, size, texels);
+        for (frame, time) in [(1, 0.0), (13, 12.0 / 23.0)] {
+            let world = base.world(&synth, frame);
+            let radiance = |time| {
+                let d = place_lamp(&synth.lamps[0], time).as_vec3();
+                world.stage().radiance(Vec3::ZERO, d).x
+            };
+            assert!(radiance(time) > 90.0 && radiance(time + 0.2) < 10.0);
+        }
+    }
+
+    #[test]
     fn the_built_in_sky_has_a_moving_sun_and_lamps_flicker() {
         let lamp = super::super::settings::Lamp {
             flicker: 0.5,
@@ -356,13 +426,13 @@ mod tests {
             lamps: vec![lamp],
             ..Synth::default()
         };
-        let first = Base::Sky.world(&synth, 1);
-        let last = Base::Sky.world(&synth, 24);
+        let first = Base::sky().world(&synth, 1);
+        let last = Base::sky().world(&synth, 24);
         assert!(first.sun().unwrap().direction[2] < last.sun().unwrap().direction[2]);
         assert!((flux(&first) - flux(&last)).length() > 0.0);
         assert!(first.brightest() > 1e4);
         synth.sun.on = false;
-        let dark = Base::Sky.world(&synth, 1);
+        let dark = Base::sky().world(&synth, 1);
         assert!(dark.sun().is_none() && dark.brightest() < first.brightest() / 100.0);
     }
 }

@@ -43,6 +43,17 @@ pub struct SceneBuffers {
     in_reference_order: bool,
 }
 
+/// Where the tree of a pose comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tree {
+    /// From the reference pose's, where that is good enough for rays.
+    Best,
+    /// From the reference pose's, wherever the same triangles have an area.
+    Refitted,
+    /// From the triangles.
+    Rebuilt,
+}
+
 /// What poses are refitted from.
 #[derive(Debug)]
 struct Reference {
@@ -124,6 +135,14 @@ impl SceneBuffers {
     /// # Errors
     /// A [`SceneError`] that names the object; the scene then stays as it was.
     pub fn pose(&mut self, transforms: &[Mat4]) -> Result<(), SceneError> {
+        self.pose_by(transforms, Tree::Best)
+    }
+
+    /// As [`pose`](Self::pose), with a choice of the tree: to measure what each costs.
+    ///
+    /// # Errors
+    /// As [`pose`](Self::pose).
+    pub fn pose_by(&mut self, transforms: &[Mat4], tree: Tree) -> Result<(), SceneError> {
         let (found, expected) = (transforms.len(), self.transforms.len());
         if found != expected {
             return Err(SceneError::Pose { found, expected });
@@ -143,7 +162,8 @@ impl SceneBuffers {
             .collect::<Result<Vec<_>, _>>()?;
         let mut pairs = moved.iter().zip(&flats);
         let same_faces = pairs.all(|(&i, flat)| flat.dropped == self.reference.dropped[i]);
-        if !(same_faces && self.refit(&moved, &flats)) {
+        let may_refit = same_faces && tree != Tree::Rebuilt;
+        if !(may_refit && (self.refit(&moved, &flats) || tree == Tree::Refitted)) {
             self.rebuild(transforms)?;
         }
         self.transforms.copy_from_slice(transforms);

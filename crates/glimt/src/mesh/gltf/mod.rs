@@ -175,8 +175,11 @@ impl Reader<'_> {
             }
             let own = self.model.nodes.len();
             let (translation, rotation, scale) = node.transform().decomposed();
+            let mesh = node.mesh();
+            let mesh_name = mesh.as_ref().and_then(::gltf::Mesh::name);
+            let unnamed = format!("node {}", node.index());
             self.model.nodes.push(Node {
-                name: node.name().unwrap_or_default().to_owned(),
+                name: node.name().or(mesh_name).unwrap_or(&unnamed).to_owned(),
                 parent,
                 local,
                 parts: Trs {
