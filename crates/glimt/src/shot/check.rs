@@ -332,7 +332,7 @@ fn check_smc(smc: &Smc, source: &Source) -> Result<()> {
         return bad(
             "reinitialise",
             "it is a factor below 1",
-            "2 is usual, 0 for never",
+            "1.25 is usual, 0 for never",
         );
     }
     if !(smc.depth_tolerance >= 0.0) {

@@ -47,7 +47,7 @@ pub struct Smc {
     pub candidates: u32,
     /// Where those come from.
     pub source: Source,
-    /// How far the depth of a point found in the frame before may be off, as a share of it.
+    /// How far off the surface seen in the frame before a point may lie to be found there, as a share of its distance.
     pub depth_tolerance: f32,
     /// How far its normal may be off, in degrees.
     pub normal_tolerance_deg: f32,

@@ -1809,18 +1809,22 @@ fn PastView_predecessor(this_19: PastView, point_1: ShadingPoint, object: u32, f
     let state_6 = past_states[ray_11];
     // glimt_render_gpu/src/kernels/past.rs:161
     let turned = normalize((motion * vec4<f32>(point_1.frame.n, 0f)).xyz);
-    // glimt_render_gpu/src/kernels/past.rs:162
-    let same_depth = (abs((state_6.depth - seen.z)) <= (this_19.depth_tolerance * seen.z));
     // glimt_render_gpu/src/kernels/past.rs:163
-    if (((state_6.depth > 0f) && same_depth) && (dot(turned, state_6.normal) >= this_19.normal_cosine)) {
-        // glimt_render_gpu/src/kernels/past.rs:164
+    let saw = (this_19.eye - (state_6.wo * state_6.depth));
+    // glimt_render_gpu/src/kernels/past.rs:164
+    let off_plane = abs(dot((was_at_1 - saw), state_6.normal));
+    // glimt_render_gpu/src/kernels/past.rs:165
+    let same_plane = (off_plane <= (this_19.depth_tolerance * seen.z));
+    // glimt_render_gpu/src/kernels/past.rs:166
+    if (((state_6.depth > 0f) && same_plane) && (dot(turned, state_6.normal) >= this_19.normal_cosine)) {
+        // glimt_render_gpu/src/kernels/past.rs:167
         chosen_12 = Option_u32_(true, ray_11);
     } else {
-        // glimt_render_gpu/src/kernels/past.rs:166
+        // glimt_render_gpu/src/kernels/past.rs:169
         chosen_12 = Option_u32_();
     }
-    let _e152 = chosen_12;
-    return _e152;
+    let _e159 = chosen_12;
+    return _e159;
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:41

@@ -77,7 +77,7 @@ pub struct SmcSettings {
     pub candidates: u32,
     /// Where those come from; not the environment alone, which misses where the floor is all there is.
     pub source: CandidateSource,
-    /// The most by which the depth of a point found in the frame before may be off, as a share of it.
+    /// How far off the surface that was seen in the frame before a point may lie to be found there, as a share of its distance.
     pub depth_tolerance: f32,
     /// The greatest angle between its normal there and here, in radians.
     pub normal_tolerance: f32,
@@ -105,7 +105,7 @@ impl Default for SmcSettings {
             cap_radius: 5.0f32.to_radians(),
             cap_share: 0.5,
             light_share: 0.5,
-            reinitialise: 2.0,
+            reinitialise: 1.25,
             max_age: 0,
             candidates: 64,
             source: CandidateSource::Mixture,

@@ -78,7 +78,7 @@ pub struct PastView {
     pub pixels: u32,
     /// [`CameraView::right`](super::camera::CameraView::right).
     pub right: Vec3,
-    /// The most by which the depth of a point found again may be off, as a share of it.
+    /// How far off the surface that a ray saw a point may lie to be found there, as a share of its distance.
     pub depth_tolerance: f32,
     /// [`CameraView::up`](super::camera::CameraView::up).
     pub up: Vec3,
@@ -120,7 +120,7 @@ impl PastView {
 
     /// The ray, counted from the first at hand, that saw a point of an object in the frame before: the ray of the same number in the
     /// pixel where the point was. `None` where it was out of sight: beyond the image or what is at hand, or where that
-    /// ray saw something at another depth or turned another way.
+    /// ray saw another surface, or one turned another way.
     #[inline]
     #[must_use]
     pub fn predecessor(
@@ -159,8 +159,11 @@ impl PastView {
         let ray = (pixel - self.first_pixel) * pattern.rays + pattern.ray;
         let state = past.states[ray as usize];
         let turned = (motion * point.frame.n.extend(0.0)).truncate().normalize();
-        let same_depth = (state.depth - seen.z).abs() <= self.depth_tolerance * seen.z;
-        if state.depth > 0.0 && same_depth && turned.dot(state.normal) >= self.normal_cosine {
+        // What that ray saw is a little piece of a plane, which may be seen flatly: depths of neighbours tell nothing then.
+        let saw = self.eye - state.wo * state.depth;
+        let off_plane = (was_at - saw).dot(state.normal).abs();
+        let same_plane = off_plane <= self.depth_tolerance * seen.z;
+        if state.depth > 0.0 && same_plane && turned.dot(state.normal) >= self.normal_cosine {
             Some(ray)
         } else {
             None
