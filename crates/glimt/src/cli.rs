@@ -356,8 +356,15 @@ A shot needs a light and an object; every other key has a default:
   [probe]
   frames = \"capture/light.####.exr\"   # one file is a still
   [[object]]
-  mesh = \"model.glb\"                  # .glb .gltf .obj .ply .ply.gz, or \"sphere\", \"plane\"
+  mesh = \"model.glb\"                  # .glb .gltf .obj .ply .ply.gz, or \"sphere\", \"plane\", \"helicopter\"
   ground = true
+  [[object.spin]]                       # what moves: spinning nodes, glTF animations (which play by themselves), keyframes
+  node = \"rotor\"
+  deg_per_frame = 37
+  [[camera.key]]
+  frame = 1
+  eye = [6, -4, 2]
+  target = [0, 0, 1]
 
 Over footage, with what it shows already as a shadow catcher:
   [backplate]
@@ -396,7 +403,7 @@ Every key has a default; a file names those that differ:
   [light]
   map = \"light.hdr\"
   [capture]
-  radius_mm = 40
+  radius_mm = 40                           # on = false films no ball: the maps of an ideal probe are the light
   jitter_px = 5
   [stage]                                  # at a finite distance, moving shows another parallax
   shape = \"box\"
@@ -407,6 +414,7 @@ Every key has a default; a file names those that differ:
   to_deg = [20, 50]
   [[lamp]]
   azimuth_deg = 200
+  to_azimuth_deg = 560                     # once round until the last frame
   flicker = 0.5
   [clouds]
   cover = 0.4
@@ -426,5 +434,5 @@ const INFO_EXAMPLES: &str = "\
 Examples:
   glimt info                  devices and versions
   glimt info light.0001.exr   size, channels, stops, brightest direction, bad texels
-  glimt info model.glb        triangles, bounds, materials, cameras
+  glimt info model.glb        triangles, bounds, materials, nodes, animations, cameras
   glimt info shot.toml        the shot with all its defaults";

@@ -106,6 +106,19 @@ impl Setup {
         })
     }
 
+    /// What moves, in words: each with the object of the shot that it belongs to.
+    pub fn motions(&self) -> Vec<(usize, String)> {
+        let all = self.movers.iter().enumerate();
+        let each =
+            all.flat_map(|(i, m)| m.motion.describe().into_iter().map(move |what| (i, what)));
+        each.collect()
+    }
+
+    /// Whether the camera moves.
+    pub fn has_moving_camera(&self) -> bool {
+        !matches!(self.view, View::Fixed(_))
+    }
+
     /// From where a frame is seen.
     ///
     /// # Errors

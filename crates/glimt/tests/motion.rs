@@ -604,6 +604,17 @@ fn chunks_are_the_whole_bit_by_bit() {
         read_exr(&t.file("whole/frame.0001.exr")),
         read_exr(&t.file("whole/frame.0005.exr"))
     );
+    let told = t.run(&["info", "shot.toml"]).ok().out;
+    for words in [
+        "# object.0: animation `move`, 1 s, from frame 1 on",
+        "# object.1: node `armillary` turns by 20 degrees a frame",
+        "# camera in frame 6: eye [-3, -4, 3], target [0, 0, 0.5]",
+    ] {
+        assert!(told.contains(words), "{told}");
+    }
+    // It is a shot file itself.
+    t.put("told.toml", &told);
+    assert_eq!(t.run(&["info", "told.toml"]).ok().out, told);
     // Nothing is rendered again, until the beginning or the rate of the motion is another.
     let rendered = |set: &[&str]| {
         let base = [

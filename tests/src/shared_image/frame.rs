@@ -30,7 +30,7 @@ pub fn frame_pairs(program: &Program, context: &GpuContext) -> Vec<Pair> {
         program,
         context,
         scene: scene(false),
-        env: environment(),
+        env: environment(30.0),
     };
     let mut pairs = vec![
         stage.frame("Owen-Sobol", Pattern::OwenSobol, Tonemap::Srgb),
@@ -54,6 +54,7 @@ pub fn frame_pairs(program: &Program, context: &GpuContext) -> Vec<Pair> {
             diagnose::brdf_sample(ray, frame, scene)
         }),
     ]);
+    pairs.extend([stage.picked(), stage.followed()]);
     stage.scene = scene(true);
     let base = params(Pattern::OwenSobol, Tonemap::Srgb);
     let transparent = FrameParams {
@@ -141,11 +142,24 @@ impl Stage<'_> {
     }
 
     pub(super) fn shade(&self, kernel: &str, frame: &FrameParams, out: &Output, rays: u32) {
+        self.shade_with(kernel, frame, &[], out, rays);
+    }
+
+    /// The same with arguments that other kernels do not have.
+    pub(super) fn shade_with(
+        &self,
+        kernel: &str,
+        frame: &FrameParams,
+        more: &[(&str, Arg<'_>)],
+        out: &Output,
+        rays: u32,
+    ) {
         let scene = GpuScene::new(self.context, &self.scene).expect("a small scene");
         let env = GpuEnv::new(self.context, &self.env).expect("a small map");
         let mut args = vec![("frame", Arg::Value(bytemuck::bytes_of(frame)))];
         args.extend(scene.args());
         args.extend(env.args());
+        args.extend(more);
         let kernel = format!("glimt_render_gpu::kernels::{kernel}");
         launch(
             self.context,
@@ -159,24 +173,29 @@ impl Stage<'_> {
 }
 
 fn params(pattern: Pattern, tonemap: Tonemap) -> FrameParams {
+    settings(pattern, tonemap)
+        .frame_params()
+        .expect("settings that are right")
+}
+
+pub(super) fn settings(pattern: Pattern, tonemap: Tonemap) -> RenderSettings {
     let camera = Camera {
         eye: vec3(0.3, -4.0, 1.6),
         target: vec3(0.0, 0.0, 0.6),
         up: Vec3::Z,
         fov_x: 0.9,
     };
-    let settings = RenderSettings {
+    RenderSettings {
         rays_per_pixel: RAYS,
         pattern,
         tonemap,
         exposure_ev: -1.0,
         ..RenderSettings::new(SIZE, camera)
-    };
-    settings.frame_params().expect("settings that are right")
+    }
 }
 
 /// A sky that grows brighter to one side, with a small sun; turned, so that the rotation counts.
-fn environment() -> PreparedEnv {
+pub(super) fn environment(rotate_z_deg: f32) -> PreparedEnv {
     let size = UVec2::new(32, 16);
     let texel = |i: u32| {
         let (x, y) = (i % size.x, i / size.x);
@@ -187,7 +206,7 @@ fn environment() -> PreparedEnv {
         (level * vec3(0.7, 0.8, 1.0)).extend(1.0)
     };
     let map = EnvMap::new(size, (0..size.x * size.y).map(texel).collect());
-    map.expect("a map").prepare(30.0).expect("tables")
+    map.expect("a map").prepare(rotate_z_deg).expect("tables")
 }
 
 /// A glossy tetrahedron and a metal one before a textured, bumpy wall, on a matte floor.

@@ -4,6 +4,7 @@
 
 pub mod atlas;
 mod capture;
+mod estimators;
 mod frame;
 mod layered;
 mod light;

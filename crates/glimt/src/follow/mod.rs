@@ -96,6 +96,13 @@ pub fn render(file: &Path, flags: &RenderFlags, wait: Duration, reporter: &Repor
         reporter,
     };
     follow.setup.check_settings(first)?;
+    // Between the keys of the camera any frame may come.
+    let keys = &follow.setup.shot.camera.keys;
+    if let [start, .., end] = keys.as_slice() {
+        for frame in start.frame..=end.frame {
+            follow.setup.camera(frame)?;
+        }
+    }
     follow.run(watch, plates, notes)
 }
 

@@ -3,11 +3,15 @@
 mod image;
 mod mesh;
 
-use crate::error::{Error, Result};
+use crate::cli::RenderFlags;
+use crate::error::{Error, Kind, Result};
 use crate::input::footage;
+use crate::job::probe_files;
 use crate::notes::Notes;
 use crate::report::Reporter;
-use crate::shot::{check, parse};
+use crate::setup::Setup;
+use crate::shot::parse::Source;
+use crate::shot::{Shot, check, parse, range};
 use glimt_render_gpu::gpu;
 use serde_json::json;
 use std::path::Path;
@@ -26,7 +30,7 @@ pub fn file(file: &Path, set: &[String], reporter: &Reporter) -> Result<()> {
     }
     let mut notes = Notes::new(false);
     let (value, text) = match extension {
-        "toml" => shot(file, set)?,
+        "toml" => shot(file, set, &mut notes)?,
         "glb" | "gltf" | "obj" | "ply" => mesh::describe(file, &mut notes)?,
         _ => image::describe(file, &mut notes)?,
     };
@@ -35,8 +39,8 @@ pub fn file(file: &Path, set: &[String], reporter: &Reporter) -> Result<()> {
     Ok(())
 }
 
-/// The shot with every key.
-fn shot(file: &Path, set: &[String]) -> Result<(serde_json::Value, String)> {
+/// The shot with every key; behind them, as comments, what moves.
+fn shot(file: &Path, set: &[String], notes: &mut Notes) -> Result<(serde_json::Value, String)> {
     let (mut shot, source) = parse::read(file, set)?;
     let base = file.parent().unwrap_or(Path::new(""));
     footage::adopt_size(&mut shot, &source, base)?;
@@ -44,8 +48,45 @@ fn shot(file: &Path, set: &[String]) -> Result<(serde_json::Value, String)> {
     let fail = |e: &dyn std::fmt::Display| Error::new(crate::error::Kind::Internal, e);
     let value = serde_json::to_value(&shot).map_err(|e| fail(&e))?;
     // By way of JSON floats would turn into doubles with all their digits; TOML takes the shot itself.
-    let text = toml::to_string(&shot).map_err(|e| fail(&e))?;
+    let mut text = toml::to_string(&shot).map_err(|e| fail(&e))?;
+    for line in motion(shot, source, base, notes)? {
+        text.push_str(&format!("# {line}\n"));
+    }
     Ok((value, text))
+}
+
+/// What moves in a shot: objects, and the camera at its keys or at both ends. A shot whose meshes are not all there tells nothing.
+fn motion(shot: Shot, source: Source, base: &Path, notes: &mut Notes) -> Result<Vec<String>> {
+    let listed = probe_files(&shot, &source, base)?
+        .listed()
+        .unwrap_or_default();
+    let frames = match shot.render.frames.as_str() {
+        "" => listed.first().copied().unwrap_or(1)..=listed.last().copied().unwrap_or(1),
+        text => range::parse(text)?,
+    };
+    let flags = RenderFlags::default();
+    let setup = match Setup::load(shot, source, base, *frames.start(), &flags, notes) {
+        Err(error) if error.kind == Kind::Input => return Ok(Vec::new()),
+        setup => setup?,
+    };
+    let mut lines: Vec<String> = setup
+        .motions()
+        .into_iter()
+        .map(|(object, what)| format!("object.{object}: {what}, from frame {} on", setup.first))
+        .collect();
+    let keys = &setup.shot.camera.keys;
+    let shown = match keys.is_empty() {
+        true => vec![*frames.start(), *frames.end()],
+        false => keys.iter().map(|key| key.frame).collect(),
+    };
+    for frame in shown.into_iter().filter(|_| setup.has_moving_camera()) {
+        let camera = setup.camera(frame)?;
+        let (eye, target) = (camera.eye, camera.target);
+        lines.push(format!(
+            "camera in frame {frame}: eye {eye}, target {target}"
+        ));
+    }
+    Ok(lines)
 }
 
 /// Lists versions and devices.

@@ -86,6 +86,26 @@ impl Motion {
         !self.spins.is_empty() || animations.any(|a| !a.channels.is_empty())
     }
 
+    /// What moves, in words; nothing where nothing does.
+    pub fn describe(&self) -> Vec<String> {
+        let playing = self.animations.iter().filter(|a| !a.channels.is_empty());
+        let again = if self.is_looped {
+            ", again and again"
+        } else {
+            ""
+        };
+        let animations =
+            playing.map(|a| format!("animation `{}`, {} s{again}", a.name, a.duration_s()));
+        let spins = self.spins.iter().map(|spin| {
+            let name = &self.nodes[spin.node].name;
+            format!(
+                "node `{name}` turns by {} degrees a frame",
+                spin.deg_per_frame
+            )
+        });
+        animations.chain(spins).collect()
+    }
+
     /// From each node to the file's world, `frames` frames after the shot's first.
     pub fn nodes_at(&self, frames: i64, fps: f32) -> Vec<Mat4> {
         let mut moved = vec![None; self.nodes.len()];

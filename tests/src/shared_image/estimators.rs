@@ -1,0 +1,132 @@
+//! Host file: frames by picked candidates, and by particles that are led from another light.
+
+use glam::{Mat4, Vec4};
+use glimt_render_gpu::cpu::CpuRenderer;
+use glimt_render_gpu::gpu::Arg;
+use glimt_render_gpu::host::render::{
+    BisSettings, CandidateSource, Method, Pattern, RenderSettings, Renderer, SmcSettings, Tonemap,
+};
+use glimt_render_gpu::kernels::past::{Past, RayState};
+use glimt_render_gpu::kernels::{shade, smc};
+
+use super::frame::{RAYS, SIZE, Stage, environment, settings};
+use super::{Output, Pair, words};
+
+fn value<T: bytemuck::NoUninit>(value: &T) -> Arg<'_> {
+    Arg::Value(bytemuck::bytes_of(value))
+}
+
+impl Stage<'_> {
+    pub(super) fn picked(&self) -> Pair {
+        let settings = RenderSettings {
+            method: Method::Bis,
+            ..settings(Pattern::OwenSobol, Tonemap::Srgb)
+        };
+        let bis = BisSettings {
+            candidates: 9,
+            samples: 3,
+            source: CandidateSource::Mixture,
+        };
+        let (frame, bis) = (settings.frame_params(), bis.params());
+        let (frame, bis) = (frame.expect("settings"), bis.expect("settings"));
+        let rays = SIZE.x * SIZE.y * RAYS;
+        let cpu: Vec<Vec4> = (0..rays)
+            .map(|ray| shade::shade_bis(ray, &frame, &bis, self.env.view(), self.scene.view()))
+            .collect();
+        let out = Output::new::<Vec4>(self.context, rays);
+        let more = [("bis", value(&bis))];
+        self.shade_with("shade::shade_bis", &frame, &more, &out, rays);
+        Pair {
+            name: "picked".to_owned(),
+            cpu: words(&cpu),
+            gpu: out.read(self.context),
+        }
+    }
+
+    /// From a frame of the CPU's, seen from a little beside, to the next one.
+    pub(super) fn followed(&self) -> Pair {
+        let of_smc = SmcSettings {
+            reinitialise: 1.5,
+            max_age: 8,
+            ..SmcSettings::default()
+        };
+        let settings = RenderSettings {
+            method: Method::Smc,
+            smc: of_smc,
+            ..settings(Pattern::OwenSobol, Tonemap::Srgb)
+        };
+        let mut before = settings;
+        before.camera.eye.x += 0.04;
+        before.camera.target.x += 0.04;
+        let mut renderer = CpuRenderer::default();
+        let light = environment(24.0);
+        renderer
+            .render_frame(&self.scene, &light, &before, &|_| ())
+            .expect("a frame");
+        let state = renderer.smc_state().expect("a state").expect("a state");
+
+        let frame = settings.frame_params().expect("settings");
+        let (mean, previous) = (self.env.mean_luminance(), light.mean_luminance());
+        let params = of_smc.params(mean, previous).expect("settings");
+        let view = of_smc.past_view(&state.past.view, 0, SIZE.x * SIZE.y);
+        let motions = vec![Mat4::IDENTITY; self.scene.transforms().len()];
+        let n = of_smc.particles as usize;
+        let rays = SIZE.x * SIZE.y * RAYS;
+        let (mut states, mut sets) = (state.rays.clone(), state.particles.clone());
+        let past = Past {
+            motions: &motions,
+            states: &state.rays,
+            particles: &state.particles,
+        };
+        let chunks = states.chunks_mut(1).zip(sets.chunks_mut(n));
+        let cpu: Vec<Vec4> = (0..rays)
+            .zip(chunks)
+            .map(|(ray, (own, set))| {
+                let (env, scene) = (self.env.view(), self.scene.view());
+                smc::shade_smc(
+                    ray,
+                    &frame,
+                    &params,
+                    &view,
+                    env,
+                    state.light(),
+                    scene,
+                    past,
+                    own,
+                    set,
+                )
+            })
+            .collect();
+
+        let upload = |name, bytes: &[u8]| {
+            let words: &[u32] = bytemuck::cast_slice(bytes);
+            self.context.buffer_of(name, words).expect("a small buffer")
+        };
+        let texels = upload("before", bytemuck::cast_slice(&state.light));
+        let motions = upload("motions", bytemuck::cast_slice(&motions));
+        let old_states = upload("states", bytemuck::cast_slice(&state.rays));
+        let old_sets = upload("sets", bytemuck::cast_slice(&state.particles));
+        let new_states = Output::new::<RayState>(self.context, rays);
+        let new_sets = upload("new sets", bytemuck::cast_slice(&state.particles));
+        let out = Output::new::<Vec4>(self.context, rays);
+        let light = state.light();
+        let more = [
+            ("smc", value(&params)),
+            ("view", value(&view)),
+            ("before.size", value(&light.size)),
+            ("before.rotation", value(&light.rotation)),
+            ("before.texels", Arg::Buffer(&texels)),
+            ("past.motions", Arg::Buffer(&motions)),
+            ("past.states", Arg::Buffer(&old_states)),
+            ("past.particles", Arg::Buffer(&old_sets)),
+            ("state", Arg::Chunk(&new_states.buffer, 1)),
+            ("particles", Arg::Chunk(&new_sets, n as u32)),
+        ];
+        self.shade_with("smc::shade_smc", &frame, &more, &out, rays);
+        Pair {
+            name: "followed".to_owned(),
+            cpu: [words(&cpu), words(&states)].concat(),
+            gpu: [out.read(self.context), new_states.read(self.context)].concat(),
+        }
+    }
+}
