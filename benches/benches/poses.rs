@@ -1,11 +1,13 @@
-//! Host file: the claim that a pose whose tree is refitted, until rays would cost twice as much, and built anew beyond, is no
-//! slower in total (pose and frame) than either alone. Statues that turn, spread out and change places on a plane, both threads.
+//! Host file: the claim that a pose whose tree is refitted, until rays would cost a tenth more, and built anew beyond, is no
+//! slower in total (pose and frame) than either alone. Statues that turn and
+//! fall, and a block of small knots that change places, both threads.
 
 use glam::{Mat4, UVec2, Vec3, vec3};
-use glimt_benches::inputs::{TriangleMesh, light_maps, statue};
+use glimt_benches::inputs::{TriangleMesh, knot, light_maps, statue};
 use glimt_benches::scene::{camera, on_a_plane};
 use glimt_benches::{Contest, claim};
 use glimt_render_gpu::cpu::CpuRenderer;
+use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::render::{RenderSettings, Renderer};
 use glimt_render_gpu::host::scene::{Object, SceneDescription};
 use glimt_render_gpu::host::scene_build::{SceneBuffers, Tree};
@@ -19,11 +21,20 @@ fn main() {
     println!("{}: {} triangles", mesh.name, mesh.triangles.len());
     let map = light_maps().swap_remove(0).1;
     let env = map.prepare(0.0).expect("tables");
-    let crowd = crowd(&mesh);
-    let reference = SceneBuffers::build(&crowd).expect("a scene");
+    let statues = SceneBuffers::build(&crowd(&mesh)).expect("a scene");
+    contest(&statues, &env, poses(statues.transforms()));
+    let pebbles = SceneBuffers::build(&pebbles()).expect("a scene");
+    contest(&pebbles, &env, exchanges(pebbles.transforms()));
+}
+
+fn contest(reference: &SceneBuffers, env: &PreparedEnv, poses: Vec<(String, Vec<Mat4>)>) {
     let start: Vec<Mat4> = reference.transforms().to_vec();
-    println!("{} triangles in all", reference.view().triangles.len());
-    for (name, transforms) in poses(&start) {
+    let objects = start.len();
+    println!(
+        "\n{} triangles of {objects} objects",
+        reference.view().triangles.len()
+    );
+    for (name, transforms) in poses {
         println!("\n== {name}");
         let posed = |tree| {
             let mut scene = reference.clone();
@@ -34,7 +45,7 @@ fn main() {
         let cost = |scene: &SceneBuffers| sah_cost(scene.view().nodes);
         println!(
             "expected cost of a ray: {:.2} of the reference pose's, {:.2} of the rebuilt tree's",
-            cost(&refitted) / cost(&reference),
+            cost(&refitted) / cost(reference),
             cost(&refitted) / cost(&rebuilt),
         );
         // Each round begins from the reference pose, as it stands in memory.
@@ -59,7 +70,6 @@ fn main() {
             let frame = |tree| {
                 let scene = RefCell::new(reference.clone());
                 let (start, transforms) = (start.clone(), transforms.clone());
-                let (env, settings) = (&env, settings);
                 move || {
                     let mut scene = scene.borrow_mut();
                     scene.pose_by(&transforms, tree).expect("a pose");
@@ -108,7 +118,7 @@ fn crowd(mesh: &TriangleMesh) -> SceneDescription {
 }
 
 /// Poses by how far they are from the first.
-fn poses(start: &[Mat4]) -> Vec<(&'static str, Vec<Mat4>)> {
+fn poses(start: &[Mat4]) -> Vec<(String, Vec<Mat4>)> {
     let moved = |change: &dyn Fn(usize, Vec3) -> Mat4| -> Vec<Mat4> {
         let each = |(i, m): (usize, &Mat4)| match i {
             0 => *m,
@@ -124,36 +134,60 @@ fn poses(start: &[Mat4]) -> Vec<(&'static str, Vec<Mat4>)> {
     };
     vec![
         (
-            "each turns by 10 degrees",
-            moved(&|_, place| about(place, Mat4::from_rotation_z(0.17))),
-        ),
-        (
-            "each turns by 45 degrees",
+            "each turns by 45 degrees".to_owned(),
             moved(&|_, place| about(place, Mat4::from_rotation_z(0.785))),
         ),
         (
-            "each turns by 90 degrees",
-            moved(&|_, place| about(place, Mat4::from_rotation_z(1.571))),
-        ),
-        (
-            "each walks its own way and turns",
-            moved(&|i, place| {
-                let way = vec3(
-                    0.3 * (i as f32 - 2.0),
-                    0.5 * ((3 * i) % 5) as f32 - 1.0,
-                    0.0,
-                );
-                Mat4::from_translation(way) * about(place, Mat4::from_rotation_z(i as f32))
-            }),
-        ),
-        (
-            "they fall over into one heap",
+            "they fall over into one heap".to_owned(),
             moved(&|i, place| {
                 Mat4::from_translation(vec3(0.0, 0.0, 0.5) - place)
                     * about(place, Mat4::from_rotation_x(1.2 + 0.9 * i as f32))
             }),
         ),
     ]
+}
+
+/// A thousand knots in a block on a plane.
+fn pebbles() -> SceneDescription {
+    let mut scene = on_a_plane(&knot(20, 6));
+    let stand = scene.objects[0].transform;
+    scene.objects.remove(0);
+    scene.objects.extend((0..1000).map(|i| Object {
+        mesh: 0,
+        transform: Mat4::from_translation(
+            0.16 * vec3(
+                (i % 10) as f32 - 4.5,
+                (i / 10 % 10) as f32 - 4.5,
+                (i / 100) as f32,
+            ),
+        ) * Mat4::from_scale(Vec3::splat(0.1))
+            * stand,
+        material: None,
+        catcher: false,
+    }));
+    scene
+}
+
+/// Shares of the objects change places with others far away.
+fn exchanges(start: &[Mat4]) -> Vec<(String, Vec<Mat4>)> {
+    let exchanged = |percent: usize| {
+        let mut list = start.to_vec();
+        for i in 1..list.len() {
+            let other = 1 + i * 617 % (list.len() - 1);
+            if i * 37 % 100 < percent {
+                list.swap(i, other);
+            }
+        }
+        list
+    };
+    let shares = [1, 10];
+    let pairs = shares.map(|percent| {
+        (
+            format!("{percent} of 100 exchange places"),
+            exchanged(percent),
+        )
+    });
+    pairs.into()
 }
 
 /// Boxes and triangles that a ray through the root's box has to be tested against.

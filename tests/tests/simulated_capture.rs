@@ -320,6 +320,7 @@ fn a_moved_probe_sees_a_near_lamp_under_another_angle() {
             radius_deg: 1.5,
             radiance: [1000.0; 3],
             flicker: 0.0,
+            ..Lamp::default()
         }];
         let grey = (UVec2::new(512, 256), vec![Vec4::splat(0.1); 512 * 256]);
         let filming = Filming::new(synth.clone(), Some(grey), None);

@@ -19,8 +19,10 @@ use crate::kernels::triangle::Triangle;
 /// World coordinates must not exceed this, so that areas and volumes stay finite in f32.
 pub const MAX_COORDINATE: f32 = 1e9;
 
-/// A refitted tree whose rays cost this many times what they did in the reference pose is built anew instead.
-const REBUILD_COST: f64 = 2.0;
+/// A refitted tree whose rays are expected to cost this many times what they did in the reference pose is built anew instead.
+/// Objects that turn and fall without taking each other's place stay within a hundredth; at 1.4, frames take up to thrice as
+/// long (`benches/RESULTS.md`).
+const REBUILD_COST: f64 = 1.1;
 
 /// A scene as executors take it: the buffers that kernels read, all of them with at least one element.
 ///
