@@ -121,7 +121,7 @@ impl Renderer for CpuRenderer {
         )?;
         let is_diagnosed = settings.diagnostics && next.is_some();
         let mut diagnostics = filled(Vec4::ZERO, if is_diagnosed { pixels } else { 0 })?;
-        let (mut rays, mut particles): (&mut [RayState], &mut [Particle]) = match &mut next {
+        let (rays, particles): (&mut [RayState], &mut [Particle]) = match &mut next {
             Some(next) => (&mut next.rays, &mut next.particles),
             None => (&mut [], &mut []),
         };
@@ -130,8 +130,8 @@ impl Renderer for CpuRenderer {
         let kept = chunks(&mut layers, tile_pixels, tiles)
             .into_iter()
             .zip(chunks(&mut diagnostics, tile_pixels, tiles))
-            .zip(chunks(&mut rays, tile_rays, tiles))
-            .zip(chunks(&mut particles, tile_rays * per_ray, tiles))
+            .zip(chunks(rays, tile_rays, tiles))
+            .zip(chunks(particles, tile_rays * per_ray, tiles))
             .map(|(((layers, diagnostics), rays), particles)| Kept {
                 layers,
                 diagnostics,
@@ -181,7 +181,7 @@ impl Renderer for CpuRenderer {
 }
 
 /// A list in tiles, as many as there are: empty ones where the list is.
-fn chunks<'a, T>(list: &'a mut [T], size: usize, tiles: usize) -> Vec<&'a mut [T]> {
+fn chunks<T>(list: &mut [T], size: usize, tiles: usize) -> Vec<&mut [T]> {
     let mut chunks = list.chunks_mut(size);
     (0..tiles)
         .map(|_| chunks.next().unwrap_or_default())
