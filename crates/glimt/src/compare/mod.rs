@@ -8,6 +8,7 @@ pub mod contestants;
 pub mod count;
 pub mod fit;
 pub mod flip;
+pub mod lineage;
 pub mod measures;
 pub mod moments;
 pub mod outcome;

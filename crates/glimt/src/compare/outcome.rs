@@ -2,6 +2,7 @@
 
 use super::contestants::Contestant;
 use super::fit::{Fitted, Hold};
+use super::lineage::Lineage;
 use super::measures::{Bias, LocalBias, Score};
 use super::reference::{CRITERION, LEAST, Reference};
 use super::statistics::{Estimate, Quartiles, sidak};
@@ -95,6 +96,8 @@ pub struct Figures {
     pub hold: Hold,
     /// 1/(error² × time), relative to the baseline's.
     pub efficiency: Estimate,
+    /// How its rays fare, where they go on from frame to frame.
+    pub lineage: Option<Lineage>,
     /// Of all measured frames.
     pub overall: Score,
     /// Of each, in their order.
@@ -263,6 +266,9 @@ impl Outcome {
                 percent(c.overall.bias.of_image)
             ));
         }
+        for c in &self.contestants {
+            more.extend(c.lineage.map(|lineage| lineage.sentence(&c.name)));
+        }
         if let Some(best) = self
             .contestants
             .iter()
@@ -329,10 +335,18 @@ fn figures(m: &Measured<'_>, references: &[&Reference]) -> Figures {
             value: 1.0,
             error: None,
         },
+        lineage: lineage(m),
         overall,
         frames,
         records: m.trials.iter().map(|t| t.about.clone()).collect(),
     }
+}
+
+/// How a contestant's rays fare in all measured frames.
+fn lineage(m: &Measured<'_>) -> Option<Lineage> {
+    let of_frame = |trial: &Trial| trial.about.iter().filter_map(|r| r.lineage).collect();
+    let frames: Vec<Vec<Lineage>> = m.trials.iter().map(of_frame).collect();
+    Lineage::together(&frames)
 }
 
 /// Tests of all frames as one.
@@ -447,6 +461,7 @@ mod tests {
             square_flicker: f2,
             flip: None,
             seconds: 1.0,
+            lineage: None,
         };
         let first = vec![record(1, 0.01, 0.1, None), record(2, 0.03, -0.1, None)];
         let second = vec![

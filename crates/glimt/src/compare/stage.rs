@@ -1,6 +1,7 @@
 //! Host file: what contestants render on: one device, one scene, the light of every frame.
 
 use super::contestants::Contestant;
+use super::lineage::Lineage;
 use crate::cli::Device;
 use crate::device;
 use crate::error::{Error, Kind, Result};
@@ -10,7 +11,7 @@ use crate::report::Reporter;
 use crate::shot::Shot;
 use glam::{UVec2, Vec3, Vec4};
 use glimt_render_gpu::host::env::PreparedEnv;
-use glimt_render_gpu::host::render::{RenderSettings, Renderer};
+use glimt_render_gpu::host::render::{Method, RenderSettings, Renderer};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::film::tonemap;
 use std::sync::Arc;
@@ -28,6 +29,8 @@ pub struct Rendered {
     pub seconds: f64,
     /// Where they went, where the renderer knows.
     pub phases: Vec<(&'static str, f64)>,
+    /// How its rays fare, where they go on from frame to frame.
+    pub lineage: Option<Lineage>,
 }
 
 /// The device, the scene, and the lights.
@@ -86,6 +89,7 @@ impl<'a> Stage<'a> {
             seed,
             // What falls on catchers is a layer.
             layers: self.scene.has_catcher(),
+            diagnostics: settings.method == Method::Smc,
             ..settings
         })
     }
@@ -121,6 +125,7 @@ impl<'a> Stage<'a> {
             .render_frame(&self.scene, &light, &settings, &|_| ())
             .map_err(device::failure)?;
         let seconds = began.elapsed().as_secs_f64();
+        let lineage = image.diagnostics.as_deref().and_then(Lineage::of);
         let mut pixels = image.linear;
         if let Some(layers) = image.layers {
             for (pixel, layer) in pixels.iter_mut().zip(&layers) {
@@ -141,6 +146,7 @@ impl<'a> Stage<'a> {
         Ok(Rendered {
             pixels,
             seconds,
+            lineage,
             phases: phases
                 .into_iter()
                 .map(|(name, time)| (name, time.as_secs_f64()))

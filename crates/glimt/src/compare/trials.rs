@@ -2,6 +2,7 @@
 
 use super::contestants::Contestant;
 use super::flip;
+use super::lineage::Lineage;
 use super::measures::{mean_offset, square_error, square_flicker};
 use super::moments::{Kept, Moments};
 use super::reference::Reference;
@@ -33,6 +34,9 @@ pub struct Record {
     pub flip: Option<f64>,
     /// Seconds of rendering.
     pub seconds: f64,
+    /// How its rays fare, where they go on from frame to frame.
+    #[serde(default)]
+    pub lineage: Option<Lineage>,
 }
 
 /// Images of one contestant in one frame: moments, the first image, and what each was measured to be.
@@ -318,6 +322,7 @@ impl<'a> Trials<'a> {
                         square_flicker: flicker,
                         flip,
                         seconds: image.seconds,
+                        lineage: image.lineage,
                     });
                     trials[i].moments.push(&image.pixels);
                     if trials[i].sample.is_none() {

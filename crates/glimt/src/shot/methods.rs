@@ -57,11 +57,11 @@ words! {
     /// Where candidates come from.
     Source {
         /// The material.
-        #[default] Brdf = "brdf",
+        Brdf = "brdf",
         /// The light.
         Environment = "environment",
         /// Half of each.
-        Mixture = "mixture",
+        #[default] Mixture = "mixture",
     }
 }
 words! {

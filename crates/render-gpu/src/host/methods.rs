@@ -28,11 +28,11 @@ pub enum Method {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CandidateSource {
     /// The BRDF's sampler: the paper's choice.
-    #[default]
     Brdf,
     /// The light's tables.
     Environment,
     /// Half of each.
+    #[default]
     Mixture,
 }
 
@@ -88,7 +88,9 @@ impl Default for BisSettings {
         Self {
             candidates: 32,
             samples: 2,
-            source: CandidateSource::Brdf,
+            // The paper's BRDF alone misses a sun on a glossy object: at 30 shadow rays its error was 15 to 20 times that of
+            // the mixture.
+            source: CandidateSource::Mixture,
         }
     }
 }
