@@ -38,7 +38,7 @@ fn numbers_out_of_range_name_their_key() {
     t.run(&["render", "shot.toml", "--set", "object.0.scale=1e-9"])
         .fails(
             3,
-            &["shot.toml:6:", "object: all objects are too small", "scale"],
+            &["shot.toml:6:", "all objects are too small", "scale"],
         );
     // In the file, with line and column.
     t.shot("light.0001.exr", "scale = 1e12\n");
