@@ -36,10 +36,7 @@ fn numbers_out_of_range_name_their_key() {
     let both = ["object.0.scale=9e8", "object.0.translate=[9e8,0,0]"];
     refused(&both, &["1.8e9 units from the origin"]);
     t.run(&["render", "shot.toml", "--set", "object.0.scale=1e-9"])
-        .fails(
-            3,
-            &["shot.toml:6:", "all objects are too small", "scale"],
-        );
+        .fails(3, &["shot.toml:6:", "all objects are too small", "scale"]);
     // In the file, with line and column.
     t.shot("light.0001.exr", "scale = 1e12\n");
     t.run(&["render", "shot.toml"])
