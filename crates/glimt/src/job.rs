@@ -154,7 +154,7 @@ impl Job {
 
     /// Whether each frame goes on from the one before it.
     pub fn is_chain(&self) -> bool {
-        self.setup.shot.render.method == Method::Smc
+        self.setup.shot.render.method.goes_on()
     }
 
     /// The identity of each frame, in the order of [`Job::frames`], and the hash of all that the last one came from.
@@ -193,7 +193,7 @@ fn check_past(flags: &PastFlags, method: Method) -> Result<()> {
         ("--state-out", flags.state_out.is_some()),
     ];
     match given.iter().find(|(_, given)| *given) {
-        Some((flag, _)) if method != Method::Smc => Err(Error::usage(format!(
+        Some((flag, _)) if !method.goes_on() => Err(Error::usage(format!(
             "{flag} is for the method \"smc\": with others each frame stands alone"
         ))
         .fix("leave it out, or add --method smc")),

@@ -1,6 +1,7 @@
 //! Host file: the CPU executor: the kernels, run by rayon.
 
 use rayon::prelude::*;
+use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use bytemuck::Zeroable;
@@ -256,6 +257,43 @@ impl<'a> WorkMethod<'a> {
     }
 }
 
+/// `shade_mis` and its twin in layers.
+type ShadeMis<S> = fn(u32, &FrameParams, Environment<'_>, Scene<'_>) -> S;
+/// `shade_bis` and its twin.
+type ShadeBis<S> = fn(u32, &FrameParams, &Bis, Environment<'_>, Scene<'_>) -> S;
+/// `shade_smc` and its twin.
+type ShadeSmc<S> = fn(
+    u32,
+    &FrameParams,
+    &SmcParams,
+    &PastView,
+    Environment<'_>,
+    RadianceMap<'_>,
+    Scene<'_>,
+    Past<'_>,
+    &mut [RayState],
+    &mut [Particle],
+) -> S;
+
+/// What one ray shows, and the kernels that say it.
+trait Shaded: Sized {
+    const MIS: ShadeMis<Self>;
+    const BIS: ShadeBis<Self>;
+    const SMC: ShadeSmc<Self>;
+}
+
+impl Shaded for Vec4 {
+    const MIS: ShadeMis<Self> = shade_mis;
+    const BIS: ShadeBis<Self> = shade_bis;
+    const SMC: ShadeSmc<Self> = shade_smc;
+}
+
+impl Shaded for LayerSample {
+    const MIS: ShadeMis<Self> = shade_mis_layers;
+    const BIS: ShadeBis<Self> = shade_bis_layers;
+    const SMC: ShadeSmc<Self> = shade_smc_layers;
+}
+
 /// What a thread computes its tiles in.
 #[derive(Default)]
 struct Scratch {
@@ -280,6 +318,40 @@ impl Work<'_> {
         }
     }
 
+    /// What the rays of a tile show.
+    fn trace<S: Shaded>(
+        &self,
+        frame: &FrameParams,
+        rays: Range<u32>,
+        states: &mut [RayState],
+        particles: &mut [Particle],
+        samples: &mut Vec<S>,
+    ) {
+        let (env, scene) = (self.env, self.scene);
+        samples.clear();
+        match &self.method {
+            WorkMethod::Mis => samples.extend(rays.map(|ray| S::MIS(ray, frame, env, scene))),
+            WorkMethod::Bis(bis) => {
+                samples.extend(rays.map(|ray| S::BIS(ray, frame, bis, env, scene)));
+            }
+            WorkMethod::Smc {
+                params,
+                view,
+                before,
+                past,
+                per_ray,
+            } => {
+                let sets = particles.chunks_mut(*per_ray);
+                let own = states.chunks_mut(1).zip(sets);
+                samples.extend(rays.zip(own).map(|(ray, (state, set))| {
+                    S::SMC(
+                        ray, frame, params, view, env, *before, scene, *past, state, set,
+                    )
+                }));
+            }
+        }
+    }
+
     /// The tile that begins at pixel `first`.
     fn tile(
         &self,
@@ -291,30 +363,8 @@ impl Work<'_> {
     ) {
         let frame = &self.params(first);
         let rays = 0..linear.len() as u32 * frame.rays_per_pixel;
-        let (env, scene) = (self.env, self.scene);
         let samples = &mut scratch.rays;
-        samples.clear();
-        match &self.method {
-            WorkMethod::Mis => samples.extend(rays.map(|ray| shade_mis(ray, frame, env, scene))),
-            WorkMethod::Bis(bis) => {
-                samples.extend(rays.map(|ray| shade_bis(ray, frame, bis, env, scene)));
-            }
-            WorkMethod::Smc {
-                params,
-                view,
-                before,
-                past,
-                per_ray,
-            } => {
-                let states = kept.rays.chunks_mut(1);
-                let sets = kept.particles.chunks_mut(*per_ray);
-                samples.extend(rays.zip(states.zip(sets)).map(|(ray, (state, set))| {
-                    shade_smc(
-                        ray, frame, params, view, env, *before, scene, *past, state, set,
-                    )
-                }));
-            }
-        }
+        self.trace(frame, rays, kept.rays, kept.particles, samples);
         for (pixel, value) in (0..).zip(linear.iter_mut()) {
             *value = reconstruct(pixel, frame, samples);
         }
@@ -336,36 +386,12 @@ impl Work<'_> {
         let frame = &self.params(first);
         let pixels = linear.len() as u32;
         let rays = 0..pixels * frame.rays_per_pixel;
-        let (env, scene) = (self.env, self.scene);
         let Scratch {
             samples, layers, ..
         } = scratch;
-        samples.clear();
-        match &self.method {
-            WorkMethod::Mis => {
-                samples.extend(rays.map(|ray| shade_mis_layers(ray, frame, env, scene)));
-            }
-            WorkMethod::Bis(bis) => {
-                samples.extend(rays.map(|ray| shade_bis_layers(ray, frame, bis, env, scene)));
-            }
-            WorkMethod::Smc {
-                params,
-                view,
-                before,
-                past,
-                per_ray,
-            } => {
-                let states = kept.rays.chunks_mut(1);
-                let sets = kept.particles.chunks_mut(*per_ray);
-                samples.extend(rays.zip(states.zip(sets)).map(|(ray, (state, set))| {
-                    shade_smc_layers(
-                        ray, frame, params, view, env, *before, scene, *past, state, set,
-                    )
-                }));
-            }
-        }
+        self.trace(frame, rays, kept.rays, kept.particles, samples);
         layers.clear();
-        layers.extend((0..pixels).map(|pixel| reconstruct_layers(pixel, frame, env, samples)));
+        layers.extend((0..pixels).map(|pixel| reconstruct_layers(pixel, frame, self.env, samples)));
         let plate = self.plate.map(|plate| &plate[first..first + linear.len()]);
         for (pixel, value) in (0..).zip(linear.iter_mut()) {
             *value = match plate {

@@ -6,7 +6,7 @@ use crate::error::{Error, Kind, Place, Result, nearest};
 use crate::input::footage;
 use crate::setup;
 use crate::shot::parse::{self, Source};
-use crate::shot::{Background, Filter, Method, Shot, check, digest};
+use crate::shot::{Background, Filter, Shot, check, digest};
 use std::path::Path;
 
 /// Contestants under one word, as --preset takes them: the word, their names, their keys.
@@ -296,7 +296,7 @@ impl Contestant {
     /// Whether it goes on from the frame before.
     #[must_use]
     pub fn is_stateful(&self) -> bool {
-        self.shot.render.method == Method::Smc
+        self.shot.render.method.goes_on()
     }
 
     /// What the renderer says of its settings.

@@ -11,8 +11,8 @@ use crate::frame::Frames;
 use crate::input::probe::{self, Probe};
 use crate::notes::Notes;
 use crate::output::Stamp;
+use crate::shot::Mapping;
 use crate::shot::digest::{self, Hash};
-use crate::shot::{Mapping, Method};
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
 use std::path::Path;
@@ -199,7 +199,7 @@ impl<'a> Taker<'a> {
         if let Some(laid) = &laid {
             inputs = digest::join([&inputs, &laid.hash]);
         }
-        let is_chain = setup.shot.render.method == Method::Smc;
+        let is_chain = setup.shot.render.method.goes_on();
         if is_chain {
             self.chain = digest::join([&self.chain, &inputs]);
             inputs = self.chain;

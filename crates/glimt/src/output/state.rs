@@ -13,7 +13,8 @@ use glimt_render_gpu::kernels::past::RayState;
 use glimt_smc::Particle;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
-use std::io::Write;
+use std::fs::File;
+use std::io::{Read, Write};
 use std::path::Path;
 
 const MAGIC: &[u8] = b"glimt sequential sampler 1\n";
@@ -97,7 +98,15 @@ pub fn write(file: &Path, saved: &Saved) -> Result<()> {
 /// The hash of everything that a state came from, of a file that need not be there; its arrays are not looked at.
 #[must_use]
 pub fn read_chain(file: &Path) -> Option<Hash> {
-    let bytes = std::fs::read(file).ok()?;
+    let mut reader = File::open(file).ok()?;
+    let mut bytes = vec![0; MAGIC.len() + 4];
+    reader.read_exact(&mut bytes).ok()?;
+    if !bytes.starts_with(MAGIC) {
+        return None;
+    }
+    let length = *bytes.last_chunk::<4>()?;
+    let most = u64::from(u32::from_le_bytes(length));
+    reader.take(most).read_to_end(&mut bytes).ok()?;
     Some(header(&bytes)?.0.chain)
 }
 

@@ -2,8 +2,9 @@
 
 use super::methods::{self, Bis, Smc};
 use super::parse::Source;
-use super::{Aov, Ball, Camera, Colour, Mapping, Method, Shot, range};
+use super::{Ball, Camera, Colour, Mapping, Method, Shot, range};
 use crate::error::{Error, Result};
+use crate::output::aov;
 use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 
 /// Largest width or height of an image.
@@ -132,9 +133,7 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
             );
         }
     }
-    let diagnosed = [Aov::Ess, Aov::ZRatio, Aov::Age, Aov::Started];
-    let diagnosed = shot.output.aovs.iter().find(|aov| diagnosed.contains(aov));
-    if render.method != Method::Smc && diagnosed.is_some() {
+    if !render.method.goes_on() && aov::any_diagnostic(&shot.output.aovs) {
         return bad(
             "output.aovs",
             "\"ess\", \"z-ratio\", \"age\" and \"started\" belong to the method \"smc\"",

@@ -455,6 +455,14 @@ words! {
     }
 }
 
+impl Method {
+    /// Whether each of its frames goes on from the one before it.
+    #[must_use]
+    pub fn goes_on(self) -> bool {
+        self == Self::Smc
+    }
+}
+
 impl Default for Image {
     fn default() -> Self {
         Self {

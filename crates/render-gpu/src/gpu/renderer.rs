@@ -161,7 +161,10 @@ impl GpuRenderer {
         let (Some(uploaded), Some(tile)) = (&self.scene, &self.tile) else {
             unreachable!("both were just made");
         };
-        let bis = settings.bis.params()?;
+        let bis = match settings.method {
+            Method::Bis => Some(settings.bis.params()?),
+            _ => None,
+        };
         let shade = match (settings.method, in_layers) {
             (Method::Mis, false) => &SHADE_MIS,
             (Method::Mis, true) => &SHADE_MIS_LAYERS,
@@ -172,7 +175,7 @@ impl GpuRenderer {
         };
         let counts = match settings.method {
             Method::Mis => [whole.brdf_samples, whole.env_samples, 0, 0],
-            Method::Bis => [bis.candidates, bis.samples, 0, 0],
+            Method::Bis => [settings.bis.candidates, settings.bis.samples, 0, 0],
             Method::Smc => {
                 // The first frame of a sequence has nothing to go on from, and another cost.
                 let steps = match smc {
@@ -207,9 +210,9 @@ impl GpuRenderer {
             let tell = |done: u32| progress(((before + f64::from(done)) / rays) as f32);
             let fitting = GpuSmc::fitting_pixels(&self.context, settings);
             let window = smc.map(|smc| smc.window(fitting, first, count));
-            let of_method = match (settings.method, smc, &window) {
-                (Method::Bis, ..) => vec![("bis", Arg::Value(bytemuck::bytes_of(&bis)))],
-                (_, Some(smc), Some(window)) => smc.args(&frame, window, count),
+            let of_method = match (&bis, smc, &window) {
+                (Some(bis), ..) => vec![("bis", Arg::Value(bytemuck::bytes_of(bis)))],
+                (None, Some(smc), Some(window)) => smc.args(&frame, window, count),
                 _ => Vec::new(),
             };
             let work = Work {
