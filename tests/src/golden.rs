@@ -11,12 +11,13 @@ use naga_front_rust::{
 };
 
 /// The shared sources of every crate of the workspace that has them.
-pub const SOURCES: [(&str, &[(&str, &str)]); 6] = [
+pub const SOURCES: [(&str, &[(&str, &str)]); 7] = [
     glimt_probe::SHADER_SOURCE,
     glimt_sampling::SHADER_SOURCE,
     glimt_envmap_cdf::SHADER_SOURCE,
     glimt_brdf::SHADER_SOURCE,
     glimt_smc::SHADER_SOURCE,
+    glimt_sh::SHADER_SOURCE,
     glimt_render_gpu::SHADER_SOURCE,
 ];
 
@@ -148,6 +149,18 @@ const EXPORTS: &[Export] = &[
             ("smc_split_word", "glimt_smc::split_word"),
             ("smc_particle_weight", "glimt_smc::Particle::weight"),
             ("smc_is_log_zero", "glimt_smc::is_log_zero"),
+        ],
+        buffers: &[],
+    },
+    Export {
+        file: "crates/sh/wgsl/sh.wgsl",
+        functions: &[
+            ("sh_basis", "glimt_sh::basis::basis"),
+            ("sh_add_basis", "glimt_sh::basis::add_basis"),
+            ("sh_ring", "glimt_sh::separable::ring"),
+            ("sh_meridian", "glimt_sh::separable::meridian"),
+            ("sh_hann", "glimt_sh::basis::hann"),
+            ("sh_cosine_lobe", "glimt_sh::basis::cosine_lobe"),
         ],
         buffers: &[],
     },

@@ -1,7 +1,27 @@
 //! Host file: real spherical harmonics for low-frequency light. `no_std`, no alloc; glam types.
-//!
-//! **This version is empty.** The crate is where the parts of Hajisharif, Kronander, Miandji, Unger: *Real-time image based
-//! lighting with streaming HDR-light probe sequences* (SIGRAD 2012) will be: the basis (Eq. 5), the projection of a light map
-//! (Eqs. 9 to 12), the filter over time (Eq. 13), and precomputed radiance transfer (Eqs. 2, 3, 8 and 14).
 
 #![no_std]
+
+pub mod basis;
+pub mod separable;
+
+pub use basis::{
+    MAX_BANDS, MAX_COEFFICIENTS, add_basis, basis, coefficient_count, coefficient_index,
+    cosine_lobe, hann,
+};
+pub use separable::{meridian, ring};
+
+/// The crate's name and its shared files, `(path below src/, text)`, for a front end that lowers them to WGSL.
+#[cfg(feature = "shader-source")]
+pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
+    "glimt_sh",
+    &[
+        ("lib.rs", include_str!("lib.rs")),
+        ("basis.rs", include_str!("basis.rs")),
+        ("separable.rs", include_str!("separable.rs")),
+    ],
+);
+
+/// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own.
+#[cfg(feature = "shader-source")]
+pub const WGSL: &str = include_str!("../wgsl/sh.wgsl");
