@@ -12,7 +12,8 @@ use crate::view::View;
 use glam::{Mat4, UVec2};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::render::{
-    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Shadow, Tonemap,
+    Background, Filter, Method, Pattern, PrtSettings, RenderSettings, SettingsError, Shadow,
+    Tonemap,
 };
 use glimt_render_gpu::host::scene::{Camera, SceneDescription};
 use glimt_render_gpu::host::scene_error::SceneError;
@@ -169,6 +170,7 @@ impl Setup {
                 SettingsError::Exposure => "image.exposure_ev",
                 SettingsError::FieldOfView => "camera.fov_x_deg",
                 SettingsError::Camera => "camera",
+                SettingsError::Prt | SettingsError::NoTransfer => "render.prt",
                 SettingsError::PlateSize => "backplate",
             };
             self.source.error(key, e)
@@ -219,11 +221,12 @@ impl Setup {
             method: match render.method {
                 shot::Method::Bis => Method::Bis,
                 shot::Method::Smc => Method::Smc,
-                // Shots of other methods are refused when they are checked.
-                shot::Method::Mis | shot::Method::Prt => Method::Mis,
+                shot::Method::Prt => Method::Prt,
+                shot::Method::Mis => Method::Mis,
             },
             bis: render.bis.settings(),
             smc: render.smc.settings(),
+            prt: PrtSettings::default(),
             pattern: match render.pattern {
                 shot::Pattern::OwenSobol => Pattern::OwenSobol,
                 shot::Pattern::Independent => Pattern::Independent,

@@ -9,8 +9,11 @@ use glam::{Mat4, Vec3, Vec4};
 use glimt_smc::{LOG_ZERO, Particle};
 
 use crate::host::env::PreparedEnv;
+use crate::host::light_sh::LightSh;
 use crate::host::plate::Plate;
-use crate::host::render::{FrameImage, Method, RenderError, RenderSettings, Renderer};
+use crate::host::render::{
+    FrameImage, Method, RenderError, RenderSettings, Renderer, SettingsError,
+};
 use crate::host::scene_build::SceneBuffers;
 use crate::host::smc_state::{PastFrame, SmcKey, SmcState};
 use crate::kernels::bis::Bis;
@@ -22,6 +25,7 @@ use crate::kernels::film::{reconstruct, tonemap};
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers, reconstruct_layers};
 use crate::kernels::past::{Past, PastView, RayState};
+use crate::kernels::prt::{Surface, VertexLight, shade_prt, shade_prt_layers, vertex_light};
 use crate::kernels::scene::Scene;
 use crate::kernels::shade::{shade_bis, shade_bis_layers, shade_mis, shade_mis_layers};
 use crate::kernels::smc::{SmcParams, diagnose_smc, shade_smc, shade_smc_layers};
@@ -33,6 +37,8 @@ pub struct CpuRenderer {
     pub tile_pixels: usize,
     /// What the sequential sampler goes on from.
     smc: Option<SmcState>,
+    /// The light of frames by precomputed transfer.
+    light: LightSh,
 }
 
 impl Default for CpuRenderer {
@@ -48,7 +54,29 @@ impl CpuRenderer {
         Self {
             tile_pixels,
             smc: None,
+            light: LightSh::default(),
         }
+    }
+
+    /// Light at the vertices of a scene that has a transfer.
+    fn vertex_lights(
+        &mut self,
+        scene: &SceneBuffers,
+        env: &PreparedEnv,
+        settings: &RenderSettings,
+    ) -> Result<Vec<VertexLight>, RenderError> {
+        let known = scene.transfer().ok_or(SettingsError::NoTransfer)?;
+        let transfer = known.transfer();
+        let light = self.light.project(env, transfer.bands, &settings.prt)?;
+        let count = transfer.coefficients() as u32;
+        let shadows = u32::from(settings.prt.shadows);
+        let of_vertex =
+            |v| vertex_light(v, count, shadows, &light, &transfer.lit, &transfer.blocked);
+        Ok((0..known.vertices())
+            .into_par_iter()
+            .with_min_len(256)
+            .map(of_vertex)
+            .collect())
     }
 
     /// The rays of the frame that is to come, and the frame before them where it can be gone on from.
@@ -101,8 +129,16 @@ impl Renderer for CpuRenderer {
             || vec![Mat4::IDENTITY; scene.transforms().len()],
             |past| past.past.motions(scene),
         );
+        let lights = match settings.method {
+            Method::Prt => self.vertex_lights(scene, env, settings)?,
+            _ => Vec::new(),
+        };
+        let method = match (settings.method, scene.transfer()) {
+            (Method::Prt, Some(transfer)) => WorkMethod::Prt(transfer.surface(&lights)),
+            _ => WorkMethod::new(settings, env, past.as_ref(), &motions, &whole)?,
+        };
         let work = Work {
-            method: WorkMethod::new(settings, env, past.as_ref(), &motions, &whole)?,
+            method,
             whole,
             env: env.view(),
             scene: scene.view(),
@@ -209,6 +245,7 @@ enum WorkMethod<'a> {
         past: Past<'a>,
         per_ray: usize,
     },
+    Prt(Surface<'a>),
 }
 
 impl<'a> WorkMethod<'a> {
@@ -221,19 +258,13 @@ impl<'a> WorkMethod<'a> {
     ) -> Result<Self, RenderError> {
         Ok(match settings.method {
             Method::Mis => Self::Mis,
+            Method::Prt => return Err(SettingsError::NoTransfer.into()),
             Method::Bis => Self::Bis(settings.bis.params()?),
             Method::Smc => {
                 let now = env.view();
                 // Without a frame before, this one stands in for it, and no pixel of it is at hand.
                 let mean = env.mean_luminance();
-                let before = past.map_or(
-                    RadianceMap {
-                        texels: now.texels,
-                        size: now.cdf.size,
-                        rotation: now.rotation,
-                    },
-                    SmcState::light,
-                );
+                let before = past.map_or(now.map(), SmcState::light);
                 let view = match past {
                     Some(past) => past.past.view,
                     None => settings.camera.view(settings.size)?,
@@ -275,23 +306,29 @@ type ShadeSmc<S> = fn(
     &mut [Particle],
 ) -> S;
 
+/// `shade_prt` and its twin.
+type ShadePrt<S> = fn(u32, &FrameParams, RadianceMap<'_>, Scene<'_>, Surface<'_>) -> S;
+
 /// What one ray shows, and the kernels that say it.
 trait Shaded: Sized {
     const MIS: ShadeMis<Self>;
     const BIS: ShadeBis<Self>;
     const SMC: ShadeSmc<Self>;
+    const PRT: ShadePrt<Self>;
 }
 
 impl Shaded for Vec4 {
     const MIS: ShadeMis<Self> = shade_mis;
     const BIS: ShadeBis<Self> = shade_bis;
     const SMC: ShadeSmc<Self> = shade_smc;
+    const PRT: ShadePrt<Self> = shade_prt;
 }
 
 impl Shaded for LayerSample {
     const MIS: ShadeMis<Self> = shade_mis_layers;
     const BIS: ShadeBis<Self> = shade_bis_layers;
     const SMC: ShadeSmc<Self> = shade_smc_layers;
+    const PRT: ShadePrt<Self> = shade_prt_layers;
 }
 
 /// What a thread computes its tiles in.
@@ -348,6 +385,10 @@ impl Work<'_> {
                         ray, frame, params, view, env, *before, scene, *past, state, set,
                     )
                 }));
+            }
+            WorkMethod::Prt(surface) => {
+                let map = env.map();
+                samples.extend(rays.map(|ray| S::PRT(ray, frame, map, scene, *surface)));
             }
         }
     }

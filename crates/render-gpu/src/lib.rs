@@ -86,6 +86,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("kernels/mis.rs", include_str!("kernels/mis.rs")),
         ("kernels/past.rs", include_str!("kernels/past.rs")),
         ("kernels/pattern.rs", include_str!("kernels/pattern.rs")),
+        ("kernels/prt.rs", include_str!("kernels/prt.rs")),
         ("kernels/ray.rs", include_str!("kernels/ray.rs")),
         ("kernels/scene.rs", include_str!("kernels/scene.rs")),
         ("kernels/sensor.rs", include_str!("kernels/sensor.rs")),

@@ -172,10 +172,12 @@ impl GpuRenderer {
             (Method::Bis, true) => &SHADE_BIS_LAYERS,
             (Method::Smc, false) => &SHADE_SMC,
             (Method::Smc, true) => &SHADE_SMC_LAYERS,
+            (Method::Prt, _) => return Err(SettingsError::NoTransfer.into()),
         };
         let counts = match settings.method {
             Method::Mis => [whole.brdf_samples, whole.env_samples, 0, 0],
             Method::Bis => [settings.bis.candidates, settings.bis.samples, 0, 0],
+            Method::Prt => [0; 4],
             Method::Smc => {
                 // The first frame of a sequence has nothing to go on from, and another cost.
                 let steps = match smc {

@@ -10,6 +10,7 @@ use super::attributes::{area_weighted_normals, uv_tangents};
 use super::scene::{Mesh, SceneDescription};
 use super::scene_build::MAX_COORDINATE;
 use super::scene_error::SceneError;
+use super::transfer::SurfaceVertex;
 use crate::kernels::scene::{Corner, MIRRORED};
 use crate::kernels::triangle::{CATCHER, Triangle};
 
@@ -92,6 +93,51 @@ impl Geometry {
         bodies.any(|body| body.catcher && !body.mesh.indices.is_empty())
     }
 
+    /// The vertices of an object that stands at `transform`, in the order of its mesh.
+    pub(super) fn vertices(
+        &self,
+        object: usize,
+        transform: &Mat4,
+    ) -> Result<Vec<SurfaceVertex>, SceneError> {
+        let mesh = &*self.bodies[object].mesh;
+        let positions = world_positions(object, mesh, transform)?;
+        let linear = DMat3::from_mat4(transform.as_dmat4());
+        let normal = world_normals(mesh, &linear);
+        let mut extents = vec![0f32; positions.len()];
+        for face in &mesh.indices {
+            let corners = face.map(|i| positions[i as usize].abs().max_element());
+            let extent = corners.into_iter().fold(0.0, f32::max);
+            for &i in face {
+                extents[i as usize] = extents[i as usize].max(extent);
+            }
+        }
+        let each = positions.into_iter().zip(extents).enumerate();
+        Ok(each
+            .map(|(i, (position, extent))| SurfaceVertex {
+                position,
+                normal: normal(i),
+                ray_offset: RAY_OFFSET * extent,
+            })
+            .collect())
+    }
+
+    /// How many vertices the mesh of an object has.
+    pub(super) fn vertex_count(&self, object: usize) -> usize {
+        self.bodies[object].mesh.positions.len()
+    }
+
+    /// Faces of an object's mesh, but for those dropped, of which there is a sorted list.
+    pub(super) fn faces<'a>(
+        &'a self,
+        object: usize,
+        dropped: &'a [u32],
+    ) -> impl Iterator<Item = [u32; 3]> + 'a {
+        let faces = (0u32..).zip(&self.bodies[object].mesh.indices);
+        faces
+            .filter(|(i, _)| dropped.binary_search(i).is_err())
+            .map(|(_, face)| *face)
+    }
+
     /// The triangles of an object that stands at `transform`, an affine map.
     pub(super) fn flatten(&self, object: usize, transform: &Mat4) -> Result<Flat, SceneError> {
         let body = &self.bodies[object];
@@ -102,15 +148,13 @@ impl Geometry {
             return Err(SceneError::Transform { object });
         }
         let positions = world_positions(object, mesh, transform)?;
-        let normal_map = linear.inverse().transpose();
+        let to_world = world_normals(mesh, &linear);
         let tangent_map = Mat3::from_mat4(*transform);
         let corner = |vertex: usize| {
             let uv = mesh.uvs.get(vertex).copied().unwrap_or(Vec2::ZERO);
             let tangent = mesh.tangents.get(vertex).copied().unwrap_or(Vec4::ZERO);
             Corner {
-                normal: (normal_map * mesh.normals[vertex].as_dvec3())
-                    .normalize_or_zero()
-                    .as_vec3(),
+                normal: to_world(vertex),
                 u: uv.x,
                 tangent: (tangent_map * tangent.truncate()).normalize_or_zero(),
                 v: uv.y,
@@ -198,6 +242,16 @@ fn check_materials(mesh: &Mesh, count: usize) -> Result<(), SceneError> {
             index: named[triangle],
             count,
         }),
+    }
+}
+
+/// Unit normals in the world, by their numbers; zero where there is none.
+fn world_normals<'a>(mesh: &'a Mesh, linear: &DMat3) -> impl Fn(usize) -> Vec3 + Sync + 'a {
+    let normal_map = linear.inverse().transpose();
+    move |vertex| {
+        (normal_map * mesh.normals[vertex].as_dvec3())
+            .normalize_or_zero()
+            .as_vec3()
     }
 }
 

@@ -22,6 +22,9 @@ pub enum Method {
     Bis,
     /// Sequential Monte Carlo (Kronander 2014, Eqs. 5 to 8): renderers keep particles from frame to frame.
     Smc,
+    /// Precomputed radiance transfer (Hajisharif 2012): light and transfer as spherical harmonics; the scene must have a
+    /// [`Transfer`](super::transfer::Transfer).
+    Prt,
 }
 
 /// Where candidates for the product of light and reflection come from.
@@ -45,6 +48,44 @@ pub struct BisSettings {
     pub samples: u32,
     /// Where candidates come from.
     pub source: CandidateSource,
+}
+
+/// Settings of [`Method::Prt`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PrtSettings {
+    /// How often the light map is halved before it is projected.
+    pub level: u32,
+    /// Width w of the Hann window on the light's coefficients; 0 for none.
+    pub window: f32,
+    /// Share α of the frame before in the filter over time (Eq. 13), at least 0; 0 for none.
+    pub temporal: f32,
+    /// Whether objects cast shadows.
+    pub shadows: bool,
+}
+
+impl Default for PrtSettings {
+    fn default() -> Self {
+        Self {
+            level: 0,
+            window: 0.0,
+            temporal: 0.0,
+            shadows: true,
+        }
+    }
+}
+
+impl PrtSettings {
+    /// Checks the settings.
+    ///
+    /// # Errors
+    /// [`SettingsError::Prt`].
+    pub fn check(&self) -> Result<(), SettingsError> {
+        let in_range = |x: f32| x >= 0.0 && x <= f32::MAX;
+        if self.level > 31 || !in_range(self.window) || !in_range(self.temporal) {
+            return Err(SettingsError::Prt);
+        }
+        Ok(())
+    }
 }
 
 /// Settings of [`Method::Smc`].

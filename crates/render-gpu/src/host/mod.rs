@@ -3,6 +3,7 @@
 mod attributes;
 pub mod env;
 mod geometry;
+pub mod light_sh;
 mod materials;
 pub mod methods;
 pub mod plate;
@@ -11,5 +12,6 @@ pub mod scene;
 pub mod scene_build;
 pub mod scene_error;
 pub mod smc_state;
+pub mod transfer;
 mod tree;
 pub mod unwarp;

@@ -5,7 +5,7 @@ use std::time::Duration;
 use glam::{UVec2, Vec4};
 
 use super::env::PreparedEnv;
-pub use super::methods::{BisSettings, CandidateSource, Method, SmcSettings};
+pub use super::methods::{BisSettings, CandidateSource, Method, PrtSettings, SmcSettings};
 use super::plate::Plate;
 use super::scene::Camera;
 use super::scene_build::SceneBuffers;
@@ -33,6 +33,8 @@ pub struct RenderSettings {
     pub bis: BisSettings,
     /// How, by [`Method::Smc`].
     pub smc: SmcSettings,
+    /// How, by [`Method::Prt`].
+    pub prt: PrtSettings,
     /// Where the uniforms come from.
     pub pattern: Pattern,
     /// Where in its pixel a ray passes.
@@ -219,6 +221,12 @@ pub enum SettingsError {
         "a setting of the sequential sampler is out of its range, or its candidates come from the environment alone"
     )]
     Smc,
+    /// A setting of precomputed radiance transfer is out of range.
+    #[error("level must be at most 31, window and temporal finite and at least 0")]
+    Prt,
+    /// The scene has no transfer, or lost it when an object moved.
+    #[error("the scene has no precomputed transfer for where its objects stand")]
+    NoTransfer,
     /// The plate is of another size than the image.
     #[error("the plate must have the image's size")]
     PlateSize,
@@ -237,6 +245,7 @@ impl RenderSettings {
             method: Method::default(),
             bis: BisSettings::default(),
             smc: SmcSettings::default(),
+            prt: PrtSettings::default(),
             pattern: Pattern::default(),
             filter: Filter::default(),
             background: Background::default(),
@@ -293,6 +302,10 @@ impl RenderSettings {
                 self.smc.params(0.0, 0.0)?;
                 self.smc.candidates.max(self.smc.particles)
             }
+            Method::Prt => {
+                self.prt.check()?;
+                1
+            }
         };
         if per_ray == 0 {
             return Err(SettingsError::NoSamples);
@@ -346,7 +359,7 @@ impl RenderSettings {
             // Particles stay with their rays, so those must stand still.
             film_frame: match self.method {
                 Method::Smc => 0,
-                Method::Mis | Method::Bis => self.frame,
+                Method::Mis | Method::Bis | Method::Prt => self.frame,
             },
             unused_c: 0,
         })

@@ -10,6 +10,7 @@ use super::geometry::{Flat, Geometry};
 use super::materials::{pack_material, pack_textures};
 use super::scene::SceneDescription;
 use super::scene_error::SceneError;
+use super::transfer::{SceneTransfer, SurfaceVertex, Transfer, TransferError};
 use super::tree::{build_tree, refit, sah_cost};
 use crate::kernels::bvh::BvhNode;
 use crate::kernels::material::Material;
@@ -43,6 +44,7 @@ pub struct SceneBuffers {
     reference: Arc<Reference>,
     /// Whether the triangles lie as they do in the reference pose.
     in_reference_order: bool,
+    transfer: Option<Arc<SceneTransfer>>,
 }
 
 /// Where the tree of a pose comes from.
@@ -124,6 +126,7 @@ impl SceneBuffers {
             transforms,
             reference: Arc::new(reference),
             in_reference_order: true,
+            transfer: None,
         })
     }
 
@@ -132,7 +135,7 @@ impl SceneBuffers {
     ///
     /// The buffers become those of a scene that is built there, up to the order of the triangles: the tree of the reference
     /// pose is refitted, or a new one built where that would cost rays too much or other triangles have no area. Poses between
-    /// leave no trace. Where nothing has moved nothing is done.
+    /// leave no trace. Where nothing has moved nothing is done; where something has, the scene's transfer is lost.
     ///
     /// # Errors
     /// A [`SceneError`] that names the object; the scene then stays as it was.
@@ -170,7 +173,71 @@ impl SceneBuffers {
         }
         self.transforms.copy_from_slice(transforms);
         self.id = new_id();
+        self.transfer = None;
         Ok(())
+    }
+
+    /// All vertices where they stand now: object by object, each in the order of its mesh.
+    ///
+    /// # Errors
+    /// [`SceneError::Position`].
+    pub fn vertices(&self) -> Result<Vec<SurfaceVertex>, SceneError> {
+        let objects = self.transforms.iter().enumerate();
+        let each = objects.map(|(i, t)| self.geometry.vertices(i, t));
+        Ok(each.collect::<Result<Vec<_>, _>>()?.concat())
+    }
+
+    /// How many vertices each object has.
+    pub fn vertex_counts(&self) -> Vec<usize> {
+        let objects = 0..self.transforms.len();
+        objects.map(|i| self.geometry.vertex_count(i)).collect()
+    }
+
+    /// Gives the scene the transfer that was computed for it, where its objects stand now, and each object the weight c_k of its
+    /// mirror reflection, in [0, 1]; what lacks in that list is 0.
+    ///
+    /// # Errors
+    /// The transfer is not one of a scene with these vertices, or the scene is in a pose that has a tree of its own.
+    pub fn set_transfer(
+        &mut self,
+        transfer: Arc<Transfer>,
+        reflections: &[f32],
+    ) -> Result<(), TransferError> {
+        let counts = self.vertex_counts();
+        transfer.check(counts.iter().sum())?;
+        // The order of a tree of the pose's own is not kept.
+        if !self.in_reference_order {
+            return Err(TransferError::Moved);
+        }
+        let Reference {
+            places, dropped, ..
+        } = &*self.reference;
+        let mut corner_vertices = vec![0; self.corners.len()];
+        let mut places = places.iter();
+        let mut first_vertex = 0;
+        for (object, count) in counts.iter().enumerate() {
+            for (face, &place) in self
+                .geometry
+                .faces(object, &dropped[object])
+                .zip(&mut places)
+            {
+                let corners = &mut corner_vertices[3 * place as usize..][..3];
+                for (corner, vertex) in corners.iter_mut().zip(face) {
+                    *corner = first_vertex + vertex;
+                }
+            }
+            first_vertex += *count as u32;
+        }
+        let mut weights = reflections.to_vec();
+        weights.resize(counts.len().max(1), 0.0);
+        let joined = SceneTransfer::new(new_id(), transfer, corner_vertices, weights);
+        self.transfer = Some(Arc::new(joined));
+        Ok(())
+    }
+
+    /// The transfer that the scene was given.
+    pub fn transfer(&self) -> Option<&SceneTransfer> {
+        self.transfer.as_deref()
     }
 
     /// Puts moved objects into the tree of the reference pose. Says whether that is good enough for rays.

@@ -36,9 +36,28 @@ impl RadianceMap<'_> {
         let texel = direction_to_texel(rotate_z(direction, to_map), self.size);
         self.texels[(texel.y * self.size.x + texel.x) as usize].truncate()
     }
+
+    /// Radiance in a direction of the world, filtered as [`Environment::background`].
+    #[inline]
+    #[must_use]
+    pub fn background(&self, direction: Vec3) -> Vec3 {
+        let to_map = Vec2::new(self.rotation.x, -self.rotation.y);
+        bilinear(self.texels, self.size, rotate_z(direction, to_map))
+    }
 }
 
-impl Environment<'_> {
+impl<'a> Environment<'a> {
+    /// The map without its tables.
+    #[inline]
+    #[must_use]
+    pub fn map(&self) -> RadianceMap<'a> {
+        RadianceMap {
+            texels: self.texels,
+            size: self.cdf.size,
+            rotation: self.rotation,
+        }
+    }
+
     /// The direction in the map's own coordinates of a direction in the world.
     #[inline]
     #[must_use]

@@ -21,6 +21,7 @@ pub mod material;
 pub mod mis;
 pub mod past;
 pub mod pattern;
+pub mod prt;
 pub mod ray;
 pub mod scene;
 pub mod sensor;
