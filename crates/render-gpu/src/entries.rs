@@ -63,6 +63,15 @@ pub const ENTRIES: &[EntrySpec] = &[
         "composite_alone",
         "glimt_render_gpu::kernels::composite::composite_alone",
     ),
+    entry("halve", "glimt_render_gpu::kernels::pyramid::halve"),
+    entry(
+        "light_coefficient",
+        "glimt_render_gpu::kernels::light_sh::light_coefficient",
+    ),
+    entry(
+        "vertex_light",
+        "glimt_render_gpu::kernels::prt::vertex_light",
+    ),
     entry("film_ball", "glimt_render_gpu::kernels::capture::film_ball"),
     entry(
         "film_plate",

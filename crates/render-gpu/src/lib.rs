@@ -78,6 +78,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("kernels/film.rs", include_str!("kernels/film.rs")),
         ("kernels/frame.rs", include_str!("kernels/frame.rs")),
         ("kernels/layers.rs", include_str!("kernels/layers.rs")),
+        ("kernels/light_sh.rs", include_str!("kernels/light_sh.rs")),
         (
             "kernels/light_target.rs",
             include_str!("kernels/light_target.rs"),
@@ -87,6 +88,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("kernels/past.rs", include_str!("kernels/past.rs")),
         ("kernels/pattern.rs", include_str!("kernels/pattern.rs")),
         ("kernels/prt.rs", include_str!("kernels/prt.rs")),
+        ("kernels/pyramid.rs", include_str!("kernels/pyramid.rs")),
         ("kernels/ray.rs", include_str!("kernels/ray.rs")),
         ("kernels/scene.rs", include_str!("kernels/scene.rs")),
         ("kernels/sensor.rs", include_str!("kernels/sensor.rs")),

@@ -362,6 +362,64 @@ pub const COMPOSITE_ALONE: Entry = Entry {
     ],
 };
 
+/// [`halve`](crate::kernels::pyramid::halve) as a compute entry point.
+pub const HALVE: Entry = Entry {
+    name: "halve",
+    kernel: "glimt_render_gpu::kernels::pyramid::halve",
+    wgsl: include_str!("halve.wgsl"),
+    workgroup_size: 64,
+    params_size: 16,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("size", 8, 8),
+    ],
+    buffers: &[
+        slot("texels", 1, 16, false),
+        slot("out", 2, 16, true),
+    ],
+};
+
+/// [`light_coefficient`](crate::kernels::light_sh::light_coefficient) as a compute entry point.
+pub const LIGHT_COEFFICIENT: Entry = Entry {
+    name: "light_coefficient",
+    kernel: "glimt_render_gpu::kernels::light_sh::light_coefficient",
+    wgsl: include_str!("light_coefficient.wgsl"),
+    workgroup_size: 64,
+    params_size: 40,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("light", 8, 32),
+    ],
+    buffers: &[
+        slot("sums", 1, 16, false),
+        slot("previous", 2, 16, false),
+        slot("out", 3, 16, true),
+    ],
+};
+
+/// [`vertex_light`](crate::kernels::prt::vertex_light) as a compute entry point.
+pub const VERTEX_LIGHT: Entry = Entry {
+    name: "vertex_light",
+    kernel: "glimt_render_gpu::kernels::prt::vertex_light",
+    wgsl: include_str!("vertex_light.wgsl"),
+    workgroup_size: 64,
+    params_size: 16,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("coefficients", 8, 4),
+        param("shadows", 12, 4),
+    ],
+    buffers: &[
+        slot("light", 1, 16, false),
+        slot("lit", 2, 4, false),
+        slot("blocked", 3, 4, false),
+        slot("out", 4, 32, true),
+    ],
+};
+
 /// [`film_ball`](crate::kernels::capture::film_ball) as a compute entry point.
 pub const FILM_BALL: Entry = Entry {
     name: "film_ball",
@@ -647,6 +705,14 @@ const _: () = {
     assert!(offset_of!(crate::kernels::layers::PixelLayers, unused_a) == 44);
     assert!(offset_of!(crate::kernels::layers::PixelLayers, behind) == 48);
     assert!(offset_of!(crate::kernels::layers::PixelLayers, unused_b) == 60);
+    assert!(size_of::<crate::kernels::light_sh::LightParams>() == 32);
+    assert!(offset_of!(crate::kernels::light_sh::LightParams, rotation) == 0);
+    assert!(offset_of!(crate::kernels::light_sh::LightParams, window) == 8);
+    assert!(offset_of!(crate::kernels::light_sh::LightParams, temporal) == 12);
+    assert!(offset_of!(crate::kernels::light_sh::LightParams, bands) == 16);
+    assert!(offset_of!(crate::kernels::light_sh::LightParams, unused_a) == 20);
+    assert!(offset_of!(crate::kernels::light_sh::LightParams, unused_b) == 24);
+    assert!(offset_of!(crate::kernels::light_sh::LightParams, unused_c) == 28);
     assert!(size_of::<crate::kernels::material::Material>() == 96);
     assert!(offset_of!(crate::kernels::material::Material, color) == 0);
     assert!(offset_of!(crate::kernels::material::Material, kind) == 12);
@@ -681,6 +747,11 @@ const _: () = {
     assert!(offset_of!(crate::kernels::past::RayState, log_ratio) == 52);
     assert!(offset_of!(crate::kernels::past::RayState, started) == 56);
     assert!(offset_of!(crate::kernels::past::RayState, accepted) == 60);
+    assert!(size_of::<crate::kernels::prt::VertexLight>() == 32);
+    assert!(offset_of!(crate::kernels::prt::VertexLight, lit) == 0);
+    assert!(offset_of!(crate::kernels::prt::VertexLight, unused_a) == 12);
+    assert!(offset_of!(crate::kernels::prt::VertexLight, blocked) == 16);
+    assert!(offset_of!(crate::kernels::prt::VertexLight, unused_b) == 28);
     assert!(size_of::<crate::kernels::scene::Corner>() == 32);
     assert!(offset_of!(crate::kernels::scene::Corner, normal) == 0);
     assert!(offset_of!(crate::kernels::scene::Corner, u) == 12);
