@@ -37,7 +37,9 @@ fn main() -> Outcome<()> {
         }
     }
     if names.is_empty() {
-        names = ["4", "5", "6", "7", "8", "window", "agreement"].map(str::to_owned).to_vec();
+        names = ["4", "5", "6", "7", "8", "window", "agreement"]
+            .map(str::to_owned)
+            .to_vec();
     }
     let studio = Studio::open(&out)?;
     for name in &names {
@@ -75,25 +77,42 @@ impl Studio {
         let model = match dragon.is_file() {
             true => dragon.canonicalize()?.display().to_string(),
             false => {
-                println!("{} is not there: the built-in sculpture stands in", dragon.display());
+                println!(
+                    "{} is not there: the built-in sculpture stands in",
+                    dragon.display()
+                );
                 "armillary".to_owned()
             }
         };
         let mut lights = Vec::new();
-        for name in ["spruit_sunrise_1k", "studio_small_03_1k", "st_fagans_interior_1k"] {
+        for name in [
+            "spruit_sunrise_1k",
+            "studio_small_03_1k",
+            "st_fagans_interior_1k",
+        ] {
             let file = data_dir().join("hdri").join(name).with_extension("hdr");
             if file.is_file() {
                 let picture = image::open(&file)?.into_rgba32f();
                 let size = UVec2::new(picture.width(), picture.height());
                 let texels = picture.pixels().map(|p| Vec4::from_array(p.0)).collect();
-                lights.push(enlarged(&out.join(name).with_extension("hdr"), size, texels)?);
+                lights.push(enlarged(
+                    &out.join(name).with_extension("hdr"),
+                    size,
+                    texels,
+                )?);
             }
         }
         if lights.is_empty() {
-            println!("{} has no light maps: a procedural one stands in", data_dir().display());
+            println!(
+                "{} has no light maps: a procedural one stands in",
+                data_dir().display()
+            );
             let size = UVec2::new(1024, 512);
             let map = glimt_benches::inputs::procedural_map(size);
-            let texels = map.iter().map(|p| Vec3::from_array(*p).extend(1.0)).collect();
+            let texels = map
+                .iter()
+                .map(|p| Vec3::from_array(*p).extend(1.0))
+                .collect();
             lights.push(enlarged(&out.join("procedural.hdr"), size, texels)?);
         }
         Ok(Self { out, model, lights })
@@ -126,10 +145,15 @@ impl Studio {
         let shot = self.shot()?.display().to_string();
         let out = self.out.join(name);
         let given = |key: &str, default: &str| {
-            let value = sets.iter().find_map(|set| set.strip_prefix(key)?.strip_prefix('='));
+            let value = sets
+                .iter()
+                .find_map(|set| set.strip_prefix(key)?.strip_prefix('='));
             value.unwrap_or(default).to_owned()
         };
-        let (n, bands) = (given("render.prt.directions", "2500"), given("render.prt.bands", "5"));
+        let (n, bands) = (
+            given("render.prt.directions", "2500"),
+            given("render.prt.bands", "5"),
+        );
         let bake = self.out.join(format!("transfer-{n}-{bands}.glb"));
         let mut sets = sets.to_vec();
         sets.push(format!("render.prt.bake={}", bake.display()));
@@ -173,13 +197,20 @@ impl Studio {
     /// Figure 5: without and with shadows.
     fn visibility(&self) -> Outcome<()> {
         let shadows = |on: bool| vec![format!("render.prt.shadows={on}")];
-        self.sheet("figure-5", &[("without", shadows(false)), ("with", shadows(true))])
+        self.sheet(
+            "figure-5",
+            &[("without", shadows(false)), ("with", shadows(true))],
+        )
     }
 
     /// Figure 6: the light map mirrored.
     fn reflection(&self) -> Outcome<()> {
         let weight = |w: &str| vec![format!("object.0.reflection={w}")];
-        let pictures = [("0.0", weight("0")), ("0.2", weight("0.2")), ("0.6", weight("0.6"))];
+        let pictures = [
+            ("0.0", weight("0")),
+            ("0.2", weight("0.2")),
+            ("0.6", weight("0.6")),
+        ];
         self.sheet("figure-6", &pictures)
     }
 
@@ -187,22 +218,31 @@ impl Studio {
     fn environments(&self) -> Outcome<()> {
         let names: Vec<String> = self.lights.iter().map(|light| stem(light)).collect();
         let of = |light: &PathBuf| vec![format!("probe.frames={}", light.display())];
-        let pictures: Vec<(&str, Vec<Set>)> =
-            names.iter().map(String::as_str).zip(self.lights.iter().map(of)).collect();
+        let pictures: Vec<(&str, Vec<Set>)> = names
+            .iter()
+            .map(String::as_str)
+            .zip(self.lights.iter().map(of))
+            .collect();
         self.sheet("figure-7", &pictures)
     }
 
     /// Figure 8: 100, 900 and 2500 directions a vertex.
     fn directions(&self) -> Outcome<()> {
         let n = |n: u32| vec![format!("render.prt.directions={n}")];
-        self.sheet("figure-8", &[("100", n(100)), ("900", n(900)), ("2500", n(2500))])
+        self.sheet(
+            "figure-8",
+            &[("100", n(100)), ("900", n(900)), ("2500", n(2500))],
+        )
     }
 
     /// What a window does to ringing: none, and Hann's with w = n.
     fn window(&self) -> Outcome<()> {
         let keys = |window: &str| {
             let light = self.lights[1 % self.lights.len()].display();
-            vec![format!("probe.frames={light}"), format!("render.prt.window={window}")]
+            vec![
+                format!("probe.frames={light}"),
+                format!("render.prt.window={window}"),
+            ]
         };
         self.sheet("window", &[("none", keys("0")), ("hann-5", keys("5"))])
     }
@@ -216,7 +256,10 @@ impl Studio {
             let name = stem(light);
             let of = |light: &Path| format!("probe.frames={}", light.display());
             let base = [&still[..], &[of(light)]].concat();
-            let truth = self.render(&format!("agreement/{name}-mis"), &[&base[..], &long].concat())?;
+            let truth = self.render(
+                &format!("agreement/{name}-mis"),
+                &[&base[..], &long].concat(),
+            )?;
             let truth = exr::read_pixels(&first(&truth, "exr")?)?;
             for bands in [3, 4, 5, 6] {
                 for window in [0, bands] {
@@ -227,18 +270,32 @@ impl Studio {
                     let name = format!("agreement/{name}-prt-{bands}-{window}");
                     let image = self.render(&name, &[&base[..], &keys].concat())?;
                     let image = exr::read_pixels(&first(&image, "exr")?)?;
-                    println!("{} | filmed | {bands} | {window} | {}", stem(light), Distance::of(&image, &truth));
+                    println!(
+                        "{} | filmed | {bands} | {window} | {}",
+                        stem(light),
+                        Distance::of(&image, &truth)
+                    );
                 }
             }
             // Light that five bands hold whole: what is left is the vertices, their directions, and the noise of both.
             let smooth = self.band_limited(light)?;
             let base = [&still[..], &[of(&smooth)]].concat();
-            let truth = self.render(&format!("agreement/{name}-smooth-mis"), &[&base[..], &long].concat())?;
+            let truth = self.render(
+                &format!("agreement/{name}-smooth-mis"),
+                &[&base[..], &long].concat(),
+            )?;
             let truth = exr::read_pixels(&first(&truth, "exr")?)?;
             let keys = ["render.prt.bands=5", "render.prt.window=0"].map(str::to_owned);
-            let image = self.render(&format!("agreement/{name}-smooth-prt"), &[&base[..], &keys].concat())?;
+            let image = self.render(
+                &format!("agreement/{name}-smooth-prt"),
+                &[&base[..], &keys].concat(),
+            )?;
             let image = exr::read_pixels(&first(&image, "exr")?)?;
-            println!("{} | of five bands | 5 | 0 | {}", stem(light), Distance::of(&image, &truth));
+            println!(
+                "{} | of five bands | 5 | 0 | {}",
+                stem(light),
+                Distance::of(&image, &truth)
+            );
         }
         Ok(())
     }
@@ -258,7 +315,10 @@ impl Studio {
         };
         let values: Vec<Vec3> = (0..size.element_product()).map(value).collect();
         let lowest = values.iter().fold(Vec3::ZERO, |low, v| low.min(*v));
-        let texels: Vec<Vec4> = values.iter().map(|v| (*v - lowest).max(Vec3::ZERO).extend(1.0)).collect();
+        let texels: Vec<Vec4> = values
+            .iter()
+            .map(|v| (*v - lowest).max(Vec3::ZERO).extend(1.0))
+            .collect();
         let file = self.out.join(format!("{}-smooth.exr", stem(light)));
         let stamp = glimt::output::Stamp {
             hash: String::new(),
@@ -296,7 +356,10 @@ impl Distance {
         Self {
             rmse: square.sqrt() / mean,
             mean: pairs.iter().map(|(a, _)| a).sum::<f64>() / n / mean - 1.0,
-            median: relative.get(relative.len() / 2).copied().unwrap_or(f64::NAN),
+            median: relative
+                .get(relative.len() / 2)
+                .copied()
+                .unwrap_or(f64::NAN),
         }
     }
 }
@@ -305,7 +368,11 @@ impl std::fmt::Display for Distance {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { rmse, mean, median } = self;
         let percent = [rmse, mean, median].map(|x| 100.0 * x);
-        write!(f, "{:.1} % | {:+.1} % | {:.1} %", percent[0], percent[1], percent[2])
+        write!(
+            f,
+            "{:.1} % | {:+.1} % | {:.1} %",
+            percent[0], percent[1], percent[2]
+        )
     }
 }
 
@@ -348,20 +415,33 @@ fn first(folder: &Path, extension: &str) -> Outcome<PathBuf> {
         .filter(|path| path.extension().is_some_and(|e| e == extension))
         .collect();
     files.sort();
-    files.pop().ok_or_else(|| format!("{} holds no frame", folder.display()).into())
+    files
+        .pop()
+        .ok_or_else(|| format!("{} holds no frame", folder.display()).into())
 }
 
 fn stem(file: &Path) -> String {
-    file.file_stem().map_or(String::new(), |s| s.to_string_lossy().into_owned())
+    file.file_stem()
+        .map_or(String::new(), |s| s.to_string_lossy().into_owned())
 }
 
 /// Pictures in a row, or in two where there are more than three.
 fn side_by_side(images: &[RgbImage]) -> RgbImage {
-    let columns = if images.len() > 3 { 2 } else { images.len().max(1) } as u32;
+    let columns = if images.len() > 3 {
+        2
+    } else {
+        images.len().max(1)
+    } as u32;
     let rows = (images.len() as u32).div_ceil(columns);
-    let (width, height) = images.first().map_or((1, 1), image::GenericImageView::dimensions);
+    let (width, height) = images
+        .first()
+        .map_or((1, 1), image::GenericImageView::dimensions);
     let size = |n: u32, side: u32| n * (side + GAP) - GAP;
-    let mut sheet = RgbImage::from_pixel(size(columns, width), size(rows, height), image::Rgb([255; 3]));
+    let mut sheet = RgbImage::from_pixel(
+        size(columns, width),
+        size(rows, height),
+        image::Rgb([255; 3]),
+    );
     for (i, picture) in (0..).zip(images) {
         let (x, y) = (i % columns * (width + GAP), i / columns * (height + GAP));
         image::imageops::replace(&mut sheet, picture, x.into(), y.into());

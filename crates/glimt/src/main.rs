@@ -14,8 +14,8 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     start_log(cli.talk.verbose);
     let reporter = Reporter::new(cli.talk);
-    let outcome =
-        catch_unwind(AssertUnwindSafe(|| command::run(cli.command, &reporter))).unwrap_or_else(|_| {
+    let outcome = catch_unwind(AssertUnwindSafe(|| command::run(cli.command, &reporter)))
+        .unwrap_or_else(|_| {
             Err(Error::new(
                 Kind::Internal,
                 "this is a fault of glimt; please report it",

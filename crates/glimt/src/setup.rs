@@ -12,8 +12,7 @@ use crate::view::View;
 use glam::{Mat4, UVec2};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::render::{
-    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Shadow,
-    Tonemap,
+    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Shadow, Tonemap,
 };
 use glimt_render_gpu::host::scene::{Camera, SceneDescription};
 use glimt_render_gpu::host::scene_error::SceneError;
