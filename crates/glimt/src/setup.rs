@@ -38,6 +38,8 @@ pub struct Setup {
     movers: Vec<Mover>,
     /// Which of the shot's objects each object of the scene is a part of.
     pub owners: Vec<usize>,
+    /// Whether directions are drawn from the light.
+    pub samples_light: bool,
 }
 
 /// Where everything stands in a frame.
@@ -81,6 +83,7 @@ impl Setup {
             out: out_folder(flags, base.join(&shot.output.dir)),
             scene: placed.scene,
             owners: placed.owners,
+            samples_light: shot.render.method != shot::Method::Prt,
             source,
             shot,
         })
@@ -150,7 +153,12 @@ impl Setup {
     /// # Errors
     /// The map is too large.
     pub fn tables(&self, map: EnvMap, file: Option<&Path>) -> Result<PreparedEnv> {
-        map.prepare(self.shot.probe.rotate_z_deg).map_err(|e| {
+        let rotate = self.shot.probe.rotate_z_deg;
+        let prepared = match self.samples_light {
+            true => map.prepare(rotate),
+            false => map.untabled(rotate),
+        };
+        prepared.map_err(|e| {
             let error = Error::new(Kind::Input, e);
             match file {
                 Some(file) => error.file(file),
