@@ -12,7 +12,7 @@ use crate::report::Reporter;
 use crate::setup::{self, Setup};
 use crate::shot::digest::{self, Hash};
 use crate::shot::parse::Source;
-use crate::shot::{Method, Shot, check, parse, range};
+use crate::shot::{Method, Render, Shot, check, parse, range};
 use glam::UVec2;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
@@ -57,7 +57,7 @@ impl Job {
         let files = probe_files(&shot, &source, base)?;
         let footage = Footage::find(&shot, &source, base, &files, notes)?;
         let (asked, of_shot) = choose_frames(&shot, &files, footage.as_ref(), flags, notes)?;
-        check_past(&flags.past, shot.render.method)?;
+        check_past(&flags.past, &shot.render)?;
         let (frames, preroll) = with_preroll(asked, &of_shot, &files, &flags.past, notes)?;
         if let Some(footage) = &footage {
             footage.require(&frames, UVec2::from(shot.image.size), notes)?;
@@ -154,7 +154,7 @@ impl Job {
 
     /// Whether each frame goes on from the one before it.
     pub fn is_chain(&self) -> bool {
-        self.setup.shot.render.method.goes_on()
+        self.setup.shot.render.goes_on()
     }
 
     /// The identity of each frame, in the order of [`Job::frames`], and the hash of all that the last one came from.
@@ -185,18 +185,24 @@ impl Job {
     }
 }
 
-/// Only one method goes on from frame to frame.
-fn check_past(flags: &PastFlags, method: Method) -> Result<()> {
+/// Few methods go on from frame to frame, and only one has a state that takes long to come by.
+fn check_past(flags: &PastFlags, render: &Render) -> Result<()> {
     let given = [
-        ("--preroll", flags.preroll > 0),
         ("--state-in", flags.state_in.is_some()),
         ("--state-out", flags.state_out.is_some()),
+        ("--preroll", flags.preroll > 0),
     ];
     match given.iter().find(|(_, given)| *given) {
-        Some((flag, _)) if !method.goes_on() => Err(Error::usage(format!(
+        Some((flag, _)) if !render.goes_on() => Err(Error::usage(format!(
             "{flag} is for the method \"smc\": with others each frame stands alone"
         ))
         .fix("leave it out, or add --method smc")),
+        Some((flag, _)) if *flag != "--preroll" && render.method != Method::Smc => {
+            Err(Error::usage(format!(
+                "{flag} is for the method \"smc\" alone: what \"prt\" keeps of earlier frames fades fast"
+            ))
+            .fix("lead up to the first frame with --preroll 10"))
+        }
         _ => Ok(()),
     }
 }

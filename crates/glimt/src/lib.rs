@@ -6,6 +6,7 @@
 pub mod ball;
 pub mod capture;
 pub mod cli;
+pub mod command;
 pub mod compare;
 pub mod demo;
 pub mod device;

@@ -1,13 +1,10 @@
 //! Host file: the command line, from arguments to an exit status.
 
 use clap::Parser;
-use glimt::capture::unwarp;
-use glimt::cli::{Cli, Command, RenderFlags};
-use glimt::error::{Error, Kind, Result};
-use glimt::job::Job;
-use glimt::notes::Notes;
+use glimt::cli::Cli;
+use glimt::command;
+use glimt::error::{Error, Kind};
 use glimt::report::Reporter;
-use glimt::{compare, demo, follow, info, render, synth};
 use std::io::IsTerminal;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -17,8 +14,8 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     start_log(cli.talk.verbose);
     let reporter = Reporter::new(cli.talk);
-    let outcome =
-        catch_unwind(AssertUnwindSafe(|| run(cli.command, &reporter))).unwrap_or_else(|_| {
+    let outcome = catch_unwind(AssertUnwindSafe(|| command::run(cli.command, &reporter)))
+        .unwrap_or_else(|_| {
             Err(Error::new(
                 Kind::Internal,
                 "this is a fault of glimt; please report it",
@@ -30,42 +27,6 @@ fn main() -> ExitCode {
             reporter.error(&error);
             ExitCode::from(error.kind as u8)
         }
-    }
-}
-
-fn run(command: Command, reporter: &Reporter) -> Result<()> {
-    match command {
-        Command::Demo { flags } => demo::run(&flags, reporter),
-        Command::Render {
-            shot,
-            flags,
-            follow,
-            ..
-        } if follow.follow => follow::render(&shot, &flags, follow.wait, reporter),
-        Command::Render {
-            shot, flags, past, ..
-        } => {
-            let flags = RenderFlags { past, ..flags };
-            let mut notes = Notes::new(flags.strict);
-            let job = Job::from_file(&shot, &flags, &mut notes, reporter);
-            reporter.notes(notes.take());
-            render::render(job?, flags.device, notes, reporter)
-        }
-        Command::Compare {
-            shot,
-            flags,
-            compare,
-        } => compare::run(&shot, &flags, &compare, reporter),
-        Command::Synth { input, flags } => synth::run(input.as_deref(), &flags, reporter),
-        Command::Unwarp { input, flags } => unwarp::run(&input, &flags, reporter),
-        Command::Info { file: None, .. } => {
-            info::devices(reporter);
-            Ok(())
-        }
-        Command::Info {
-            file: Some(file),
-            set,
-        } => info::file(&file, &set, reporter),
     }
 }
 

@@ -12,8 +12,7 @@ use crate::view::View;
 use glam::{Mat4, UVec2};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::render::{
-    Background, Filter, Method, Pattern, PrtSettings, RenderSettings, SettingsError, Shadow,
-    Tonemap,
+    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Shadow, Tonemap,
 };
 use glimt_render_gpu::host::scene::{Camera, SceneDescription};
 use glimt_render_gpu::host::scene_error::SceneError;
@@ -39,6 +38,8 @@ pub struct Setup {
     movers: Vec<Mover>,
     /// Which of the shot's objects each object of the scene is a part of.
     pub owners: Vec<usize>,
+    /// Whether directions are drawn from the light.
+    pub samples_light: bool,
 }
 
 /// Where everything stands in a frame.
@@ -65,6 +66,9 @@ impl Setup {
         notes: &mut Notes,
     ) -> Result<Self> {
         let placed = place::place(&shot, &source, base, notes)?;
+        if shot.render.method == shot::Method::Prt {
+            check_still(&placed.movers, &source)?;
+        }
         let moves = placed.movers.iter().any(|m| m.motion.is_moving());
         let clock = match moves {
             true => digest::of_text(&format!("{first} {:?}", shot.probe.fps)),
@@ -79,6 +83,7 @@ impl Setup {
             out: out_folder(flags, base.join(&shot.output.dir)),
             scene: placed.scene,
             owners: placed.owners,
+            samples_light: shot.render.method != shot::Method::Prt,
             source,
             shot,
         })
@@ -148,7 +153,12 @@ impl Setup {
     /// # Errors
     /// The map is too large.
     pub fn tables(&self, map: EnvMap, file: Option<&Path>) -> Result<PreparedEnv> {
-        map.prepare(self.shot.probe.rotate_z_deg).map_err(|e| {
+        let rotate = self.shot.probe.rotate_z_deg;
+        let prepared = match self.samples_light {
+            true => map.prepare(rotate),
+            false => map.untabled(rotate),
+        };
+        prepared.map_err(|e| {
             let error = Error::new(Kind::Input, e);
             match file {
                 Some(file) => error.file(file),
@@ -226,7 +236,7 @@ impl Setup {
             },
             bis: render.bis.settings(),
             smc: render.smc.settings(),
-            prt: PrtSettings::default(),
+            prt: render.prt.settings(),
             pattern: match render.pattern {
                 shot::Pattern::OwenSobol => Pattern::OwenSobol,
                 shot::Pattern::Independent => Pattern::Independent,
@@ -255,6 +265,19 @@ impl Setup {
             diagnostics: aov::any_diagnostic(&self.shot.output.aovs),
         }
     }
+}
+
+/// Precomputed transfer is that of objects where they stand.
+fn check_still(movers: &[Mover], source: &Source) -> Result<()> {
+    let moving = movers.iter().position(|mover| mover.motion.is_moving());
+    moving.map_or(Ok(()), |object| {
+        Err(source
+            .error(
+                &format!("object.{object}"),
+                "it moves, and precomputed transfer holds for objects that stand still",
+            )
+            .fix("stop it (animation = \"off\", no spin), or take another render.method"))
+    })
 }
 
 /// The flags that are keys of the shot, before those given by --set.

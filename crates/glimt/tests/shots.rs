@@ -57,16 +57,10 @@ fn what_is_not_there_yet_is_refused() {
         t.shot("light.0001.exr", more);
         t.run(&["render", "shot.toml"]).fails(2, words);
     };
-    refused(
-        "[render]\nmethod = \"prt\"\n",
-        &["render.method", "\"mis\""],
-    );
     refused("[output]\naovs = [\"depth\"]\n", &["depth"]);
     t.shot("light.0001.exr", "");
     t.run(&["render", "shot.toml", "--set", "probe.mapping=cube"])
         .fails(2, &["cube", "lat-long", "angular", "mirror-ball"]);
-    t.run(&["render", "shot.toml", "--method", "prt"])
-        .fails(2, &["render.method"]);
 }
 
 #[test]

@@ -213,6 +213,7 @@ impl Renderer for CpuRenderer {
 
     fn set_smc_state(&mut self, state: Option<SmcState>) -> Result<(), RenderError> {
         self.smc = state;
+        self.light = LightSh::default();
         Ok(())
     }
 }

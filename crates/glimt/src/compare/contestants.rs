@@ -296,7 +296,7 @@ impl Contestant {
     /// Whether it goes on from the frame before.
     #[must_use]
     pub fn is_stateful(&self) -> bool {
-        self.shot.render.method.goes_on()
+        self.shot.render.goes_on()
     }
 
     /// What the renderer says of its settings.

@@ -199,7 +199,7 @@ impl<'a> Taker<'a> {
         if let Some(laid) = &laid {
             inputs = digest::join([&inputs, &laid.hash]);
         }
-        let is_chain = setup.shot.render.method.goes_on();
+        let is_chain = setup.shot.render.goes_on();
         if is_chain {
             self.chain = digest::join([&self.chain, &inputs]);
             inputs = self.chain;

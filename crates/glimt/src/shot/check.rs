@@ -1,6 +1,6 @@
 //! Host file: what a shot must fulfil beyond being well-formed.
 
-use super::methods::{self, Bis, Smc};
+use super::methods::{self, Bis, Prt, Smc};
 use super::parse::Source;
 use super::{Ball, Camera, Colour, Mapping, Method, Shot, range};
 use crate::error::{Error, Result};
@@ -103,15 +103,9 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
     check_objects(shot, source)?;
 
     let render = &shot.render;
-    if render.method == Method::Prt {
-        return bad(
-            "render.method",
-            "\"prt\" is not supported yet",
-            "take \"mis\", \"bis\" or \"smc\"",
-        );
-    }
     check_bis(&render.bis, source)?;
     check_smc(&render.smc, source)?;
+    check_prt(&render.prt, source)?;
     let samples = [
         ("render.brdf_samples", render.brdf_samples),
         ("render.env_samples", render.env_samples),
@@ -133,7 +127,7 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
             );
         }
     }
-    if !render.method.goes_on() && aov::any_diagnostic(&shot.output.aovs) {
+    if render.method != Method::Smc && aov::any_diagnostic(&shot.output.aovs) {
         return bad(
             "output.aovs",
             "\"ess\", \"z-ratio\", \"age\" and \"started\" belong to the method \"smc\"",
@@ -347,6 +341,44 @@ fn check_smc(smc: &Smc, source: &Source) -> Result<()> {
     Ok(())
 }
 
+fn check_prt(prt: &Prt, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| {
+        Err(source.error(&format!("render.prt.{key}"), what).fix(fix))
+    };
+    if !(1..=glimt_sh::MAX_BANDS).contains(&prt.bands) {
+        return bad("bands", "it is not between 1 and 6", "5 is usual");
+    }
+    if prt.directions == 0 || prt.directions > 1 << 24 {
+        return bad(
+            "directions",
+            "it is not between 1 and 16777216",
+            "2500 is usual",
+        );
+    }
+    if prt.level > 15 {
+        return bad(
+            "level",
+            "it is above 15",
+            "0 projects the light map as it is, 1 after halving it once",
+        );
+    }
+    if prt.window.is_some_and(|w| !(w >= 0.0 && w <= 1e6)) {
+        return bad(
+            "window",
+            "it is not between 0 and 1e6",
+            "leave it out for as many bands as there are; 0 for no window",
+        );
+    }
+    if !(prt.temporal >= 0.0 && prt.temporal <= 1e6) {
+        return bad(
+            "temporal",
+            "it is not between 0 and 1e6",
+            "0 takes each frame's light as it is, 1 as much of the frame before",
+        );
+    }
+    Ok(())
+}
+
 fn check_colour(colour: &Colour, source: &Source) -> Result<()> {
     let numbers = colour
         .matrix
@@ -473,6 +505,19 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
         }
         if let Some(material) = &object.material {
             check_material(material, i, source)?;
+        }
+        if !(object.reflection >= 0.0 && object.reflection <= 1.0) {
+            return Err(source
+                .error(&key("reflection"), "it is not between 0 and 1")
+                .fix("0 is a matt surface"));
+        }
+        if object.reflection > 0.0 && object.catcher {
+            return Err(source
+                .error(
+                    &key("reflection"),
+                    "the object is a catcher, which takes shadows alone",
+                )
+                .fix("leave it out"));
         }
         if !(object.animation_offset_s.abs() <= 1e6) {
             return Err(source

@@ -47,6 +47,7 @@ pub fn of_shot(shot: &Shot) -> Hash {
         plate.frames.clear();
         plate.fps = None;
     }
+    shot.render.prt.bake.clear();
     for object in &mut shot.objects {
         object.mesh.clear();
     }

@@ -1,7 +1,7 @@
 //! Host file: keys of the estimators of reflected light.
 
 use super::words;
-use glimt_render_gpu::host::render::{self, BisSettings, SmcSettings};
+use glimt_render_gpu::host::render::{self, BisSettings, PrtSettings, SmcSettings};
 use glimt_sampling::resample;
 use serde::{Deserialize, Serialize};
 
@@ -51,6 +51,54 @@ pub struct Smc {
     pub depth_tolerance: f32,
     /// How far its normal may be off, in degrees.
     pub normal_tolerance_deg: f32,
+}
+
+/// Precomputed radiance transfer, `render.method = "prt"`.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Prt {
+    /// File of the transfer that `glimt bake` computes; beside the shot, as `SHOT.prt.glb`, if empty.
+    pub bake: String,
+    /// Bands of spherical harmonics, 1 to 6.
+    pub bands: u32,
+    /// Directions of the whole sphere in which visibility is looked for, at each vertex.
+    pub directions: u32,
+    /// How often the light map is halved before it is projected.
+    pub level: u32,
+    /// Width of the Hann window on the light's bands; as many as there are, if not given, and none if 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub window: Option<f32>,
+    /// How much of the frame before goes into the light of a frame: `(now + temporal · before)/(1 + temporal)`.
+    pub temporal: f32,
+    /// Whether objects cast shadows.
+    pub shadows: bool,
+}
+
+impl Default for Prt {
+    fn default() -> Self {
+        let default = PrtSettings::default();
+        Self {
+            bake: String::new(),
+            bands: 5,
+            directions: 2500,
+            level: default.level,
+            window: None,
+            temporal: default.temporal,
+            shadows: default.shadows,
+        }
+    }
+}
+
+impl Prt {
+    /// As the renderer takes them.
+    pub fn settings(&self) -> PrtSettings {
+        PrtSettings {
+            level: self.level,
+            window: self.window.unwrap_or(self.bands as f32),
+            temporal: self.temporal,
+            shadows: self.shadows,
+        }
+    }
 }
 
 words! {

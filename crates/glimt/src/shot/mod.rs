@@ -201,6 +201,8 @@ pub struct Object {
     /// One material in place of the file's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub material: Option<Material>,
+    /// By the method "prt": how much of the light map it mirrors, beside its diffuse colour, 0 to 1.
+    pub reflection: f32,
     /// Name of the animation of its file that plays, from the shot's first frame on; all of them if empty, none if `off`.
     pub animation: String,
     /// Whether it begins anew after its last key, rather than to stay there.
@@ -276,6 +278,8 @@ pub struct Render {
     pub bis: methods::Bis,
     /// Of the method "smc".
     pub smc: methods::Smc,
+    /// Of the method "prt".
+    pub prt: methods::Prt,
     /// Settings under one name; keys that are given beside it win.
     pub preset: Preset,
     /// Where the uniforms come from.
@@ -455,11 +459,15 @@ words! {
     }
 }
 
-impl Method {
-    /// Whether each of its frames goes on from the one before it.
+impl Render {
+    /// Whether each frame goes on from the one before it.
     #[must_use]
-    pub fn goes_on(self) -> bool {
-        self == Self::Smc
+    pub fn goes_on(&self) -> bool {
+        match self.method {
+            Method::Smc => true,
+            Method::Prt => self.prt.temporal > 0.0,
+            Method::Mis | Method::Bis => false,
+        }
     }
 }
 
@@ -533,6 +541,7 @@ impl Default for Object {
             ground: false,
             catcher: false,
             material: None,
+            reflection: 0.0,
             animation: String::new(),
             animation_loop: false,
             animation_offset_s: 0.0,
@@ -559,6 +568,7 @@ impl Default for Render {
             env_samples: 1,
             bis: methods::Bis::default(),
             smc: methods::Smc::default(),
+            prt: methods::Prt::default(),
             preset: Preset::None,
             pattern: Pattern::OwenSobol,
             seed: 1,

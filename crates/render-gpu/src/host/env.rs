@@ -97,6 +97,22 @@ impl EnvMap {
         &self.texels
     }
 
+    /// The map without tables, for methods that draw no directions from it: it is looked up as ever, and sampled as a black map.
+    ///
+    /// # Errors
+    /// As [`EnvMap::prepare`].
+    pub fn untabled(self, rotate_z_deg: f32) -> Result<PreparedEnv, EnvError> {
+        let len = required_len(self.size.x, self.size.y)?;
+        Ok(PreparedEnv {
+            size: self.size,
+            texels: self.texels,
+            marginal: vec![0; len.marginal],
+            conditional: vec![0; len.conditional],
+            rotation: cos_sin_degrees(rotate_z_deg),
+            mean_luminance: 0.0,
+        })
+    }
+
     /// Builds the map's tables, on all of rayon's threads, for a map that stands turned by `rotate_z_deg`,
     /// counter-clockwise seen from above.
     ///
@@ -145,7 +161,7 @@ pub struct PreparedEnv {
 }
 
 impl PreparedEnv {
-    /// The map's mean luminance over all directions.
+    /// The map's mean luminance over all directions; 0 without tables.
     #[must_use]
     pub fn mean_luminance(&self) -> f32 {
         self.mean_luminance

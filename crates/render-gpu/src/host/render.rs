@@ -175,7 +175,8 @@ pub trait Renderer {
     /// A [`RenderError`].
     fn smc_state(&mut self) -> Result<Option<SmcState>, RenderError>;
 
-    /// Makes [`Method::Smc`] go on from another frame; with `None` the next one starts anew.
+    /// Makes [`Method::Smc`] go on from another frame; with `None` the next one starts anew. By [`Method::Prt`], the next frame
+    /// starts anew in either case.
     ///
     /// # Errors
     /// A [`RenderError`].
