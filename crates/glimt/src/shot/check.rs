@@ -1,6 +1,6 @@
 //! Host file: what a shot must fulfil beyond being well-formed.
 
-use super::methods::{self, Bis, Smc};
+use super::methods::{self, Bis, Prt, Smc};
 use super::parse::Source;
 use super::{Ball, Camera, Colour, Mapping, Method, Shot, range};
 use crate::error::{Error, Result};
@@ -112,6 +112,7 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
     }
     check_bis(&render.bis, source)?;
     check_smc(&render.smc, source)?;
+    check_prt(&render.prt, source)?;
     let samples = [
         ("render.brdf_samples", render.brdf_samples),
         ("render.env_samples", render.env_samples),
@@ -282,6 +283,23 @@ fn check_bis(bis: &Bis, source: &Source) -> Result<()> {
                 )
                 .fix("the paper has 400 candidates and 20 samples"));
         }
+    }
+    Ok(())
+}
+
+fn check_prt(prt: &Prt, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| {
+        Err(source.error(&format!("render.prt.{key}"), what).fix(fix))
+    };
+    if !(1..=glimt_render_gpu::host::bake::MAX_BANDS).contains(&prt.bands) {
+        return bad("bands", "it is not between 1 and 6", "5 is usual");
+    }
+    if !(1..=glimt_render_gpu::host::bake::MAX_DIRECTIONS).contains(&prt.directions) {
+        return bad(
+            "directions",
+            "it is not between 1 and 1048576",
+            "2500 is usual, 100 a draft",
+        );
     }
     Ok(())
 }
@@ -470,6 +488,11 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
                     "it is not between 1e-9 and 1e9, nor the negative of such a number",
                 )
                 .fix("1 leaves it as it is"));
+        }
+        if object.subdivide > 10 {
+            return Err(source
+                .error(&key("subdivide"), "it is above 10")
+                .fix("each step makes four triangles of one: 6 makes 8192 of a plane"));
         }
         if let Some(material) = &object.material {
             check_material(material, i, source)?;

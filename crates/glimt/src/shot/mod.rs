@@ -198,6 +198,8 @@ pub struct Object {
     pub ground: bool,
     /// It is in the footage already: it takes shadows, hides what is behind it, and blocks no light.
     pub catcher: bool,
+    /// How often each triangle is cut in four: transfer (`render.method = "prt"`) is known at vertices alone.
+    pub subdivide: u32,
     /// One material in place of the file's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub material: Option<Material>,
@@ -276,6 +278,8 @@ pub struct Render {
     pub bis: methods::Bis,
     /// Of the method "smc".
     pub smc: methods::Smc,
+    /// Of the method "prt".
+    pub prt: methods::Prt,
     /// Settings under one name; keys that are given beside it win.
     pub preset: Preset,
     /// Where the uniforms come from.
@@ -532,6 +536,7 @@ impl Default for Object {
             up: None,
             ground: false,
             catcher: false,
+            subdivide: 0,
             material: None,
             animation: String::new(),
             animation_loop: false,
@@ -559,6 +564,7 @@ impl Default for Render {
             env_samples: 1,
             bis: methods::Bis::default(),
             smc: methods::Smc::default(),
+            prt: methods::Prt::default(),
             preset: Preset::None,
             pattern: Pattern::OwenSobol,
             seed: 1,

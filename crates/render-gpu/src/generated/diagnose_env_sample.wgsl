@@ -916,20 +916,20 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:66
+// glimt_render_gpu/src/kernels/environment.rs:85
 fn Environment_sample(cdf_size: vec2<u32>, rotation: vec2<f32>, u_4: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:67
+    // glimt_render_gpu/src/kernels/environment.rs:86
     let _e5 = EnvCdf_sample(cdf_size, u_4);
-    // glimt_render_gpu/src/kernels/environment.rs:68
+    // glimt_render_gpu/src/kernels/environment.rs:87
     let _e8 = rotate_z(_e5.direction, rotation);
     return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:45
+// glimt_render_gpu/src/kernels/environment.rs:64
 fn Environment_to_map(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:46
+    // glimt_render_gpu/src/kernels/environment.rs:65
     let _e9 = rotate_z(direction, vec2<f32>(rotation_1.x, -(rotation_1.y)));
     return _e9;
 }
@@ -979,10 +979,10 @@ fn direction_to_texel(d_2: vec3<f32>, size_5: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_8 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:52
+// glimt_render_gpu/src/kernels/environment.rs:71
 fn Environment_texel(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, direction_1: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:53
+    // glimt_render_gpu/src/kernels/environment.rs:72
     let _e5 = Environment_to_map(cdf_size_2, rotation_2, direction_1);
     let _e6 = direction_to_texel(_e5, cdf_size_2);
     return _e6;

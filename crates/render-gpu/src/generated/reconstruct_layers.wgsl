@@ -751,10 +751,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:45
+// glimt_render_gpu/src/kernels/environment.rs:64
 fn Environment_to_map(cdf_size: vec2<u32>, rotation: vec2<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:46
+    // glimt_render_gpu/src/kernels/environment.rs:65
     let _e9 = rotate_z(direction_1, vec2<f32>(rotation.x, -(rotation.y)));
     return _e9;
 }
@@ -792,40 +792,40 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(_e47, clamp(v_2, 0f, 1f));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:88
+// glimt_render_gpu/src/kernels/environment.rs:107
 fn bilinear(size_1: vec2<u32>, d_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:89
+    // glimt_render_gpu/src/kernels/environment.rs:108
     let _e4 = direction_to_uv(d_2);
     let p_1 = ((_e4 * vec2<f32>(size_1)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:110
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:92
+    // glimt_render_gpu/src/kernels/environment.rs:111
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:93
+    // glimt_render_gpu/src/kernels/environment.rs:112
     let x0_ = (((next.x + size_1.x) - 1u) % size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:94
+    // glimt_render_gpu/src/kernels/environment.rs:113
     let x1_ = (next.x % size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:95
+    // glimt_render_gpu/src/kernels/environment.rs:114
     let row0_ = ((max(next.y, 1u) * size_1.x) - size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:96
+    // glimt_render_gpu/src/kernels/environment.rs:115
     let row1_ = (min(next.y, (size_1.y - 1u)) * size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:97
+    // glimt_render_gpu/src/kernels/environment.rs:116
     let _e53 = env_texels[(row0_ + x0_)];
     let _e57 = env_texels[(row0_ + x1_)];
     let upper = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:98
+    // glimt_render_gpu/src/kernels/environment.rs:117
     let _e68 = env_texels[(row1_ + x0_)];
     let _e72 = env_texels[(row1_ + x1_)];
     let lower = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:99
+    // glimt_render_gpu/src/kernels/environment.rs:118
     return ((upper * (1f - f.y)) + (lower * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:79
+// glimt_render_gpu/src/kernels/environment.rs:98
 fn Environment_background(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:80
+    // glimt_render_gpu/src/kernels/environment.rs:99
     let _e5 = Environment_to_map(cdf_size_1, rotation_1, direction_2);
     let _e6 = bilinear(cdf_size_1, _e5);
     return _e6;

@@ -1995,10 +1995,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:45
+// glimt_render_gpu/src/kernels/environment.rs:64
 fn Environment_to_map(cdf_size: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:46
+    // glimt_render_gpu/src/kernels/environment.rs:65
     let _e9 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
     return _e9;
 }
@@ -2048,19 +2048,19 @@ fn direction_to_texel(d_2: vec3<f32>, size_2: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_12 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:52
+// glimt_render_gpu/src/kernels/environment.rs:71
 fn Environment_texel(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:53
+    // glimt_render_gpu/src/kernels/environment.rs:72
     let _e5 = Environment_to_map(cdf_size_1, rotation_1, direction_7);
     let _e6 = direction_to_texel(_e5, cdf_size_1);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:59
+// glimt_render_gpu/src/kernels/environment.rs:78
 fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:60
+    // glimt_render_gpu/src/kernels/environment.rs:79
     let _e12 = env_texels[((texel.y * cdf_size_2.x) + texel.x)];
     return _e12.xyz;
 }
@@ -2350,12 +2350,12 @@ fn EnvCdf_sample(size_10: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
     return EnvSample(texel_5, _e64, _e68);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:66
+// glimt_render_gpu/src/kernels/environment.rs:85
 fn Environment_sample(cdf_size_3: vec2<u32>, rotation_3: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:67
+    // glimt_render_gpu/src/kernels/environment.rs:86
     let _e5 = EnvCdf_sample(cdf_size_3, u_10);
-    // glimt_render_gpu/src/kernels/environment.rs:68
+    // glimt_render_gpu/src/kernels/environment.rs:87
     let _e8 = rotate_z(_e5.direction, rotation_3);
     return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
 }
@@ -2875,40 +2875,40 @@ fn Bis_reflected(this_38: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
     return _e89;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:88
+// glimt_render_gpu/src/kernels/environment.rs:107
 fn bilinear(size_11: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:89
+    // glimt_render_gpu/src/kernels/environment.rs:108
     let _e4 = direction_to_uv(d_3);
     let p_1 = ((_e4 * vec2<f32>(size_11)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:110
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:92
+    // glimt_render_gpu/src/kernels/environment.rs:111
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:93
+    // glimt_render_gpu/src/kernels/environment.rs:112
     let x0_ = (((next.x + size_11.x) - 1u) % size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:94
+    // glimt_render_gpu/src/kernels/environment.rs:113
     let x1_ = (next.x % size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:95
+    // glimt_render_gpu/src/kernels/environment.rs:114
     let row0_1 = ((max(next.y, 1u) * size_11.x) - size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:96
+    // glimt_render_gpu/src/kernels/environment.rs:115
     let row1_1 = (min(next.y, (size_11.y - 1u)) * size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:97
+    // glimt_render_gpu/src/kernels/environment.rs:116
     let _e53 = env_texels[(row0_1 + x0_)];
     let _e57 = env_texels[(row0_1 + x1_)];
     let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:98
+    // glimt_render_gpu/src/kernels/environment.rs:117
     let _e68 = env_texels[(row1_1 + x0_)];
     let _e72 = env_texels[(row1_1 + x1_)];
     let lower_2 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:99
+    // glimt_render_gpu/src/kernels/environment.rs:118
     return ((upper_2 * (1f - f.y)) + (lower_2 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:79
+// glimt_render_gpu/src/kernels/environment.rs:98
 fn Environment_background(cdf_size_4: vec2<u32>, rotation_4: vec2<f32>, direction_11: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:80
+    // glimt_render_gpu/src/kernels/environment.rs:99
     let _e5 = Environment_to_map(cdf_size_4, rotation_4, direction_11);
     let _e6 = bilinear(cdf_size_4, _e5);
     return _e6;

@@ -1931,10 +1931,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:45
+// glimt_render_gpu/src/kernels/environment.rs:64
 fn Environment_to_map(cdf_size: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:46
+    // glimt_render_gpu/src/kernels/environment.rs:65
     let _e9 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
     return _e9;
 }
@@ -1984,10 +1984,10 @@ fn direction_to_texel(d_2: vec3<f32>, size_2: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_11 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:52
+// glimt_render_gpu/src/kernels/environment.rs:71
 fn Environment_texel(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:53
+    // glimt_render_gpu/src/kernels/environment.rs:72
     let _e5 = Environment_to_map(cdf_size_1, rotation_1, direction_7);
     let _e6 = direction_to_texel(_e5, cdf_size_1);
     return _e6;
@@ -2110,10 +2110,10 @@ fn Mis_density(this_26: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
     return _e7;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:59
+// glimt_render_gpu/src/kernels/environment.rs:78
 fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:60
+    // glimt_render_gpu/src/kernels/environment.rs:79
     let _e12 = env_texels[((texel_3.y * cdf_size_2.x) + texel_3.x)];
     return _e12.xyz;
 }
@@ -2432,12 +2432,12 @@ fn EnvCdf_sample(size_10: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
     return EnvSample(texel_5, _e64, _e68);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:66
+// glimt_render_gpu/src/kernels/environment.rs:85
 fn Environment_sample(cdf_size_3: vec2<u32>, rotation_3: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:67
+    // glimt_render_gpu/src/kernels/environment.rs:86
     let _e5 = EnvCdf_sample(cdf_size_3, u_10);
-    // glimt_render_gpu/src/kernels/environment.rs:68
+    // glimt_render_gpu/src/kernels/environment.rs:87
     let _e8 = rotate_z(_e5.direction, rotation_3);
     return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
 }

@@ -2079,27 +2079,27 @@ fn LightTarget_previous(previous_light_size: vec2<u32>, previous_light_rotation:
     return ((_e20 + previous_floor) * _e11);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:45
+// glimt_render_gpu/src/kernels/environment.rs:64
 fn Environment_to_map(cdf_size: vec2<u32>, rotation_1: vec2<f32>, direction_5: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:46
+    // glimt_render_gpu/src/kernels/environment.rs:65
     let _e9 = rotate_z(direction_5, vec2<f32>(rotation_1.x, -(rotation_1.y)));
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:52
+// glimt_render_gpu/src/kernels/environment.rs:71
 fn Environment_texel(cdf_size_1: vec2<u32>, rotation_2: vec2<f32>, direction_6: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:53
+    // glimt_render_gpu/src/kernels/environment.rs:72
     let _e5 = Environment_to_map(cdf_size_1, rotation_2, direction_6);
     let _e6 = direction_to_texel(_e5, cdf_size_1);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:59
+// glimt_render_gpu/src/kernels/environment.rs:78
 fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_3: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:60
+    // glimt_render_gpu/src/kernels/environment.rs:79
     let _e12 = env_texels[((texel.y * cdf_size_2.x) + texel.x)];
     return _e12.xyz;
 }
@@ -3125,12 +3125,12 @@ fn EnvCdf_sample(size_9: vec2<u32>, u_7: vec2<u32>) -> EnvSample {
     return EnvSample(texel_5, _e64, _e68);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:66
+// glimt_render_gpu/src/kernels/environment.rs:85
 fn Environment_sample(cdf_size_3: vec2<u32>, rotation_4: vec2<f32>, u_8: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:67
+    // glimt_render_gpu/src/kernels/environment.rs:86
     let _e5 = EnvCdf_sample(cdf_size_3, u_8);
-    // glimt_render_gpu/src/kernels/environment.rs:68
+    // glimt_render_gpu/src/kernels/environment.rs:87
     let _e8 = rotate_z(_e5.direction, rotation_4);
     return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
 }
