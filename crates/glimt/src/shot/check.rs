@@ -280,6 +280,23 @@ fn check_bis(bis: &Bis, source: &Source) -> Result<()> {
     Ok(())
 }
 
+fn check_prt(prt: &Prt, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| {
+        Err(source.error(&format!("render.prt.{key}"), what).fix(fix))
+    };
+    if !(1..=glimt_render_gpu::host::bake::MAX_BANDS).contains(&prt.bands) {
+        return bad("bands", "it is not between 1 and 6", "5 is usual");
+    }
+    if !(1..=glimt_render_gpu::host::bake::MAX_DIRECTIONS).contains(&prt.directions) {
+        return bad(
+            "directions",
+            "it is not between 1 and 1048576",
+            "2500 is usual, 100 a draft",
+        );
+    }
+    Ok(())
+}
+
 fn check_smc(smc: &Smc, source: &Source) -> Result<()> {
     let bad = |key: &str, what: &str, fix: &str| {
         Err(source.error(&format!("render.smc.{key}"), what).fix(fix))
@@ -502,6 +519,11 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
                     "it is not between 1e-9 and 1e9, nor the negative of such a number",
                 )
                 .fix("1 leaves it as it is"));
+        }
+        if object.subdivide > 10 {
+            return Err(source
+                .error(&key("subdivide"), "it is above 10")
+                .fix("each step makes four triangles of one: 6 makes 8192 of a plane"));
         }
         if let Some(material) = &object.material {
             check_material(material, i, source)?;

@@ -1,6 +1,7 @@
 //! Host file: what is prepared outside the kernels: scene descriptions, light maps, settings.
 
 mod attributes;
+pub mod bake;
 pub mod env;
 mod geometry;
 pub mod light_sh;
@@ -15,3 +16,4 @@ pub mod smc_state;
 pub mod transfer;
 mod tree;
 pub mod unwarp;
+mod vertex_fans;
