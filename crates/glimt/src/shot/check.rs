@@ -5,6 +5,7 @@ use super::parse::Source;
 use super::{Ball, Camera, Colour, Mapping, Method, Shot, range};
 use crate::error::{Error, Result};
 use crate::output::aov;
+use glimt_render_gpu::host::bake;
 use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 
 /// Largest width or height of an image.
@@ -280,23 +281,6 @@ fn check_bis(bis: &Bis, source: &Source) -> Result<()> {
     Ok(())
 }
 
-fn check_prt(prt: &Prt, source: &Source) -> Result<()> {
-    let bad = |key: &str, what: &str, fix: &str| {
-        Err(source.error(&format!("render.prt.{key}"), what).fix(fix))
-    };
-    if !(1..=glimt_render_gpu::host::bake::MAX_BANDS).contains(&prt.bands) {
-        return bad("bands", "it is not between 1 and 6", "5 is usual");
-    }
-    if !(1..=glimt_render_gpu::host::bake::MAX_DIRECTIONS).contains(&prt.directions) {
-        return bad(
-            "directions",
-            "it is not between 1 and 1048576",
-            "2500 is usual, 100 a draft",
-        );
-    }
-    Ok(())
-}
-
 fn check_smc(smc: &Smc, source: &Source) -> Result<()> {
     let bad = |key: &str, what: &str, fix: &str| {
         Err(source.error(&format!("render.smc.{key}"), what).fix(fix))
@@ -362,14 +346,14 @@ fn check_prt(prt: &Prt, source: &Source) -> Result<()> {
     let bad = |key: &str, what: &str, fix: &str| {
         Err(source.error(&format!("render.prt.{key}"), what).fix(fix))
     };
-    if !(1..=glimt_sh::MAX_BANDS).contains(&prt.bands) {
+    if !(1..=bake::MAX_BANDS).contains(&prt.bands) {
         return bad("bands", "it is not between 1 and 6", "5 is usual");
     }
-    if prt.directions == 0 || prt.directions > 1 << 24 {
+    if !(1..=bake::MAX_DIRECTIONS).contains(&prt.directions) {
         return bad(
             "directions",
-            "it is not between 1 and 16777216",
-            "2500 is usual",
+            "it is not between 1 and 1048576",
+            "2500 is usual, 100 a draft",
         );
     }
     if prt.level > 15 {

@@ -43,7 +43,6 @@ pub fn of_shot(shot: &Shot) -> Hash {
     shot.probe.frames.clear();
     shot.probe.fps = default.probe.fps;
     shot.render.frames.clear();
-    shot.render.prt.bake.clear();
     if let Some(plate) = &mut shot.backplate {
         plate.frames.clear();
         plate.fps = None;

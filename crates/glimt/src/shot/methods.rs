@@ -17,18 +17,6 @@ pub struct Bis {
     pub source: Source,
 }
 
-/// Precomputed radiance transfer, `render.method = "prt"` and `glimt bake`.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct Prt {
-    /// File of the transfer that `glimt bake` computes; `SHOT.prt.glb` beside the shot, if empty.
-    pub bake: String,
-    /// Bands of spherical harmonics, 1 to 6.
-    pub bands: u32,
-    /// Directions at each vertex.
-    pub directions: u32,
-}
-
 /// The sequential sampler, `render.method = "smc"`.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
@@ -65,7 +53,7 @@ pub struct Smc {
     pub normal_tolerance_deg: f32,
 }
 
-/// Precomputed radiance transfer, `render.method = "prt"`.
+/// Precomputed radiance transfer, `render.method = "prt"` and `glimt bake`.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Prt {
@@ -158,16 +146,6 @@ impl Default for Bis {
             candidates,
             samples,
             source: Source::of(source),
-        }
-    }
-}
-
-impl Default for Prt {
-    fn default() -> Self {
-        Self {
-            bake: String::new(),
-            bands: 5,
-            directions: 2500,
         }
     }
 }
