@@ -32,17 +32,24 @@ fn a_bake_lights_frames() {
     let render = |out: &str, sets: &[&str]| {
         let sets = sets.iter().flat_map(|set| ["--set", *set]);
         let args = ["render", "shot.toml", "--frames", "1", "--out", out];
-        t.run(&args.into_iter().chain(sets).collect::<Vec<_>>()).ok();
+        t.run(&args.into_iter().chain(sets).collect::<Vec<_>>())
+            .ok();
         sum(&pixels(&t, out, 1))
     };
     let with = render("with", &[]);
     assert_eq!(pixels(&t, "with", 1), pixels(&t, "out", 1));
     assert!(render("without", &["render.prt.shadows=false"]) > with);
     assert_ne!(render("mirror", &["object.0.reflection=0.5"]), with);
-    assert_ne!(render("halved", &["render.prt.level=1", "render.prt.window=0"]), with);
+    assert_ne!(
+        render("halved", &["render.prt.level=1", "render.prt.window=0"]),
+        with
+    );
     // Nothing is rendered twice; another bake is another light.
-    t.run(&["render", "shot.toml"]).ok().says(&["3 frames there already"]);
-    t.run(&["bake", "shot.toml", "--set", "render.prt.directions=50"]).ok();
+    t.run(&["render", "shot.toml"])
+        .ok()
+        .says(&["3 frames there already"]);
+    t.run(&["bake", "shot.toml", "--set", "render.prt.directions=50"])
+        .ok();
     t.run(&["render", "shot.toml", "--set", "render.prt.directions=50"])
         .ok()
         .says(&["3 frames rendered"]);
@@ -82,12 +89,19 @@ fn values_out_of_range_are_refused() {
         ("render.prt.directions=0", ["render.prt.directions", "2500"]),
         ("render.prt.level=16", ["render.prt.level", "15"]),
         ("render.prt.window=-1", ["render.prt.window", "no window"]),
-        ("render.prt.temporal=-0.5", ["render.prt.temporal", "between 0"]),
-        ("object.0.reflection=1.5", ["object.0.reflection", "between 0 and 1"]),
+        (
+            "render.prt.temporal=-0.5",
+            ["render.prt.temporal", "between 0"],
+        ),
+        (
+            "object.0.reflection=1.5",
+            ["object.0.reflection", "between 0 and 1"],
+        ),
         ("object.1.subdivide=11", ["object.1.subdivide", "10"]),
         ("render.prt.bandz=4", ["bandz", "bands"]),
     ] {
-        t.run(&["render", "shot.toml", "--set", set]).fails(2, &words);
+        t.run(&["render", "shot.toml", "--set", set])
+            .fails(2, &words);
     }
     t.run(&[
         "render",
@@ -101,6 +115,7 @@ fn values_out_of_range_are_refused() {
     let spin = "[[object.spin]]\nnode = \"plane\"\ndeg_per_frame = 1.0\n";
     t.shot("light.0001.exr", &format!("{STAGE}{spin}"));
     for command in ["render", "bake"] {
-        t.run(&[command, "shot.toml"]).fails(2, &["object.1", "moves"]);
+        t.run(&[command, "shot.toml"])
+            .fails(2, &["object.1", "moves"]);
     }
 }
