@@ -169,6 +169,22 @@ const EXPORTS: &[Export] = &[
         ],
         buffers: &[],
     },
+    // What the stages that are written by hand call.
+    Export {
+        file: "crates/render-gpu/src/generated/projection_functions.wgsl",
+        functions: &[
+            (
+                "column_ring",
+                "glimt_render_gpu::kernels::light_sh::column_ring",
+            ),
+            (
+                "row_meridian",
+                "glimt_render_gpu::kernels::light_sh::row_meridian",
+            ),
+            ("row_area", "glimt_render_gpu::kernels::light_sh::row_area"),
+        ],
+        buffers: &[],
+    },
 ];
 
 /// Parses the given crates; `SOURCES` for the workspace as it was compiled.

@@ -114,11 +114,11 @@ fn area_above(row: u32, part: f32, rows_1: u32) -> f32 {
     }
     // glimt_render_gpu/src/kernels/pyramid.rs:160
     let from_pole = min((f32(row) + (0.5f * part)), (f32((rows_1 - row)) - (0.5f * part)));
-    // glimt_render_gpu/src/kernels/pyramid.rs:164
+    // glimt_render_gpu/src/kernels/pyramid.rs:161
     let _e25 = sine(((2u * row) + 1u), rows_1);
     let _e29 = cos_sin_pi((0.5f / f32(rows_1)));
     let whole = (_e25 * _e29.y);
-    // glimt_render_gpu/src/kernels/pyramid.rs:165
+    // glimt_render_gpu/src/kernels/pyramid.rs:162
     let _e35 = cos_sin_pi((from_pole / f32(rows_1)));
     let _e41 = cos_sin_pi(((0.5f * part) / f32(rows_1)));
     return ((_e35.y * _e41.y) / whole);

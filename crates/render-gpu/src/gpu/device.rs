@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
@@ -157,6 +158,7 @@ pub struct GpuContext {
     pub(super) has_timestamps: bool,
     summary: AdapterSummary,
     heard: Arc<Mutex<Heard>>,
+    waits: AtomicU64,
 }
 
 impl GpuContext {
@@ -253,6 +255,7 @@ impl GpuContext {
             has_timestamps,
             summary,
             heard,
+            waits: AtomicU64::new(0),
         })
     }
 
@@ -270,9 +273,16 @@ impl GpuContext {
             .min(self.options.max_binding_bytes)
     }
 
+    /// How often anyone has waited for this GPU, or asked how far it is, since it was opened: every way back from it counts.
+    #[must_use]
+    pub fn waits(&self) -> u64 {
+        self.waits.load(Ordering::Relaxed)
+    }
+
     /// Gives the device up, as if it were lost: all later calls fail with [`GpuError::Lost`].
     pub fn destroy(&self) {
         self.device.destroy();
+        self.waits.fetch_add(1, Ordering::Relaxed);
         // wgpu tells of the loss at the next poll, when the queue is empty.
         let _ = self.device.poll(wgpu::PollType::wait_indefinitely());
     }
@@ -367,6 +377,7 @@ impl GpuContext {
     }
 
     fn poll_as(&self, poll: wgpu::PollType, what: &impl Fn() -> String) -> Result<(), GpuError> {
+        self.waits.fetch_add(1, Ordering::Relaxed);
         // `Device::poll` panics when the driver reports a lost device.
         let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(poll)));
         self.check(what)?;

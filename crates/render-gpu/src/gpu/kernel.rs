@@ -229,9 +229,10 @@ impl<'a> Arguments<'a> {
                 Some(Arg::Buffer(buffer)) if !is_chunk => {
                     (buffer, 0, None, slot.writable.then_some(stride))
                 }
-                Some(Arg::Window(buffer, first, len)) if !slot.writable => {
+                Some(Arg::Window(buffer, first, len)) if !is_chunk => {
                     let (first, len) = (u64::from(first), u64::from(len));
-                    (buffer, first * stride, Some(len * stride), None)
+                    let per_element = slot.writable.then_some(stride);
+                    (buffer, first * stride, Some(len * stride), per_element)
                 }
                 Some(Arg::Chunk(buffer, len)) if is_chunk && len > 0 => {
                     (buffer, 0, None, Some(stride * u64::from(len)))

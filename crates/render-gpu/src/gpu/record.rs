@@ -1,0 +1,184 @@
+//! Host file: passes recorded one after the other, and handed over together: nothing is waited for in between.
+
+use super::buffer::GpuBuffer;
+use super::device::GpuContext;
+use super::error::GpuError;
+use super::kernel::{Arguments, Bound, Kernel};
+use super::launch::Arg;
+use crate::entry::Entry;
+
+/// The params buffers of a frame's dispatches, one each, kept for the next frame, which records the same ones.
+#[derive(Debug, Default)]
+pub(super) struct ParamsPool {
+    buffers: Vec<GpuBuffer>,
+}
+
+/// A command encoder that dispatches are recorded into.
+pub(super) struct Recording<'a> {
+    pub(super) context: &'a GpuContext,
+    pub(super) encoder: wgpu::CommandEncoder,
+    pool: &'a mut ParamsPool,
+    used: usize,
+}
+
+impl<'a> Recording<'a> {
+    pub(super) fn new(context: &'a GpuContext, pool: &'a mut ParamsPool) -> Self {
+        let encoder = context
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        Self {
+            context,
+            encoder,
+            pool,
+            used: 0,
+        }
+    }
+
+    /// Elements `first .. first + count` of `entry`, in one dispatch: element `first + i` fills the i-th value of `out` and of
+    /// each chunked argument.
+    ///
+    /// # Errors
+    /// [`GpuError::Argument`] where the arguments are not the entry's, [`GpuError::Limit`] where one is larger than a binding
+    /// may be, and those of [`GpuContext::prepare`].
+    pub(super) fn dispatch(
+        &mut self,
+        entry: &Entry,
+        args: &[(&str, Arg<'_>)],
+        first: u32,
+        count: u32,
+    ) -> Result<(), GpuError> {
+        // As square as the limit needs, as a launch's.
+        let groups = count.div_ceil(entry.workgroup_size).max(1);
+        let rows = groups.div_ceil(self.context.limits.max_compute_workgroups_per_dimension);
+        let grid = [groups.div_ceil(rows), rows];
+        self.dispatch_grid(entry, args, first, count, grid, None)
+    }
+
+    /// As [`Recording::dispatch`], with a grid of so many columns and rows of workgroups, for entries written by hand.
+    pub(super) fn dispatch_grid(
+        &mut self,
+        entry: &Entry,
+        args: &[(&str, Arg<'_>)],
+        first: u32,
+        count: u32,
+        [columns, rows]: [u32; 2],
+        timestamps: Option<wgpu::ComputePassTimestampWrites<'_>>,
+    ) -> Result<(), GpuError> {
+        let context = self.context;
+        let kernel = context.kernel(entry)?;
+        let mut arguments = Arguments::new(entry, args, count)?;
+        let most = context.limits.max_compute_workgroups_per_dimension;
+        if columns.max(rows) > most {
+            let limit = "max_compute_workgroups_per_dimension";
+            let what = format!("a dispatch of {}", entry.name);
+            return Err(context.limit_error(what, columns.max(rows).into(), limit, most.into()));
+        }
+        for bound in &arguments.bound {
+            check_bound(context, entry, bound, count)?;
+        }
+        self.put_params(entry, arguments.params_for(entry, first, count))?;
+        let params = &self.pool.buffers[self.used - 1];
+        let bind_group = bind(context, &kernel, params, &arguments.bound, count)?;
+        let mut pass = self
+            .encoder
+            .begin_compute_pass(&wgpu::ComputePassDescriptor {
+                label: Some(entry.name),
+                timestamp_writes: timestamps,
+            });
+        pass.set_pipeline(&kernel.pipeline);
+        pass.set_bind_group(0, &bind_group, &[]);
+        pass.dispatch_workgroups(columns, rows, 1);
+        Ok(())
+    }
+
+    /// Writes the params of the next dispatch into a buffer of its own.
+    fn put_params(&mut self, entry: &Entry, bytes: &[u8]) -> Result<(), GpuError> {
+        let size = u64::from(entry.params_size.max(4)).next_multiple_of(16);
+        let known = self.pool.buffers.get(self.used);
+        if known.is_none_or(|buffer| buffer.len() != size) {
+            let made = self.context.buffer(entry.name, size)?;
+            self.pool.buffers.truncate(self.used);
+            self.pool.buffers.push(made);
+        }
+        self.context.write(&self.pool.buffers[self.used], bytes)?;
+        self.used += 1;
+        Ok(())
+    }
+
+    /// Hands everything over.
+    ///
+    /// # Errors
+    /// [`GpuError::Refused`] where wgpu finds fault with what was recorded, [`GpuError::OutOfMemory`], [`GpuError::Lost`].
+    pub(super) fn submit(self) -> Result<wgpu::SubmissionIndex, GpuError> {
+        let (context, encoder) = (self.context, self.encoder);
+        context.guarded(
+            || "a frame's passes".to_owned(),
+            || context.queue.submit([encoder.finish()]),
+        )
+    }
+}
+
+/// Bytes of a slice that a dispatch of `count` elements binds.
+fn bound_bytes(bound: &Bound<'_>, count: u32) -> u64 {
+    bound
+        .bytes_per_element
+        .map_or(bound.len, |bytes| bytes * u64::from(count))
+}
+
+fn check_bound(
+    context: &GpuContext,
+    entry: &Entry,
+    bound: &Bound<'_>,
+    count: u32,
+) -> Result<(), GpuError> {
+    let path = bound.slot.path;
+    let (bytes, most) = (bound_bytes(bound, count), context.max_binding_bytes());
+    if bytes > most {
+        let what = format!("argument '{path}' of {}", entry.name);
+        return Err(context.limit_error(what, bytes, "max_storage_buffer_binding_size", most));
+    }
+    let alignment = u64::from(context.limits.min_storage_buffer_offset_alignment);
+    if !bound.offset.is_multiple_of(alignment) {
+        return Err(GpuError::Argument {
+            entry: entry.name.to_owned(),
+            problem: format!(
+                "'{path}' begins at byte {}, which is no multiple of {alignment}",
+                bound.offset
+            ),
+        });
+    }
+    Ok(())
+}
+
+fn bind(
+    context: &GpuContext,
+    kernel: &Kernel,
+    params: &GpuBuffer,
+    bound: &[Bound<'_>],
+    count: u32,
+) -> Result<wgpu::BindGroup, GpuError> {
+    let mut entries = vec![wgpu::BindGroupEntry {
+        binding: 0,
+        resource: params.raw.as_entire_binding(),
+    }];
+    entries.extend(bound.iter().map(|bound| wgpu::BindGroupEntry {
+        binding: bound.slot.binding,
+        resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+            buffer: &bound.buffer.raw,
+            offset: bound.offset,
+            size: wgpu::BufferSize::new(bound_bytes(bound, count)),
+        }),
+    }));
+    context.guarded(
+        || format!("the arguments of {}", kernel.entry.name),
+        || {
+            context
+                .device
+                .create_bind_group(&wgpu::BindGroupDescriptor {
+                    label: Some(kernel.entry.name),
+                    layout: &kernel.layout,
+                    entries: &entries,
+                })
+        },
+    )
+}
