@@ -6,6 +6,7 @@ mod geometry;
 mod materials;
 pub mod methods;
 pub mod plate;
+pub mod projection;
 pub mod render;
 pub mod scene;
 pub mod scene_build;
