@@ -66,18 +66,19 @@ impl Projection {
         let theta = cos_sin_pi((2 * row + 1) as f32 / (2 * self.size.y) as f32);
         let meridian = meridian(theta.x, theta.y);
         let area = f64::from(texel_solid_angle_sr(row, self.size));
+        let mut add = |k: u32, factor: f64, ring: &[f64; 3]| {
+            for (own, sum) in self.sums[k as usize].iter_mut().zip(ring) {
+                *own += factor * sum;
+            }
+        };
         for l in 0..self.bands {
             for m in 0..=l {
                 let factor = area * f64::from(meridian[meridian_index(l, m) as usize]);
-                for m in [-(m as i32), m as i32] {
-                    let sums = ring.sums[ring_index(m) as usize];
-                    let own = &mut self.sums[coefficient_index(l, m) as usize];
-                    for (own, sum) in own.iter_mut().zip(sums) {
-                        *own += factor * sum;
-                    }
-                    if m == 0 {
-                        break;
-                    }
+                let m = m as i32;
+                let sums = |m: i32| &ring.sums[ring_index(m) as usize];
+                add(coefficient_index(l, m), factor, sums(m));
+                if m > 0 {
+                    add(coefficient_index(l, -m), factor, sums(-m));
                 }
             }
         }

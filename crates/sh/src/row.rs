@@ -150,12 +150,12 @@ pub(crate) fn finish(
 ) -> RingSums {
     let mut out = RingSums::default();
     let count = 2 * bands as usize - 1;
-    for k in 0..count {
-        for (i, lane) in lanes[k].iter().enumerate() {
-            let channel = i % layout.channels;
-            if channel < 3 {
-                out.sums[k][channel] += lane;
-            }
+    for (sums, lanes) in out.sums.iter_mut().zip(lanes).take(count) {
+        for (c, sum) in sums.iter_mut().enumerate() {
+            *sum = match layout.channels {
+                3 => (lanes[c] + lanes[c + 3]) + (lanes[c + 6] + lanes[c + 9]),
+                _ => lanes[c] + lanes[c + 4] + lanes[c + 8],
+            };
         }
     }
     let first = layout.columns - layout.tail;

@@ -6,8 +6,8 @@
 use core::arch::x86_64::{
     __m128, __m256, _MM_HINT_T0, _mm_prefetch, _mm256_add_pd, _mm256_add_ps,
     _mm256_castps256_ps128, _mm256_cvtps_pd, _mm256_extractf128_ps, _mm256_fmadd_ps,
-    _mm256_fnmadd_ps, _mm256_loadu_pd, _mm256_loadu_ps, _mm256_setzero_ps, _mm256_storeu_pd,
-    _mm256_sub_ps,
+    _mm256_fnmadd_ps, _mm256_loadu_pd, _mm256_loadu_ps, _mm256_mul_ps, _mm256_setzero_ps,
+    _mm256_storeu_pd, _mm256_sub_ps,
 };
 
 use crate::ring_table::{LANES, Layout};
@@ -65,6 +65,29 @@ fn add_to(sums: &mut [f64; 4], values: __m128) {
     }
 }
 
+/// `sum + a x + b y`. Where there are registers to spare the products come first: each sum then waits for one addition and not
+/// for two.
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+fn plus<const K: usize>(sum: __m256, a: __m256, x: __m256, b: __m256, y: __m256) -> __m256 {
+    if K <= 7 {
+        _mm256_add_ps(sum, _mm256_fmadd_ps(b, y, _mm256_mul_ps(a, x)))
+    } else {
+        _mm256_fmadd_ps(b, y, _mm256_fmadd_ps(a, x, sum))
+    }
+}
+
+/// `sum + a x − b y`.
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+fn minus<const K: usize>(sum: __m256, a: __m256, x: __m256, b: __m256, y: __m256) -> __m256 {
+    if K <= 7 {
+        _mm256_add_ps(sum, _mm256_fnmadd_ps(b, y, _mm256_mul_ps(a, x)))
+    } else {
+        _mm256_fnmadd_ps(b, y, _mm256_fmadd_ps(a, x, sum))
+    }
+}
+
 /// As `row::sum`.
 #[target_feature(enable = "avx2,fma")]
 fn sum<const K: usize, const T: usize, const P: usize>(
@@ -98,8 +121,8 @@ fn sum<const K: usize, const T: usize, const P: usize>(
                 sums[0] = _mm256_add_ps(sums[0], all);
                 // m = 1
                 let (cos, sin) = (load(&table[0]), load(&table[1]));
-                sums[1] = _mm256_fmadd_ps(across, sin, _mm256_fmadd_ps(along, cos, sums[1]));
-                sums[2] = _mm256_fnmadd_ps(across, cos, _mm256_fmadd_ps(along, sin, sums[2]));
+                sums[1] = plus::<K>(sums[1], along, cos, across, sin);
+                sums[2] = minus::<K>(sums[2], along, sin, across, cos);
                 if T > 2 {
                     let (cos, sin) = (load(&table[2]), load(&table[3]));
                     sums[3] = _mm256_fmadd_ps(alternating, cos, sums[3]);
@@ -107,8 +130,8 @@ fn sum<const K: usize, const T: usize, const P: usize>(
                 }
                 if T > 4 {
                     let (cos, sin) = (load(&table[4]), load(&table[5]));
-                    sums[5] = _mm256_fnmadd_ps(across, sin, _mm256_fmadd_ps(along, cos, sums[5]));
-                    sums[6] = _mm256_fmadd_ps(across, cos, _mm256_fmadd_ps(along, sin, sums[6]));
+                    sums[5] = minus::<K>(sums[5], along, cos, across, sin);
+                    sums[6] = plus::<K>(sums[6], along, sin, across, cos);
                 }
                 if T > 6 {
                     let (cos, sin) = (load(&table[6]), load(&table[7]));
@@ -117,8 +140,8 @@ fn sum<const K: usize, const T: usize, const P: usize>(
                 }
                 if T > 8 {
                     let (cos, sin) = (load(&table[8]), load(&table[9]));
-                    sums[9] = _mm256_fmadd_ps(across, sin, _mm256_fmadd_ps(along, cos, sums[9]));
-                    sums[10] = _mm256_fnmadd_ps(across, cos, _mm256_fmadd_ps(along, sin, sums[10]));
+                    sums[9] = plus::<K>(sums[9], along, cos, across, sin);
+                    sums[10] = minus::<K>(sums[10], along, sin, across, cos);
                 }
             }
             for k in 0..K {

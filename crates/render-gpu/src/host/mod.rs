@@ -8,6 +8,7 @@ pub mod light_sh;
 mod materials;
 pub mod methods;
 pub mod plate;
+pub mod projection;
 pub mod render;
 pub mod scene;
 pub mod scene_build;
