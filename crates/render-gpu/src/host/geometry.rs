@@ -111,6 +111,16 @@ impl Geometry {
             .collect())
     }
 
+    /// The mesh of an object.
+    pub(super) fn mesh(&self, object: usize) -> &Mesh {
+        &self.bodies[object].mesh
+    }
+
+    /// Whether an object is a catcher.
+    pub(super) fn is_catcher(&self, object: usize) -> bool {
+        self.bodies[object].catcher
+    }
+
     /// How many vertices the mesh of an object has.
     pub(super) fn vertex_count(&self, object: usize) -> usize {
         self.bodies[object].mesh.positions.len()
