@@ -6,6 +6,7 @@ pub mod data;
 pub mod differential;
 pub mod golden;
 pub mod gpu;
+pub mod harmonics;
 #[allow(
     clippy::all,
     non_camel_case_types,

@@ -4,7 +4,9 @@ use glimt_tests::gpu::adapter_or_skip;
 use glimt_tests::shared_image::{self, atlas};
 
 /// Largest difference relative to the value or to 1, for each page. Those that raise to a power follow the driver's `pow`.
-const TOLERANCES: [f32; atlas::PAGES as usize] = [1e-5, 1e-5, 2e-3, 1e-5, 1e-4, 1e-5, 5e-3, 1e-5];
+/// The last adds up 36 values with weights up to 36.
+const TOLERANCES: [f32; atlas::PAGES as usize] =
+    [1e-5, 1e-5, 2e-3, 1e-5, 1e-4, 1e-5, 5e-3, 1e-5, 1e-4];
 
 #[test]
 fn the_atlas_is_the_same_on_both_processors() {

@@ -343,3 +343,41 @@ fn value(id: u32) -> vec4<f32> {
     });
     assert!(found <= 1e-5, "{found}");
 }
+
+#[test]
+fn harmonics() {
+    let Some(context) = adapter_or_skip("exports") else {
+        return;
+    };
+    let by_hand = "
+fn value(id: u32) -> vec4<f32> {
+    let d = sh_stratified_direction(id, vec2(100u, 100u), vec2(0.5));
+    let k = id % 36u;
+    let y = sh_basis(d);
+    var sums = array<f32, 36>();
+    sh_add_basis(id % 7u, d, 2.0, &sums);
+    let turned = sh_rotate_z(sh_coefficient_order(k), y[k], 0.5, vec2(0.6, 0.8));
+    return vec4(y[k], sums[k], sh_temporal_filter(turned, 1.0, 0.5), sh_hann(sh_coefficient_band(k), 5.0) * sh_cosine_lobe(k % 6u));
+}";
+    let gpu = run(&context, glimt_sh::WGSL, by_hand, [&[0], &[0]], UVec2::ONE);
+    let cpu = |id: u32| {
+        let d = glimt_sh::stratified_direction(id, UVec2::splat(100), Vec2::splat(0.5));
+        let k = id % 36;
+        let y = glimt_sh::basis(d);
+        let mut sums = [0.0; 36];
+        glimt_sh::add_basis(id % 7, d, 2.0, &mut sums);
+        let order = glimt_sh::coefficient_order(k);
+        let turned = glimt_sh::rotate_z(order, y[k as usize], 0.5, Vec2::new(0.6, 0.8));
+        let window = glimt_sh::hann(glimt_sh::coefficient_band(k), 5.0);
+        Vec4::new(
+            y[k as usize],
+            sums[k as usize],
+            glimt_sh::temporal_filter(turned, 1.0, 0.5),
+            window * glimt_sh::cosine_lobe(k % 6),
+        )
+    };
+    let found = difference(&gpu, cpu);
+    assert!(found <= 1e-6, "{found}");
+    let wrong = difference(&gpu, |id| cpu(id + 1));
+    assert!(!(wrong <= 1e-6), "another element's numbers pass");
+}

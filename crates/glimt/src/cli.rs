@@ -79,6 +79,20 @@ pub enum Command {
         #[command(flatten)]
         compare: CompareFlags,
     },
+    /// Precompute how much light reaches every vertex from where: what a shot needs for render.method = "prt"
+    ///
+    /// Writes one binary glTF file, SHOT.prt.glb unless the shot's render.prt.bake or -o says otherwise, which other programs can
+    /// open: geometry in the world, with the coefficients as attributes _SH_0 … and _SH_BLOCKED_0 …. One that is there already, of
+    /// the same geometry and settings, is left as it is. Nothing may move but the camera and the light.
+    #[command(after_help = BAKE_EXAMPLES)]
+    Bake {
+        /// The shot file (TOML)
+        #[arg(value_name = "SHOT.toml")]
+        shot: PathBuf,
+        /// Flags.
+        #[command(flatten)]
+        flags: BakeFlags,
+    },
     /// Film a simulated mirror ball, with a backplate and the truth: its light, centre, radius and sun in every frame
     ///
     /// Writes capture/, plate/, truth/ and a shot that fits. A frame that is there already, made by this version from the same
@@ -224,6 +238,29 @@ pub struct CompareFlags {
     /// Write the mean image of each contestant and the reference as EXR, too
     #[arg(long)]
     pub keep: bool,
+}
+
+/// Flags of `glimt bake`.
+#[derive(Clone, Debug, Default, Args)]
+pub struct BakeFlags {
+    /// Where to compute
+    #[arg(long, value_enum, default_value_t)]
+    pub device: Device,
+    /// Set any key of the shot, as object.1.subdivide=6
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Directions at each vertex, instead of the shot's render.prt.directions
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub directions: Option<String>,
+    /// Bands of spherical harmonics, 1 to 6, instead of the shot's render.prt.bands
+    #[arg(long, value_name = "n", allow_hyphen_values = true)]
+    pub bands: Option<String>,
+    /// Where to write it, instead of the shot's render.prt.bake
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Refuse meshes with defects rather than work around them
+    #[arg(long)]
+    pub strict: bool,
 }
 
 /// Flags of `glimt synth`.
@@ -385,6 +422,20 @@ Examples:
 
 Each contestant needs --seeds frames for every measured frame and the one before it; SMC, which goes on from frame to frame,
 all frames of --frames up to the last that is measured.";
+
+const BAKE_EXAMPLES: &str = "\
+Examples:
+  glimt bake shot.toml                                   into shot.prt.glb, which render.method = \"prt\" looks for
+  glimt bake shot.toml --directions 100 -o draft.prt.glb
+  glimt bake shot.toml --bands 3 --set object.1.subdivide=7 --device gpu --json
+
+Transfer is known at vertices alone, and a built-in plane has four. This cuts it into 8192 triangles:
+  [[object]]
+  mesh = \"plane\"
+  subdivide = 6
+  [render.prt]
+  bands = 5
+  directions = 2500";
 
 const DEMO_EXAMPLES: &str = "\
 Examples:

@@ -1,5 +1,6 @@
 //! Host file: what there is to render: a shot file or the built-in shot, loaded and checked, ready for the pipeline.
 
+use crate::bake;
 use crate::capture::colour;
 use crate::cli::{PastFlags, RenderFlags};
 use crate::error::{Error, Result};
@@ -84,7 +85,8 @@ impl Job {
             let colour = colour::correction(keys, &source, &photo, plate.as_deref(), notes)?;
             probe.set_colour(colour);
         }
-        let setup = Setup::load(shot, source, base, *of_shot.start(), flags, notes)?;
+        let mut setup = Setup::load(shot, source, base, *of_shot.start(), flags, notes)?;
+        bake::expect(&mut setup)?;
         let state_in = match &flags.past.state_in {
             Some(file) => Some(read_state(file, &setup, frames[0], notes)?),
             None => None,

@@ -1,5 +1,6 @@
 //! Host file: the pipeline. While a frame renders, the light of the next one is read, and the one before is written.
 
+use crate::bake;
 use crate::cli::Device;
 use crate::device;
 use crate::error::{Error, Kind, Result};
@@ -124,6 +125,7 @@ impl Stage {
                 .map_err(|e| job.setup.refused_scene(job.setup.first, &e))?,
             renderer: device::open(device)?,
         };
+        bake::give(&job.setup, &mut stage.scene)?;
         if let Some(saved) = &job.state_in {
             let state = Some(saved.state.clone());
             stage

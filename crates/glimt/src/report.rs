@@ -104,15 +104,20 @@ impl Reporter {
         self.event(&json!({
             "event": "start", "contestants": contestants, "frames": frames, "out": out, "device": device,
         }));
-        if self.talk.quiet || self.talk.json {
-            return;
-        }
-        self.line(&format!(
+        self.plain(&format!(
             "{} in {}, on {device}, into {}",
             count(contestants.len(), "contestant"),
             count(frames, "measured frame"),
             out.display()
         ));
+        self.start_bar();
+    }
+
+    /// A bar for [`progress`](Self::progress), on a terminal.
+    pub fn start_bar(&self) {
+        if self.talk.quiet || self.talk.json {
+            return;
+        }
         if std::io::stderr().is_terminal() {
             let style = ProgressStyle::with_template("{bar:32} {msg}")
                 .unwrap_or_else(|_| ProgressStyle::default_bar());

@@ -66,9 +66,6 @@ impl Setup {
         notes: &mut Notes,
     ) -> Result<Self> {
         let placed = place::place(&shot, &source, base, notes)?;
-        if shot.render.method == shot::Method::Prt {
-            check_still(&placed.movers, &source)?;
-        }
         let moves = placed.movers.iter().any(|m| m.motion.is_moving());
         let clock = match moves {
             true => digest::of_text(&format!("{first} {:?}", shot.probe.fps)),
@@ -265,19 +262,6 @@ impl Setup {
             diagnostics: aov::any_diagnostic(&self.shot.output.aovs),
         }
     }
-}
-
-/// Precomputed transfer is that of objects where they stand.
-fn check_still(movers: &[Mover], source: &Source) -> Result<()> {
-    let moving = movers.iter().position(|mover| mover.motion.is_moving());
-    moving.map_or(Ok(()), |object| {
-        Err(source
-            .error(
-                &format!("object.{object}"),
-                "it moves, and precomputed transfer holds for objects that stand still",
-            )
-            .fix("stop it (animation = \"off\", no spin), or take another render.method"))
-    })
 }
 
 /// The flags that are keys of the shot, before those given by --set.

@@ -42,6 +42,7 @@ pub const ENTRIES: &[EntrySpec] = &[
         "glimt_render_gpu::kernels::film::reconstruct",
     ),
     entry("tonemap", "glimt_render_gpu::kernels::film::tonemap"),
+    entry("transfer", "glimt_render_gpu::kernels::transfer::transfer"),
     entry("unwarp", "glimt_render_gpu::kernels::unwarp::unwarp"),
     entry(
         "shade_mis_layers",

@@ -97,6 +97,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("kernels/smc.rs", include_str!("kernels/smc.rs")),
         ("kernels/stage.rs", include_str!("kernels/stage.rs")),
         ("kernels/texture.rs", include_str!("kernels/texture.rs")),
+        ("kernels/transfer.rs", include_str!("kernels/transfer.rs")),
         ("kernels/triangle.rs", include_str!("kernels/triangle.rs")),
         ("kernels/unwarp.rs", include_str!("kernels/unwarp.rs")),
     ],

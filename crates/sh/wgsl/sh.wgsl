@@ -1,5 +1,10 @@
 // Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
 
+struct DirectionSample {
+    direction: vec3<f32>,
+    pdf_sr: f32,
+}
+
 // glimt_sh/src/basis.rs:105
 fn turn(p: vec2<f32>, x: f32, y: f32) -> vec2<f32> {
 
@@ -368,15 +373,15 @@ fn sh_hann(l: u32, window: f32) -> f32 {
     var chosen_1: f32;
 
     // glimt_sh/src/basis.rs:268
-    let l_2 = f32(l);
+    let l_3 = f32(l);
     // glimt_sh/src/basis.rs:269
     if !((window > 0f)) {
         // glimt_sh/src/basis.rs:270
         chosen = 1f;
     } else {
-        if (l_2 < window) {
+        if (l_3 < window) {
             // glimt_sh/src/basis.rs:272
-            chosen_1 = (0.5f + (0.5f * cos(((3.1415927f * l_2) / window))));
+            chosen_1 = (0.5f + (0.5f * cos(((3.1415927f * l_3) / window))));
         } else {
             // glimt_sh/src/basis.rs:274
             chosen_1 = 0f;
@@ -417,5 +422,142 @@ fn sh_cosine_lobe(l_1: u32) -> f32 {
     }
     let _e30 = chosen_2;
     return _e30;
+}
+
+// glimt_sh/src/filter.rs:13
+fn sh_coefficient_band(k: u32) -> u32 {
+    var l_2: u32;
+
+    // glimt_sh/src/filter.rs:14
+    l_2 = 0u;
+    // glimt_sh/src/filter.rs:15
+    loop {
+        let _e6 = l_2;
+        let _e9 = l_2;
+        let _e12 = l_2;
+        if ((_e6 < 5u) && (k >= ((_e9 + 1u) * (_e12 + 1u)))) {
+            // glimt_sh/src/filter.rs:16
+            let _e20 = l_2;
+            l_2 = (_e20 + 1u);
+        } else {
+            break;
+        }
+    }
+    // glimt_sh/src/filter.rs:18
+    let _e23 = l_2;
+    return _e23;
+}
+
+// glimt_sh/src/filter.rs:29
+fn sh_coefficient_order(k_1: u32) -> i32 {
+
+    // glimt_sh/src/filter.rs:30
+    let _e3 = sh_coefficient_band(k_1);
+    // glimt_sh/src/filter.rs:31
+    return (i32(k_1) - i32((_e3 * (_e3 + 1u))));
+}
+
+// glimt_sh/src/filter.rs:46
+fn sh_temporal_filter(current: f32, before: f32, alpha: f32) -> f32 {
+
+    // glimt_sh/src/filter.rs:47
+    if !((alpha > 0f)) {
+        // glimt_sh/src/filter.rs:48
+        return current;
+    }
+    // glimt_sh/src/filter.rs:50
+    return ((current + (alpha * before)) / (1f + alpha));
+}
+
+// glimt_sh/src/filter.rs:66
+fn sh_rotate_z(m: i32, own: f32, opposite: f32, angle: vec2<f32>) -> f32 {
+    var turn_1: vec2<f32>;
+    var counter: i32;
+    var chosen_3: f32;
+
+    // glimt_sh/src/filter.rs:67
+    turn_1 = vec2<f32>(1f, 0f);
+    // glimt_sh/src/filter.rs:68
+    counter = 0i;
+    loop {
+        let _e14 = counter;
+        if (_e14 >= abs(m)) {
+            break;
+        }
+        // glimt_sh/src/filter.rs:69
+        let _e18 = turn_1.x;
+        let _e22 = turn_1.y;
+        let _e27 = turn_1.x;
+        let _e31 = turn_1.y;
+        turn_1 = vec2<f32>(((_e18 * angle.x) - (_e22 * angle.y)), ((_e27 * angle.y) + (_e31 * angle.x)));
+        continuing {
+            let _e36 = counter;
+            counter = (_e36 + 1i);
+        }
+    }
+    // glimt_sh/src/filter.rs:74
+    if (m > 0i) {
+        // glimt_sh/src/filter.rs:75
+        let _e45 = turn_1.x;
+        let _e48 = turn_1.y;
+        chosen_3 = ((own * _e45) - (opposite * _e48));
+    } else {
+        // glimt_sh/src/filter.rs:77
+        let _e53 = turn_1.x;
+        let _e56 = turn_1.y;
+        chosen_3 = ((own * _e53) + (opposite * _e56));
+    }
+    let _e59 = chosen_3;
+    return _e59;
+}
+
+// glimt_sampling/src/warp.rs:182
+fn cos_sin_turns(turns: f32) -> vec2<f32> {
+    var chosen_4: f32;
+
+    // glimt_sampling/src/warp.rs:183
+    if (turns < 0.5f) {
+        chosen_4 = turns;
+    } else {
+        chosen_4 = (turns - 1f);
+    }
+    let signed = chosen_4;
+    // glimt_sampling/src/warp.rs:184
+    let phi = (6.2831855f * signed);
+    // glimt_sampling/src/warp.rs:185
+    return vec2<f32>(cos(phi), sin(phi));
+}
+
+// glimt_sampling/src/warp.rs:169
+fn sample_cap(u: vec2<f32>, height: f32) -> DirectionSample {
+
+    // glimt_sampling/src/warp.rs:170
+    let h = (u.x * height);
+    // glimt_sampling/src/warp.rs:172
+    let sin_theta = sqrt(max((h * (2f - h)), 0f));
+    // glimt_sampling/src/warp.rs:173
+    let _e15 = cos_sin_turns(u.y);
+    // glimt_sampling/src/warp.rs:174
+    return DirectionSample(vec3<f32>((sin_theta * _e15.x), (sin_theta * _e15.y), (1f - h)), ((0.5f * 0.31830987f) / height));
+}
+
+// glimt_sampling/src/warp.rs:125
+fn sample_uniform_sphere(u_1: vec2<f32>) -> DirectionSample {
+
+    // glimt_sampling/src/warp.rs:126
+    let _e4 = sample_cap(u_1, 2f);
+    return _e4;
+}
+
+// glimt_sh/src/directions.rs:20
+fn sh_stratified_direction(i: u32, strata: vec2<u32>, u_2: vec2<f32>) -> vec3<f32> {
+
+    // glimt_sh/src/directions.rs:21
+    let strata_1 = max(strata, vec2(1u));
+    // glimt_sh/src/directions.rs:22
+    let part = vec2<f32>(f32(((i / strata_1.y) % strata_1.x)), f32((i % strata_1.y)));
+    // glimt_sh/src/directions.rs:23
+    let _e22 = sample_uniform_sphere(((part + u_2) / vec2<f32>(strata_1)));
+    return _e22.direction;
 }
 

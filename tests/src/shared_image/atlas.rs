@@ -7,11 +7,15 @@ use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::{angular, rotate};
 use glimt_sampling::{ShadingFrame, UniformSource, Xoshiro128PlusPlus, unit_vec2};
 use glimt_sampling::{mis, warp};
+use glimt_sh::{
+    add_basis, basis, coefficient_band, coefficient_order, cosine_lobe, hann, meridian, ring,
+    rotate_z, stratified_direction, temporal_filter,
+};
 
 /// Width and height of a page.
 pub const PAGE_SIZE: u32 = 32;
 /// Number of pages.
-pub const PAGES: u32 = 8;
+pub const PAGES: u32 = 9;
 
 /// One value of the atlas. The pages follow each other.
 #[must_use]
@@ -27,7 +31,8 @@ pub fn atlas(id: u32, env: CompensatedCdf<'_>) -> Vec4 {
         4 => compensated(cell, env),
         5 => matte(u),
         6 => metal(u),
-        _ => mirror_ball(u),
+        7 => mirror_ball(u),
+        _ => harmonics(cell, u),
     }
 }
 
@@ -102,4 +107,37 @@ fn mirror_ball(u: Vec2) -> Vec4 {
         return (seen.direction + seen.normal).extend(back.x + 2.0 * back.y + seen.cos_incidence);
     }
     Vec4::ZERO
+}
+
+fn harmonics(cell: u32, u: Vec2) -> Vec4 {
+    let d = stratified_direction(cell, UVec2::splat(PAGE_SIZE), u);
+    let y = basis(d);
+    let mut sums = y;
+    add_basis(cell % 7, d, u.x, &mut sums);
+    let k = cell % 36;
+    let around = ring(u.x, u.y);
+    let along = meridian(d.z, u.y);
+    let (mut all, mut added) = (0.0, 0.0);
+    for i in 0..36 {
+        all += y[i] * (1.0 + i as f32);
+        added += sums[i] * (1.0 + i as f32);
+    }
+    let mut factors = 0.0;
+    for i in 0..11 {
+        factors += around[i] * along[i + 10] + along[i] * (1.0 + i as f32);
+    }
+    let l = coefficient_band(k);
+    let window = hann(l, 6.0 * u.x) + cosine_lobe(l);
+    let turned = rotate_z(
+        coefficient_order(k),
+        u.x,
+        u.y,
+        rotate::cos_sin_degrees(90.0 * u.y),
+    );
+    Vec4::new(
+        all,
+        added,
+        factors,
+        window + temporal_filter(turned, u.x, 2.0 * u.y),
+    )
 }

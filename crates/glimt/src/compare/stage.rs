@@ -2,13 +2,14 @@
 
 use super::contestants::Contestant;
 use super::lineage::Lineage;
+use crate::bake;
 use crate::cli::Device;
 use crate::device;
 use crate::error::{Error, Kind, Result};
 use crate::job::Job;
 use crate::notes::Notes;
 use crate::report::Reporter;
-use crate::shot::Shot;
+use crate::shot::{self, Shot};
 use glam::{UVec2, Vec3, Vec4};
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::render::{Method, RenderSettings, Renderer};
@@ -39,6 +40,8 @@ pub struct Stage<'a> {
     pub job: Job,
     renderer: Box<dyn Renderer>,
     scene: SceneBuffers,
+    /// File and bands of the transfer that the scene has.
+    transfer: Option<(String, u32)>,
     lights: Lights,
     reporter: &'a Reporter,
 }
@@ -61,6 +64,7 @@ impl<'a> Stage<'a> {
         Ok(Self {
             renderer: device::open(device)?,
             scene,
+            transfer: None,
             lights: Lights {
                 notes,
                 kept: Vec::new(),
@@ -107,10 +111,25 @@ impl<'a> Stage<'a> {
     /// It does not.
     pub fn check(&mut self, contestant: &Contestant) -> Result<()> {
         let settings = self.settings(&contestant.shot, self.job.frames[0], 1)?;
+        self.give_transfer(&contestant.shot)?;
         settings
             .frame_params()
             .map(drop)
             .map_err(|e| contestant.refused(e))
+    }
+
+    /// Gives the scene the transfer of a contestant, where it is rendered by one that is not there yet.
+    fn give_transfer(&mut self, shot: &Shot) -> Result<()> {
+        let wanted = (shot.render.prt.bake.clone(), shot.render.prt.bands);
+        if shot.render.method != shot::Method::Prt || self.transfer.as_ref() == Some(&wanted) {
+            return Ok(());
+        }
+        let own = std::mem::replace(&mut self.job.setup.shot, shot.clone());
+        let given = bake::refuse_motion(&self.job.setup)
+            .and_then(|()| bake::give(&self.job.setup, &mut self.scene));
+        self.job.setup.shot = own;
+        self.transfer = Some(wanted);
+        given
     }
 
     /// Renders a frame. Reading the light and moving the scene are no part of its time.
@@ -121,6 +140,7 @@ impl<'a> Stage<'a> {
         let light = self.lights.of(&self.job, frame)?;
         self.reporter.notes(self.lights.notes.take());
         let settings = self.settings(shot, frame, seed)?;
+        self.give_transfer(shot)?;
         let setup = &self.job.setup;
         let refused = |e| setup.refused_scene(frame, &e);
         self.scene

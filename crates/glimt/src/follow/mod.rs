@@ -9,6 +9,7 @@ mod take;
 mod tally;
 pub mod watch;
 
+use crate::bake;
 use crate::cli::{Device, RenderFlags};
 use crate::device;
 use crate::error::{Error, Result};
@@ -87,8 +88,10 @@ pub fn render(file: &Path, flags: &RenderFlags, wait: Duration, reporter: &Repor
     let first = first_frame(&shot, &watch)?;
     let setup = Setup::load(shot, source, base, first, flags, &mut notes);
     reporter.notes(notes.take());
+    let mut setup = setup?;
+    bake::expect(&mut setup)?;
     let follow = Follow {
-        setup: setup?,
+        setup,
         last: range.map(|range| *range.end()),
         wait,
         device: flags.device,
@@ -130,6 +133,7 @@ impl Follow<'_> {
         };
         let mut scene =
             SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
+        bake::give(setup, &mut scene)?;
         let mut renderer = device::open(self.device)?;
         let files = watch.files().clone();
         self.reporter.start_following(

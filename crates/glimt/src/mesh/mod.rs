@@ -9,6 +9,7 @@ pub mod node;
 pub mod obj;
 pub mod place;
 pub mod ply;
+pub mod subdivide;
 
 use crate::error::{Error, Result};
 use crate::notes::Notes;

@@ -1,6 +1,7 @@
 //! Host file: the objects of a shot placed in the world, in each frame.
 
 use super::motion::Motion;
+use super::subdivide::{MOST_TRIANGLES, subdivide, triangles_after};
 use super::{Model, load};
 use crate::error::Result;
 use crate::notes::Notes;
@@ -78,7 +79,7 @@ fn unfolded(transform: Mat4) -> Mat4 {
 /// A mesh cannot be loaded, has no node, animation or camera that the shot names, or lies beyond the world's end.
 pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Result<Placed> {
     let mut scene = SceneDescription::default();
-    let mut loaded: HashMap<&str, Loaded> = HashMap::new();
+    let mut loaded: HashMap<(&str, u32), Loaded> = HashMap::new();
     let mut digests = Vec::new();
     let mut cameras = Vec::new();
     let mut all: Option<(Vec3, Vec3)> = None;
@@ -88,11 +89,13 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
     let mut movers = Vec::new();
     for (index, object) in shot.objects.iter().enumerate() {
         let name = object.mesh.as_str();
-        if !loaded.contains_key(name) {
-            let model = load(base, name, notes)?;
-            loaded.insert(name, Loaded::new(model, &mut scene));
+        let key = (name, object.subdivide);
+        if !loaded.contains_key(&key) {
+            let mut model = load(base, name, notes)?;
+            cut(&mut model, object.subdivide, index, source)?;
+            loaded.insert(key, Loaded::new(model, &mut scene));
         }
-        let entry = &loaded[name];
+        let entry = &loaded[&key];
         let model = &entry.model;
         digests.push(model.digest(name)?);
         triangles += model.triangles();
@@ -153,6 +156,22 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
         triangles,
         owners,
     })
+}
+
+/// Cuts the triangles of a model, which the shot's object `index` stands for.
+fn cut(model: &mut Model, times: u32, index: usize, source: &Source) -> Result<()> {
+    let of_mesh = model.meshes.iter().map(|mesh| mesh.indices.len() as u64);
+    let before = of_mesh.sum();
+    let after = triangles_after(before, times);
+    if times > 0 && after > MOST_TRIANGLES {
+        let what =
+            format!("it would make {after} triangles of {before}, more than {MOST_TRIANGLES}");
+        return Err(source
+            .error(&format!("object.{index}.subdivide"), what)
+            .fix("lower it: each step makes four triangles of one"));
+    }
+    subdivide(model, times);
+    Ok(())
 }
 
 /// A model whose meshes are in the scene, from `first_mesh` on.

@@ -5,6 +5,7 @@ use super::parse::Source;
 use super::{Ball, Camera, Colour, Mapping, Method, Shot, range};
 use crate::error::{Error, Result};
 use crate::output::aov;
+use glimt_render_gpu::host::bake;
 use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 
 /// Largest width or height of an image.
@@ -345,14 +346,14 @@ fn check_prt(prt: &Prt, source: &Source) -> Result<()> {
     let bad = |key: &str, what: &str, fix: &str| {
         Err(source.error(&format!("render.prt.{key}"), what).fix(fix))
     };
-    if !(1..=glimt_sh::MAX_BANDS).contains(&prt.bands) {
+    if !(1..=bake::MAX_BANDS).contains(&prt.bands) {
         return bad("bands", "it is not between 1 and 6", "5 is usual");
     }
-    if prt.directions == 0 || prt.directions > 1 << 24 {
+    if !(1..=bake::MAX_DIRECTIONS).contains(&prt.directions) {
         return bad(
             "directions",
-            "it is not between 1 and 16777216",
-            "2500 is usual",
+            "it is not between 1 and 1048576",
+            "2500 is usual, 100 a draft",
         );
     }
     if prt.level > 15 {
@@ -502,6 +503,11 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
                     "it is not between 1e-9 and 1e9, nor the negative of such a number",
                 )
                 .fix("1 leaves it as it is"));
+        }
+        if object.subdivide > 10 {
+            return Err(source
+                .error(&key("subdivide"), "it is above 10")
+                .fix("each step makes four triangles of one: 6 makes 8192 of a plane"));
         }
         if let Some(material) = &object.material {
             check_material(material, i, source)?;

@@ -53,7 +53,7 @@ pub struct Smc {
     pub normal_tolerance_deg: f32,
 }
 
-/// Precomputed radiance transfer, `render.method = "prt"`.
+/// Precomputed radiance transfer, `render.method = "prt"` and `glimt bake`.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Prt {

@@ -198,6 +198,8 @@ pub struct Object {
     pub ground: bool,
     /// It is in the footage already: it takes shadows, hides what is behind it, and blocks no light.
     pub catcher: bool,
+    /// How often each triangle is cut in four: transfer (`render.method = "prt"`) is known at vertices alone.
+    pub subdivide: u32,
     /// One material in place of the file's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub material: Option<Material>,
@@ -540,6 +542,7 @@ impl Default for Object {
             up: None,
             ground: false,
             catcher: false,
+            subdivide: 0,
             material: None,
             reflection: 0.0,
             animation: String::new(),

@@ -235,6 +235,30 @@ pub const TONEMAP: Entry = Entry {
     ],
 };
 
+/// [`transfer`](crate::kernels::transfer::transfer) as a compute entry point.
+pub const TRANSFER: Entry = Entry {
+    name: "transfer",
+    kernel: "glimt_render_gpu::kernels::transfer::transfer",
+    wgsl: include_str!("transfer.wgsl"),
+    workgroup_size: 64,
+    params_size: 32,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("lit_len", 8, 4),
+        param("blocked_len", 12, 4),
+        param("params", 16, 16),
+    ],
+    buffers: &[
+        slot("nodes", 1, 32, false),
+        slot("triangles", 2, 48, false),
+        slot("vertices", 3, 48, false),
+        slot("lit", 4, 4, true),
+        slot("blocked", 5, 4, true),
+        slot("out", 6, 4, true),
+    ],
+};
+
 /// [`unwarp`](crate::kernels::unwarp::unwarp) as a compute entry point.
 pub const UNWARP: Entry = Entry {
     name: "unwarp",
@@ -828,6 +852,18 @@ const _: () = {
     assert!(offset_of!(crate::kernels::texture::TextureView, width) == 4);
     assert!(offset_of!(crate::kernels::texture::TextureView, height) == 8);
     assert!(offset_of!(crate::kernels::texture::TextureView, flags) == 12);
+    assert!(size_of::<crate::kernels::transfer::TransferParams>() == 16);
+    assert!(offset_of!(crate::kernels::transfer::TransferParams, bands) == 0);
+    assert!(offset_of!(crate::kernels::transfer::TransferParams, directions) == 4);
+    assert!(offset_of!(crate::kernels::transfer::TransferParams, rows) == 8);
+    assert!(offset_of!(crate::kernels::transfer::TransferParams, seed) == 12);
+    assert!(size_of::<crate::kernels::transfer::TransferVertex>() == 48);
+    assert!(offset_of!(crate::kernels::transfer::TransferVertex, origin) == 0);
+    assert!(offset_of!(crate::kernels::transfer::TransferVertex, object) == 12);
+    assert!(offset_of!(crate::kernels::transfer::TransferVertex, normal) == 16);
+    assert!(offset_of!(crate::kernels::transfer::TransferVertex, number) == 28);
+    assert!(offset_of!(crate::kernels::transfer::TransferVertex, inner) == 32);
+    assert!(offset_of!(crate::kernels::transfer::TransferVertex, step) == 44);
     assert!(size_of::<crate::kernels::triangle::Triangle>() == 48);
     assert!(offset_of!(crate::kernels::triangle::Triangle, v0) == 0);
     assert!(offset_of!(crate::kernels::triangle::Triangle, material) == 12);

@@ -4,6 +4,7 @@
 //! [`Entry`](crate::entry::Entry) over any number of elements, cut into dispatches that fit the adapter's limits and
 //! stay short; [`GpuRenderer`] renders frames by it. Everything that can go wrong is a [`GpuError`] that names the adapter and the limit.
 
+mod bake;
 mod buffer;
 mod device;
 mod error;
@@ -19,6 +20,7 @@ mod timing;
 mod unwarp;
 mod upload;
 
+pub use bake::bake;
 pub use buffer::GpuBuffer;
 pub use device::{AdapterPreference, AdapterSummary, GpuContext, GpuOptions, enumerate};
 pub use error::GpuError;

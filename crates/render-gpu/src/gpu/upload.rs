@@ -102,6 +102,15 @@ impl GpuScene {
             ("scene.texels", Arg::Buffer(&self.texels)),
         ]
     }
+
+    /// The arguments of a kernel that takes the tree alone, as `nodes` and `triangles`.
+    #[must_use]
+    pub fn tree_args(&self) -> [(&'static str, Arg<'_>); 2] {
+        [
+            ("nodes", Arg::Buffer(&self.nodes)),
+            ("triangles", Arg::Buffer(&self.triangles)),
+        ]
+    }
 }
 
 /// A light map with its tables.

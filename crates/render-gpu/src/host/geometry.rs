@@ -11,12 +11,13 @@ use super::scene::{Mesh, SceneDescription};
 use super::scene_build::MAX_COORDINATE;
 use super::scene_error::SceneError;
 use super::transfer::SurfaceVertex;
+use super::vertex_fans::Fans;
 use crate::kernels::scene::{Corner, MIRRORED};
 use crate::kernels::triangle::{CATCHER, Triangle};
 
 /// Rays that leave a surface start this fraction of the triangle's largest coordinate away from it: 64 units in the
 /// last place, of which about ten may be lost in the hit and in the next ray's test.
-const RAY_OFFSET: f32 = 1.0 / 262_144.0;
+pub(super) const RAY_OFFSET: f32 = 1.0 / 262_144.0;
 
 /// A triangle is dropped when it is this many times longer than high: rounding alone decides where such a face looks.
 const MAX_ASPECT: f64 = 1e7;
@@ -103,22 +104,21 @@ impl Geometry {
         let positions = world_positions(object, mesh, transform)?;
         let linear = DMat3::from_mat4(transform.as_dmat4());
         let normal = world_normals(mesh, &linear);
-        let mut extents = vec![0f32; positions.len()];
-        for face in &mesh.indices {
-            let corners = face.map(|i| positions[i as usize].abs().max_element());
-            let extent = corners.into_iter().fold(0.0, f32::max);
-            for &i in face {
-                extents[i as usize] = extents[i as usize].max(extent);
-            }
-        }
-        let each = positions.into_iter().zip(extents).enumerate();
-        Ok(each
-            .map(|(i, (position, extent))| SurfaceVertex {
-                position,
-                normal: normal(i),
-                ray_offset: RAY_OFFSET * extent,
-            })
+        let fans = Fans::new(mesh, &positions, normal);
+        let vertices = (0..positions.len()).into_par_iter().with_min_len(256);
+        Ok(vertices
+            .map(|i| fans.vertex(i, positions[i], object as u32))
             .collect())
+    }
+
+    /// The mesh of an object.
+    pub(super) fn mesh(&self, object: usize) -> &Mesh {
+        &self.bodies[object].mesh
+    }
+
+    /// Whether an object is a catcher.
+    pub(super) fn is_catcher(&self, object: usize) -> bool {
+        self.bodies[object].catcher
     }
 
     /// How many vertices the mesh of an object has.

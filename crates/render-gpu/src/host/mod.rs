@@ -1,12 +1,14 @@
 //! Host file: what is prepared outside the kernels: scene descriptions, light maps, settings.
 
 mod attributes;
+pub mod bake;
 pub mod env;
 mod geometry;
 pub mod light_sh;
 mod materials;
 pub mod methods;
 pub mod plate;
+pub mod projection;
 pub mod render;
 pub mod scene;
 pub mod scene_build;
@@ -15,3 +17,4 @@ pub mod smc_state;
 pub mod transfer;
 mod tree;
 pub mod unwarp;
+mod vertex_fans;

@@ -8,7 +8,7 @@ use glam::{Mat4, Vec3};
 
 use super::geometry::{Flat, Geometry};
 use super::materials::{pack_material, pack_textures};
-use super::scene::SceneDescription;
+use super::scene::{Mesh, SceneDescription};
 use super::scene_error::SceneError;
 use super::transfer::{SceneTransfer, SurfaceVertex, Transfer, TransferError};
 use super::tree::{build_tree, refit, sah_cost};
@@ -191,6 +191,22 @@ impl SceneBuffers {
     pub fn vertex_counts(&self) -> Vec<usize> {
         let objects = 0..self.transforms.len();
         objects.map(|i| self.geometry.vertex_count(i)).collect()
+    }
+
+    /// The mesh of an object, in its own coordinates, with normals.
+    ///
+    /// # Panics
+    /// There is no such object.
+    pub fn mesh(&self, object: usize) -> &Mesh {
+        self.geometry.mesh(object)
+    }
+
+    /// Whether an object is a catcher.
+    ///
+    /// # Panics
+    /// There is no such object.
+    pub fn is_catcher(&self, object: usize) -> bool {
+        self.geometry.is_catcher(object)
     }
 
     /// Gives the scene the transfer that was computed for it, where its objects stand now, and each object the weight c_k of its

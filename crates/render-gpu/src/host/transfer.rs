@@ -15,6 +15,13 @@ pub struct SurfaceVertex {
     pub normal: Vec3,
     /// How far from the surface rays start that leave it.
     pub ray_offset: f32,
+    /// Where rays start: so far above the surface, and where the surface ends, as much inside its edge. So walls that meet in an edge
+    /// see each other, and what stands in the same plane is not missed.
+    pub origin: Vec3,
+    /// A point just beneath the surface.
+    pub inner: Vec3,
+    /// Index of the object that it belongs to.
+    pub object: u32,
 }
 
 /// Coefficients of the transfer at each vertex of a scene, `∫ V(x, ω) ⟨n·ω⟩ y_lm(ω) dω`, in world coordinates, parted like

@@ -32,5 +32,6 @@ pub mod shade;
 pub mod smc;
 pub mod stage;
 pub mod texture;
+pub mod transfer;
 pub mod triangle;
 pub mod unwarp;

@@ -47,7 +47,7 @@ fn a_bake_lights_frames() {
     // Nothing is rendered twice; another bake is another light.
     t.run(&["render", "shot.toml"])
         .ok()
-        .says(&["3 frames there already"]);
+        .says(&["0 frames rendered, 3 there already"]);
     t.run(&["bake", "shot.toml", "--set", "render.prt.directions=50"])
         .ok();
     t.run(&["render", "shot.toml", "--set", "render.prt.directions=50"])

@@ -1,0 +1,281 @@
+//! Host file: transfer in a binary glTF file: one mesh for each object, in the world, with custom attributes of its vertices.
+//!
+//! `_SH_0`, `_SH_1`, … hold four coefficients of the light that arrives each, `_SH_BLOCKED_0`, … of the light that is blocked;
+//! the last is filled up with zeros. `asset.extras.glimt_bake` holds a [`Header`].
+
+use super::glb::{self, Broken, FLOAT, UNSIGNED_INT};
+use super::identity::Header;
+use crate::error::{Error, Result};
+use crate::output::atomic::Pending;
+use glam::Vec3;
+use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer};
+use serde_json::{Value, json};
+use std::fs::File;
+use std::io::{self, BufReader, Write};
+use std::path::Path;
+
+/// The names of the attributes, without their numbers.
+const LIT: &str = "_SH_";
+const BLOCKED: &str = "_SH_BLOCKED_";
+
+/// Bytes that the file of a scene will have, but for its document of some kilobytes.
+#[must_use]
+pub fn size(vertices: u64, triangles: u64, bands: u32) -> u64 {
+    let vectors = u64::from((bands * bands).div_ceil(4));
+    let vertex = 24 + 2 * 16 * vectors;
+    vertices
+        .saturating_mul(vertex)
+        .saturating_add(triangles.saturating_mul(12))
+}
+
+/// The buffer of a file while its parts are named.
+struct Layout {
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+    length: u64,
+}
+
+impl Layout {
+    /// Names `count` values of some bytes each, which are next in the buffer; returns the number of their accessor.
+    fn add(&mut self, target: u64, bytes: u64, count: usize, mut accessor: Value) -> usize {
+        let length = bytes * count as u64;
+        self.views.push(json!({
+            "buffer": 0, "byteOffset": self.length, "byteLength": length, "target": target,
+        }));
+        accessor["bufferView"] = json!(self.views.len() - 1);
+        accessor["count"] = json!(count);
+        self.accessors.push(accessor);
+        self.length += length;
+        self.accessors.len() - 1
+    }
+}
+
+/// Writes a transfer, whole or not at all. Returns the file's size.
+///
+/// # Errors
+/// The file cannot be written, or would be too long.
+pub fn write(
+    file: &Path,
+    scene: &SceneBuffers,
+    vertices: &[SurfaceVertex],
+    header: &Header,
+    transfer: &Transfer,
+) -> Result<u64> {
+    let counts = scene.vertex_counts();
+    let vectors = transfer.coefficients().div_ceil(4);
+    let mut layout = Layout {
+        views: Vec::new(),
+        accessors: Vec::new(),
+        length: 0,
+    };
+    let (mut meshes, mut nodes) = (Vec::new(), Vec::new());
+    let mut first = 0;
+    for (object, &count) in counts.iter().enumerate() {
+        let own = &vertices[first..first + count];
+        first += count;
+        let name = &header.objects[object].name;
+        let mesh = scene.mesh(object);
+        if count == 0 {
+            nodes.push(json!({"name": name}));
+            continue;
+        }
+        let low = own.iter().fold(Vec3::MAX, |low, v| low.min(v.position));
+        let high = own.iter().fold(Vec3::MIN, |high, v| high.max(v.position));
+        let vector = json!({"componentType": FLOAT, "type": "VEC3"});
+        let mut position = vector.clone();
+        position["min"] = json!(low.to_array());
+        position["max"] = json!(high.to_array());
+        let mut attributes = json!({
+            "POSITION": layout.add(34962, 12, count, position),
+            "NORMAL": layout.add(34962, 12, count, vector),
+        });
+        for prefix in [LIT, BLOCKED] {
+            for i in 0..vectors {
+                let vector = json!({"componentType": FLOAT, "type": "VEC4"});
+                attributes[format!("{prefix}{i}")] = json!(layout.add(34962, 16, count, vector));
+            }
+        }
+        let mut primitive = json!({"attributes": attributes, "mode": 0});
+        if !mesh.indices.is_empty() {
+            let word = json!({"componentType": UNSIGNED_INT, "type": "SCALAR"});
+            let corners = 3 * mesh.indices.len();
+            primitive["indices"] = json!(layout.add(34963, 4, corners, word));
+            primitive["mode"] = json!(4);
+        }
+        nodes.push(json!({"name": name, "mesh": meshes.len()}));
+        meshes.push(json!({
+            "name": name, "primitives": [primitive], "extras": {"glimt_object": object},
+        }));
+    }
+    // glTF has y up, the world here z.
+    let half = std::f32::consts::FRAC_1_SQRT_2;
+    let children: Vec<usize> = (0..nodes.len()).collect();
+    let root = nodes.len();
+    nodes.push(json!({"name": "world", "rotation": [-half, 0.0, 0.0, half], "children": children}));
+    let document = json!({
+        "asset": {
+            "version": "2.0",
+            "generator": crate::output::SOFTWARE,
+            "extras": {"glimt_bake": header},
+        },
+        "scene": 0,
+        "scenes": [{"nodes": [root]}],
+        "nodes": nodes,
+        "meshes": meshes,
+        "accessors": layout.accessors,
+        "bufferViews": layout.views,
+        "buffers": [{"byteLength": layout.length}],
+    });
+    let head = glb::head(&document, layout.length).ok_or_else(|| too_long(file, layout.length))?;
+    let mut pending = Pending::create(file)?;
+    let parts = (&counts[..], vertices, transfer);
+    write_parts(&mut pending, &head, scene, parts).map_err(|e| pending.error(&e))?;
+    pending.commit()?;
+    Ok(head.len() as u64 + layout.length)
+}
+
+/// The error of a file that would be too long.
+pub fn too_long(file: &Path, bytes: u64) -> Error {
+    let gigabytes = bytes as f64 / (1u64 << 30) as f64;
+    Error::output(
+        file,
+        format!("it would be {gigabytes:.1} GiB long, and a .glb has 4 GiB at most"),
+    )
+    .fix("lower render.prt.bands or object.N.subdivide")
+}
+
+/// Writes what stands in the buffer, in the order in which it was named.
+fn write_parts(
+    out: &mut impl Write,
+    head: &[u8],
+    scene: &SceneBuffers,
+    (counts, vertices, transfer): (&[usize], &[SurfaceVertex], &Transfer),
+) -> io::Result<()> {
+    out.write_all(head)?;
+    let n = transfer.coefficients();
+    let mut first = 0;
+    for (object, &count) in counts.iter().enumerate() {
+        let own = &vertices[first..first + count];
+        for vertex in own {
+            out.write_all(bytemuck::bytes_of(&vertex.position))?;
+        }
+        for vertex in own {
+            // glTF wants unit normals. Where there is none, nothing is lit.
+            let normal = match vertex.normal == Vec3::ZERO {
+                true => Vec3::Z,
+                false => vertex.normal,
+            };
+            out.write_all(bytemuck::bytes_of(&normal))?;
+        }
+        for list in [&transfer.lit, &transfer.blocked] {
+            let own = &list[first * n..(first + count) * n];
+            for from in (0..n).step_by(4) {
+                for coefficients in own.chunks(n) {
+                    let mut four = [0.0f32; 4];
+                    let part = &coefficients[from..n.min(from + 4)];
+                    four[..part.len()].copy_from_slice(part);
+                    out.write_all(bytemuck::bytes_of(&four))?;
+                }
+            }
+        }
+        out.write_all(bytemuck::cast_slice(
+            scene.mesh(object).indices.as_flattened(),
+        ))?;
+        first += count;
+    }
+    Ok(())
+}
+
+/// The header of a file, which is as long as it says.
+///
+/// # Errors
+/// It cannot be read, or is no file of transfer that is whole; the error has no fix yet where a new one would do.
+pub fn read_header(file: &Path) -> Result<Header> {
+    let mut reader = open(file)?;
+    let document = glb::read_document(&mut reader).map_err(|e| broken(file, e))?;
+    header(file, &document)
+}
+
+/// A file's header and transfer.
+///
+/// # Errors
+/// As [`read_header`]; or attributes are missing, or of other lengths than the header says.
+pub fn read(file: &Path) -> Result<(Header, Transfer)> {
+    let mut reader = open(file)?;
+    let document = glb::read_document(&mut reader).map_err(|e| broken(file, e))?;
+    let header = header(file, &document)?;
+    let bytes = glb::read_bytes(&mut reader).map_err(|e| broken(file, e))?;
+    let n = (header.bands * header.bands) as usize;
+    let mut transfer = Transfer {
+        bands: header.bands,
+        ..Transfer::default()
+    };
+    let meshes = document["meshes"].as_array().map_or(&[][..], Vec::as_slice);
+    for (object, identity) in header.objects.iter().enumerate() {
+        let count = identity.vertices as usize;
+        if count == 0 {
+            continue;
+        }
+        let mesh = meshes
+            .iter()
+            .find(|mesh| mesh["extras"]["glimt_object"] == object)
+            .ok_or_else(|| Error::input(file, format!("it has no mesh for object {object}")))?;
+        let attributes = &mesh["primitives"][0]["attributes"];
+        for (prefix, list) in [(LIT, &mut transfer.lit), (BLOCKED, &mut transfer.blocked)] {
+            // What the header says is believed only as far as there are bytes for it.
+            if count > bytes.len() {
+                return Err(Error::input(file, "it has fewer vertices than it says"));
+            }
+            let begin = list.len();
+            list.resize(begin + count * n, 0.0);
+            for i in 0..n.div_ceil(4) {
+                let name = format!("{prefix}{i}");
+                let vectors = attributes[&name]
+                    .as_u64()
+                    .and_then(|accessor| glb::vectors(&document, accessor, &bytes))
+                    .filter(|vectors| vectors.len() == count)
+                    .ok_or_else(|| {
+                        let what = format!("its attribute {name} is missing or of another length");
+                        Error::input(file, what).at(format!("object {object}"))
+                    })?;
+                for (own, four) in list[begin..].chunks_mut(n).zip(&vectors) {
+                    let own = &mut own[4 * i..n.min(4 * i + 4)];
+                    own.copy_from_slice(&four[..own.len()]);
+                }
+            }
+        }
+    }
+    Ok((header, transfer))
+}
+
+fn open(file: &Path) -> Result<BufReader<File>> {
+    let reader = File::open(file).map_err(|e| match e.kind() {
+        io::ErrorKind::NotFound => Error::input(file, "there is no such file"),
+        _ => Error::reading(file, &e),
+    })?;
+    Ok(BufReader::new(reader))
+}
+
+fn broken(file: &Path, broken: Broken) -> Error {
+    match broken {
+        Broken::Io(e) => Error::reading(file, &e),
+        Broken::NotGlb => Error::input(file, "it is no file of transfer"),
+        Broken::Short(there, said) => Error::input(
+            file,
+            format!("the file ends too early: {there} of {said} bytes are there"),
+        ),
+    }
+}
+
+fn header(file: &Path, document: &Value) -> Result<Header> {
+    let header = &document["asset"]["extras"]["glimt_bake"];
+    if header.is_null() {
+        return Err(Error::input(file, "it is no file of transfer"));
+    }
+    let known: Option<Header> = serde_json::from_value(header.clone()).ok();
+    known
+        .filter(|header| header.version == super::identity::VERSION && header.shadowed)
+        .filter(|header| (1..=6).contains(&header.bands))
+        .ok_or_else(|| Error::input(file, "its transfer is of a version that is not known"))
+}

@@ -1,0 +1,305 @@
+//! Host file: `glimt bake`: transfer at the vertices of a shot (Hajisharif 2012), kept in a file that rendering reads.
+
+pub mod file;
+pub mod glb;
+pub mod identity;
+
+use crate::cli::{BakeFlags, RenderFlags};
+use crate::device;
+use crate::error::{Error, Result};
+use crate::notes::Notes;
+use crate::report::{Reporter, count};
+use crate::setup::Setup;
+use crate::shot::digest;
+use crate::shot::parse::Source;
+use crate::shot::{Method, Shot, check, parse, range};
+use crate::synth::Processor;
+use glimt_render_gpu::gpu;
+use glimt_render_gpu::host::bake::{self, BakeError, BakeSettings, Baked, required_bytes};
+use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::host::transfer::{Transfer, TransferError};
+use identity::Header;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+/// The file of a shot's transfer: as `render.prt.bake` says, else beside the shot, `SHOT.prt.glb`.
+#[must_use]
+pub fn file_of(shot: &Shot, source: &Source) -> PathBuf {
+    match shot.render.prt.bake.as_str() {
+        "" => source.file.with_extension("prt.glb"),
+        name => source.file.parent().unwrap_or(Path::new("")).join(name),
+    }
+}
+
+/// How a shot wants its transfer computed.
+#[must_use]
+pub fn settings_of(shot: &Shot) -> BakeSettings {
+    BakeSettings {
+        bands: shot.render.prt.bands,
+        directions: shot.render.prt.directions,
+        seed: shot.render.seed,
+    }
+}
+
+/// The transfer of `scene`, which was built of the shot's, from a file that `glimt bake` wrote. It must be of this geometry, where
+/// it stands, and of as many bands as the shot says; how many directions it was computed from is left to the file.
+///
+/// # Errors
+/// The file is not there, not whole, of something else, of other bands, or holds what is no number. Each error names it, and
+/// the command that makes it anew.
+pub fn load(setup: &Setup, scene: &SceneBuffers, file: &Path) -> Result<Transfer> {
+    let anew = anew(setup);
+    let (header, transfer) = file::read(file).map_err(|e| e.fix(&anew))?;
+    let settings = settings_of(&setup.shot);
+    let now = Header::new(scene, &settings);
+    if let Some(difference) = now.differs(&header) {
+        let error = Error::input(file, format!("it is stale: {}", difference.what)).fix(&anew);
+        return Err(match difference.object {
+            Some(object) => error.at(named(setup, &now, object)),
+            None => error,
+        });
+    }
+    if header.bands != settings.bands {
+        let (found, wanted) = (header.bands, settings.bands);
+        let what = format!("it has {found} bands, and render.prt.bands is {wanted}");
+        return Err(
+            Error::input(file, what).fix(format!("{anew}, or set render.prt.bands={found}"))
+        );
+    }
+    match transfer.check(scene.vertex_counts().iter().sum()) {
+        Ok(()) => Ok(transfer),
+        Err(TransferError::NotFinite(vertex)) => {
+            let what = format!("a coefficient of vertex {vertex} is not a finite number");
+            Err(Error::input(file, what).fix(anew))
+        }
+        Err(e) => Err(Error::input(file, e).fix(anew)),
+    }
+}
+
+/// Where a shot is rendered by precomputed transfer: sees that nothing moves, and makes the transfer's file a part of the identity
+/// of its frames.
+///
+/// # Errors
+/// Something moves, or the file is not there.
+pub fn expect(setup: &mut Setup) -> Result<()> {
+    if setup.shot.render.method != Method::Prt {
+        return Ok(());
+    }
+    refuse_motion(setup)?;
+    let file = file_of(&setup.shot, &setup.source);
+    let hash = digest::of_file(&file).map_err(|e| e.fix(anew(setup)))?;
+    setup.digest = digest::join([&setup.digest, &hash]);
+    Ok(())
+}
+
+/// Gives a scene, built of the setup's, the transfer that it is rendered by, where it is.
+///
+/// # Errors
+/// As [`load`].
+pub fn give(setup: &Setup, scene: &mut SceneBuffers) -> Result<()> {
+    if setup.shot.render.method != Method::Prt {
+        return Ok(());
+    }
+    let file = file_of(&setup.shot, &setup.source);
+    let transfer = Arc::new(load(setup, scene, &file)?);
+    let objects = &setup.shot.objects;
+    let owners = setup.owners.iter();
+    let reflections: Vec<f32> = owners.map(|&of_shot| objects[of_shot].reflection).collect();
+    scene
+        .set_transfer(transfer, &reflections)
+        .map_err(|e| Error::input(&file, e).fix(anew(setup)))
+}
+
+/// What makes a transfer that can be used.
+fn anew(setup: &Setup) -> String {
+    format!("run `glimt bake {}`", setup.source.file.display())
+}
+
+/// An object of the scene, as the shot's user knows it.
+fn named(setup: &Setup, header: &Header, object: usize) -> String {
+    let of_shot = setup.owners.get(object).copied().unwrap_or(object);
+    match header.objects[object].name.as_str() {
+        "" => format!("object.{of_shot}"),
+        name => format!("object.{of_shot} (`{name}`)"),
+    }
+}
+
+/// Computes the transfer of a shot and writes it, unless it is there already.
+///
+/// # Errors
+/// The shot is wrong, something in it moves, there is not enough memory, or the file cannot be written.
+pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
+    let mut notes = Notes::new(flags.strict);
+    let setup = read_shot(shot, flags, &mut notes);
+    reporter.notes(notes.take());
+    let setup = setup?;
+    refuse_motion(&setup)?;
+    let scene =
+        SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
+    let settings = settings_of(&setup.shot);
+    let out = flags.output.clone();
+    let out = out.unwrap_or_else(|| file_of(&setup.shot, &setup.source));
+    let header = Header::new(&scene, &settings);
+
+    let vertices: u64 = header.objects.iter().map(|o| o.vertices).sum();
+    let triangles: u64 = (0..header.objects.len())
+        .map(|i| scene.mesh(i).indices.len() as u64)
+        .sum();
+    let memory = required_bytes(vertices, settings.bands);
+    let size = file::size(vertices, triangles, settings.bands);
+    if file::read_header(&out).is_ok_and(|there| there == header) {
+        let summary = json!({
+            "skipped": true, "vertices": vertices, "triangles": triangles, "file": out,
+        });
+        let text = format!(
+            "there already, of this geometry and these settings: {}",
+            out.display()
+        );
+        reporter.finish(summary, &text);
+        return Ok(());
+    }
+    if size > u64::from(u32::MAX) {
+        return Err(file::too_long(&out, size));
+    }
+    let processor = device::open_processor(flags.device)?;
+    reporter.step(&format!(
+        "{vertices} vertices of {triangles} triangles, {} in {}, on {}: {} of memory, a file of {}",
+        count(settings.directions as usize, "direction"),
+        count(settings.bands as usize, "band"),
+        processor.name(),
+        mebibytes(memory),
+        mebibytes(size),
+    ));
+    reporter.start_bar();
+    let began = Instant::now();
+    let baked = compute(&processor, &scene, &settings, reporter)?;
+    let seconds = began.elapsed().as_secs_f64();
+    let Baked { transfer, rays } = baked;
+    let at = scene
+        .vertices()
+        .map_err(|e| setup.refused_scene(setup.first, &e))?;
+    let size = file::write(&out, &scene, &at, &header, &transfer)?;
+    let rate = rays as f64 / seconds.max(1e-9);
+    let summary = json!({
+        "skipped": false, "vertices": vertices, "triangles": triangles, "rays": rays, "seconds": seconds,
+        "rays_per_second": rate, "memory": memory, "bytes": size, "file": out,
+    });
+    let text = format!(
+        "{vertices} vertices, {rays} rays in {seconds:.1} s, {:.2} million a second; {}: {}",
+        rate / 1e6,
+        mebibytes(size),
+        out.display()
+    );
+    reporter.finish(summary, &text);
+    Ok(())
+}
+
+/// The shot with its meshes; neither light nor footage is looked at.
+fn read_shot(file: &Path, flags: &BakeFlags, notes: &mut Notes) -> Result<Setup> {
+    let keys = [("bands", &flags.bands), ("directions", &flags.directions)];
+    let own = keys.into_iter().filter_map(|(key, value)| {
+        let value = value.as_ref()?;
+        Some(format!("render.prt.{key}={value}"))
+    });
+    let set: Vec<String> = flags.set.iter().cloned().chain(own).collect();
+    let (shot, source) = parse::read::<Shot>(file, &set)?;
+    // Whatever it is rendered by.
+    let mut checked = shot.clone();
+    checked.render.method = Method::Mis;
+    check::check(&checked, &source)?;
+    let base = file.parent().unwrap_or(Path::new(""));
+    let first = match shot.render.frames.as_str() {
+        "" => 1,
+        text => *range::parse(text)?.start(),
+    };
+    Setup::load(shot, source, base, first, &RenderFlags::default(), notes)
+}
+
+/// Transfer is of objects that stand still.
+///
+/// # Errors
+/// One moves; the error names the key by which it does.
+pub fn refuse_motion(setup: &Setup) -> Result<()> {
+    let Some((object, what)) = setup.motions().into_iter().next() else {
+        return Ok(());
+    };
+    let (key, fix) = match setup.shot.objects[object].spins.is_empty() {
+        true => ("animation", "set it to \"off\""),
+        false => ("spin", "remove it"),
+    };
+    let what =
+        format!("the object moves ({what}), and precomputed transfer is of what stands still");
+    Err(setup
+        .source
+        .error(&format!("object.{object}.{key}"), what)
+        .fix(format!("{fix}, or render by another method")))
+}
+
+fn compute(
+    processor: &Processor,
+    scene: &SceneBuffers,
+    settings: &BakeSettings,
+    reporter: &Reporter,
+) -> Result<Baked> {
+    let clock = Mutex::new(Clock::new());
+    let tell = |share: f32| {
+        let mut clock = clock
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner);
+        clock.tell(reporter, f64::from(share));
+    };
+    let baked = match processor {
+        Processor::Cpu => bake::bake(scene, settings, &tell),
+        Processor::Gpu(context) => gpu::bake(context, scene, settings, &tell),
+    };
+    baked.map_err(|e| match &e {
+        BakeError::Memory { .. } => {
+            Error::device(e).fix("lower render.prt.bands or object.N.subdivide")
+        }
+        BakeError::Gpu(gpu) => device::gpu_failure(gpu),
+        _ => Error::usage(e),
+    })
+}
+
+/// Tells of progress, not too often.
+struct Clock {
+    began: Instant,
+    told: Instant,
+    share: f64,
+}
+
+impl Clock {
+    fn new() -> Self {
+        let now = Instant::now();
+        Self {
+            began: now,
+            told: now,
+            share: 0.0,
+        }
+    }
+
+    fn tell(&mut self, reporter: &Reporter, share: f64) {
+        let every = match reporter.draws() {
+            true => Duration::from_millis(100),
+            false => Duration::from_secs(5),
+        };
+        // Threads may come in another order than they counted.
+        if share <= self.share || self.told.elapsed() < every {
+            return;
+        }
+        self.told = Instant::now();
+        self.share = share;
+        let left = self.began.elapsed().as_secs_f64() * (1.0 - share) / share;
+        reporter.progress("transfer", share, Some(left));
+    }
+}
+
+/// Bytes in words.
+fn mebibytes(bytes: u64) -> String {
+    match bytes as f64 / (1u64 << 20) as f64 {
+        small if small < 1024.0 => format!("{small:.1} MiB"),
+        large => format!("{:.1} GiB", large / 1024.0),
+    }
+}

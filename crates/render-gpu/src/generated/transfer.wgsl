@@ -1,0 +1,1344 @@
+// Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
+
+struct BvhNode {
+    min: vec3<f32>,
+    count: u32,
+    max: vec3<f32>,
+    first: u32,
+}
+
+struct Triangle {
+    v0_: vec3<f32>,
+    material: u32,
+    v1_: vec3<f32>,
+    object: u32,
+    v2_: vec3<f32>,
+    ray_offset: f32,
+}
+
+struct TransferVertex {
+    origin: vec3<f32>,
+    object: u32,
+    normal: vec3<f32>,
+    number: u32,
+    inner: vec3<f32>,
+    step: f32,
+}
+
+struct TransferParams {
+    bands: u32,
+    directions: u32,
+    rows: u32,
+    seed: u32,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
+struct Ray {
+    origin: vec3<f32>,
+    direction: vec3<f32>,
+    inverse_direction: vec3<f32>,
+}
+
+struct Hit {
+    triangle: u32,
+    t: f32,
+    barycentrics: vec2<f32>,
+}
+
+struct Option_Hit {
+    is_some: bool,
+    value: Hit,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    lit_len: u32,
+    blocked_len: u32,
+    params: TransferParams,
+}
+
+@group(0) @binding(1) 
+var<storage> nodes: array<BvhNode>;
+@group(0) @binding(2) 
+var<storage> triangles: array<Triangle>;
+@group(0) @binding(3) 
+var<storage> vertices: array<TransferVertex>;
+@group(0) @binding(4) 
+var<storage, read_write> lit: array<f32>;
+@group(0) @binding(5) 
+var<storage, read_write> blocked: array<f32>;
+@group(0) @binding(6) 
+var<storage, read_write> out: array<u32>;
+@group(0) @binding(0) 
+var<storage> params_1: Params;
+
+// glimt_render_gpu/src/kernels/ray.rs:48
+fn inverse(x: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/ray.rs:49
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x) & 2147483648u))));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:34
+fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
+
+    // glimt_render_gpu/src/kernels/ray.rs:35
+    let _e5 = inverse(direction.x);
+    let _e7 = inverse(direction.y);
+    let _e9 = inverse(direction.z);
+    return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:29
+fn box_distance(node: BvhNode, ray: Ray) -> f32 {
+    var chosen: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:30
+    let to_min = ((node.min - ray.origin) * ray.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:31
+    let to_max = ((node.max - ray.origin) * ray.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:32
+    let _e16 = min(to_min, to_max);
+    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
+    let _e23 = max(to_min, to_max);
+    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:34
+    if ((far_1 >= near_1) && (far_1 >= 0f)) {
+        // glimt_render_gpu/src/kernels/bvh.rs:35
+        chosen = near_1;
+    } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:37
+        chosen = 340282350000000000000000000000000000000f;
+    }
+    let _e40 = chosen;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:51
+fn edge_functions(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:52
+    return vec3<f32>(dot(cross((b - c), (b + c)), direction_1), dot(cross((c - a), (c + a)), direction_1), dot(cross((a - b), (a + b)), direction_1));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
+    var chosen_1: f32;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    let a_1 = (triangle.v0_ - ray_1.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:66
+    let b_1 = (triangle.v1_ - ray_1.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:67
+    let c_1 = (triangle.v2_ - ray_1.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    let _e18 = edge_functions(a_1, b_1, c_1, ray_1.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:69
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:70
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    let normal = cross((c_1 - a_1), (a_1 - b_1));
+    // glimt_render_gpu/src/kernels/triangle.rs:73
+    let slope = dot(normal, ray_1.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:74
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:75
+        return 340282350000000000000000000000000000000f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let t_2 = (dot(a_1, normal) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:78
+    if ((t_2 > 0f) && (t_2 < t_max)) {
+        chosen_1 = t_2;
+    } else {
+        chosen_1 = 340282350000000000000000000000000000000f;
+    }
+    let _e59 = chosen_1;
+    return _e59;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:33
+fn Triangle_is_catcher(this_: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:34
+    return ((this_.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:145
+fn visit_leaf(leaf: BvhNode, ray_2: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
+    var nearest: u32;
+    var counter: u32;
+    var both: bool;
+    var both_1: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:153
+    nearest = best;
+    // glimt_render_gpu/src/kernels/bvh.rs:154
+    counter = leaf.first;
+    loop {
+        let i = counter;
+        if (i >= (leaf.first + leaf.count)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:155
+        let _e19 = triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_2, _e20);
+        // glimt_render_gpu/src/kernels/bvh.rs:157
+        let _e23 = (*reach);
+        let _e24 = (_e21 < _e23);
+        both = _e24;
+        if _e24 {
+            both_1 = no_catcher;
+            if no_catcher {
+                let _e29 = triangles[i];
+                let _e30 = Triangle_is_catcher(_e29);
+                both_1 = _e30;
+            }
+            let _e31 = both_1;
+            both = !(_e31);
+        }
+        let _e33 = both;
+        if _e33 {
+            // glimt_render_gpu/src/kernels/bvh.rs:158
+            (*reach) = _e21;
+            // glimt_render_gpu/src/kernels/bvh.rs:159
+            nearest = i;
+        }
+        continuing {
+            let _e36 = counter;
+            counter = (_e36 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:162
+    let _e40 = nearest;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:77
+fn traverse(ray_3: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+    var either: bool;
+    var best_1: u32;
+    var stack: array<u32, 64>;
+    var height: u32;
+    var pair: u32;
+    var near: BvhNode;
+    var far: BvhNode;
+    var t_near: f32;
+    var t_far: f32;
+    var into_near: bool;
+    var into_far: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:84
+    let _e8 = (arrayLength((&nodes)) == 0u);
+    either = _e8;
+    if _e8 {
+    } else {
+        let _e13 = nodes[0u];
+        let _e14 = box_distance(_e13, ray_3);
+        let _e15 = (*reach_1);
+        either = (_e14 >= _e15);
+    }
+    let _e17 = either;
+    if _e17 {
+        // glimt_render_gpu/src/kernels/bvh.rs:85
+        return 4294967295u;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:87
+    let root = nodes[0u];
+    // glimt_render_gpu/src/kernels/bvh.rs:88
+    if (root.count > 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:89
+        let _e31 = visit_leaf(root, ray_3, reach_1, 4294967295u, any_);
+        return _e31;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:91
+    best_1 = 4294967295u;
+    // glimt_render_gpu/src/kernels/bvh.rs:92
+    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:93
+    height = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:94
+    pair = root.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:95
+    loop {
+        // glimt_render_gpu/src/kernels/bvh.rs:96
+        let _e47 = pair;
+        let _e50 = nodes[_e47];
+        near = _e50;
+        // glimt_render_gpu/src/kernels/bvh.rs:97
+        let _e53 = pair;
+        let _e58 = nodes[(_e53 + 1u)];
+        far = _e58;
+        // glimt_render_gpu/src/kernels/bvh.rs:98
+        let _e61 = near;
+        let _e62 = box_distance(_e61, ray_3);
+        t_near = _e62;
+        // glimt_render_gpu/src/kernels/bvh.rs:99
+        let _e65 = far;
+        let _e66 = box_distance(_e65, ray_3);
+        t_far = _e66;
+        // glimt_render_gpu/src/kernels/bvh.rs:101
+        let _e69 = t_near;
+        let _e70 = t_far;
+        if (_e69 > _e70) {
+            // glimt_render_gpu/src/kernels/bvh.rs:102
+            let node_1 = near;
+            // glimt_render_gpu/src/kernels/bvh.rs:103
+            let _e75 = far;
+            near = _e75;
+            // glimt_render_gpu/src/kernels/bvh.rs:104
+            far = node_1;
+            // glimt_render_gpu/src/kernels/bvh.rs:105
+            let t_3 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:106
+            let _e80 = t_far;
+            t_near = _e80;
+            // glimt_render_gpu/src/kernels/bvh.rs:107
+            t_far = t_3;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:109
+        let _e83 = t_near;
+        let _e84 = (*reach_1);
+        into_near = (_e83 < _e84);
+        // glimt_render_gpu/src/kernels/bvh.rs:110
+        let _e88 = into_near;
+        let _e90 = near.count;
+        if (_e88 && (_e90 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:111
+            let _e95 = near;
+            let _e96 = best_1;
+            let _e97 = visit_leaf(_e95, ray_3, reach_1, _e96, any_);
+            best_1 = _e97;
+            // glimt_render_gpu/src/kernels/bvh.rs:112
+            let _e99 = best_1;
+            if (any_ && (_e99 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:113
+                let _e104 = best_1;
+                return _e104;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:115
+            into_near = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:117
+        let _e108 = t_far;
+        let _e109 = (*reach_1);
+        into_far = (_e108 < _e109);
+        // glimt_render_gpu/src/kernels/bvh.rs:118
+        let _e113 = into_far;
+        let _e115 = far.count;
+        if (_e113 && (_e115 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:119
+            let _e120 = far;
+            let _e121 = best_1;
+            let _e122 = visit_leaf(_e120, ray_3, reach_1, _e121, any_);
+            best_1 = _e122;
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let _e124 = best_1;
+            if (any_ && (_e124 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:121
+                let _e129 = best_1;
+                return _e129;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:123
+            into_far = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:125
+        let _e133 = into_near;
+        if _e133 {
+            // glimt_render_gpu/src/kernels/bvh.rs:126
+            let _e136 = near.first;
+            pair = _e136;
+            // glimt_render_gpu/src/kernels/bvh.rs:127
+            let _e138 = into_far;
+            if _e138 {
+                // glimt_render_gpu/src/kernels/bvh.rs:128
+                let _e141 = far.first;
+                let _e142 = height;
+                stack[_e142] = _e141;
+                // glimt_render_gpu/src/kernels/bvh.rs:129
+                let _e146 = height;
+                height = (_e146 + 1u);
+            }
+        } else {
+            let _e148 = into_far;
+            if _e148 {
+                // glimt_render_gpu/src/kernels/bvh.rs:132
+                let _e151 = far.first;
+                pair = _e151;
+            } else {
+                let _e152 = height;
+                if (_e152 > 0u) {
+                    // glimt_render_gpu/src/kernels/bvh.rs:134
+                    let _e157 = height;
+                    height = (_e157 - 1u);
+                    // glimt_render_gpu/src/kernels/bvh.rs:135
+                    let _e160 = height;
+                    let _e162 = stack[_e160];
+                    pair = _e162;
+                } else {
+                    // glimt_render_gpu/src/kernels/bvh.rs:137
+                    let _e164 = best_1;
+                    return _e164;
+                }
+            }
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:84
+fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:85
+    let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:91
+    let sum = ((_e14.x + _e14.y) + _e14.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:92
+    if (sum == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:94
+        return vec2((1f / 3f));
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:96
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum));
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:45
+fn closest_hit(ray_5: Ray, t_max_1: f32) -> Option_Hit {
+    var t: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:51
+    t = t_max_1;
+    // glimt_render_gpu/src/kernels/bvh.rs:52
+    let _e7 = traverse(ray_5, (&t), false);
+    // glimt_render_gpu/src/kernels/bvh.rs:53
+    if (_e7 == 4294967295u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:54
+        return Option_Hit();
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    let _e14 = t;
+    let _e17 = triangles[_e7];
+    let _e18 = barycentrics(_e17, ray_5);
+    return Option_Hit(true, Hit(_e7, _e14, _e18));
+}
+
+// glimt_render_gpu/src/kernels/transfer.rs:112
+fn meets(at: TransferVertex, origin_1: vec3<f32>, direction_2: vec3<f32>, reach_2: f32, own: bool) -> bool {
+    var from_: vec3<f32>;
+    var left: f32;
+    var counter_1: u32;
+
+    // glimt_render_gpu/src/kernels/transfer.rs:121
+    from_ = origin_1;
+    // glimt_render_gpu/src/kernels/transfer.rs:122
+    left = reach_2;
+    // glimt_render_gpu/src/kernels/transfer.rs:123
+    let step_ = (at.step / max(length(direction_2), 0.000000000000000000000000000000000000011754944f));
+    // glimt_render_gpu/src/kernels/transfer.rs:124
+    counter_1 = 0u;
+    loop {
+        let _e20 = counter_1;
+        if (_e20 >= 64u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/transfer.rs:125
+        let _e23 = from_;
+        let _e24 = Ray_new(_e23, direction_2);
+        let _e25 = left;
+        let _e26 = closest_hit(_e24, _e25);
+        if !(_e26.is_some) {
+            // glimt_render_gpu/src/kernels/transfer.rs:126
+            return false;
+        } else {
+            let hit = _e26.value;
+            // glimt_render_gpu/src/kernels/transfer.rs:127
+            // glimt_render_gpu/src/kernels/transfer.rs:128
+            let object = triangles[hit.triangle].object;
+            // glimt_render_gpu/src/kernels/transfer.rs:129
+            if (((object & 2147483648u) == 0u) && ((object == at.object) == own)) {
+                // glimt_render_gpu/src/kernels/transfer.rs:130
+                return true;
+            }
+            // glimt_render_gpu/src/kernels/transfer.rs:132
+            let _e56 = from_;
+            from_ = (_e56 + (direction_2 * (hit.t + step_)));
+            // glimt_render_gpu/src/kernels/transfer.rs:133
+            let _e61 = left;
+            left = (_e61 - (hit.t + step_));
+        }
+        continuing {
+            let _e63 = counter_1;
+            counter_1 = (_e63 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/transfer.rs:137
+    return false;
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x_1: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x_1 = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x_1;
+    let _e11 = x_1;
+    x_1 = (_e11 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e14 = x_1;
+    x_1 = (_e14 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e18 = x_1;
+    let _e22 = x_1;
+    x_1 = (_e22 ^ (_e18 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e25 = x_1;
+    x_1 = (_e25 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e29 = x_1;
+    let _e30 = x_1;
+    return (_e29 ^ (_e30 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:50
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_2: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:51
+    let _e4 = hash_u32_(v.x);
+    x_2 = ((_e4 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:54
+    let _e12 = hash_u32_(v.y);
+    y = ((_e12 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:57
+    let _e20 = hash_u32_(v.z);
+    z = ((_e20 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:60
+    let _e28 = hash_u32_(v.w);
+    w = ((_e28 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:64
+    let _e35 = x_2;
+    let _e36 = y;
+    let _e37 = w;
+    x_2 = (_e35 + (_e36 * _e37));
+    // glimt_sampling/src/hash.rs:65
+    let _e41 = y;
+    let _e42 = z;
+    let _e43 = x_2;
+    y = (_e41 + (_e42 * _e43));
+    // glimt_sampling/src/hash.rs:66
+    let _e47 = z;
+    let _e48 = x_2;
+    let _e49 = y;
+    z = (_e47 + (_e48 * _e49));
+    // glimt_sampling/src/hash.rs:67
+    let _e53 = w;
+    let _e54 = y;
+    let _e55 = z;
+    w = (_e53 + (_e54 * _e55));
+    // glimt_sampling/src/hash.rs:68
+    let _e59 = x_2;
+    let _e63 = x_2;
+    x_2 = (_e63 ^ (_e59 >> 16u));
+    // glimt_sampling/src/hash.rs:69
+    let _e66 = y;
+    let _e70 = y;
+    y = (_e70 ^ (_e66 >> 16u));
+    // glimt_sampling/src/hash.rs:70
+    let _e73 = z;
+    let _e77 = z;
+    z = (_e77 ^ (_e73 >> 16u));
+    // glimt_sampling/src/hash.rs:71
+    let _e80 = w;
+    let _e84 = w;
+    w = (_e84 ^ (_e80 >> 16u));
+    // glimt_sampling/src/hash.rs:72
+    let _e87 = x_2;
+    let _e88 = y;
+    let _e89 = w;
+    x_2 = (_e87 + (_e88 * _e89));
+    // glimt_sampling/src/hash.rs:73
+    let _e93 = y;
+    let _e94 = z;
+    let _e95 = x_2;
+    y = (_e93 + (_e94 * _e95));
+    // glimt_sampling/src/hash.rs:74
+    let _e99 = z;
+    let _e100 = x_2;
+    let _e101 = y;
+    z = (_e99 + (_e100 * _e101));
+    // glimt_sampling/src/hash.rs:75
+    let _e105 = w;
+    let _e106 = y;
+    let _e107 = z;
+    w = (_e105 + (_e106 * _e107));
+    // glimt_sampling/src/hash.rs:76
+    let _e111 = x_2;
+    let _e112 = x_2;
+    let _e117 = y;
+    let _e118 = y;
+    let _e123 = z;
+    let _e124 = z;
+    let _e129 = w;
+    let _e130 = w;
+    return vec4<u32>((_e111 ^ (_e112 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e123 ^ (_e124 >> 16u)), (_e129 ^ (_e130 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_1 = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_1 == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn Xoshiro128PlusPlus_stream(seed: u32, frame: u32, pixel: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel, frame, seed, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn Xoshiro128PlusPlus_next_u32_(this_1: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s = (*this_1).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s.x + s.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_5 = (s.z ^ s.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s.w ^ s.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_1).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_5), (z_5 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_2: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_2);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_2);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_sampling/src/uniform.rs:22
+fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+
+    // glimt_sampling/src/uniform.rs:23
+    let _e4 = unit_f32_(u_1.x);
+    let _e6 = unit_f32_(u_1.y);
+    return vec2<f32>(_e4, _e6);
+}
+
+// glimt_probe/src/trig.rs:25
+fn cos_sin_pi(x_3: f32) -> vec2<f32> {
+    var chosen_2: vec2<f32>;
+
+    // glimt_probe/src/trig.rs:27
+    let quarter = floor(((2f * x_3) + 0.5f));
+    // glimt_probe/src/trig.rs:28
+    let y_2 = (x_3 - (0.5f * quarter));
+    // glimt_probe/src/trig.rs:29
+    let y2_ = (y_2 * y_2);
+    // glimt_probe/src/trig.rs:31
+    let c_2 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
+    // glimt_probe/src/trig.rs:34
+    let s_1 = (y_2 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    // glimt_probe/src/trig.rs:37
+    let _e49 = (i32(quarter) & 3i);
+    if (_e49 == 0i) {
+        // glimt_probe/src/trig.rs:38
+        chosen_2 = vec2<f32>(c_2, (s_1 + 0f));
+    } else {
+        if (_e49 == 1i) {
+            // glimt_probe/src/trig.rs:39
+            chosen_2 = vec2<f32>((0f - s_1), c_2);
+        } else {
+            if (_e49 == 2i) {
+                // glimt_probe/src/trig.rs:40
+                chosen_2 = vec2<f32>((0f - c_2), (0f - s_1));
+            } else {
+                // glimt_probe/src/trig.rs:41
+                chosen_2 = vec2<f32>((s_1 + 0f), (0f - c_2));
+            }
+        }
+    }
+    let _e77 = chosen_2;
+    return _e77;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:65
+fn any_hit(ray_6: Ray, t_max_2: f32) -> bool {
+    var t_1: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:66
+    t_1 = t_max_2;
+    // glimt_render_gpu/src/kernels/bvh.rs:67
+    let _e7 = traverse(ray_6, (&t_1), true);
+    return (_e7 != 4294967295u);
+}
+
+// glimt_sh/src/basis.rs:105
+fn turn(p: vec2<f32>, x_4: f32, y_1: f32) -> vec2<f32> {
+
+    // glimt_sh/src/basis.rs:106
+    return vec2<f32>(((p.x * x_4) - (p.y * y_1)), ((p.x * y_1) + (p.y * x_4)));
+}
+
+// glimt_sh/src/basis.rs:52
+fn zonal_2_(z_1: f32) -> array<f32, 3> {
+
+    // glimt_sh/src/basis.rs:53
+    return array<f32, 3>((0.31539157f * (((3f * z_1) * z_1) - 1f)), (1.0925485f * z_1), 0.54627424f);
+}
+
+// glimt_sh/src/basis.rs:63
+fn zonal_3_(z_2: f32) -> array<f32, 4> {
+
+    // glimt_sh/src/basis.rs:64
+    let t_4 = (z_2 * z_2);
+    // glimt_sh/src/basis.rs:65
+    return array<f32, 4>(((0.37317634f * z_2) * ((5f * t_4) - 3f)), (0.4570458f * ((5f * t_4) - 1f)), (1.4453057f * z_2), 0.5900436f);
+}
+
+// glimt_sh/src/basis.rs:76
+fn zonal_4_(z_3: f32) -> array<f32, 5> {
+
+    // glimt_sh/src/basis.rs:77
+    let t_5 = (z_3 * z_3);
+    // glimt_sh/src/basis.rs:78
+    return array<f32, 5>((0.10578555f * ((((35f * t_5) - 30f) * t_5) + 3f)), ((0.6690465f * z_3) * ((7f * t_5) - 3f)), (0.47308734f * ((7f * t_5) - 1f)), (1.7701308f * z_3), 0.6258357f);
+}
+
+// glimt_sh/src/basis.rs:90
+fn zonal_5_(z_4: f32) -> array<f32, 6> {
+
+    // glimt_sh/src/basis.rs:91
+    let t_6 = (z_4 * z_4);
+    // glimt_sh/src/basis.rs:92
+    return array<f32, 6>(((0.116950326f * z_4) * ((((63f * t_6) - 70f) * t_6) + 15f)), (0.45294666f * ((((21f * t_6) - 14f) * t_6) + 1f)), ((2.3967683f * z_4) * ((3f * t_6) - 1f)), (0.4892383f * ((9f * t_6) - 1f)), (2.0756624f * z_4), 0.6563821f);
+}
+
+// glimt_sh/src/basis.rs:197
+fn add_basis(bands: u32, d: vec3<f32>, weight: f32, sums: ptr<function, array<f32, 36>>) {
+    var q2_: array<f32, 3>;
+    var q3_: array<f32, 4>;
+    var q4_: array<f32, 5>;
+    var q5_: array<f32, 6>;
+
+    // glimt_sh/src/basis.rs:198
+    if (bands > 0u) {
+        // glimt_sh/src/basis.rs:199
+        let _e12 = (*sums)[0];
+        (*sums)[0] = (_e12 + (weight * 0.2820948f));
+    }
+    // glimt_sh/src/basis.rs:201
+    if (bands > 1u) {
+        // glimt_sh/src/basis.rs:202
+        let p1_ = vec2<f32>(d.x, d.y);
+        // glimt_sh/src/basis.rs:203
+        let _e27 = (*sums)[1];
+        (*sums)[1] = (_e27 + (weight * (0.48860252f * p1_.y)));
+        // glimt_sh/src/basis.rs:204
+        let _e35 = (*sums)[2];
+        (*sums)[2] = (_e35 + (weight * (0.48860252f * d.z)));
+        // glimt_sh/src/basis.rs:205
+        let _e43 = (*sums)[3];
+        (*sums)[3] = (_e43 + (weight * (0.48860252f * p1_.x)));
+        // glimt_sh/src/basis.rs:206
+        if (bands > 2u) {
+            // glimt_sh/src/basis.rs:207
+            let _e51 = turn(p1_, d.x, d.y);
+            // glimt_sh/src/basis.rs:208
+            let _e54 = zonal_2_(d.z);
+            q2_ = _e54;
+            // glimt_sh/src/basis.rs:209
+            let _e58 = q2_[2];
+            let _e63 = (*sums)[4];
+            (*sums)[4] = (_e63 + (weight * (_e58 * _e51.y)));
+            // glimt_sh/src/basis.rs:210
+            let _e67 = q2_[1];
+            let _e72 = (*sums)[5];
+            (*sums)[5] = (_e72 + (weight * (_e67 * p1_.y)));
+            // glimt_sh/src/basis.rs:211
+            let _e76 = q2_[0];
+            let _e79 = (*sums)[6];
+            (*sums)[6] = (_e79 + (weight * _e76));
+            // glimt_sh/src/basis.rs:212
+            let _e83 = q2_[1];
+            let _e88 = (*sums)[7];
+            (*sums)[7] = (_e88 + (weight * (_e83 * p1_.x)));
+            // glimt_sh/src/basis.rs:213
+            let _e92 = q2_[2];
+            let _e97 = (*sums)[8];
+            (*sums)[8] = (_e97 + (weight * (_e92 * _e51.x)));
+            // glimt_sh/src/basis.rs:214
+            if (bands > 3u) {
+                // glimt_sh/src/basis.rs:215
+                let _e105 = turn(_e51, d.x, d.y);
+                // glimt_sh/src/basis.rs:216
+                let _e108 = zonal_3_(d.z);
+                q3_ = _e108;
+                // glimt_sh/src/basis.rs:217
+                let _e112 = q3_[3];
+                let _e117 = (*sums)[9];
+                (*sums)[9] = (_e117 + (weight * (_e112 * _e105.y)));
+                // glimt_sh/src/basis.rs:218
+                let _e121 = q3_[2];
+                let _e126 = (*sums)[10];
+                (*sums)[10] = (_e126 + (weight * (_e121 * _e51.y)));
+                // glimt_sh/src/basis.rs:219
+                let _e130 = q3_[1];
+                let _e135 = (*sums)[11];
+                (*sums)[11] = (_e135 + (weight * (_e130 * p1_.y)));
+                // glimt_sh/src/basis.rs:220
+                let _e139 = q3_[0];
+                let _e142 = (*sums)[12];
+                (*sums)[12] = (_e142 + (weight * _e139));
+                // glimt_sh/src/basis.rs:221
+                let _e146 = q3_[1];
+                let _e151 = (*sums)[13];
+                (*sums)[13] = (_e151 + (weight * (_e146 * p1_.x)));
+                // glimt_sh/src/basis.rs:222
+                let _e155 = q3_[2];
+                let _e160 = (*sums)[14];
+                (*sums)[14] = (_e160 + (weight * (_e155 * _e51.x)));
+                // glimt_sh/src/basis.rs:223
+                let _e164 = q3_[3];
+                let _e169 = (*sums)[15];
+                (*sums)[15] = (_e169 + (weight * (_e164 * _e105.x)));
+                // glimt_sh/src/basis.rs:224
+                if (bands > 4u) {
+                    // glimt_sh/src/basis.rs:225
+                    let _e177 = turn(_e105, d.x, d.y);
+                    // glimt_sh/src/basis.rs:226
+                    let _e180 = zonal_4_(d.z);
+                    q4_ = _e180;
+                    // glimt_sh/src/basis.rs:227
+                    let _e184 = q4_[4];
+                    let _e189 = (*sums)[16];
+                    (*sums)[16] = (_e189 + (weight * (_e184 * _e177.y)));
+                    // glimt_sh/src/basis.rs:228
+                    let _e193 = q4_[3];
+                    let _e198 = (*sums)[17];
+                    (*sums)[17] = (_e198 + (weight * (_e193 * _e105.y)));
+                    // glimt_sh/src/basis.rs:229
+                    let _e202 = q4_[2];
+                    let _e207 = (*sums)[18];
+                    (*sums)[18] = (_e207 + (weight * (_e202 * _e51.y)));
+                    // glimt_sh/src/basis.rs:230
+                    let _e211 = q4_[1];
+                    let _e216 = (*sums)[19];
+                    (*sums)[19] = (_e216 + (weight * (_e211 * p1_.y)));
+                    // glimt_sh/src/basis.rs:231
+                    let _e220 = q4_[0];
+                    let _e223 = (*sums)[20];
+                    (*sums)[20] = (_e223 + (weight * _e220));
+                    // glimt_sh/src/basis.rs:232
+                    let _e227 = q4_[1];
+                    let _e232 = (*sums)[21];
+                    (*sums)[21] = (_e232 + (weight * (_e227 * p1_.x)));
+                    // glimt_sh/src/basis.rs:233
+                    let _e236 = q4_[2];
+                    let _e241 = (*sums)[22];
+                    (*sums)[22] = (_e241 + (weight * (_e236 * _e51.x)));
+                    // glimt_sh/src/basis.rs:234
+                    let _e245 = q4_[3];
+                    let _e250 = (*sums)[23];
+                    (*sums)[23] = (_e250 + (weight * (_e245 * _e105.x)));
+                    // glimt_sh/src/basis.rs:235
+                    let _e254 = q4_[4];
+                    let _e259 = (*sums)[24];
+                    (*sums)[24] = (_e259 + (weight * (_e254 * _e177.x)));
+                    // glimt_sh/src/basis.rs:236
+                    if (bands > 5u) {
+                        // glimt_sh/src/basis.rs:237
+                        let _e267 = turn(_e177, d.x, d.y);
+                        // glimt_sh/src/basis.rs:238
+                        let _e270 = zonal_5_(d.z);
+                        q5_ = _e270;
+                        // glimt_sh/src/basis.rs:239
+                        let _e274 = q5_[5];
+                        let _e279 = (*sums)[25];
+                        (*sums)[25] = (_e279 + (weight * (_e274 * _e267.y)));
+                        // glimt_sh/src/basis.rs:240
+                        let _e283 = q5_[4];
+                        let _e288 = (*sums)[26];
+                        (*sums)[26] = (_e288 + (weight * (_e283 * _e177.y)));
+                        // glimt_sh/src/basis.rs:241
+                        let _e292 = q5_[3];
+                        let _e297 = (*sums)[27];
+                        (*sums)[27] = (_e297 + (weight * (_e292 * _e105.y)));
+                        // glimt_sh/src/basis.rs:242
+                        let _e301 = q5_[2];
+                        let _e306 = (*sums)[28];
+                        (*sums)[28] = (_e306 + (weight * (_e301 * _e51.y)));
+                        // glimt_sh/src/basis.rs:243
+                        let _e310 = q5_[1];
+                        let _e315 = (*sums)[29];
+                        (*sums)[29] = (_e315 + (weight * (_e310 * p1_.y)));
+                        // glimt_sh/src/basis.rs:244
+                        let _e319 = q5_[0];
+                        let _e322 = (*sums)[30];
+                        (*sums)[30] = (_e322 + (weight * _e319));
+                        // glimt_sh/src/basis.rs:245
+                        let _e326 = q5_[1];
+                        let _e331 = (*sums)[31];
+                        (*sums)[31] = (_e331 + (weight * (_e326 * p1_.x)));
+                        // glimt_sh/src/basis.rs:246
+                        let _e335 = q5_[2];
+                        let _e340 = (*sums)[32];
+                        (*sums)[32] = (_e340 + (weight * (_e335 * _e51.x)));
+                        // glimt_sh/src/basis.rs:247
+                        let _e344 = q5_[3];
+                        let _e349 = (*sums)[33];
+                        (*sums)[33] = (_e349 + (weight * (_e344 * _e105.x)));
+                        // glimt_sh/src/basis.rs:248
+                        let _e353 = q5_[4];
+                        let _e358 = (*sums)[34];
+                        (*sums)[34] = (_e358 + (weight * (_e353 * _e177.x)));
+                        // glimt_sh/src/basis.rs:249
+                        let _e362 = q5_[5];
+                        let _e367 = (*sums)[35];
+                        (*sums)[35] = (_e367 + (weight * (_e362 * _e267.x)));
+                    }
+                }
+            }
+        }
+    }
+    return;
+}
+
+// glimt_render_gpu/src/kernels/transfer.rs:141
+fn store(bands_1: u32, scale: f32, sums_1: array<f32, 36>, out_start: u32, out_len: u32) {
+    var sums_2: array<f32, 36>;
+
+    sums_2 = sums_1;
+    // glimt_render_gpu/src/kernels/transfer.rs:142
+    let _e9 = sums_2[0];
+    lit[(out_start + 0u)] = (scale * _e9);
+    // glimt_render_gpu/src/kernels/transfer.rs:143
+    if (bands_1 > 1u) {
+        // glimt_render_gpu/src/kernels/transfer.rs:144
+        let _e20 = sums_2[1];
+        lit[(out_start + 1u)] = (scale * _e20);
+        // glimt_render_gpu/src/kernels/transfer.rs:145
+        let _e28 = sums_2[2];
+        lit[(out_start + 2u)] = (scale * _e28);
+        // glimt_render_gpu/src/kernels/transfer.rs:146
+        let _e36 = sums_2[3];
+        lit[(out_start + 3u)] = (scale * _e36);
+        // glimt_render_gpu/src/kernels/transfer.rs:147
+        if (bands_1 > 2u) {
+            // glimt_render_gpu/src/kernels/transfer.rs:148
+            let _e47 = sums_2[4];
+            lit[(out_start + 4u)] = (scale * _e47);
+            // glimt_render_gpu/src/kernels/transfer.rs:149
+            let _e55 = sums_2[5];
+            lit[(out_start + 5u)] = (scale * _e55);
+            // glimt_render_gpu/src/kernels/transfer.rs:150
+            let _e63 = sums_2[6];
+            lit[(out_start + 6u)] = (scale * _e63);
+            // glimt_render_gpu/src/kernels/transfer.rs:151
+            let _e71 = sums_2[7];
+            lit[(out_start + 7u)] = (scale * _e71);
+            // glimt_render_gpu/src/kernels/transfer.rs:152
+            let _e79 = sums_2[8];
+            lit[(out_start + 8u)] = (scale * _e79);
+            // glimt_render_gpu/src/kernels/transfer.rs:153
+            if (bands_1 > 3u) {
+                // glimt_render_gpu/src/kernels/transfer.rs:154
+                let _e90 = sums_2[9];
+                lit[(out_start + 9u)] = (scale * _e90);
+                // glimt_render_gpu/src/kernels/transfer.rs:155
+                let _e98 = sums_2[10];
+                lit[(out_start + 10u)] = (scale * _e98);
+                // glimt_render_gpu/src/kernels/transfer.rs:156
+                let _e106 = sums_2[11];
+                lit[(out_start + 11u)] = (scale * _e106);
+                // glimt_render_gpu/src/kernels/transfer.rs:157
+                let _e114 = sums_2[12];
+                lit[(out_start + 12u)] = (scale * _e114);
+                // glimt_render_gpu/src/kernels/transfer.rs:158
+                let _e122 = sums_2[13];
+                lit[(out_start + 13u)] = (scale * _e122);
+                // glimt_render_gpu/src/kernels/transfer.rs:159
+                let _e130 = sums_2[14];
+                lit[(out_start + 14u)] = (scale * _e130);
+                // glimt_render_gpu/src/kernels/transfer.rs:160
+                let _e138 = sums_2[15];
+                lit[(out_start + 15u)] = (scale * _e138);
+                // glimt_render_gpu/src/kernels/transfer.rs:161
+                if (bands_1 > 4u) {
+                    // glimt_render_gpu/src/kernels/transfer.rs:162
+                    let _e149 = sums_2[16];
+                    lit[(out_start + 16u)] = (scale * _e149);
+                    // glimt_render_gpu/src/kernels/transfer.rs:163
+                    let _e157 = sums_2[17];
+                    lit[(out_start + 17u)] = (scale * _e157);
+                    // glimt_render_gpu/src/kernels/transfer.rs:164
+                    let _e165 = sums_2[18];
+                    lit[(out_start + 18u)] = (scale * _e165);
+                    // glimt_render_gpu/src/kernels/transfer.rs:165
+                    let _e173 = sums_2[19];
+                    lit[(out_start + 19u)] = (scale * _e173);
+                    // glimt_render_gpu/src/kernels/transfer.rs:166
+                    let _e181 = sums_2[20];
+                    lit[(out_start + 20u)] = (scale * _e181);
+                    // glimt_render_gpu/src/kernels/transfer.rs:167
+                    let _e189 = sums_2[21];
+                    lit[(out_start + 21u)] = (scale * _e189);
+                    // glimt_render_gpu/src/kernels/transfer.rs:168
+                    let _e197 = sums_2[22];
+                    lit[(out_start + 22u)] = (scale * _e197);
+                    // glimt_render_gpu/src/kernels/transfer.rs:169
+                    let _e205 = sums_2[23];
+                    lit[(out_start + 23u)] = (scale * _e205);
+                    // glimt_render_gpu/src/kernels/transfer.rs:170
+                    let _e213 = sums_2[24];
+                    lit[(out_start + 24u)] = (scale * _e213);
+                    // glimt_render_gpu/src/kernels/transfer.rs:171
+                    if (bands_1 > 5u) {
+                        // glimt_render_gpu/src/kernels/transfer.rs:172
+                        let _e224 = sums_2[25];
+                        lit[(out_start + 25u)] = (scale * _e224);
+                        // glimt_render_gpu/src/kernels/transfer.rs:173
+                        let _e232 = sums_2[26];
+                        lit[(out_start + 26u)] = (scale * _e232);
+                        // glimt_render_gpu/src/kernels/transfer.rs:174
+                        let _e240 = sums_2[27];
+                        lit[(out_start + 27u)] = (scale * _e240);
+                        // glimt_render_gpu/src/kernels/transfer.rs:175
+                        let _e248 = sums_2[28];
+                        lit[(out_start + 28u)] = (scale * _e248);
+                        // glimt_render_gpu/src/kernels/transfer.rs:176
+                        let _e256 = sums_2[29];
+                        lit[(out_start + 29u)] = (scale * _e256);
+                        // glimt_render_gpu/src/kernels/transfer.rs:177
+                        let _e264 = sums_2[30];
+                        lit[(out_start + 30u)] = (scale * _e264);
+                        // glimt_render_gpu/src/kernels/transfer.rs:178
+                        let _e272 = sums_2[31];
+                        lit[(out_start + 31u)] = (scale * _e272);
+                        // glimt_render_gpu/src/kernels/transfer.rs:179
+                        let _e280 = sums_2[32];
+                        lit[(out_start + 32u)] = (scale * _e280);
+                        // glimt_render_gpu/src/kernels/transfer.rs:180
+                        let _e288 = sums_2[33];
+                        lit[(out_start + 33u)] = (scale * _e288);
+                        // glimt_render_gpu/src/kernels/transfer.rs:181
+                        let _e296 = sums_2[34];
+                        lit[(out_start + 34u)] = (scale * _e296);
+                        // glimt_render_gpu/src/kernels/transfer.rs:182
+                        let _e304 = sums_2[35];
+                        lit[(out_start + 35u)] = (scale * _e304);
+                    }
+                }
+            }
+        }
+    }
+    return;
+}
+
+// glimt_render_gpu/src/kernels/transfer.rs:141
+fn store_1(bands_2: u32, scale_1: f32, sums_3: array<f32, 36>, out_start_1: u32, out_len_1: u32) {
+    var sums_4: array<f32, 36>;
+
+    sums_4 = sums_3;
+    // glimt_render_gpu/src/kernels/transfer.rs:142
+    let _e9 = sums_4[0];
+    blocked[(out_start_1 + 0u)] = (scale_1 * _e9);
+    // glimt_render_gpu/src/kernels/transfer.rs:143
+    if (bands_2 > 1u) {
+        // glimt_render_gpu/src/kernels/transfer.rs:144
+        let _e20 = sums_4[1];
+        blocked[(out_start_1 + 1u)] = (scale_1 * _e20);
+        // glimt_render_gpu/src/kernels/transfer.rs:145
+        let _e28 = sums_4[2];
+        blocked[(out_start_1 + 2u)] = (scale_1 * _e28);
+        // glimt_render_gpu/src/kernels/transfer.rs:146
+        let _e36 = sums_4[3];
+        blocked[(out_start_1 + 3u)] = (scale_1 * _e36);
+        // glimt_render_gpu/src/kernels/transfer.rs:147
+        if (bands_2 > 2u) {
+            // glimt_render_gpu/src/kernels/transfer.rs:148
+            let _e47 = sums_4[4];
+            blocked[(out_start_1 + 4u)] = (scale_1 * _e47);
+            // glimt_render_gpu/src/kernels/transfer.rs:149
+            let _e55 = sums_4[5];
+            blocked[(out_start_1 + 5u)] = (scale_1 * _e55);
+            // glimt_render_gpu/src/kernels/transfer.rs:150
+            let _e63 = sums_4[6];
+            blocked[(out_start_1 + 6u)] = (scale_1 * _e63);
+            // glimt_render_gpu/src/kernels/transfer.rs:151
+            let _e71 = sums_4[7];
+            blocked[(out_start_1 + 7u)] = (scale_1 * _e71);
+            // glimt_render_gpu/src/kernels/transfer.rs:152
+            let _e79 = sums_4[8];
+            blocked[(out_start_1 + 8u)] = (scale_1 * _e79);
+            // glimt_render_gpu/src/kernels/transfer.rs:153
+            if (bands_2 > 3u) {
+                // glimt_render_gpu/src/kernels/transfer.rs:154
+                let _e90 = sums_4[9];
+                blocked[(out_start_1 + 9u)] = (scale_1 * _e90);
+                // glimt_render_gpu/src/kernels/transfer.rs:155
+                let _e98 = sums_4[10];
+                blocked[(out_start_1 + 10u)] = (scale_1 * _e98);
+                // glimt_render_gpu/src/kernels/transfer.rs:156
+                let _e106 = sums_4[11];
+                blocked[(out_start_1 + 11u)] = (scale_1 * _e106);
+                // glimt_render_gpu/src/kernels/transfer.rs:157
+                let _e114 = sums_4[12];
+                blocked[(out_start_1 + 12u)] = (scale_1 * _e114);
+                // glimt_render_gpu/src/kernels/transfer.rs:158
+                let _e122 = sums_4[13];
+                blocked[(out_start_1 + 13u)] = (scale_1 * _e122);
+                // glimt_render_gpu/src/kernels/transfer.rs:159
+                let _e130 = sums_4[14];
+                blocked[(out_start_1 + 14u)] = (scale_1 * _e130);
+                // glimt_render_gpu/src/kernels/transfer.rs:160
+                let _e138 = sums_4[15];
+                blocked[(out_start_1 + 15u)] = (scale_1 * _e138);
+                // glimt_render_gpu/src/kernels/transfer.rs:161
+                if (bands_2 > 4u) {
+                    // glimt_render_gpu/src/kernels/transfer.rs:162
+                    let _e149 = sums_4[16];
+                    blocked[(out_start_1 + 16u)] = (scale_1 * _e149);
+                    // glimt_render_gpu/src/kernels/transfer.rs:163
+                    let _e157 = sums_4[17];
+                    blocked[(out_start_1 + 17u)] = (scale_1 * _e157);
+                    // glimt_render_gpu/src/kernels/transfer.rs:164
+                    let _e165 = sums_4[18];
+                    blocked[(out_start_1 + 18u)] = (scale_1 * _e165);
+                    // glimt_render_gpu/src/kernels/transfer.rs:165
+                    let _e173 = sums_4[19];
+                    blocked[(out_start_1 + 19u)] = (scale_1 * _e173);
+                    // glimt_render_gpu/src/kernels/transfer.rs:166
+                    let _e181 = sums_4[20];
+                    blocked[(out_start_1 + 20u)] = (scale_1 * _e181);
+                    // glimt_render_gpu/src/kernels/transfer.rs:167
+                    let _e189 = sums_4[21];
+                    blocked[(out_start_1 + 21u)] = (scale_1 * _e189);
+                    // glimt_render_gpu/src/kernels/transfer.rs:168
+                    let _e197 = sums_4[22];
+                    blocked[(out_start_1 + 22u)] = (scale_1 * _e197);
+                    // glimt_render_gpu/src/kernels/transfer.rs:169
+                    let _e205 = sums_4[23];
+                    blocked[(out_start_1 + 23u)] = (scale_1 * _e205);
+                    // glimt_render_gpu/src/kernels/transfer.rs:170
+                    let _e213 = sums_4[24];
+                    blocked[(out_start_1 + 24u)] = (scale_1 * _e213);
+                    // glimt_render_gpu/src/kernels/transfer.rs:171
+                    if (bands_2 > 5u) {
+                        // glimt_render_gpu/src/kernels/transfer.rs:172
+                        let _e224 = sums_4[25];
+                        blocked[(out_start_1 + 25u)] = (scale_1 * _e224);
+                        // glimt_render_gpu/src/kernels/transfer.rs:173
+                        let _e232 = sums_4[26];
+                        blocked[(out_start_1 + 26u)] = (scale_1 * _e232);
+                        // glimt_render_gpu/src/kernels/transfer.rs:174
+                        let _e240 = sums_4[27];
+                        blocked[(out_start_1 + 27u)] = (scale_1 * _e240);
+                        // glimt_render_gpu/src/kernels/transfer.rs:175
+                        let _e248 = sums_4[28];
+                        blocked[(out_start_1 + 28u)] = (scale_1 * _e248);
+                        // glimt_render_gpu/src/kernels/transfer.rs:176
+                        let _e256 = sums_4[29];
+                        blocked[(out_start_1 + 29u)] = (scale_1 * _e256);
+                        // glimt_render_gpu/src/kernels/transfer.rs:177
+                        let _e264 = sums_4[30];
+                        blocked[(out_start_1 + 30u)] = (scale_1 * _e264);
+                        // glimt_render_gpu/src/kernels/transfer.rs:178
+                        let _e272 = sums_4[31];
+                        blocked[(out_start_1 + 31u)] = (scale_1 * _e272);
+                        // glimt_render_gpu/src/kernels/transfer.rs:179
+                        let _e280 = sums_4[32];
+                        blocked[(out_start_1 + 32u)] = (scale_1 * _e280);
+                        // glimt_render_gpu/src/kernels/transfer.rs:180
+                        let _e288 = sums_4[33];
+                        blocked[(out_start_1 + 33u)] = (scale_1 * _e288);
+                        // glimt_render_gpu/src/kernels/transfer.rs:181
+                        let _e296 = sums_4[34];
+                        blocked[(out_start_1 + 34u)] = (scale_1 * _e296);
+                        // glimt_render_gpu/src/kernels/transfer.rs:182
+                        let _e304 = sums_4[35];
+                        blocked[(out_start_1 + 35u)] = (scale_1 * _e304);
+                    }
+                }
+            }
+        }
+    }
+    return;
+}
+
+// glimt_render_gpu/src/kernels/transfer.rs:59
+fn transfer_1(vertex: u32, params: TransferParams, lit_start: u32, lit_len: u32, blocked_start: u32, blocked_len: u32) -> u32 {
+    var arrives: array<f32, 36>;
+    var kept_away: array<f32, 36>;
+    var rays: u32;
+    var source: Xoshiro128PlusPlus;
+    var counter_2: u32;
+    var counter_3: u32;
+    var chosen_3: bool;
+    var either_1: bool;
+
+    // glimt_render_gpu/src/kernels/transfer.rs:68
+    let at_1 = vertices[vertex];
+    // glimt_render_gpu/src/kernels/transfer.rs:69
+    let _e14 = Tuple_u32_u32_(params.directions, params.bands);
+    let n_1 = _e14.fa;
+    let bands_3 = _e14.fb;
+    // glimt_render_gpu/src/kernels/transfer.rs:70
+    arrives = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/transfer.rs:71
+    kept_away = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/transfer.rs:72
+    rays = 0u;
+    // glimt_render_gpu/src/kernels/transfer.rs:74
+    let _e35 = meets(at_1, at_1.inner, (at_1.origin - at_1.inner), 1f, false);
+    // glimt_render_gpu/src/kernels/transfer.rs:75
+    let _e40 = Xoshiro128PlusPlus_stream(params.seed, 1953653102u, at_1.number);
+    source = _e40;
+    // glimt_render_gpu/src/kernels/transfer.rs:76
+    counter_2 = 0u;
+    loop {
+        let row = counter_2;
+        if (row >= params.rows) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/transfer.rs:78
+        let first = ((row * n_1) / params.rows);
+        // glimt_render_gpu/src/kernels/transfer.rs:79
+        let columns = ((((row + 1u) * n_1) / params.rows) - first);
+        // glimt_render_gpu/src/kernels/transfer.rs:80
+        counter_3 = 0u;
+        loop {
+            let column = counter_3;
+            if (column >= columns) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/transfer.rs:81
+            let _e65 = Xoshiro128PlusPlus_next_uvec2_((&source));
+            let _e66 = unit_vec2_(_e65);
+            // glimt_render_gpu/src/kernels/transfer.rs:82
+            let down = ((f32(first) + (_e66.x * f32(columns))) / f32(n_1));
+            // glimt_render_gpu/src/kernels/transfer.rs:83
+            let z_6 = (1f - (2f * down));
+            // glimt_render_gpu/src/kernels/transfer.rs:84
+            let radius = (2f * sqrt((down * (1f - down))));
+            // glimt_render_gpu/src/kernels/transfer.rs:85
+            let _e97 = cos_sin_pi((((f32(column) + _e66.y) * (2f / f32(columns))) - 1f));
+            let around = (_e97 * radius);
+            // glimt_render_gpu/src/kernels/transfer.rs:86
+            let direction_3 = vec3<f32>(around.x, around.y, z_6);
+            // glimt_render_gpu/src/kernels/transfer.rs:87
+            let cosine = dot(at_1.normal, direction_3);
+            // glimt_render_gpu/src/kernels/transfer.rs:88
+            if (cosine > 0f) {
+                // glimt_render_gpu/src/kernels/transfer.rs:89
+                let _e111 = rays;
+                rays = (_e111 + 1u);
+                // glimt_render_gpu/src/kernels/transfer.rs:90
+                if _e35 {
+                    // glimt_render_gpu/src/kernels/transfer.rs:91
+                    let _e119 = meets(at_1, at_1.inner, direction_3, 340282350000000000000000000000000000000f, false);
+                    either_1 = _e119;
+                    if _e119 {
+                    } else {
+                        let _e124 = meets(at_1, at_1.origin, direction_3, 340282350000000000000000000000000000000f, true);
+                        either_1 = _e124;
+                    }
+                    let _e125 = either_1;
+                    chosen_3 = _e125;
+                } else {
+                    // glimt_render_gpu/src/kernels/transfer.rs:94
+                    let _e128 = Ray_new(at_1.origin, direction_3);
+                    let _e130 = any_hit(_e128, 340282350000000000000000000000000000000f);
+                    chosen_3 = _e130;
+                }
+                let is_blocked = chosen_3;
+                // glimt_render_gpu/src/kernels/transfer.rs:96
+                if is_blocked {
+                    // glimt_render_gpu/src/kernels/transfer.rs:97
+                    add_basis(bands_3, direction_3, cosine, (&kept_away));
+                } else {
+                    // glimt_render_gpu/src/kernels/transfer.rs:99
+                    add_basis(bands_3, direction_3, cosine, (&arrives));
+                }
+            }
+            continuing {
+                let _e135 = counter_3;
+                counter_3 = (_e135 + 1u);
+            }
+        }
+        continuing {
+            let _e138 = counter_2;
+            counter_2 = (_e138 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/transfer.rs:104
+    let scale_2 = ((4f * 3.1415927f) / f32(n_1));
+    // glimt_render_gpu/src/kernels/transfer.rs:105
+    let _e148 = arrives;
+    store(bands_3, scale_2, _e148, lit_start, lit_len);
+    // glimt_render_gpu/src/kernels/transfer.rs:106
+    let _e150 = kept_away;
+    store_1(bands_3, scale_2, _e150, blocked_start, blocked_len);
+    // glimt_render_gpu/src/kernels/transfer.rs:107
+    let _e152 = rays;
+    return _e152;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn transfer(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params_1.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params_1.first;
+    let _e17 = params_1.params;
+    let _e19 = params_1.lit_len;
+    let _e22 = params_1.blocked_len;
+    let _e24 = transfer_1((_e14 + local), _e17, (local * _e19), _e19, (local * _e22), _e22);
+    out[local] = _e24;
+}

@@ -1,0 +1,67 @@
+//! Host file: transfer at all vertices of a scene by wgpu.
+
+use super::device::GpuContext;
+use super::launch::Arg;
+use super::upload::GpuScene;
+use crate::generated::TRANSFER;
+use crate::host::bake::{BLOCK, BakeError, BakeSettings, Baked, for_kernels, room};
+use crate::host::scene_build::SceneBuffers;
+use crate::kernels::transfer::TransferVertex;
+
+/// Vertices in the first dispatch: each has thousands of rays, and a GPU's pace is not known before.
+const FIRST: usize = 64;
+
+/// As [`bake`](crate::host::bake::bake), on the GPU: a block of vertices at a time, so that buffers stay small.
+///
+/// # Errors
+/// A [`BakeError`].
+pub fn bake(
+    context: &GpuContext,
+    scene: &SceneBuffers,
+    settings: &BakeSettings,
+    progress: &dyn Fn(f32),
+) -> Result<Baked, BakeError> {
+    settings.check()?;
+    let total: usize = scene.vertex_counts().iter().sum();
+    let mut made = room(total, settings.bands)?;
+    let vertices = scene.vertices()?;
+    let params = settings.params();
+    let count = made.coefficients();
+    let block = BLOCK.min(total.max(1));
+    let uploaded = GpuScene::new(context, scene)?;
+    let known = context.buffer("vertices", (block * size_of::<TransferVertex>()) as u64)?;
+    let list_bytes = (block * count * size_of::<f32>()) as u64;
+    let lit = context.buffer("lit", list_bytes)?;
+    let blocked = context.buffer("blocked", list_bytes)?;
+    let traced = context.buffer("rays", (block * size_of::<u32>()) as u64)?;
+    context.forget_pace(&TRANSFER)?;
+
+    let mut rays = 0;
+    let mut first = 0;
+    while first < total {
+        let length = if first == 0 { FIRST } else { block };
+        let own = &vertices[first..(first + length).min(total)];
+        context.write(&known, &for_kernels(own, first))?;
+        let chunk = count as u32;
+        let mut args = vec![
+            ("params", Arg::Value(bytemuck::bytes_of(&params))),
+            ("vertices", Arg::Buffer(&known)),
+            ("lit", Arg::Chunk(&lit, chunk)),
+            ("blocked", Arg::Chunk(&blocked, chunk)),
+            ("out", Arg::Buffer(&traced)),
+        ];
+        args.extend(uploaded.tree_args());
+        let tell = |done: u32| progress((first + done as usize) as f32 / total as f32);
+        context.launch_telling(&TRANSFER, &args, 0, own.len() as u32, &tell)?;
+        let part = first * count..(first + own.len()) * count;
+        made.lit[part.clone()].copy_from_slice(&context.read::<f32>(&lit, part.len())?);
+        made.blocked[part.clone()].copy_from_slice(&context.read::<f32>(&blocked, part.len())?);
+        let own_rays: Vec<u32> = context.read(&traced, own.len())?;
+        rays += own_rays.into_iter().map(u64::from).sum::<u64>();
+        first += own.len();
+    }
+    Ok(Baked {
+        transfer: made,
+        rays,
+    })
+}

@@ -1,0 +1,211 @@
+//! Shared file: precomputed radiance transfer of one vertex (Hajisharif 2012, Eqs. 3 and 8).
+
+use core::f32::consts::PI;
+
+use glam::Vec3;
+use glimt_probe::trig::cos_sin_pi;
+use glimt_sampling::uniform::{UniformSource, unit_vec2};
+use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
+use glimt_sh::basis::add_basis;
+
+use super::bvh::{BvhNode, any_hit, closest_hit};
+use super::ray::Ray;
+use super::triangle::{CATCHER, Triangle};
+
+/// Marks the streams of transfer: those of pixels have the frame's number in this place.
+const STREAM: u32 = 0x7472_616e;
+
+/// How many surfaces a ray passes at most that looks for those of one object.
+const MOST_PASSED: u32 = 64;
+
+/// What is the same for all vertices. 16 bytes.
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct TransferParams {
+    /// Bands n, 1 to 6.
+    pub bands: u32,
+    /// Directions N of the whole sphere, 1 to 2²⁰.
+    pub directions: u32,
+    /// Rows of strata, at most √N.
+    pub rows: u32,
+    /// Seed of the directions.
+    pub seed: u32,
+}
+
+/// A vertex, as rays leave it. 48 bytes.
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct TransferVertex {
+    /// Where rays start: a little above the surface, and a little to its middle where it ends.
+    pub origin: Vec3,
+    /// Index of the object that it belongs to.
+    pub object: u32,
+    /// Its unit normal; zero where it has none.
+    pub normal: Vec3,
+    /// Its number, which keys its stream.
+    pub number: u32,
+    /// A point beneath the surface: what crosses the way from there to `origin`, and is another object's, touches the surface.
+    pub inner: Vec3,
+    /// How far beyond a surface a ray goes on that passes it.
+    pub step: f32,
+}
+
+/// Transfer of the vertex `vertex`, `(4π/N) Σ T(ω) y_lm(ω)` with `T = V ⟨n·ω⟩` over N directions (Eqs. 3 and 8), in world
+/// coordinates: `lit` by V, `blocked` by 1 − V in its place, n² coefficients each. Returns how many rays were traced.
+///
+/// Both come from the same directions, so where nothing is blocked `blocked` is exactly 0, and where everything is, `lit`. A
+/// vertex without a normal has zeros. Catchers block no light.
+#[must_use]
+pub fn transfer(
+    vertex: u32,
+    params: &TransferParams,
+    nodes: &[BvhNode],
+    triangles: &[Triangle],
+    vertices: &[TransferVertex],
+    lit: &mut [f32],
+    blocked: &mut [f32],
+) -> u32 {
+    let at = vertices[vertex as usize];
+    let (n, bands) = (params.directions, params.bands);
+    let mut arrives = [0.0_f32; 36];
+    let mut kept_away = [0.0_f32; 36];
+    let mut rays = 0;
+    // Where another object lies on the surface, no point is above the one and before the other.
+    let touched = meets(
+        nodes,
+        triangles,
+        &at,
+        at.inner,
+        at.origin - at.inner,
+        1.0,
+        false,
+    );
+    let mut source = Xoshiro128PlusPlus::stream(params.seed, STREAM, at.number);
+    for row in 0..params.rows {
+        // Strata of equal areas: as many columns as make N, and as high as they are many.
+        let first = row * n / params.rows;
+        let columns = (row + 1) * n / params.rows - first;
+        for column in 0..columns {
+            let u = unit_vec2(source.next_uvec2());
+            let down = (first as f32 + u.x * columns as f32) / n as f32;
+            let z = 1.0 - 2.0 * down;
+            let radius = 2.0 * libm::sqrtf(down * (1.0 - down));
+            let around = cos_sin_pi((column as f32 + u.y) * (2.0 / columns as f32) - 1.0) * radius;
+            let direction = Vec3::new(around.x, around.y, z);
+            let cosine = at.normal.dot(direction);
+            if cosine > 0.0 {
+                rays += 1;
+                let is_blocked = if touched {
+                    meets(nodes, triangles, &at, at.inner, direction, f32::MAX, false)
+                        || meets(nodes, triangles, &at, at.origin, direction, f32::MAX, true)
+                } else {
+                    any_hit(nodes, triangles, &Ray::new(at.origin, direction), f32::MAX)
+                };
+                if is_blocked {
+                    add_basis(bands, direction, cosine, &mut kept_away);
+                } else {
+                    add_basis(bands, direction, cosine, &mut arrives);
+                }
+            }
+        }
+    }
+    let scale = 4.0 * PI / n as f32;
+    store(bands, scale, &arrives, lit);
+    store(bands, scale, &kept_away, blocked);
+    rays
+}
+
+/// Whether a ray meets a surface within `reach` that is no catcher, and is of the vertex's own object where `own` is set, of
+/// another where not.
+fn meets(
+    nodes: &[BvhNode],
+    triangles: &[Triangle],
+    at: &TransferVertex,
+    origin: Vec3,
+    direction: Vec3,
+    reach: f32,
+    own: bool,
+) -> bool {
+    let mut from = origin;
+    let mut left = reach;
+    let step = at.step / direction.length().max(f32::MIN_POSITIVE);
+    for _ in 0..MOST_PASSED {
+        match closest_hit(nodes, triangles, &Ray::new(from, direction), left) {
+            None => return false,
+            Some(hit) => {
+                let object = triangles[hit.triangle as usize].object;
+                if object & CATCHER == 0 && (object == at.object) == own {
+                    return true;
+                }
+                from += direction * (hit.t + step);
+                left -= hit.t + step;
+            }
+        }
+    }
+    false
+}
+
+/// `out[k] = scale · sums[k]` for the coefficients of `bands` bands. Written out, as in [`add_basis`].
+fn store(bands: u32, scale: f32, sums: &[f32; 36], out: &mut [f32]) {
+    out[0] = scale * sums[0];
+    if bands > 1 {
+        out[1] = scale * sums[1];
+        out[2] = scale * sums[2];
+        out[3] = scale * sums[3];
+        if bands > 2 {
+            out[4] = scale * sums[4];
+            out[5] = scale * sums[5];
+            out[6] = scale * sums[6];
+            out[7] = scale * sums[7];
+            out[8] = scale * sums[8];
+            if bands > 3 {
+                out[9] = scale * sums[9];
+                out[10] = scale * sums[10];
+                out[11] = scale * sums[11];
+                out[12] = scale * sums[12];
+                out[13] = scale * sums[13];
+                out[14] = scale * sums[14];
+                out[15] = scale * sums[15];
+                if bands > 4 {
+                    out[16] = scale * sums[16];
+                    out[17] = scale * sums[17];
+                    out[18] = scale * sums[18];
+                    out[19] = scale * sums[19];
+                    out[20] = scale * sums[20];
+                    out[21] = scale * sums[21];
+                    out[22] = scale * sums[22];
+                    out[23] = scale * sums[23];
+                    out[24] = scale * sums[24];
+                    if bands > 5 {
+                        out[25] = scale * sums[25];
+                        out[26] = scale * sums[26];
+                        out[27] = scale * sums[27];
+                        out[28] = scale * sums[28];
+                        out[29] = scale * sums[29];
+                        out[30] = scale * sums[30];
+                        out[31] = scale * sums[31];
+                        out[32] = scale * sums[32];
+                        out[33] = scale * sums[33];
+                        out[34] = scale * sums[34];
+                        out[35] = scale * sums[35];
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn layout_is_that_of_wgsl() {
+        assert_eq!(core::mem::size_of::<TransferParams>(), 16);
+        assert_eq!(core::mem::size_of::<TransferVertex>(), 48);
+        assert_eq!(core::mem::offset_of!(TransferVertex, object), 12);
+        assert_eq!(core::mem::offset_of!(TransferVertex, normal), 16);
+        assert_eq!(core::mem::offset_of!(TransferVertex, inner), 32);
+        assert_eq!(core::mem::offset_of!(TransferVertex, step), 44);
+    }
+}
