@@ -25,14 +25,8 @@ pub struct LightSh {
     levels: Vec<Vec<Vec4>>,
     /// The factors of φ of so many columns, for so many bands.
     ring: (u32, u32, Vec<f32>),
-    history: History,
-}
-
-/// What the filter over time goes on from.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct History {
     /// Bands of the frame before, and its filtered coefficients.
-    previous: Option<(u32, [Vec4; 36])>,
+    previous: Option<(u32, [Vec4; MAX_COEFFICIENTS])>,
 }
 
 /// How the sums of a frame become its coefficients; without the frame before if that had another number of bands, given in
@@ -88,14 +82,13 @@ impl LightSh {
         let sums = self
             .sums(&map, bands, settings.level)
             .map_err(|_| SettingsError::Prt)?;
-        let before = self.history.previous.as_ref().map(|(bands, _)| *bands);
+        let (before, previous) = match self.previous {
+            Some((bands, coefficients)) => (Some(bands), coefficients),
+            None => (None, [Vec4::ZERO; MAX_COEFFICIENTS]),
+        };
         let light = light_params(settings, map.rotation, bands, before);
-        let previous = self
-            .history
-            .previous
-            .map_or([Vec4::ZERO; 36], |(_, coefficients)| coefficients);
         let now = std::array::from_fn(|k| light_coefficient(k as u32, &light, &sums, &previous));
-        self.history.previous = Some((bands, now));
+        self.previous = Some((bands, now));
         Ok(now)
     }
 
