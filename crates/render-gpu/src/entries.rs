@@ -64,6 +64,7 @@ pub const ENTRIES: &[EntrySpec] = &[
         "composite_alone",
         "glimt_render_gpu::kernels::composite::composite_alone",
     ),
+    entry("taps", "glimt_render_gpu::kernels::pyramid::taps"),
     entry("halve", "glimt_render_gpu::kernels::pyramid::halve"),
     entry(
         "light_coefficient",

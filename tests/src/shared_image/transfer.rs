@@ -11,7 +11,7 @@ use glimt_render_gpu::host::transfer::Transfer;
 use glimt_render_gpu::kernels::layers::LayerSample;
 use glimt_render_gpu::kernels::light_sh::{LightParams, light_coefficient};
 use glimt_render_gpu::kernels::prt::{VertexLight, shade_prt, shade_prt_layers, vertex_light};
-use glimt_render_gpu::kernels::pyramid::{half_size, halve};
+use glimt_render_gpu::kernels::pyramid::{Taps, half_size, halve, taps};
 use glimt_render_gpu::kernels::raster::{DrawnLayout, RasterParams, unpack_layers};
 use naga_front_rust::Program;
 
@@ -30,8 +30,9 @@ pub fn projection_pair(program: &Program, context: &GpuContext) -> Pair {
     let half = half_size(size);
     let texel = |i: u32| Vec4::new((i % 7) as f32, (i % 11) as f32, (i % 5) as f32, 1.0);
     let texels: Vec<Vec4> = (0..size.x * size.y).map(texel).collect();
+    let all_taps: Vec<Taps> = (0..half.x + half.y).map(|i| taps(i, size)).collect();
     let halved: Vec<Vec4> = (0..half.x * half.y)
-        .map(|i| halve(i, size, &texels))
+        .map(|i| halve(i, size, &all_taps, &texels))
         .collect();
     let factors: Vec<[f32; 33]> = (0..size.x * size.y)
         .map(|i| drawn::factors(i, size))
@@ -55,8 +56,14 @@ pub fn projection_pair(program: &Program, context: &GpuContext) -> Pair {
         upload(context, sums),
         upload(context, previous),
     );
+    let count = half.x + half.y;
+    let of_taps = Output::new::<Taps>(context, count);
+    let args = [("size", Arg::Value(bytes_of(&size)))];
+    let kernel = format!("{KERNELS}::pyramid::taps");
+    launch(context, program, &kernel, &args, &of_taps.buffer, count);
     let args = [
         ("size", Arg::Value(bytes_of(&size))),
+        ("taps", Arg::Buffer(&of_taps.buffer)),
         ("texels", Arg::Buffer(&map)),
         ("light", Arg::Value(bytes_of(&light))),
         ("sums", Arg::Buffer(&sums)),

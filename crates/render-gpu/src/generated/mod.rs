@@ -386,6 +386,23 @@ pub const COMPOSITE_ALONE: Entry = Entry {
     ],
 };
 
+/// [`taps`](crate::kernels::pyramid::taps) as a compute entry point.
+pub const TAPS: Entry = Entry {
+    name: "taps",
+    kernel: "glimt_render_gpu::kernels::pyramid::taps",
+    wgsl: include_str!("taps.wgsl"),
+    workgroup_size: 64,
+    params_size: 16,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("size", 8, 8),
+    ],
+    buffers: &[
+        slot("out", 1, 32, true),
+    ],
+};
+
 /// [`halve`](crate::kernels::pyramid::halve) as a compute entry point.
 pub const HALVE: Entry = Entry {
     name: "halve",
@@ -399,8 +416,9 @@ pub const HALVE: Entry = Entry {
         param("size", 8, 8),
     ],
     buffers: &[
-        slot("texels", 1, 16, false),
-        slot("out", 2, 16, true),
+        slot("taps", 1, 32, false),
+        slot("texels", 2, 16, false),
+        slot("out", 3, 16, true),
     ],
 };
 
@@ -799,6 +817,10 @@ const _: () = {
     assert!(offset_of!(crate::kernels::prt::VertexLight, unused_a) == 12);
     assert!(offset_of!(crate::kernels::prt::VertexLight, blocked) == 16);
     assert!(offset_of!(crate::kernels::prt::VertexLight, unused_b) == 28);
+    assert!(size_of::<crate::kernels::pyramid::Taps>() == 32);
+    assert!(offset_of!(crate::kernels::pyramid::Taps, first) == 0);
+    assert!(offset_of!(crate::kernels::pyramid::Taps, count) == 4);
+    assert!(offset_of!(crate::kernels::pyramid::Taps, weights) == 8);
     assert!(size_of::<crate::kernels::raster::DrawnLayout>() == 16);
     assert!(offset_of!(crate::kernels::raster::DrawnLayout, map_size) == 0);
     assert!(offset_of!(crate::kernels::raster::DrawnLayout, pitch) == 8);

@@ -9,13 +9,14 @@ use super::error::GpuError;
 use super::launch::Arg;
 use super::record::{ParamsPool, Recording};
 use crate::entry::{BufferSlot, Entry, ParamField};
-use crate::generated::{HALVE, LIGHT_COEFFICIENT};
+use crate::generated::{HALVE, LIGHT_COEFFICIENT, TAPS};
 use crate::host::env::PreparedEnv;
 use crate::host::light_sh::{level_sizes, light_params};
 use crate::host::render::PrtSettings;
+use crate::kernels::pyramid::Taps;
 
 /// Rows and columns of texels that a workgroup of `projection.wgsl` projects.
-const GROUP: UVec2 = UVec2::new(128, 16);
+const GROUP: UVec2 = UVec2::new(256, 16);
 /// Coefficients of the most bands, and values that a workgroup leaves.
 const COEFFICIENTS: u32 = 36;
 
@@ -67,8 +68,8 @@ pub struct GpuLight {
     pub(super) map: GpuBuffer,
     pub(super) size: UVec2,
     pub(super) rotation: Vec2,
-    /// The maps halved, with their sizes, the largest first.
-    levels: Vec<(UVec2, GpuBuffer)>,
+    /// The maps halved, the largest first.
+    levels: Vec<Level>,
     parts: GpuBuffer,
     sums: GpuBuffer,
     /// Of the frame before and of this one.
@@ -78,13 +79,23 @@ pub struct GpuLight {
     pool: ParamsPool,
 }
 
+/// A map halved.
+#[derive(Debug)]
+struct Level {
+    /// Of the map that it is half of.
+    taps: GpuBuffer,
+    texels: GpuBuffer,
+    /// Whether there are taps: they are made with the first map.
+    has_taps: bool,
+}
+
 impl GpuLight {
     /// Room for light maps of size `size`. It grows where a later one is of another size.
     ///
     /// # Errors
     /// [`GpuError::Limit`] where such a map is larger than a binding may be; what the kernels' compilation finds.
     pub fn new(context: &GpuContext, size: UVec2) -> Result<Self, GpuError> {
-        for entry in [&HALVE, &PROJECT, &SUM_PARTS, &LIGHT_COEFFICIENT] {
+        for entry in [&TAPS, &HALVE, &PROJECT, &SUM_PARTS, &LIGHT_COEFFICIENT] {
             context.prepare(entry)?;
         }
         let all = u64::from(COEFFICIENTS) * VALUE;
@@ -170,21 +181,26 @@ impl GpuLight {
         }
         let sizes = self.keep_levels(recording.context, settings.level)?;
         for (i, pair) in sizes.windows(2).enumerate() {
-            let texels = if i == 0 {
-                &self.map
-            } else {
-                &self.levels[i - 1].1
-            };
+            let (done, rest) = self.levels.split_at_mut(i);
+            let from = done.last().map_or(&self.map, |level| &level.texels);
+            let (level, half) = (&mut rest[0], pair[1]);
+            let size = ("size", Arg::Value(bytemuck::bytes_of(&pair[0])));
+            if !level.has_taps {
+                let args = [size, ("out", Arg::Buffer(&level.taps))];
+                recording.dispatch(&TAPS, &args, 0, half.element_sum())?;
+                level.has_taps = true;
+            }
             let args = [
-                ("size", Arg::Value(bytemuck::bytes_of(&pair[0]))),
-                ("texels", Arg::Buffer(texels)),
-                ("out", Arg::Buffer(&self.levels[i].1)),
+                size,
+                ("taps", Arg::Buffer(&level.taps)),
+                ("texels", Arg::Buffer(from)),
+                ("out", Arg::Buffer(&level.texels)),
             ];
-            recording.dispatch(&HALVE, &args, 0, pair[1].element_product())?;
+            recording.dispatch(&HALVE, &args, 0, half.element_product())?;
         }
         let (size, texels) = match sizes.len() {
             1 => (&self.size, &self.map),
-            levels => (&sizes[levels - 1], &self.levels[levels - 2].1),
+            levels => (&sizes[levels - 1], &self.levels[levels - 2].texels),
         };
         let groups = groups(*size);
         let parts = groups.element_product();
@@ -221,7 +237,12 @@ impl GpuLight {
     fn keep_levels(&mut self, context: &GpuContext, level: u32) -> Result<Vec<UVec2>, GpuError> {
         let sizes = level_sizes(self.size, level);
         for size in &sizes[(self.levels.len() + 1).min(sizes.len())..] {
-            self.levels.push((*size, map_buffer(context, *size)?));
+            let taps = u64::from(size.element_sum()) * size_of::<Taps>() as u64;
+            self.levels.push(Level {
+                taps: context.buffer("taps", taps)?,
+                texels: map_buffer(context, *size)?,
+                has_taps: false,
+            });
         }
         let parts = groups(sizes[sizes.len() - 1]).element_product();
         let bytes = u64::from(parts * COEFFICIENTS) * VALUE;

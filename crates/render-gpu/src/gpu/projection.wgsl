@@ -17,7 +17,7 @@ struct Projection {
 
 // A workgroup has 16 rows; each of its 16 threads a row has this many texels, 16 columns apart, so that a row's threads read
 // what lies together.
-const TEXELS: u32 = 8u;
+const TEXELS: u32 = 16u;
 // Sums that are reduced at a time: three of 256 threads and the rows' take 15 KiB, and 16 are sure to be there.
 const BATCH: u32 = 3u;
 
@@ -25,25 +25,23 @@ var<workgroup> scratch: array<vec4<f32>, 768>;
 // Of each row its 11 sums over φ.
 var<workgroup> rows: array<vec4<f32>, 176>;
 
-// Sums over a row's threads: into `rows`, from number `first` on.
-fn reduce(first: u32, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, x: u32, y: u32) {
-    let at = BATCH * (16u * y + x);
+// Sums over a row's threads: into `rows`, from number `first` on. One thread adds up a row's sixteen: a tree would be shorter, but
+// wait for all threads at each of its steps.
+fn reduce(first: u32, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, index: u32) {
+    let at = BATCH * index;
     scratch[at] = vec4(a, 0.0);
     scratch[at + 1u] = vec4(b, 0.0);
     scratch[at + 2u] = vec4(c, 0.0);
-    for (var half = 8u; half > 0u; half /= 2u) {
-        workgroupBarrier();
-        if x < half {
-            let other = at + BATCH * half;
-            scratch[at] += scratch[other];
-            scratch[at + 1u] += scratch[other + 1u];
-            scratch[at + 2u] += scratch[other + 2u];
+    workgroupBarrier();
+    let row = index / BATCH;
+    let own = first + index % BATCH;
+    if row < 16u && own < 11u {
+        let start = 16u * BATCH * row + index % BATCH;
+        var sum = vec4(0.0);
+        for (var i = 0u; i < 16u; i++) {
+            sum += scratch[start + BATCH * i];
         }
-    }
-    if x == 0u {
-        for (var i = 0u; i < BATCH && first + i < 11u; i++) {
-            rows[11u * y + first + i] = scratch[at + i];
-        }
+        rows[11u * row + own] = sum;
     }
     workgroupBarrier();
 }
@@ -86,13 +84,13 @@ fn project(
             }
         }
     }
-    reduce(0u, sums[0], sums[1], sums[2], local.x, local.y);
+    reduce(0u, sums[0], sums[1], sums[2], index);
     if bands > 2u {
-        reduce(3u, sums[3], sums[4], sums[5], local.x, local.y);
-        reduce(6u, sums[6], sums[7], sums[8], local.x, local.y);
+        reduce(3u, sums[3], sums[4], sums[5], index);
+        reduce(6u, sums[6], sums[7], sums[8], index);
     }
     if bands > 4u {
-        reduce(9u, sums[9], sums[10], vec3(0.0), local.x, local.y);
+        reduce(9u, sums[9], sums[10], vec3(0.0), index);
     }
 
     // The rows' factors of θ, in the scratch that is free now.

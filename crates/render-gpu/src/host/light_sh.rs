@@ -11,7 +11,7 @@ use super::methods::PrtSettings;
 use super::render::SettingsError;
 use crate::kernels::environment::RadianceMap;
 use crate::kernels::light_sh::{LightParams, light_coefficient};
-use crate::kernels::pyramid::{half_size, halve};
+use crate::kernels::pyramid::{Taps, half_size, halve, taps};
 
 /// Rows whose sums are added before they go to the others': the same ones, whatever the threads.
 const BLOCK_ROWS: u32 = 16;
@@ -21,8 +21,8 @@ const CHANNELS: u32 = 4;
 /// Light maps made into coefficients, frame after frame.
 #[derive(Clone, Debug, Default)]
 pub struct LightSh {
-    /// The maps halved, the largest first; kept for their room.
-    levels: Vec<Vec<Vec4>>,
+    /// The maps halved, the largest first, with the size of what each is half of and its taps; kept for their room.
+    levels: Vec<(UVec2, Vec<Taps>, Vec<Vec4>)>,
     /// The factors of φ of so many columns, for so many bands.
     ring: (u32, u32, Vec<f32>),
     /// Bands of the frame before, and its filtered coefficients.
@@ -95,19 +95,23 @@ impl LightSh {
     /// The map halved `level` times, with its size.
     pub fn level<'a>(&'a mut self, map: &RadianceMap<'a>, level: u32) -> (UVec2, &'a [Vec4]) {
         let sizes = level_sizes(map.size, level);
-        self.levels.resize(sizes.len() - 1, Vec::new());
+        self.levels.resize_with(sizes.len() - 1, Default::default);
         for (i, pair) in sizes.windows(2).enumerate() {
             let (done, rest) = self.levels.split_at_mut(i);
-            let from = done.last().map_or(map.texels, Vec::as_slice);
+            let from = done.last().map_or(map.texels, |level| &level.2);
             let (size, half) = (pair[0], pair[1]);
-            let texels = 0..half.x * half.y;
-            texels
+            let (known, own, texels) = &mut rest[0];
+            if *known != size {
+                *own = (0..half.x + half.y).map(|i| taps(i, size)).collect();
+                *known = size;
+            }
+            (0..half.x * half.y)
                 .into_par_iter()
                 .with_min_len(1024)
-                .map(|texel| halve(texel, size, from))
-                .collect_into_vec(&mut rest[0]);
+                .map(|texel| halve(texel, size, own, from))
+                .collect_into_vec(texels);
         }
-        let texels = self.levels.last().map_or(map.texels, Vec::as_slice);
+        let texels = self.levels.last().map_or(map.texels, |level| &level.2);
         (sizes[sizes.len() - 1], texels)
     }
 
