@@ -185,6 +185,36 @@ const EXPORTS: &[Export] = &[
         ],
         buffers: &[],
     },
+    Export {
+        file: "crates/render-gpu/src/generated/raster_functions.wgsl",
+        functions: &[
+            (
+                "corner_position",
+                "glimt_render_gpu::kernels::raster::corner_position",
+            ),
+            (
+                "corner_weights",
+                "glimt_render_gpu::kernels::raster::corner_weights",
+            ),
+            (
+                "clip_position",
+                "glimt_render_gpu::kernels::raster::clip_position",
+            ),
+            ("draw", "glimt_render_gpu::kernels::raster::draw"),
+        ],
+        buffers: &[
+            ("scene_triangles", 0, 1),
+            ("scene_corners", 0, 2),
+            ("scene_materials", 0, 3),
+            ("scene_texels", 0, 4),
+            ("surface_corner_vertices", 0, 5),
+            ("surface_reflections", 0, 6),
+            ("surface_lights", 0, 7),
+            ("texels", 0, 8),
+            // No stage reads them.
+            ("scene_nodes", 0, 9),
+        ],
+    },
 ];
 
 /// Parses the given crates; `SOURCES` for the workspace as it was compiled.

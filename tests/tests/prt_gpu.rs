@@ -1,10 +1,21 @@
 //! Host file: frames by precomputed transfer on the GPU: the CPU's coefficients and pictures, without a stall.
 
-use glam::{UVec2, Vec4};
-use glimt_render_gpu::gpu::{GpuContext, GpuLight};
+use std::sync::Arc;
+
+use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
+use glimt_render_gpu::cpu::CpuRenderer;
+use glimt_render_gpu::gpu::{GpuContext, GpuLight, GpuOptions, GpuRenderer};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::light_sh::LightSh;
-use glimt_render_gpu::host::render::PrtSettings;
+use glimt_render_gpu::host::plate::Plate;
+use glimt_render_gpu::host::render::{
+    Background, Filter, FrameImage, Method, PrtSettings, RenderSettings, Renderer, Shadow, Tonemap,
+};
+use glimt_render_gpu::host::scene::{
+    Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
+};
+use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer};
 use glimt_tests::gpu::adapter_or_skip;
 
 /// A map like noise, with a small sun.
@@ -132,4 +143,450 @@ fn a_large_map_has_many_parts() {
         let off = difference(&found, &expected);
         assert!(off < TOLERANCE, "level {level}: {off:e}");
     }
+}
+
+/// A ball of 40 × 20 faces that floats over a floor of 16 × 16, which may be a catcher, with a texture on the floor.
+fn scene(catcher: bool, reflection: f32) -> SceneBuffers {
+    let (columns, rows, cells) = (40u32, 20u32, 16u32);
+    let grid = |columns: u32, rows: u32| {
+        let mut faces = Vec::new();
+        for j in 0..rows {
+            for i in 0..columns {
+                let (a, b) = (j * (columns + 1) + i, (j + 1) * (columns + 1) + i);
+                faces.extend([[a, b, b + 1], [a, b + 1, a + 1]]);
+            }
+        }
+        faces
+    };
+    let mut ball = Mesh {
+        name: "ball".into(),
+        indices: grid(columns, rows),
+        materials: vec![0],
+        ..Mesh::default()
+    };
+    for j in 0..=rows {
+        for i in 0..=columns {
+            let theta = std::f32::consts::PI * j as f32 / rows as f32;
+            let phi = std::f32::consts::TAU * i as f32 / columns as f32;
+            let normal = Vec3::new(
+                theta.sin() * phi.cos(),
+                theta.sin() * phi.sin(),
+                theta.cos(),
+            );
+            ball.positions.push(normal + Vec3::Z * 1.2);
+            ball.normals.push(normal);
+        }
+    }
+    let mut floor = Mesh {
+        name: "floor".into(),
+        indices: grid(cells, cells),
+        materials: vec![1],
+        ..Mesh::default()
+    };
+    for j in 0..=cells {
+        for i in 0..=cells {
+            let uv = Vec2::new(i as f32, j as f32) / cells as f32;
+            floor
+                .positions
+                .push(((uv - Vec2::splat(0.5)) * 8.0).extend(0.0));
+            floor.uvs.push(uv * 3.0);
+        }
+    }
+    let mut scene = SceneBuffers::build(&SceneDescription {
+        meshes: vec![ball, floor],
+        materials: vec![
+            Material::BlinnPhong {
+                diffuse: Vec3::new(0.6, 0.4, 0.2),
+                specular: Vec3::ZERO,
+                exponent: 0.0,
+            },
+            Material::MetallicRoughness {
+                base_color: Vec3::ONE,
+                metallic: 0.0,
+                roughness: 0.8,
+                base_color_texture: Some(0),
+                metallic_roughness_texture: None,
+                normal_texture: None,
+                normal_scale: 1.0,
+            },
+        ],
+        textures: vec![Texture {
+            size: UVec2::splat(4),
+            texels: (0..16u8)
+                .map(|i| [40 + 10 * i, 200 - 9 * i, 90, 255])
+                .collect(),
+            srgb: true,
+            wrap: [Wrap::Repeat, Wrap::Mirror],
+        }],
+        objects: [(0, false), (1, catcher)]
+            .map(|(mesh, catcher)| Object {
+                mesh,
+                transform: Mat4::IDENTITY,
+                material: None,
+                catcher,
+            })
+            .to_vec(),
+    })
+    .unwrap();
+    let transfer = transfer(&scene.vertices().unwrap());
+    scene
+        .set_transfer(Arc::new(transfer), &[reflection])
+        .unwrap();
+    scene
+}
+
+/// That of convex surfaces, part of which is blocked on the floor under the ball.
+fn transfer(vertices: &[SurfaceVertex]) -> Transfer {
+    let (mut lit, mut blocked) = (Vec::new(), Vec::new());
+    for vertex in vertices {
+        let p = vertex.position;
+        let shadow = if p.z == 0.0 && p.length() < 2.5 {
+            0.6 * (-0.5 * p.length_squared()).exp()
+        } else {
+            0.0
+        };
+        let y = glimt_sh::basis(vertex.normal);
+        for k in 0..16 {
+            let whole = glimt_sh::cosine_lobe((k as f32).sqrt() as u32) * y[k];
+            lit.push(whole * (1.0 - shadow));
+            blocked.push(whole * shadow);
+        }
+    }
+    Transfer {
+        bands: 4,
+        lit,
+        blocked,
+    }
+}
+
+/// A sky that brightens upward, with a broad sun.
+fn sky() -> PreparedEnv {
+    let size = UVec2::new(96, 48);
+    let sun = Vec3::new(0.6, -0.48, 0.64);
+    let texel = |i: u32| {
+        let place = UVec2::new(i % size.x, i / size.x);
+        let d = glimt_probe::latlong::texel_direction(place, size);
+        let lobe = (10.0 * (d.dot(sun) - 1.0)).exp();
+        Vec4::new(0.3 + 6.0 * lobe, 0.4 + 5.0 * lobe, 0.5 + 0.2 * d.z, 1.0)
+    };
+    let texels = (0..size.x * size.y).map(texel).collect();
+    EnvMap::new(size, texels).unwrap().untabled(25.0).unwrap()
+}
+
+fn settings() -> RenderSettings {
+    let camera = Camera {
+        eye: Vec3::new(6.0, 1.0, 3.0),
+        target: Vec3::new(0.0, 0.0, 0.8),
+        up: Vec3::Z,
+        fov_x: 0.8,
+    };
+    RenderSettings {
+        method: Method::Prt,
+        rays_per_pixel: 1,
+        filter: Filter::Centre,
+        exposure_ev: -1.0,
+        prt: PrtSettings {
+            level: 1,
+            window: 5.0,
+            temporal: 0.3,
+            ..PrtSettings::default()
+        },
+        layers: true,
+        ..RenderSettings::new(UVec2::new(131, 97), camera)
+    }
+}
+
+fn plate(size: UVec2) -> Plate {
+    let codes: Vec<[u8; 3]> = (0..size.x * size.y)
+        .map(|i| [i * 7, i * 11, i * 13].map(|code| (40 + code % 200) as u8))
+        .collect();
+    Plate::from_srgb8(size, &codes).unwrap()
+}
+
+/// Pixels that are alike to what 16 bits resolve, with a share of `edges` that may not be.
+fn compare(cpu: &FrameImage, gpu: &FrameImage, edges: f64) -> Result<f64, String> {
+    let mean = cpu
+        .linear
+        .iter()
+        .map(|v| v.truncate().element_sum())
+        .sum::<f32>()
+        / (3 * cpu.linear.len()) as f32;
+    let alike = |a: &Vec4, b: &Vec4| {
+        let off = (*a - *b).abs();
+        let allowed = (a.abs() + Vec4::splat(mean)) * 1.5e-3;
+        off.cmple(allowed).all()
+    };
+    let pairs = cpu.linear.iter().zip(&gpu.linear);
+    let linear = pairs.filter(|(a, b)| !alike(a, b)).count();
+    let pairs = cpu.display.iter().zip(&gpu.display);
+    let display = pairs
+        .filter(|(a, b)| a.iter().zip(b.iter()).any(|(a, b)| a.abs_diff(*b) > 1))
+        .count();
+    let share = linear.max(display) as f64 / cpu.linear.len() as f64;
+    if share > edges {
+        return Err(format!(
+            "{linear} linear and {display} displayed pixels differ"
+        ));
+    }
+    Ok(share)
+}
+
+fn both(
+    gpu: &mut GpuRenderer,
+    scene: &SceneBuffers,
+    plate: Option<&Plate>,
+    settings: &RenderSettings,
+) -> [FrameImage; 2] {
+    let cpu = CpuRenderer::default()
+        .render_over(scene, &sky(), plate, settings, &|_| ())
+        .unwrap();
+    gpu.set_smc_state(None).unwrap();
+    let gpu = gpu
+        .render_over(scene, &sky(), plate, settings, &|_| ())
+        .unwrap();
+    [cpu, gpu]
+}
+
+/// A renderer, where there is a GPU for one.
+fn renderer(test: &str, options: GpuOptions) -> Option<GpuRenderer> {
+    adapter_or_skip(test)?;
+    Some(GpuRenderer::with_options(Default::default(), options).unwrap())
+}
+
+/// The share of pixels that edges may change: of a pixel that a triangle's edge passes, two processors may see either side.
+const EDGES: f64 = 2e-3;
+
+#[test]
+fn pictures_are_the_cpus() {
+    let Some(mut gpu) = renderer("pictures_are_the_cpus", GpuOptions::default()) else {
+        return;
+    };
+    let plate = plate(settings().size);
+    let add = RenderSettings {
+        shadow: Shadow::Add,
+        tonemap: Tonemap::Reinhard,
+        ..settings()
+    };
+    let transparent = RenderSettings {
+        background: Background::Transparent,
+        layers: false,
+        ..settings()
+    };
+    let unshadowed = RenderSettings {
+        prt: PrtSettings {
+            shadows: false,
+            ..settings().prt
+        },
+        ..settings()
+    };
+    let cases = [
+        ("before the environment", false, 0.0, None, settings()),
+        ("a transparent background", true, 0.0, None, transparent),
+        ("a catcher, no plate", true, 0.0, None, settings()),
+        ("over a plate", true, 0.0, Some(&plate), settings()),
+        ("shadows added", true, 0.4, Some(&plate), add),
+        ("no shadows", true, 0.0, Some(&plate), unshadowed),
+        ("a reflection", false, 0.4, None, settings()),
+    ];
+    for (name, catcher, reflection, plate, settings) in cases {
+        let scene = scene(catcher, reflection);
+        let [cpu, found] = both(&mut gpu, &scene, plate, &settings);
+        let share = compare(&cpu, &found, EDGES).unwrap_or_else(|e| panic!("{name}: {e}"));
+        println!("{name}: {share:.5} of the pixels differ");
+        assert_eq!(found.layers.is_some(), settings.layers, "{name}");
+        if let (Some(cpu), Some(found)) = (&cpu.layers, &found.layers) {
+            let pairs = cpu.iter().zip(found);
+            let unlike = pairs.filter(|(a, b)| {
+                let off = |a: Vec3, b: Vec3| (a - b).abs().max_element() > 2e-3;
+                a.object.w != b.object.w
+                    || a.catcher != b.catcher
+                    || off(a.lit, b.lit)
+                    || off(a.blocked, b.blocked)
+                    || off(a.behind, b.behind)
+            });
+            let share = unlike.count() as f64 / cpu.len() as f64;
+            assert!(share < EDGES, "{name}: {share} of the layers differ");
+        }
+        // Another light, another pose of the camera, another transfer: each is another picture.
+        let wrong = RenderSettings {
+            exposure_ev: settings.exposure_ev + 0.2,
+            ..settings
+        };
+        let moved = RenderSettings {
+            camera: Camera {
+                eye: settings.camera.eye + Vec3::Y * 0.03,
+                ..settings.camera
+            },
+            ..settings
+        };
+        for wrong in [wrong, moved] {
+            let [_, found] = both(&mut gpu, &scene, plate, &wrong);
+            assert!(compare(&cpu, &found, EDGES).is_err(), "{name}");
+        }
+    }
+}
+
+#[test]
+fn four_samples_are_close_to_many_rays() {
+    let Some(mut gpu) = renderer("four_samples_are_close_to_many_rays", GpuOptions::default())
+    else {
+        return;
+    };
+    let scene = scene(true, 0.0);
+    let settings = RenderSettings {
+        rays_per_pixel: 64,
+        filter: Filter::Box,
+        ..settings()
+    };
+    let plate = plate(settings.size);
+    let [cpu, found] = both(&mut gpu, &scene, Some(&plate), &settings);
+    let alphas = |image: &FrameImage| -> Vec<f32> {
+        let layers = image.layers.as_ref().unwrap();
+        layers
+            .iter()
+            .flat_map(|l| [l.object.w, l.catcher])
+            .collect()
+    };
+    let (a, b) = (alphas(&cpu), alphas(&found));
+    let partly = b.iter().filter(|a| **a > 0.0 && **a < 1.0).count();
+    assert!(partly > 200, "{partly} values of coverage between");
+    assert!(b.iter().all(|a| *a * 4.0 == (*a * 4.0).round()), "quarters");
+    let pairs = || a.iter().zip(&b).map(|(a, b)| (a - b).abs());
+    let (worst, mean) = (
+        pairs().fold(0.0, f32::max),
+        pairs().sum::<f32>() / a.len() as f32,
+    );
+    println!("coverage differs by {worst} at most, {mean} on average");
+    assert!(worst < 0.4 && mean < 0.004, "{worst} {mean}");
+    let one = RenderSettings {
+        rays_per_pixel: 1,
+        ..settings
+    };
+    let [_, single] = both(&mut gpu, &scene, Some(&plate), &one);
+    let rough = a.iter().zip(alphas(&single)).map(|(a, b)| (a - b).abs());
+    assert!(rough.fold(0.0, f32::max) > 0.5, "one sample is worse");
+}
+
+#[test]
+fn faces_around_the_eye_are_clipped() {
+    let Some(mut gpu) = renderer("faces_around_the_eye_are_clipped", GpuOptions::default()) else {
+        return;
+    };
+    let scene = scene(false, 0.2);
+    for (eye, target) in [
+        // Inside the ball; close above the floor, which reaches behind the eye; on its edge.
+        (Vec3::new(0.1, 0.2, 1.1), Vec3::new(3.0, 1.0, 0.5)),
+        (Vec3::new(2.0, -1.0, 0.01), Vec3::new(0.0, 0.0, 0.3)),
+        (Vec3::new(4.0, 4.0, 0.5), Vec3::new(-4.0, -3.0, 0.0)),
+    ] {
+        let settings = RenderSettings {
+            camera: Camera {
+                eye,
+                target,
+                up: Vec3::Z,
+                fov_x: 1.6,
+            },
+            ..settings()
+        };
+        let [cpu, found] = both(&mut gpu, &scene, None, &settings);
+        let share = compare(&cpu, &found, 2.0 * EDGES).unwrap_or_else(|e| panic!("{eye}: {e}"));
+        println!("{eye}: {share:.5} of the pixels differ");
+    }
+}
+
+#[test]
+fn nothing_is_waited_for() {
+    let Some(mut gpu) = renderer("nothing_is_waited_for", GpuOptions::default()) else {
+        return;
+    };
+    let scene = scene(true, 0.3);
+    let plate = plate(settings().size);
+    let context = Arc::clone(gpu.context());
+    let before = context.waits();
+    for frame in 0..3 {
+        let settings = RenderSettings {
+            frame,
+            ..settings()
+        };
+        gpu.draw_over(&scene, &sky(), Some(&plate), &settings)
+            .unwrap();
+    }
+    assert_eq!(context.waits(), before, "from the upload to the composite");
+    // What counts does count.
+    let read = gpu.render_over(&scene, &sky(), Some(&plate), &settings(), &|_| ());
+    assert!(context.waits() > before);
+    let phases = gpu.phases();
+    let names: Vec<_> = phases.iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, ["upload", "light", "draw", "read back"]);
+    // Three frames under the same light and one more: the filter over time has seen all of them.
+    let mut cpu = CpuRenderer::default();
+    for _ in 0..3 {
+        cpu.render_over(&scene, &sky(), Some(&plate), &settings(), &|_| ())
+            .unwrap();
+    }
+    let cpu = cpu.render_over(&scene, &sky(), Some(&plate), &settings(), &|_| ());
+    compare(&cpu.unwrap(), &read.unwrap(), EDGES).unwrap();
+}
+
+#[test]
+fn bands_of_rows_change_no_bit() {
+    let small = GpuOptions {
+        max_binding_bytes: 256 << 10,
+        ..GpuOptions::default()
+    };
+    let test = "bands_of_rows_change_no_bit";
+    let (Some(mut whole), Some(mut bands)) =
+        (renderer(test, GpuOptions::default()), renderer(test, small))
+    else {
+        return;
+    };
+    let scene = scene(true, 0.0);
+    for layers in [false, true] {
+        let settings = RenderSettings {
+            size: UVec2::new(192, 160),
+            layers,
+            ..settings()
+        };
+        let plate = plate(settings.size);
+        let [_, a] = both(&mut whole, &scene, Some(&plate), &settings);
+        let [_, b] = both(&mut bands, &scene, Some(&plate), &settings);
+        assert_eq!(a.linear, b.linear);
+        assert_eq!(a.display, b.display);
+        assert_eq!(a.layers, b.layers);
+    }
+    // A map that no binding holds is an error that says so.
+    let env = noise(UVec2::new(256, 128), 0, 0.0);
+    let error = bands
+        .render_over(&scene, &env, None, &settings(), &|_| ())
+        .unwrap_err();
+    assert!(error.to_string().contains("the light map"), "{error}");
+}
+
+#[test]
+fn other_sizes_and_scenes_follow_each_other() {
+    let Some(mut gpu) = renderer(
+        "other_sizes_and_scenes_follow_each_other",
+        GpuOptions::default(),
+    ) else {
+        return;
+    };
+    let (floor, catcher) = (scene(false, 0.5), scene(true, 0.0));
+    for (scene, size) in [(&floor, [64, 40]), (&catcher, [33, 50]), (&floor, [64, 40])] {
+        let settings = RenderSettings {
+            size: UVec2::from(size),
+            ..settings()
+        };
+        let [cpu, found] = both(&mut gpu, scene, None, &settings);
+        compare(&cpu, &found, 4.0 * EDGES).unwrap();
+    }
+    let mut moved = scene(true, 0.0);
+    let by = Mat4::from_translation(Vec3::X);
+    moved.pose(&[by, Mat4::IDENTITY]).unwrap();
+    let error = gpu
+        .render_over(&moved, &sky(), None, &settings(), &|_| ())
+        .unwrap_err();
+    assert!(
+        error.to_string().contains("no precomputed transfer"),
+        "{error}"
+    );
 }

@@ -73,6 +73,10 @@ pub const ENTRIES: &[EntrySpec] = &[
         "vertex_light",
         "glimt_render_gpu::kernels::prt::vertex_light",
     ),
+    entry(
+        "unpack_layers",
+        "glimt_render_gpu::kernels::raster::unpack_layers",
+    ),
     entry("film_ball", "glimt_render_gpu::kernels::capture::film_ball"),
     entry(
         "film_plate",

@@ -89,6 +89,7 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("kernels/pattern.rs", include_str!("kernels/pattern.rs")),
         ("kernels/prt.rs", include_str!("kernels/prt.rs")),
         ("kernels/pyramid.rs", include_str!("kernels/pyramid.rs")),
+        ("kernels/raster.rs", include_str!("kernels/raster.rs")),
         ("kernels/ray.rs", include_str!("kernels/ray.rs")),
         ("kernels/scene.rs", include_str!("kernels/scene.rs")),
         ("kernels/sensor.rs", include_str!("kernels/sensor.rs")),

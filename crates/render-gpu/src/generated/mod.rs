@@ -444,6 +444,29 @@ pub const VERTEX_LIGHT: Entry = Entry {
     ],
 };
 
+/// [`unpack_layers`](crate::kernels::raster::unpack_layers) as a compute entry point.
+pub const UNPACK_LAYERS: Entry = Entry {
+    name: "unpack_layers",
+    kernel: "glimt_render_gpu::kernels::raster::unpack_layers",
+    wgsl: include_str!("unpack_layers.wgsl"),
+    workgroup_size: 64,
+    params_size: 160,
+    params: &[
+        param("first", 0, 4),
+        param("count", 4, 4),
+        param("frame", 16, 112),
+        param("layout", 128, 16),
+        param("map_rotation", 144, 8),
+    ],
+    buffers: &[
+        slot("map_texels", 1, 16, false),
+        slot("object", 2, 8, false),
+        slot("lit", 3, 8, false),
+        slot("blocked", 4, 8, false),
+        slot("out", 5, 64, true),
+    ],
+};
+
 /// [`film_ball`](crate::kernels::capture::film_ball) as a compute entry point.
 pub const FILM_BALL: Entry = Entry {
     name: "film_ball",
@@ -776,6 +799,10 @@ const _: () = {
     assert!(offset_of!(crate::kernels::prt::VertexLight, unused_a) == 12);
     assert!(offset_of!(crate::kernels::prt::VertexLight, blocked) == 16);
     assert!(offset_of!(crate::kernels::prt::VertexLight, unused_b) == 28);
+    assert!(size_of::<crate::kernels::raster::DrawnLayout>() == 16);
+    assert!(offset_of!(crate::kernels::raster::DrawnLayout, map_size) == 0);
+    assert!(offset_of!(crate::kernels::raster::DrawnLayout, pitch) == 8);
+    assert!(offset_of!(crate::kernels::raster::DrawnLayout, scale) == 12);
     assert!(size_of::<crate::kernels::scene::Corner>() == 32);
     assert!(offset_of!(crate::kernels::scene::Corner, normal) == 0);
     assert!(offset_of!(crate::kernels::scene::Corner, u) == 12);

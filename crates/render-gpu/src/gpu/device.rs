@@ -356,6 +356,21 @@ impl GpuContext {
         }
     }
 
+    /// Blocks until all that was handed over is done, or the time is out.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::TimedOut`], [`GpuError::Lost`].
+    pub fn finish(&self) -> Result<(), GpuError> {
+        self.poll_as(
+            wgpu::PollType::Wait {
+                submission_index: None,
+                timeout: Some(self.options.time_out),
+            },
+            &|| "what was handed over".to_owned(),
+        )
+    }
+
     /// Blocks until `submission` is done, or the time is out.
     pub(super) fn wait(
         &self,

@@ -138,7 +138,7 @@ impl GpuContext {
                 .min(count - done);
             self.write(&params, arguments.params_for(entry, first + done, elements))?;
             let stopwatch = match stopwatches.pop() {
-                None if self.has_timestamps => Some(Stopwatch::new(self)?),
+                None if self.has_timestamps => Some(Stopwatch::new(self, 2)?),
                 used => used,
             };
             let flight = self.dispatch(&kernel, &arguments, &params, done, elements, stopwatch)?;
@@ -308,7 +308,7 @@ impl GpuContext {
         let wall = now - submitted.max(*last_done);
         *last_done = now;
         if let (Some(stopwatch), Some(total)) = (&stopwatch, &mut report.gpu) {
-            *total += stopwatch.read(self, submission)?;
+            *total += stopwatch.read(self, submission)?.iter().sum::<Duration>();
         }
         let pace = Pace {
             seconds_per_element: wall.as_secs_f64() / f64::from(elements),

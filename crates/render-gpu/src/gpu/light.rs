@@ -199,10 +199,10 @@ impl GpuLight {
         };
         let count = parts * COEFFICIENTS;
         let args = params(texels, &self.parts);
-        recording.dispatch_grid(&PROJECT, &args, 0, count, groups.to_array(), None)?;
+        recording.dispatch_grid(&PROJECT, &args, 0, count, groups.to_array())?;
         let args = params(&self.parts, &self.sums);
         let grid = [bands * bands, 1];
-        recording.dispatch_grid(&SUM_PARTS, &args, 0, COEFFICIENTS, grid, None)?;
+        recording.dispatch_grid(&SUM_PARTS, &args, 0, COEFFICIENTS, grid)?;
 
         self.coefficients.swap(0, 1);
         let light = light_params(settings, self.rotation, bands, self.before);

@@ -11,6 +11,8 @@ mod error;
 mod kernel;
 mod launch;
 mod light;
+mod prt;
+mod raster;
 mod record;
 mod renderer;
 mod smc;
@@ -24,6 +26,7 @@ pub use device::{AdapterPreference, AdapterSummary, GpuContext, GpuOptions, enum
 pub use error::GpuError;
 pub use launch::{Arg, LaunchReport};
 pub use light::GpuLight;
+pub use prt::{DrawTimes, GpuPrt};
 pub use renderer::{FrameTimes, GpuRenderer};
 pub use unwarp::GpuUnwarp;
 pub use upload::{GpuEnv, GpuScene};

@@ -5,6 +5,7 @@ use super::device::GpuContext;
 use super::error::GpuError;
 use super::kernel::{Arguments, Bound, Kernel};
 use super::launch::Arg;
+use super::timing::Stopwatch;
 use crate::entry::Entry;
 
 /// The params buffers of a frame's dispatches, one each, kept for the next frame, which records the same ones.
@@ -51,7 +52,7 @@ impl<'a> Recording<'a> {
         let groups = count.div_ceil(entry.workgroup_size).max(1);
         let rows = groups.div_ceil(self.context.limits.max_compute_workgroups_per_dimension);
         let grid = [groups.div_ceil(rows), rows];
-        self.dispatch_grid(entry, args, first, count, grid, None)
+        self.dispatch_grid(entry, args, first, count, grid)
     }
 
     /// As [`Recording::dispatch`], with a grid of so many columns and rows of workgroups, for entries written by hand.
@@ -62,7 +63,6 @@ impl<'a> Recording<'a> {
         first: u32,
         count: u32,
         [columns, rows]: [u32; 2],
-        timestamps: Option<wgpu::ComputePassTimestampWrites<'_>>,
     ) -> Result<(), GpuError> {
         let context = self.context;
         let kernel = context.kernel(entry)?;
@@ -83,12 +83,23 @@ impl<'a> Recording<'a> {
             .encoder
             .begin_compute_pass(&wgpu::ComputePassDescriptor {
                 label: Some(entry.name),
-                timestamp_writes: timestamps,
+                timestamp_writes: None,
             });
         pass.set_pipeline(&kernel.pipeline);
         pass.set_bind_group(0, &bind_group, &[]);
         pass.dispatch_workgroups(columns, rows, 1);
         Ok(())
+    }
+
+    /// Notes the GPU's time when it comes to this point.
+    pub(super) fn mark(&mut self, stopwatch: Option<&Stopwatch>, index: u32) {
+        if let Some(stopwatch) = stopwatch {
+            self.encoder
+                .begin_compute_pass(&wgpu::ComputePassDescriptor {
+                    label: Some("mark"),
+                    timestamp_writes: Some(stopwatch.mark(index)),
+                });
+        }
     }
 
     /// Writes the params of the next dispatch into a buffer of its own.

@@ -8,6 +8,7 @@ use glam::Vec4;
 use super::device::{AdapterPreference, GpuContext};
 use super::error::GpuError;
 use super::launch::{Arg, LaunchReport};
+use super::prt::{DrawTimes, GpuPrt};
 use super::smc::{self, GpuSmc};
 use super::upload::{GpuEnv, GpuScene};
 use super::{GpuBuffer, GpuOptions};
@@ -42,6 +43,8 @@ pub struct FrameTimes {
     pub film: LaunchReport,
     /// Copies back to the host.
     pub read_back: Duration,
+    /// Of a frame by precomputed transfer, which has no passes but these.
+    pub drawn: Option<DrawTimes>,
 }
 
 /// Renders on a GPU.
@@ -54,6 +57,8 @@ pub struct GpuRenderer {
     tile: Option<TileBuffers>,
     /// What the sequential sampler goes on from.
     smc: Option<GpuSmc>,
+    /// What draws frames by precomputed transfer.
+    prt: Option<GpuPrt>,
     /// What the cost of a ray hung on in the last frame.
     cost: Option<Cost>,
     times: FrameTimes,
@@ -106,6 +111,7 @@ impl GpuRenderer {
             envs: [None, None],
             tile: None,
             smc: None,
+            prt: None,
             cost: None,
             times: FrameTimes::default(),
         })
@@ -124,11 +130,11 @@ impl GpuRenderer {
     }
 
     /// Renders a frame under a light that is on the GPU already, over a plate of the same size or without one: by any method but
-    /// the sequential sampler, which has to know of the host's light, too.
+    /// the sequential sampler and precomputed transfer, which have to know of the host's light, too.
     ///
     /// # Errors
     ///
-    /// As [`Renderer::render_frame`]; [`SettingsError::Smc`] by that method.
+    /// As [`Renderer::render_frame`]; [`SettingsError::Smc`] by the first of those methods, [`GpuError::Argument`] by the other.
     pub fn render(
         &mut self,
         scene: &SceneBuffers,
@@ -172,7 +178,7 @@ impl GpuRenderer {
             (Method::Bis, true) => &SHADE_BIS_LAYERS,
             (Method::Smc, false) => &SHADE_SMC,
             (Method::Smc, true) => &SHADE_SMC_LAYERS,
-            (Method::Prt, _) => return Err(SettingsError::NoTransfer.into()),
+            (Method::Prt, _) => return Err(device(host_light())),
         };
         let counts = match settings.method {
             Method::Mis => [whole.brdf_samples, whole.env_samples, 0, 0],
@@ -232,6 +238,44 @@ impl GpuRenderer {
                 .map_err(device)?;
             first += count;
         }
+        Ok(image)
+    }
+
+    /// Draws a frame by precomputed transfer, as [`Renderer::render_over`] does by [`Method::Prt`], but leaves it on the GPU and
+    /// waits for nothing: for frames that are shown there, or measured. [`GpuContext::finish`] waits for all of them.
+    ///
+    /// # Errors
+    ///
+    /// As [`GpuPrt::draw`].
+    pub fn draw_over(
+        &mut self,
+        scene: &SceneBuffers,
+        env: &PreparedEnv,
+        plate: Option<&Plate>,
+        settings: &RenderSettings,
+    ) -> Result<(), RenderError> {
+        let mut prt = match self.prt.take() {
+            Some(prt) => prt,
+            None => GpuPrt::new(&self.context).map_err(device)?,
+        };
+        self.times = FrameTimes::default();
+        let drawn = self.keep_scene(scene).map_err(device).and_then(|()| {
+            let Some(uploaded) = &self.scene else {
+                unreachable!("it was just made");
+            };
+            prt.draw(&self.context, scene, uploaded, env, plate, settings)
+        });
+        self.prt = Some(prt);
+        drawn
+    }
+
+    /// The frame that was drawn last.
+    fn read_drawn(&mut self) -> Result<FrameImage, RenderError> {
+        let Some(prt) = &mut self.prt else {
+            return Err(device(host_light()));
+        };
+        let image = prt.read(&self.context).map_err(device)?;
+        self.times.drawn = Some(*prt.times());
         Ok(image)
     }
 
@@ -314,6 +358,12 @@ impl Renderer for GpuRenderer {
         settings: &RenderSettings,
         progress: &(dyn Fn(f32) + Sync),
     ) -> Result<FrameImage, RenderError> {
+        if settings.method == Method::Prt {
+            self.draw_over(scene, env, plate, settings)?;
+            let image = self.read_drawn()?;
+            progress(1.0);
+            return Ok(image);
+        }
         let started = Instant::now();
         self.envs.swap(0, 1);
         let current = match self.envs[0].take() {
@@ -346,6 +396,14 @@ impl Renderer for GpuRenderer {
 
     fn phases(&self) -> Vec<(&'static str, Duration)> {
         let times = &self.times;
+        if let Some(drawn) = &times.drawn {
+            return vec![
+                ("upload", times.upload + drawn.upload),
+                ("light", drawn.light),
+                ("draw", drawn.draw),
+                ("read back", drawn.read_back),
+            ];
+        }
         // As the host saw them, like the whole that they are parts of.
         vec![
             ("upload", times.upload),
@@ -364,10 +422,21 @@ impl Renderer for GpuRenderer {
 
     fn set_smc_state(&mut self, state: Option<SmcState>) -> Result<(), RenderError> {
         self.smc = None;
+        if let Some(prt) = &mut self.prt {
+            prt.forget();
+        }
         if let Some(state) = state {
             self.smc = Some(GpuSmc::upload(&self.context, state).map_err(device)?);
         }
         Ok(())
+    }
+}
+
+/// The answer to a frame by precomputed transfer under a light that the host does not know.
+fn host_light() -> GpuError {
+    GpuError::Argument {
+        entry: "precomputed transfer".to_owned(),
+        problem: "it has to be given the host's light map".to_owned(),
     }
 }
 

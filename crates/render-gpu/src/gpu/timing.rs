@@ -1,27 +1,29 @@
-//! Host file: GPU time of one dispatch, by timestamps.
+//! Host file: GPU time of dispatches, by timestamps.
 
 use std::time::Duration;
 
 use super::device::GpuContext;
 use super::error::GpuError;
 
-/// Two timestamps around a compute pass, and the way back for them.
+/// Timestamps around a compute pass, or at marks between passes, and the way back for them.
 #[derive(Debug)]
 pub(super) struct Stopwatch {
     queries: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     staging: wgpu::Buffer,
+    count: usize,
 }
 
-/// Two `u64` ticks.
-const BYTES: u64 = 16;
+/// Bytes of a timestamp: ticks, a `u64`.
+const BYTES: u64 = 8;
 
 impl Stopwatch {
-    pub(super) fn new(context: &GpuContext) -> Result<Self, GpuError> {
+    /// With so many timestamps, at least two.
+    pub(super) fn new(context: &GpuContext, count: usize) -> Result<Self, GpuError> {
         let buffer = |usage| {
             let descriptor = wgpu::BufferDescriptor {
                 label: Some("timestamps"),
-                size: BYTES,
+                size: BYTES * count as u64,
                 usage,
                 mapped_at_creation: false,
             };
@@ -33,10 +35,11 @@ impl Stopwatch {
                 queries: context.device.create_query_set(&wgpu::QuerySetDescriptor {
                     label: Some("timestamps"),
                     ty: wgpu::QueryType::Timestamp,
-                    count: 2,
+                    count: count as u32,
                 }),
                 resolved: buffer(wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
                 staging: buffer(wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ),
+                count,
             },
         )
     }
@@ -49,24 +52,37 @@ impl Stopwatch {
         }
     }
 
-    pub(super) fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
-        encoder.resolve_query_set(&self.queries, 0..2, &self.resolved, 0);
-        encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.staging, 0, BYTES);
+    /// A mark is the beginning of a pass.
+    pub(super) fn mark(&self, index: u32) -> wgpu::ComputePassTimestampWrites<'_> {
+        wgpu::ComputePassTimestampWrites {
+            query_set: &self.queries,
+            beginning_of_pass_write_index: Some(index),
+            end_of_pass_write_index: None,
+        }
     }
 
-    /// The time between the two, once `submission` is done.
+    pub(super) fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
+        let bytes = BYTES * self.count as u64;
+        encoder.resolve_query_set(&self.queries, 0..self.count as u32, &self.resolved, 0);
+        encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.staging, 0, bytes);
+    }
+
+    /// The times between each of them and the next, once `submission` is done.
     pub(super) fn read(
         &self,
         context: &GpuContext,
         submission: wgpu::SubmissionIndex,
-    ) -> Result<Duration, GpuError> {
-        let mut ticks = [0u64; 2];
+    ) -> Result<Vec<Duration>, GpuError> {
+        let mut ticks = vec![0u64; self.count];
         let target = bytemuck::cast_slice_mut(&mut ticks);
         context.read_mapped(&self.staging, target, submission, || {
             "reading timestamps".to_owned()
         })?;
-        let elapsed = ticks[1].saturating_sub(ticks[0]) as f64
-            * f64::from(context.queue.get_timestamp_period());
-        Ok(Duration::from_nanos(elapsed as u64))
+        let period = f64::from(context.queue.get_timestamp_period());
+        let passed = ticks.windows(2).map(|pair| {
+            let elapsed = pair[1].saturating_sub(pair[0]) as f64 * period;
+            Duration::from_nanos(elapsed as u64)
+        });
+        Ok(passed.collect())
     }
 }

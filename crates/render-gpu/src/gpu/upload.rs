@@ -9,6 +9,7 @@ use super::error::GpuError;
 use super::launch::Arg;
 use crate::host::env::PreparedEnv;
 use crate::host::scene_build::SceneBuffers;
+use crate::kernels::triangle::Triangle;
 
 /// A scene's buffers.
 #[derive(Debug)]
@@ -73,6 +74,21 @@ impl GpuScene {
     #[must_use]
     pub fn surface_id(&self) -> u64 {
         self.surface_id
+    }
+
+    /// What drawing reads: triangles, corners, materials, texels.
+    pub(super) fn surface(&self) -> [&GpuBuffer; 4] {
+        [
+            &self.triangles,
+            &self.corners,
+            &self.materials,
+            &self.texels,
+        ]
+    }
+
+    /// How many triangles there are.
+    pub(super) fn triangles(&self) -> u32 {
+        (self.triangles.len() / size_of::<Triangle>() as u64) as u32
     }
 
     /// The arguments of a kernel that takes `scene`.
@@ -180,7 +196,7 @@ fn rewrite<T: NoUninit>(
 }
 
 /// A buffer that is checked now to fit a binding, before the frames that would find out.
-fn bindable<T: NoUninit>(
+pub(super) fn bindable<T: NoUninit>(
     context: &GpuContext,
     path: &str,
     values: &[T],

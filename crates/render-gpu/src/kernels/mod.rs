@@ -24,6 +24,7 @@ pub mod past;
 pub mod pattern;
 pub mod prt;
 pub mod pyramid;
+pub mod raster;
 pub mod ray;
 pub mod scene;
 pub mod sensor;

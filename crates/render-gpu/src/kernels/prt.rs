@@ -175,7 +175,8 @@ pub fn shade_prt_layers(
 
 /// What the surface that a ray hits sends back along it.
 #[inline]
-fn at_hit(
+#[must_use]
+pub fn at_hit(
     ray: &Ray,
     hit: &Hit,
     map: RadianceMap<'_>,

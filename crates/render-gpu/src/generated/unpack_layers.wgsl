@@ -1,0 +1,256 @@
+// Made from Rust by naga-front-rust; do not edit. To make it anew: cargo run --release -p glimt-tests --bin regenerate
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    brdf_samples: u32,
+    env_samples: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    shadow: u32,
+    film_frame: u32,
+    unused_c: u32,
+}
+
+struct DrawnLayout {
+    map_size: vec2<u32>,
+    pitch: u32,
+    scale: f32,
+}
+
+struct CameraView {
+    eye: vec3<f32>,
+    forward: vec3<f32>,
+    right: vec3<f32>,
+    up: vec3<f32>,
+}
+
+struct PixelLayers {
+    object: vec4<f32>,
+    lit: vec3<f32>,
+    catcher: f32,
+    blocked: vec3<f32>,
+    unused_a: u32,
+    behind: vec3<f32>,
+    unused_b: u32,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    frame: FrameParams,
+    layout_: DrawnLayout,
+    map_rotation: vec2<f32>,
+}
+
+@group(0) @binding(1) 
+var<storage> map_texels: array<vec4<f32>>;
+@group(0) @binding(2) 
+var<storage> object: array<vec2<u32>>;
+@group(0) @binding(3) 
+var<storage> lit: array<vec2<u32>>;
+@group(0) @binding(4) 
+var<storage> blocked: array<vec2<u32>>;
+@group(0) @binding(5) 
+var<storage, read_write> out: array<PixelLayers>;
+@group(0) @binding(0) 
+var<storage> params: Params;
+
+// glimt_render_gpu/src/kernels/raster.rs:226
+fn half(word: u32) -> f32 {
+    var value: f32;
+    var chosen: f32;
+
+    // glimt_render_gpu/src/kernels/raster.rs:227
+    let bits = (word & 32767u);
+    // glimt_render_gpu/src/kernels/raster.rs:228
+    value = (f32(bits) * (1f / 16777216f));
+    // glimt_render_gpu/src/kernels/raster.rs:229
+    if (bits >= 1024u) {
+        // glimt_render_gpu/src/kernels/raster.rs:231
+        value = bitcast<f32>(((bits << 13u) + 939524096u));
+    }
+    // glimt_render_gpu/src/kernels/raster.rs:233
+    if ((word & 32768u) != 0u) {
+        let _e28 = value;
+        chosen = -(_e28);
+    } else {
+        let _e30 = value;
+        chosen = _e30;
+    }
+    let _e31 = chosen;
+    return _e31;
+}
+
+// glimt_render_gpu/src/kernels/raster.rs:211
+fn unpack(words: vec2<u32>, scale: f32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/raster.rs:212
+    let _e5 = half(words.x);
+    let _e10 = half((words.x >> 16u));
+    let _e12 = half(words.y);
+    let radiance = vec3<f32>(_e5, _e10, _e12);
+    // glimt_render_gpu/src/kernels/raster.rs:213
+    let _e21 = half((words.y >> 16u));
+    return vec4<f32>((radiance / vec3(scale)), _e21);
+}
+
+// glimt_render_gpu/src/kernels/camera.rs:23
+fn CameraView_direction(this_: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/camera.rs:24
+    let x = (((2f * p.x) / f32(size.x)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:25
+    let y = (((2f * p.y) / f32(size.y)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:26
+    return normalize(((this_.forward + (this_.right * x)) - (this_.up * y)));
+}
+
+// glimt_render_gpu/src/kernels/raster.rs:195
+fn centre_direction(frame: FrameParams, pixel: u32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/raster.rs:196
+    let view = CameraView(frame.eye, frame.forward, frame.right, frame.up);
+    // glimt_render_gpu/src/kernels/raster.rs:202
+    let corner = vec2<f32>(vec2<u32>((pixel % frame.width), (pixel / frame.width)));
+    // glimt_render_gpu/src/kernels/raster.rs:203
+    let _e23 = CameraView_direction(view, (corner + vec2(0.5f)), vec2<u32>(frame.width, frame.height));
+    return _e23;
+}
+
+// glimt_probe/src/rotate.rs:33
+fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
+
+    // glimt_probe/src/rotate.rs:34
+    return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
+}
+
+// glimt_probe/src/latlong.rs:45
+fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
+    var chosen_1: f32;
+    var chosen_2: f32;
+
+    // glimt_probe/src/latlong.rs:46
+    let horizontal = sqrt(((d_1.x * d_1.x) + (d_1.y * d_1.y)));
+    // glimt_probe/src/latlong.rs:47
+    if (horizontal <= 0f) {
+        // glimt_probe/src/latlong.rs:48
+        if (d_1.z < 0f) {
+            chosen_1 = 1f;
+        } else {
+            chosen_1 = 0f;
+        }
+        let v = chosen_1;
+        // glimt_probe/src/latlong.rs:49
+        return vec2<f32>(0.5f, v);
+    }
+    // glimt_probe/src/latlong.rs:52
+    let v_1 = (atan2(horizontal, d_1.z) * 0.31830987f);
+    // glimt_probe/src/latlong.rs:53
+    let u = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
+    // glimt_probe/src/latlong.rs:54
+    if (u < 1f) {
+        chosen_2 = max(u, 0f);
+    } else {
+        chosen_2 = 0f;
+    }
+    let _e47 = chosen_2;
+    return vec2<f32>(_e47, clamp(v_1, 0f, 1f));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:107
+fn bilinear(size_1: vec2<u32>, d_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:108
+    let _e4 = direction_to_uv(d_2);
+    let p_1 = ((_e4 * vec2<f32>(size_1)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:110
+    let next = vec2<u32>((p_1 + vec2(1f)));
+    // glimt_render_gpu/src/kernels/environment.rs:111
+    let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
+    // glimt_render_gpu/src/kernels/environment.rs:112
+    let x0_ = (((next.x + size_1.x) - 1u) % size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:113
+    let x1_ = (next.x % size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:114
+    let row0_ = ((max(next.y, 1u) * size_1.x) - size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:115
+    let row1_ = (min(next.y, (size_1.y - 1u)) * size_1.x);
+    // glimt_render_gpu/src/kernels/environment.rs:116
+    let _e53 = map_texels[(row0_ + x0_)];
+    let _e57 = map_texels[(row0_ + x1_)];
+    let upper = ((_e53 * (1f - f.x)) + (_e57 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:117
+    let _e68 = map_texels[(row1_ + x0_)];
+    let _e72 = map_texels[(row1_ + x1_)];
+    let lower = ((_e68 * (1f - f.x)) + (_e72 * f.x));
+    // glimt_render_gpu/src/kernels/environment.rs:118
+    return ((upper * (1f - f.y)) + (lower * f.y)).xyz;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:43
+fn RadianceMap_background(size_2: vec2<u32>, rotation: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:44
+    let to_map = vec2<f32>(rotation.x, -(rotation.y));
+    // glimt_render_gpu/src/kernels/environment.rs:45
+    let _e10 = rotate_z(direction, to_map);
+    let _e11 = bilinear(size_2, _e10);
+    return _e11;
+}
+
+// glimt_render_gpu/src/kernels/raster.rs:159
+fn unpack_layers_1(pixel_1: u32, frame_1: FrameParams, layout_: DrawnLayout, map_rotation: vec2<f32>) -> PixelLayers {
+    var behind: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/raster.rs:169
+    let at = (((pixel_1 / frame_1.width) * layout_.pitch) + (pixel_1 % frame_1.width));
+    // glimt_render_gpu/src/kernels/raster.rs:170
+    let _e16 = object[at];
+    let _e18 = unpack(_e16, layout_.scale);
+    // glimt_render_gpu/src/kernels/raster.rs:171
+    let _e22 = lit[at];
+    let _e24 = unpack(_e22, layout_.scale);
+    // glimt_render_gpu/src/kernels/raster.rs:172
+    let _e28 = blocked[at];
+    let _e30 = unpack(_e28, layout_.scale);
+    // glimt_render_gpu/src/kernels/raster.rs:173
+    behind = vec3(0f);
+    // glimt_render_gpu/src/kernels/raster.rs:174
+    if ((frame_1.background == 0u) && (_e18.w < 1f)) {
+        // glimt_render_gpu/src/kernels/raster.rs:175
+        // glimt_render_gpu/src/kernels/raster.rs:180
+        let _e48 = centre_direction(frame_1, (frame_1.first_pixel + pixel_1));
+        let _e49 = RadianceMap_background(layout_.map_size, map_rotation, _e48);
+        behind = _e49;
+    }
+    // glimt_render_gpu/src/kernels/raster.rs:182
+    let _e55 = behind;
+    return PixelLayers(_e18, _e24.xyz, _e24.w, _e30.xyz, 0u, _e55, 0u);
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn unpack_layers(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e19 = params.layout_;
+    let _e21 = params.map_rotation;
+    let _e22 = unpack_layers_1((_e14 + local), _e17, _e19, _e21);
+    out[local] = _e22;
+}

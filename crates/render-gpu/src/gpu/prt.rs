@@ -1,0 +1,504 @@
+//! Host file: frames by precomputed radiance transfer on the GPU (Hajisharif 2012, § 3.4 to 3.7), from the light map to the
+//! composite without a wait.
+//!
+//! All passes of a frame go into one command encoder: light map → pyramid → projection → its reduction → filter over time →
+//! light at the vertices → triangles drawn → layers → composite. Only who wants the image waits, and only for the image.
+
+use std::time::{Duration, Instant};
+
+use glam::{UVec2, Vec4};
+
+use super::buffer::GpuBuffer;
+use super::device::GpuContext;
+use super::error::GpuError;
+use super::launch::Arg;
+use super::light::GpuLight;
+use super::raster::{LAYERS, PIXEL, Rasteriser, Targets, pitch};
+use super::record::{ParamsPool, Recording};
+use super::renderer::device;
+use super::timing::Stopwatch;
+use super::upload::{GpuScene, bindable};
+use crate::generated::{
+    COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DISPLAY_OVER_PLATE, TONEMAP, UNPACK_LAYERS, VERTEX_LIGHT,
+};
+use crate::host::env::PreparedEnv;
+use crate::host::plate::Plate;
+use crate::host::render::{Filter, FrameImage, RenderError, RenderSettings, SettingsError};
+use crate::host::scene_build::SceneBuffers;
+use crate::host::transfer::SceneTransfer;
+use crate::kernels::composite::PlatePixel;
+use crate::kernels::frame::FrameParams;
+use crate::kernels::layers::PixelLayers;
+use crate::kernels::prt::VertexLight;
+use crate::kernels::raster::{DrawnLayout, RasterParams};
+
+/// Samples of a pixel where there are several: what every adapter has.
+const SAMPLES: u32 = 4;
+/// Nothing is drawn nearer to the eye's plane than this share of the farthest point's distance.
+const NEAR: f32 = 1e-5;
+/// Bytes of the layers of a band of rows; all bands are recorded one after the other, and share them.
+const BAND_BYTES: u64 = 64 << 20;
+/// Parts of buffers begin at multiples of 256 bytes on any adapter, so bands at multiples of so many pixels: a display value has
+/// four bytes.
+const BAND_GRANULE: u32 = 64;
+/// Marks on the GPU's clock: before the light, after it, and after the composite.
+const MARKS: usize = 3;
+
+/// Where a drawn frame's time went.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DrawTimes {
+    /// Handing over light map and plate, and recording, as the host saw it.
+    pub upload: Duration,
+    /// From the light map to light at the vertices, on the GPU; 0 where it offers no timestamps.
+    pub light: Duration,
+    /// From there to the composite, on the GPU; 0 where it offers no timestamps.
+    pub draw: Duration,
+    /// Copies back to the host, and the wait for the GPU as far as it is not known what that did.
+    pub read_back: Duration,
+}
+
+/// Draws scenes that have a transfer.
+#[derive(Debug)]
+pub struct GpuPrt {
+    light: GpuLight,
+    transfer: Option<GpuTransfer>,
+    /// For one sample, and for several.
+    rasterisers: [Option<Rasteriser>; 2],
+    room: Option<Room>,
+    pool: ParamsPool,
+    marks: Option<Stopwatch>,
+    drawn: Option<wgpu::SubmissionIndex>,
+    times: DrawTimes,
+}
+
+impl GpuPrt {
+    /// Compiles what every frame needs.
+    ///
+    /// # Errors
+    /// As [`GpuContext::prepare`].
+    pub fn new(context: &GpuContext) -> Result<Self, GpuError> {
+        for entry in [&VERTEX_LIGHT, &UNPACK_LAYERS] {
+            context.prepare(entry)?;
+        }
+        let marks = match context.has_timestamps {
+            true => Some(Stopwatch::new(context, MARKS)?),
+            false => None,
+        };
+        Ok(Self {
+            light: GpuLight::new(context, UVec2::ONE)?,
+            transfer: None,
+            rasterisers: [None, None],
+            room: None,
+            pool: ParamsPool::default(),
+            marks,
+            drawn: None,
+            times: DrawTimes::default(),
+        })
+    }
+
+    /// The filter over time starts anew.
+    pub fn forget(&mut self) {
+        self.light.forget();
+    }
+
+    /// Where the time of the frame went that was drawn last, and read back.
+    #[must_use]
+    pub fn times(&self) -> &DrawTimes {
+        &self.times
+    }
+
+    /// Draws a frame, over a plate of the same size or the background of the settings, and waits for nothing. `uploaded` is the
+    /// scene.
+    ///
+    /// With one ray a pixel, or all of them through its centre, pixels have one sample, at their centre; else four. What is behind
+    /// objects is one value a pixel. Faces nearer to the eye's plane than 10⁻⁵ of the farthest point's distance are cut off.
+    ///
+    /// # Errors
+    /// [`SettingsError::NoTransfer`], and what is wrong with the settings; [`GpuError::Limit`] where the light map, a buffer of the
+    /// scene or the image is larger than the adapter allows; [`GpuError::OutOfMemory`], [`GpuError::Lost`].
+    pub fn draw(
+        &mut self,
+        context: &GpuContext,
+        scene: &SceneBuffers,
+        uploaded: &GpuScene,
+        env: &PreparedEnv,
+        plate: Option<&Plate>,
+        settings: &RenderSettings,
+    ) -> Result<(), RenderError> {
+        let frame = settings.frame_params_over(plate)?;
+        let known = scene.transfer().ok_or(SettingsError::NoTransfer)?;
+        self.drawn = None;
+        self.keep_transfer(context, known).map_err(device)?;
+        self.keep_room(context, settings, plate).map_err(device)?;
+        let started = Instant::now();
+        self.light.upload(context, env).map_err(device)?;
+        if let (Some(plate), Some(room)) = (plate, &self.room) {
+            context.write(&room.plate, plate.pixels()).map_err(device)?;
+        }
+        let work = Work {
+            frame,
+            near: near(scene, &frame),
+            bands: known.transfer().bands,
+            has_plate: plate.is_some(),
+        };
+        let mut pool = std::mem::take(&mut self.pool);
+        let done = self.record(context, &mut pool, uploaded, &work, settings);
+        self.pool = pool;
+        if done.is_err() {
+            self.forget();
+        }
+        self.drawn = Some(done.map_err(device)?);
+        self.times = DrawTimes {
+            upload: started.elapsed(),
+            ..DrawTimes::default()
+        };
+        Ok(())
+    }
+
+    /// The frame that was drawn last, with its layers where the settings asked for them. Waits for it.
+    ///
+    /// # Errors
+    /// [`GpuError::Argument`] where none was; as [`GpuContext::read`].
+    pub fn read(&mut self, context: &GpuContext) -> Result<FrameImage, GpuError> {
+        let (Some(room), Some(submission)) = (&self.room, self.drawn.clone()) else {
+            return Err(GpuError::Argument {
+                entry: "a drawn frame".to_owned(),
+                problem: "none was drawn".to_owned(),
+            });
+        };
+        let started = Instant::now();
+        if let Some(marks) = &self.marks {
+            let passed = marks.read(context, submission)?;
+            (self.times.light, self.times.draw) = (passed[0], passed[1]);
+        }
+        let pixels = room.size.element_product() as usize;
+        let image = FrameImage {
+            size: room.size,
+            linear: context.read::<Vec4>(&room.linear, pixels)?,
+            display: context.read::<[u8; 4]>(&room.display, pixels)?,
+            layers: match room.keeps_layers {
+                true => Some(context.read::<PixelLayers>(&room.layers, pixels)?),
+                false => None,
+            },
+            diagnostics: None,
+        };
+        let on_gpu = self.times.light + self.times.draw;
+        self.times.read_back = started.elapsed().saturating_sub(on_gpu);
+        Ok(image)
+    }
+
+    fn keep_transfer(
+        &mut self,
+        context: &GpuContext,
+        known: &SceneTransfer,
+    ) -> Result<(), GpuError> {
+        if self
+            .transfer
+            .as_ref()
+            .is_none_or(|own| own.id != known.id())
+        {
+            // There may not be room for two.
+            self.transfer = None;
+            self.transfer = Some(GpuTransfer::new(context, known)?);
+        }
+        Ok(())
+    }
+
+    fn keep_room(
+        &mut self,
+        context: &GpuContext,
+        settings: &RenderSettings,
+        plate: Option<&Plate>,
+    ) -> Result<(), GpuError> {
+        let samples = match settings.rays_per_pixel == 1 || settings.filter == Filter::Centre {
+            true => 1,
+            false => SAMPLES,
+        };
+        let rasteriser = &mut self.rasterisers[usize::from(samples > 1)];
+        if rasteriser.is_none() {
+            *rasteriser = Some(Rasteriser::new(context, samples)?);
+        }
+        let fits = |room: &Room| {
+            room.size == settings.size
+                && room.samples == samples
+                && room.keeps_layers == settings.layers
+                && (room.has_plate || plate.is_none())
+        };
+        if !self.room.as_ref().is_some_and(fits) {
+            self.room = None;
+            self.room = Some(Room::new(context, settings, samples, plate.is_some())?);
+        }
+        Ok(())
+    }
+
+    /// Records and hands over a frame whose light and plate are there.
+    fn record(
+        &mut self,
+        context: &GpuContext,
+        pool: &mut ParamsPool,
+        scene: &GpuScene,
+        work: &Work,
+        settings: &RenderSettings,
+    ) -> Result<wgpu::SubmissionIndex, GpuError> {
+        let (Some(transfer), Some(room)) = (&self.transfer, &self.room) else {
+            unreachable!("both are kept before");
+        };
+        let Some(rasteriser) = &self.rasterisers[usize::from(room.samples > 1)] else {
+            unreachable!("it is kept with the room");
+        };
+        let mut recording = Recording::new(context, pool);
+        recording.mark(self.marks.as_ref(), 0);
+        self.light
+            .record(&mut recording, work.bands, &settings.prt)?;
+        transfer.record(&mut recording, &self.light, settings.prt.shadows)?;
+        recording.mark(self.marks.as_ref(), 1);
+
+        // Radiance in the display's units is what 16 bits should hold.
+        let scale = work.frame.exposure.clamp(1e-20, 1e20);
+        let params = RasterParams {
+            frame: work.frame,
+            map_size: self.light.size,
+            map_rotation: self.light.rotation,
+            near: work.near,
+            scale,
+            unused_a: 0.0,
+            unused_b: 0.0,
+        };
+        let [triangles, corners, materials, texels] = scene.surface();
+        let buffers = [
+            triangles,
+            corners,
+            materials,
+            texels,
+            &transfer.corner_vertices,
+            &transfer.reflections,
+            &transfer.lights,
+            &self.light.map,
+        ];
+        let count = scene.triangles();
+        rasteriser.record(&mut recording, &room.targets, &params, buffers, count)?;
+        room.composite(&mut recording, &self.light, work, scale)?;
+        recording.mark(self.marks.as_ref(), 2);
+        if let Some(marks) = &self.marks {
+            marks.resolve(&mut recording.encoder);
+        }
+        recording.submit()
+    }
+}
+
+/// What a frame's passes know beside the buffers.
+struct Work {
+    frame: FrameParams,
+    near: f32,
+    bands: u32,
+    has_plate: bool,
+}
+
+/// Where drawing begins, for a scene seen from the frame's eye.
+fn near(scene: &SceneBuffers, frame: &FrameParams) -> f32 {
+    let (min, max) = scene.bounds();
+    let far = (min - frame.eye)
+        .abs()
+        .max((max - frame.eye).abs())
+        .length();
+    (NEAR * far).max(1e-30)
+}
+
+/// A scene's transfer, and the light at its vertices.
+#[derive(Debug)]
+struct GpuTransfer {
+    id: u64,
+    vertices: u32,
+    coefficients: u32,
+    lit: GpuBuffer,
+    blocked: GpuBuffer,
+    corner_vertices: GpuBuffer,
+    reflections: GpuBuffer,
+    lights: GpuBuffer,
+}
+
+impl GpuTransfer {
+    fn new(context: &GpuContext, known: &SceneTransfer) -> Result<Self, GpuError> {
+        let (transfer, surface) = (known.transfer(), known.surface(&[]));
+        let vertices = known.vertices();
+        Ok(Self {
+            id: known.id(),
+            vertices,
+            coefficients: transfer.coefficients() as u32,
+            lit: bindable(context, "the transfer", &transfer.lit)?,
+            blocked: bindable(context, "the blocked transfer", &transfer.blocked)?,
+            corner_vertices: bindable(context, "the corners' vertices", surface.corner_vertices)?,
+            reflections: bindable(context, "the objects' reflections", surface.reflections)?,
+            lights: context.buffer(
+                "light at vertices",
+                u64::from(vertices) * size_of::<VertexLight>() as u64,
+            )?,
+        })
+    }
+
+    fn record(
+        &self,
+        recording: &mut Recording<'_>,
+        light: &GpuLight,
+        shadows: bool,
+    ) -> Result<(), GpuError> {
+        let shadows = u32::from(shadows);
+        let args = [
+            ("coefficients", value(&self.coefficients)),
+            ("shadows", value(&shadows)),
+            ("light", Arg::Buffer(light.coefficients())),
+            ("lit", Arg::Buffer(&self.lit)),
+            ("blocked", Arg::Buffer(&self.blocked)),
+            ("out", Arg::Buffer(&self.lights)),
+        ];
+        recording.dispatch(&VERTEX_LIGHT, &args, 0, self.vertices)
+    }
+}
+
+fn value<T: bytemuck::NoUninit>(value: &T) -> Arg<'_> {
+    Arg::Value(bytemuck::bytes_of(value))
+}
+
+/// What an image of one size is drawn and composited in.
+#[derive(Debug)]
+struct Room {
+    size: UVec2,
+    samples: u32,
+    /// Whether [`Room::layers`] is the whole image's and not a band's.
+    keeps_layers: bool,
+    has_plate: bool,
+    targets: Targets,
+    /// Rows of the image that are composited at a time.
+    band: u32,
+    /// A band's drawn layers.
+    drawn: [GpuBuffer; LAYERS],
+    layers: GpuBuffer,
+    linear: GpuBuffer,
+    display: GpuBuffer,
+    /// Of one pixel where there is none.
+    plate: GpuBuffer,
+}
+
+impl Room {
+    fn new(
+        context: &GpuContext,
+        settings: &RenderSettings,
+        samples: u32,
+        has_plate: bool,
+    ) -> Result<Self, GpuError> {
+        let size = settings.size;
+        let band = band_rows(size, context.max_binding_bytes().min(BAND_BYTES));
+        let pixels = u64::from(size.element_product());
+        let in_band = u64::from(size.x) * u64::from(band);
+        let bytes_of = |bytes: usize, pixels: u64| pixels * bytes as u64;
+        let of_band = || {
+            let bytes = u64::from(pitch(size.x)) * u64::from(band) * PIXEL;
+            context.buffer("drawn layers", bytes)
+        };
+        let with_layers = if settings.layers { pixels } else { in_band };
+        let with_plate = if has_plate { pixels } else { 1 };
+        Ok(Self {
+            size,
+            samples,
+            keeps_layers: settings.layers,
+            has_plate,
+            targets: Targets::new(context, size, samples)?,
+            band,
+            drawn: [of_band()?, of_band()?, of_band()?],
+            layers: context.buffer("layers", bytes_of(size_of::<PixelLayers>(), with_layers))?,
+            linear: context.buffer("linear", bytes_of(size_of::<Vec4>(), pixels))?,
+            display: context.buffer("display", bytes_of(4, pixels))?,
+            plate: context.buffer("plate", bytes_of(size_of::<PlatePixel>(), with_plate))?,
+        })
+    }
+
+    /// From what was drawn to the image, a band of rows after the other.
+    fn composite(
+        &self,
+        recording: &mut Recording<'_>,
+        light: &GpuLight,
+        work: &Work,
+        scale: f32,
+    ) -> Result<(), GpuError> {
+        let layout = DrawnLayout {
+            map_size: light.size,
+            pitch: self.targets.pitch(),
+            scale,
+        };
+        let mut row = 0;
+        while row < self.size.y {
+            let rows = self.band.min(self.size.y - row);
+            self.targets.copy_rows(recording, row, rows, &self.drawn);
+            let (first, count) = (row * self.size.x, rows * self.size.x);
+            let frame = FrameParams {
+                first_pixel: first,
+                ..work.frame
+            };
+            let layers = match self.keeps_layers {
+                true => Arg::Window(&self.layers, first, count),
+                false => Arg::Window(&self.layers, 0, count),
+            };
+            let [object, lit, blocked] = &self.drawn;
+            let args = [
+                ("frame", value(&frame)),
+                ("layout", value(&layout)),
+                ("map_rotation", value(&light.rotation)),
+                ("map_texels", Arg::Buffer(&light.map)),
+                ("object", Arg::Buffer(object)),
+                ("lit", Arg::Buffer(lit)),
+                ("blocked", Arg::Buffer(blocked)),
+                ("out", layers),
+            ];
+            recording.dispatch(&UNPACK_LAYERS, &args, 0, count)?;
+            let frame = ("frame", value(&frame));
+            let layers = ("layers", layers);
+            let linear = Arg::Window(&self.linear, first, count);
+            let display = ("out", Arg::Window(&self.display, first, count));
+            if work.has_plate {
+                let plate = ("plate", Arg::Window(&self.plate, first, count));
+                let args = [frame, layers, plate, ("out", linear)];
+                recording.dispatch(&COMPOSITE_OVER_PLATE, &args, 0, count)?;
+                let args = [frame, layers, plate, display];
+                recording.dispatch(&DISPLAY_OVER_PLATE, &args, 0, count)?;
+            } else {
+                let args = [frame, layers, ("out", linear)];
+                recording.dispatch(&COMPOSITE_ALONE, &args, 0, count)?;
+                let args = [frame, ("linear", linear), display];
+                recording.dispatch(&TONEMAP, &args, 0, count)?;
+            }
+            row += rows;
+        }
+        Ok(())
+    }
+}
+
+/// Rows of which the layers fit into `bytes`, so many that the next band's parts of buffers begin aligned. Where not even those
+/// fit, the dispatch says so.
+fn band_rows(size: UVec2, bytes: u64) -> u32 {
+    let row = u64::from(size.x) * (size_of::<PixelLayers>() as u64).max(4 * PIXEL);
+    let granule = BAND_GRANULE / (1 << size.x.trailing_zeros().min(BAND_GRANULE.trailing_zeros()));
+    let fitting = (bytes / row).min(u64::from(size.y)) as u32;
+    if fitting == size.y {
+        return size.y;
+    }
+    (fitting / granule * granule).max(granule).min(size.y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bands_begin_aligned_and_fit() {
+        for size in [[2400, 1700], [97, 61], [64, 9], [4096, 3000], [1, 1]] {
+            let size = UVec2::from(size);
+            for bytes in [1 << 14, 1 << 20, 64 << 20, 1 << 30] {
+                let rows = band_rows(size, bytes);
+                assert!(rows > 0 && rows <= size.y);
+                assert!(rows == size.y || (rows * size.x).is_multiple_of(BAND_GRANULE));
+                let needed = u64::from(rows * size.x) * 64;
+                assert!(needed <= bytes || rows <= BAND_GRANULE, "{size} {bytes}");
+            }
+        }
+    }
+}
