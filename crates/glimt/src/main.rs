@@ -7,7 +7,7 @@ use glimt::error::{Error, Kind, Result};
 use glimt::job::Job;
 use glimt::notes::Notes;
 use glimt::report::Reporter;
-use glimt::{compare, demo, follow, info, render, synth};
+use glimt::{compare, demo, follow, info, render, sh, synth};
 use std::io::IsTerminal;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -58,6 +58,7 @@ fn run(command: Command, reporter: &Reporter) -> Result<()> {
         } => compare::run(&shot, &flags, &compare, reporter),
         Command::Synth { input, flags } => synth::run(input.as_deref(), &flags, reporter),
         Command::Unwarp { input, flags } => unwarp::run(&input, &flags, reporter),
+        Command::Sh { inputs, flags } => sh::run(&inputs, &flags, reporter),
         Command::Info { file: None, .. } => {
             info::devices(reporter);
             Ok(())
