@@ -83,10 +83,9 @@ pub(super) fn csv(frames: &[Projected], flags: &ShFlags) -> String {
 
 /// One object, with a list of frames.
 pub(super) fn json(frames: &[Projected], flags: &ShFlags) -> String {
-    let list: Vec<Value> = frames
+    let list = frames
         .iter()
-        .map(|frame| entry(frame, "coefficients", &converted(frame, flags)))
-        .collect();
+        .map(|frame| entry(frame, "coefficients", &converted(frame, flags)));
     let convention = match flags.convention {
         ShConvention::Glimt => "glimt",
         ShConvention::CondonShortley => "condon-shortley",
@@ -95,22 +94,29 @@ pub(super) fn json(frames: &[Projected], flags: &ShFlags) -> String {
     };
     let value = json!({
         "software": SOFTWARE, "convention": convention, "meaning": meaning(flags.convention), "bands": flags.bands,
-        "up": up(flags), "window": width(flags), "temporal": flags.temporal, "frames": list,
+        "up": up(flags), "window": width(flags), "temporal": flags.temporal,
     });
-    format!("{value:#}\n")
+    with_frames(&value, list)
 }
 
 /// The nine coefficients that engines take for diffuse light.
 pub(super) fn engine(frames: &[Projected], flags: &ShFlags) -> String {
-    let list: Vec<Value> = frames
+    let list = frames
         .iter()
-        .map(|frame| entry(frame, "sh", &filament_irradiance(&frame.coefficients)))
-        .collect();
+        .map(|frame| entry(frame, "sh", &filament_irradiance(&frame.coefficients)));
     let value = json!({
         "software": SOFTWARE, "format": "irradiance over pi, as Filament's shaders take it", "meaning": ENGINE,
-        "order": POLYNOMIALS, "up": up(flags), "window": width(flags), "temporal": flags.temporal, "frames": list,
+        "order": POLYNOMIALS, "up": up(flags), "window": width(flags), "temporal": flags.temporal,
     });
-    format!("{value:#}\n")
+    with_frames(&value, list)
+}
+
+/// The object with a list of frames behind its other keys, a line each.
+fn with_frames(value: &Value, frames: impl Iterator<Item = Value>) -> String {
+    let head = value.to_string();
+    let head = head.trim_end_matches('}');
+    let frames: Vec<String> = frames.map(|frame| frame.to_string()).collect();
+    format!("{head},\"frames\":[\n{}\n]}}\n", frames.join(",\n"))
 }
 
 fn entry(frame: &Projected, name: &str, coefficients: &[Vec3]) -> Value {
