@@ -172,7 +172,7 @@ impl Stage<'_> {
     }
 }
 
-fn params(pattern: Pattern, tonemap: Tonemap) -> FrameParams {
+pub(super) fn params(pattern: Pattern, tonemap: Tonemap) -> FrameParams {
     settings(pattern, tonemap)
         .frame_params()
         .expect("settings that are right")
@@ -210,7 +210,7 @@ pub(super) fn environment(rotate_z_deg: f32) -> PreparedEnv {
 }
 
 /// A glossy tetrahedron and a metal one before a textured, bumpy wall, on a matte floor.
-fn scene(catcher: bool) -> SceneBuffers {
+pub(super) fn scene(catcher: bool) -> SceneBuffers {
     let tetrahedron = Mesh {
         name: "tetrahedron".to_owned(),
         positions: vec![

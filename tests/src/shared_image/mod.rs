@@ -4,11 +4,13 @@
 
 pub mod atlas;
 mod capture;
+pub mod drawn;
 mod estimators;
 mod frame;
 mod layered;
 mod light;
 pub mod sampler;
+mod transfer;
 
 use bytemuck::NoUninit;
 use glam::{UVec2, Vec4};
@@ -23,6 +25,7 @@ pub use capture::capture_pair;
 pub use frame::frame_pairs;
 pub use light::light_pair;
 pub use sampler::sampler_pair;
+pub use transfer::{projection_pair, transfer_pair};
 
 /// One image on both processors, as words.
 #[derive(Clone, Debug)]
@@ -42,7 +45,9 @@ pub struct Pair {
 #[must_use]
 pub fn program() -> Program {
     let atlas: (&str, &[(&str, &str)]) = ("atlas", &[("lib.rs", include_str!("atlas.rs"))]);
-    let sources = [&golden::SOURCES[..], &[atlas, sampler_sets::SHADER_SOURCE]].concat();
+    let drawn: (&str, &[(&str, &str)]) = ("drawn", &[("lib.rs", include_str!("drawn.rs"))]);
+    let own = [atlas, drawn, sampler_sets::SHADER_SOURCE];
+    let sources = [&golden::SOURCES[..], &own].concat();
     golden::program(&sources).unwrap_or_else(|error| panic!("{error}"))
 }
 

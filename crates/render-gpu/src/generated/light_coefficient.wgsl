@@ -10,9 +10,9 @@ struct LightParams {
     unused_c: u32,
 }
 
-struct Tuple_f32_f32_ {
-    fa: f32,
-    fb: f32,
+struct Tuple_u32_i32_ {
+    fa: u32,
+    fb: i32,
 }
 
 struct Params {
@@ -30,135 +30,160 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_sh/src/basis.rs:105
-fn turn(p: vec2<f32>, x: f32, y: f32) -> vec2<f32> {
+// glimt_sh/src/filter.rs:13
+fn coefficient_band(k: u32) -> u32 {
+    var l: u32;
 
-    // glimt_sh/src/basis.rs:106
-    return vec2<f32>(((p.x * x) - (p.y * y)), ((p.x * y) + (p.y * x)));
+    // glimt_sh/src/filter.rs:14
+    l = 0u;
+    // glimt_sh/src/filter.rs:15
+    loop {
+        let _e6 = l;
+        let _e9 = l;
+        let _e12 = l;
+        if ((_e6 < 5u) && (k >= ((_e9 + 1u) * (_e12 + 1u)))) {
+            // glimt_sh/src/filter.rs:16
+            let _e20 = l;
+            l = (_e20 + 1u);
+        } else {
+            break;
+        }
+    }
+    // glimt_sh/src/filter.rs:18
+    let _e23 = l;
+    return _e23;
 }
 
-// glimt_sh/src/separable.rs:56
-fn ring(x_1: f32, y_1: f32) -> array<f32, 11> {
+// glimt_sh/src/filter.rs:29
+fn coefficient_order(k_1: u32) -> i32 {
 
-    // glimt_sh/src/separable.rs:57
-    let p1_ = vec2<f32>(x_1, y_1);
-    // glimt_sh/src/separable.rs:58
-    let _e6 = turn(p1_, x_1, y_1);
-    // glimt_sh/src/separable.rs:59
-    let _e8 = turn(_e6, x_1, y_1);
-    // glimt_sh/src/separable.rs:60
-    let _e10 = turn(_e8, x_1, y_1);
-    // glimt_sh/src/separable.rs:61
-    let _e12 = turn(_e10, x_1, y_1);
-    // glimt_sh/src/separable.rs:62
-    return array<f32, 11>(1f, x_1, y_1, _e6.x, _e6.y, _e8.x, _e8.y, _e10.x, _e10.y, _e12.x, _e12.y);
+    // glimt_sh/src/filter.rs:30
+    let _e3 = coefficient_band(k_1);
+    // glimt_sh/src/filter.rs:31
+    return (i32(k_1) - i32((_e3 * (_e3 + 1u))));
+}
+
+// glimt_sh/src/basis.rs:40
+fn coefficient_index(l_1: u32, m: i32) -> u32 {
+
+    // glimt_sh/src/basis.rs:41
+    return u32((i32((l_1 * (l_1 + 1u))) + m));
+}
+
+// glimt_sh/src/filter.rs:66
+fn rotate_z(m_1: i32, own: f32, opposite: f32, angle: vec2<f32>) -> f32 {
+    var turn: vec2<f32>;
+    var counter: i32;
+    var chosen: f32;
+
+    // glimt_sh/src/filter.rs:67
+    turn = vec2<f32>(1f, 0f);
+    // glimt_sh/src/filter.rs:68
+    counter = 0i;
+    loop {
+        let _e14 = counter;
+        if (_e14 >= abs(m_1)) {
+            break;
+        }
+        // glimt_sh/src/filter.rs:69
+        let _e18 = turn.x;
+        let _e22 = turn.y;
+        let _e27 = turn.x;
+        let _e31 = turn.y;
+        turn = vec2<f32>(((_e18 * angle.x) - (_e22 * angle.y)), ((_e27 * angle.y) + (_e31 * angle.x)));
+        continuing {
+            let _e36 = counter;
+            counter = (_e36 + 1i);
+        }
+    }
+    // glimt_sh/src/filter.rs:74
+    if (m_1 > 0i) {
+        // glimt_sh/src/filter.rs:75
+        let _e45 = turn.x;
+        let _e48 = turn.y;
+        chosen = ((own * _e45) - (opposite * _e48));
+    } else {
+        // glimt_sh/src/filter.rs:77
+        let _e53 = turn.x;
+        let _e56 = turn.y;
+        chosen = ((own * _e53) + (opposite * _e56));
+    }
+    let _e59 = chosen;
+    return _e59;
 }
 
 // glimt_sh/src/basis.rs:267
-fn hann(l: u32, window: f32) -> f32 {
-    var chosen: f32;
+fn hann(l_2: u32, window: f32) -> f32 {
     var chosen_1: f32;
+    var chosen_2: f32;
 
     // glimt_sh/src/basis.rs:268
-    let l_2 = f32(l);
+    let l_3 = f32(l_2);
     // glimt_sh/src/basis.rs:269
     if !((window > 0f)) {
         // glimt_sh/src/basis.rs:270
-        chosen = 1f;
+        chosen_1 = 1f;
     } else {
-        if (l_2 < window) {
+        if (l_3 < window) {
             // glimt_sh/src/basis.rs:272
-            chosen_1 = (0.5f + (0.5f * cos(((3.1415927f * l_2) / window))));
+            chosen_2 = (0.5f + (0.5f * cos(((3.1415927f * l_3) / window))));
         } else {
             // glimt_sh/src/basis.rs:274
-            chosen_1 = 0f;
+            chosen_2 = 0f;
         }
-        let _e25 = chosen_1;
-        chosen = _e25;
+        let _e25 = chosen_2;
+        chosen_1 = _e25;
     }
-    let _e26 = chosen;
+    let _e26 = chosen_1;
     return _e26;
 }
 
-// glimt_render_gpu/src/kernels/light_sh.rs:55
-fn light_coefficient_1(k: u32, light: LightParams) -> vec4<f32> {
-    var l_1: u32;
-    var turn_1: array<f32, 11>;
-    var value: vec4<f32>;
+// glimt_sh/src/filter.rs:46
+fn temporal_filter(current: f32, before: f32, alpha: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/light_sh.rs:56
-    if (k >= (light.bands * light.bands)) {
-        // glimt_render_gpu/src/kernels/light_sh.rs:57
+    // glimt_sh/src/filter.rs:47
+    if !((alpha > 0f)) {
+        // glimt_sh/src/filter.rs:48
+        return current;
+    }
+    // glimt_sh/src/filter.rs:50
+    return ((current + (alpha * before)) / (1f + alpha));
+}
+
+// glimt_render_gpu/src/kernels/light_sh.rs:58
+fn light_coefficient_1(k_2: u32, light: LightParams) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/light_sh.rs:59
+    if (k_2 >= (light.bands * light.bands)) {
+        // glimt_render_gpu/src/kernels/light_sh.rs:60
         return vec4(0f);
     }
-    // glimt_render_gpu/src/kernels/light_sh.rs:59
-    l_1 = 0u;
-    // glimt_render_gpu/src/kernels/light_sh.rs:60
-    loop {
-        let _e15 = l_1;
-        let _e18 = l_1;
-        if !((((_e15 + 1u) * (_e18 + 1u)) <= k)) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/light_sh.rs:61
-        let _e26 = l_1;
-        l_1 = (_e26 + 1u);
-    }
+    // glimt_render_gpu/src/kernels/light_sh.rs:63
+    let _e12 = coefficient_band(k_2);
+    let _e13 = coefficient_order(k_2);
+    let _e14 = Tuple_u32_i32_(_e12, _e13);
+    let l_4 = _e14.fa;
+    let m_2 = _e14.fb;
     // glimt_render_gpu/src/kernels/light_sh.rs:64
-    let _e29 = l_1;
-    let _e30 = l_1;
-    let centre = (_e29 * (_e30 + 1u));
+    let own_1 = sums[k_2];
     // glimt_render_gpu/src/kernels/light_sh.rs:65
-    let _e39 = ring(light.rotation.x, light.rotation.y);
-    turn_1 = _e39;
+    let _e23 = coefficient_index(l_4, -(m_2));
+    let opposite_1 = sums[_e23];
     // glimt_render_gpu/src/kernels/light_sh.rs:66
-    let _e44 = sums[k];
-    value = _e44;
-    // glimt_render_gpu/src/kernels/light_sh.rs:67
-    if (k > centre) {
-        // glimt_render_gpu/src/kernels/light_sh.rs:68
-        let m = (k - centre);
-        // glimt_render_gpu/src/kernels/light_sh.rs:69
-        let _e56 = turn_1[((2u * m) - 1u)];
-        let _e60 = turn_1[(2u * m)];
-        let _e61 = Tuple_f32_f32_(_e56, _e60);
-        let c = _e61.fa;
-        let s = _e61.fb;
-        // glimt_render_gpu/src/kernels/light_sh.rs:70
-        let _e65 = value;
-        let _e70 = sums[(centre - m)];
-        value = ((_e65 * c) - (_e70 * s));
-    }
+    let _e31 = rotate_z(m_2, own_1.x, opposite_1.x, light.rotation);
+    let _e35 = rotate_z(m_2, own_1.y, opposite_1.y, light.rotation);
+    let _e39 = rotate_z(m_2, own_1.z, opposite_1.z, light.rotation);
+    let turned = vec3<f32>(_e31, _e35, _e39);
+    // glimt_render_gpu/src/kernels/light_sh.rs:71
+    let _e43 = hann(l_4, light.window);
+    let now = (turned * _e43);
     // glimt_render_gpu/src/kernels/light_sh.rs:72
-    if (k < centre) {
-        // glimt_render_gpu/src/kernels/light_sh.rs:73
-        let m_1 = (centre - k);
-        // glimt_render_gpu/src/kernels/light_sh.rs:74
-        let _e83 = turn_1[((2u * m_1) - 1u)];
-        let _e87 = turn_1[(2u * m_1)];
-        let _e88 = Tuple_f32_f32_(_e83, _e87);
-        let c_1 = _e88.fa;
-        let s_1 = _e88.fb;
-        // glimt_render_gpu/src/kernels/light_sh.rs:75
-        let _e92 = value;
-        let _e97 = sums[(centre + m_1)];
-        value = ((_e92 * c_1) + (_e97 * s_1));
-    }
-    // glimt_render_gpu/src/kernels/light_sh.rs:77
-    let _e101 = l_1;
-    let _e103 = hann(_e101, light.window);
-    let _e104 = value;
-    value = (_e104 * _e103);
-    // glimt_render_gpu/src/kernels/light_sh.rs:78
-    if (light.temporal > 0f) {
-        // glimt_render_gpu/src/kernels/light_sh.rs:79
-        let _e111 = value;
-        let _e114 = previous[k];
-        value = ((_e111 + (_e114 * light.temporal)) / vec4((1f + light.temporal)));
-    }
-    // glimt_render_gpu/src/kernels/light_sh.rs:81
-    let _e124 = value;
-    return vec4<f32>(_e124.xyz, 0f);
+    let before_1 = previous[k_2];
+    // glimt_render_gpu/src/kernels/light_sh.rs:73
+    let _e53 = temporal_filter(now.x, before_1.x, light.temporal);
+    let _e57 = temporal_filter(now.y, before_1.y, light.temporal);
+    let _e61 = temporal_filter(now.z, before_1.z, light.temporal);
+    return vec4<f32>(_e53, _e57, _e61, 0f);
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -61,12 +61,12 @@ fn ring(x_2: f32, y_1: f32) -> array<f32, 11> {
     return array<f32, 11>(1f, x_2, y_1, _e6.x, _e6.y, _e8.x, _e8.y, _e10.x, _e10.y, _e12.x, _e12.y);
 }
 
-// glimt_render_gpu/src/kernels/light_sh.rs:32
+// glimt_render_gpu/src/kernels/light_sh.rs:35
 fn column_ring(column: u32, width: u32) -> array<f32, 11> {
 
-    // glimt_render_gpu/src/kernels/light_sh.rs:33
+    // glimt_render_gpu/src/kernels/light_sh.rs:36
     let _e13 = cos_sin_pi((1f - (f32(((2u * column) + 1u)) / f32(width))));
-    // glimt_render_gpu/src/kernels/light_sh.rs:34
+    // glimt_render_gpu/src/kernels/light_sh.rs:37
     let _e17 = ring(_e13.x, _e13.y);
     return _e17;
 }
@@ -154,12 +154,12 @@ fn meridian(z_4: f32, s: f32) -> array<f32, 21> {
     return array<f32, 21>(0.2820948f, (0.48860252f * z_4), (0.48860252f * s), _e30, (_e32 * s), (_e35 * s2_), _e38, (_e40 * s), (_e43 * s2_), (_e46 * s3_), _e49, (_e51 * s), (_e54 * s2_), (_e57 * s3_), (_e60 * s4_), _e63, (_e65 * s), (_e68 * s2_), (_e71 * s3_), (_e74 * s4_), (_e77 * s5_));
 }
 
-// glimt_render_gpu/src/kernels/light_sh.rs:40
+// glimt_render_gpu/src/kernels/light_sh.rs:43
 fn row_meridian(row: u32, size: vec2<u32>) -> array<f32, 21> {
 
-    // glimt_render_gpu/src/kernels/light_sh.rs:41
+    // glimt_render_gpu/src/kernels/light_sh.rs:44
     let _e14 = cos_sin_pi((f32(((2u * row) + 1u)) / f32((2u * size.y))));
-    // glimt_render_gpu/src/kernels/light_sh.rs:42
+    // glimt_render_gpu/src/kernels/light_sh.rs:45
     let _e18 = meridian(_e14.x, _e14.y);
     return _e18;
 }
@@ -183,10 +183,10 @@ fn texel_solid_angle_sr(row_1: u32, size_1: vec2<u32>) -> f32 {
     return ((((4f * 3.1415927f) / f32(size_3.x)) * _e37.y) * _e40.y);
 }
 
-// glimt_render_gpu/src/kernels/light_sh.rs:48
+// glimt_render_gpu/src/kernels/light_sh.rs:51
 fn row_area(row_2: u32, size_2: vec2<u32>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/light_sh.rs:49
+    // glimt_render_gpu/src/kernels/light_sh.rs:52
     let _e4 = texel_solid_angle_sr(row_2, size_2);
     return _e4;
 }

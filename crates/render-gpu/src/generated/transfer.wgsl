@@ -435,47 +435,47 @@ fn closest_hit(ray_5: Ray, t_max_1: f32) -> Option_Hit {
     return Option_Hit(true, Hit(_e7, _e14, _e18));
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:112
+// glimt_render_gpu/src/kernels/transfer.rs:120
 fn meets(at: TransferVertex, origin_1: vec3<f32>, direction_2: vec3<f32>, reach_2: f32, own: bool) -> bool {
     var from_: vec3<f32>;
     var left: f32;
     var counter_1: u32;
 
-    // glimt_render_gpu/src/kernels/transfer.rs:121
+    // glimt_render_gpu/src/kernels/transfer.rs:129
     from_ = origin_1;
-    // glimt_render_gpu/src/kernels/transfer.rs:122
+    // glimt_render_gpu/src/kernels/transfer.rs:130
     left = reach_2;
-    // glimt_render_gpu/src/kernels/transfer.rs:123
+    // glimt_render_gpu/src/kernels/transfer.rs:131
     let step_ = (at.step / max(length(direction_2), 0.000000000000000000000000000000000000011754944f));
-    // glimt_render_gpu/src/kernels/transfer.rs:124
+    // glimt_render_gpu/src/kernels/transfer.rs:132
     counter_1 = 0u;
     loop {
         let _e20 = counter_1;
         if (_e20 >= 64u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/transfer.rs:125
+        // glimt_render_gpu/src/kernels/transfer.rs:133
         let _e23 = from_;
         let _e24 = Ray_new(_e23, direction_2);
         let _e25 = left;
         let _e26 = closest_hit(_e24, _e25);
         if !(_e26.is_some) {
-            // glimt_render_gpu/src/kernels/transfer.rs:126
+            // glimt_render_gpu/src/kernels/transfer.rs:134
             return false;
         } else {
             let hit = _e26.value;
-            // glimt_render_gpu/src/kernels/transfer.rs:127
-            // glimt_render_gpu/src/kernels/transfer.rs:128
+            // glimt_render_gpu/src/kernels/transfer.rs:135
+            // glimt_render_gpu/src/kernels/transfer.rs:136
             let object = triangles[hit.triangle].object;
-            // glimt_render_gpu/src/kernels/transfer.rs:129
+            // glimt_render_gpu/src/kernels/transfer.rs:137
             if (((object & 2147483648u) == 0u) && ((object == at.object) == own)) {
-                // glimt_render_gpu/src/kernels/transfer.rs:130
+                // glimt_render_gpu/src/kernels/transfer.rs:138
                 return true;
             }
-            // glimt_render_gpu/src/kernels/transfer.rs:132
+            // glimt_render_gpu/src/kernels/transfer.rs:140
             let _e56 = from_;
             from_ = (_e56 + (direction_2 * (hit.t + step_)));
-            // glimt_render_gpu/src/kernels/transfer.rs:133
+            // glimt_render_gpu/src/kernels/transfer.rs:141
             let _e61 = left;
             left = (_e61 - (hit.t + step_));
         }
@@ -484,7 +484,7 @@ fn meets(at: TransferVertex, origin_1: vec3<f32>, direction_2: vec3<f32>, reach_
             counter_1 = (_e63 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/transfer.rs:137
+    // glimt_render_gpu/src/kernels/transfer.rs:145
     return false;
 }
 
@@ -948,127 +948,127 @@ fn add_basis(bands: u32, d: vec3<f32>, weight: f32, sums: ptr<function, array<f3
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:141
+// glimt_render_gpu/src/kernels/transfer.rs:149
 fn store(bands_1: u32, scale: f32, sums_1: array<f32, 36>, out_start: u32, out_len: u32) {
     var sums_2: array<f32, 36>;
 
     sums_2 = sums_1;
-    // glimt_render_gpu/src/kernels/transfer.rs:142
+    // glimt_render_gpu/src/kernels/transfer.rs:150
     let _e9 = sums_2[0];
     lit[(out_start + 0u)] = (scale * _e9);
-    // glimt_render_gpu/src/kernels/transfer.rs:143
+    // glimt_render_gpu/src/kernels/transfer.rs:151
     if (bands_1 > 1u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:144
+        // glimt_render_gpu/src/kernels/transfer.rs:152
         let _e20 = sums_2[1];
         lit[(out_start + 1u)] = (scale * _e20);
-        // glimt_render_gpu/src/kernels/transfer.rs:145
+        // glimt_render_gpu/src/kernels/transfer.rs:153
         let _e28 = sums_2[2];
         lit[(out_start + 2u)] = (scale * _e28);
-        // glimt_render_gpu/src/kernels/transfer.rs:146
+        // glimt_render_gpu/src/kernels/transfer.rs:154
         let _e36 = sums_2[3];
         lit[(out_start + 3u)] = (scale * _e36);
-        // glimt_render_gpu/src/kernels/transfer.rs:147
+        // glimt_render_gpu/src/kernels/transfer.rs:155
         if (bands_1 > 2u) {
-            // glimt_render_gpu/src/kernels/transfer.rs:148
+            // glimt_render_gpu/src/kernels/transfer.rs:156
             let _e47 = sums_2[4];
             lit[(out_start + 4u)] = (scale * _e47);
-            // glimt_render_gpu/src/kernels/transfer.rs:149
+            // glimt_render_gpu/src/kernels/transfer.rs:157
             let _e55 = sums_2[5];
             lit[(out_start + 5u)] = (scale * _e55);
-            // glimt_render_gpu/src/kernels/transfer.rs:150
+            // glimt_render_gpu/src/kernels/transfer.rs:158
             let _e63 = sums_2[6];
             lit[(out_start + 6u)] = (scale * _e63);
-            // glimt_render_gpu/src/kernels/transfer.rs:151
+            // glimt_render_gpu/src/kernels/transfer.rs:159
             let _e71 = sums_2[7];
             lit[(out_start + 7u)] = (scale * _e71);
-            // glimt_render_gpu/src/kernels/transfer.rs:152
+            // glimt_render_gpu/src/kernels/transfer.rs:160
             let _e79 = sums_2[8];
             lit[(out_start + 8u)] = (scale * _e79);
-            // glimt_render_gpu/src/kernels/transfer.rs:153
+            // glimt_render_gpu/src/kernels/transfer.rs:161
             if (bands_1 > 3u) {
-                // glimt_render_gpu/src/kernels/transfer.rs:154
+                // glimt_render_gpu/src/kernels/transfer.rs:162
                 let _e90 = sums_2[9];
                 lit[(out_start + 9u)] = (scale * _e90);
-                // glimt_render_gpu/src/kernels/transfer.rs:155
+                // glimt_render_gpu/src/kernels/transfer.rs:163
                 let _e98 = sums_2[10];
                 lit[(out_start + 10u)] = (scale * _e98);
-                // glimt_render_gpu/src/kernels/transfer.rs:156
+                // glimt_render_gpu/src/kernels/transfer.rs:164
                 let _e106 = sums_2[11];
                 lit[(out_start + 11u)] = (scale * _e106);
-                // glimt_render_gpu/src/kernels/transfer.rs:157
+                // glimt_render_gpu/src/kernels/transfer.rs:165
                 let _e114 = sums_2[12];
                 lit[(out_start + 12u)] = (scale * _e114);
-                // glimt_render_gpu/src/kernels/transfer.rs:158
+                // glimt_render_gpu/src/kernels/transfer.rs:166
                 let _e122 = sums_2[13];
                 lit[(out_start + 13u)] = (scale * _e122);
-                // glimt_render_gpu/src/kernels/transfer.rs:159
+                // glimt_render_gpu/src/kernels/transfer.rs:167
                 let _e130 = sums_2[14];
                 lit[(out_start + 14u)] = (scale * _e130);
-                // glimt_render_gpu/src/kernels/transfer.rs:160
+                // glimt_render_gpu/src/kernels/transfer.rs:168
                 let _e138 = sums_2[15];
                 lit[(out_start + 15u)] = (scale * _e138);
-                // glimt_render_gpu/src/kernels/transfer.rs:161
+                // glimt_render_gpu/src/kernels/transfer.rs:169
                 if (bands_1 > 4u) {
-                    // glimt_render_gpu/src/kernels/transfer.rs:162
+                    // glimt_render_gpu/src/kernels/transfer.rs:170
                     let _e149 = sums_2[16];
                     lit[(out_start + 16u)] = (scale * _e149);
-                    // glimt_render_gpu/src/kernels/transfer.rs:163
+                    // glimt_render_gpu/src/kernels/transfer.rs:171
                     let _e157 = sums_2[17];
                     lit[(out_start + 17u)] = (scale * _e157);
-                    // glimt_render_gpu/src/kernels/transfer.rs:164
+                    // glimt_render_gpu/src/kernels/transfer.rs:172
                     let _e165 = sums_2[18];
                     lit[(out_start + 18u)] = (scale * _e165);
-                    // glimt_render_gpu/src/kernels/transfer.rs:165
+                    // glimt_render_gpu/src/kernels/transfer.rs:173
                     let _e173 = sums_2[19];
                     lit[(out_start + 19u)] = (scale * _e173);
-                    // glimt_render_gpu/src/kernels/transfer.rs:166
+                    // glimt_render_gpu/src/kernels/transfer.rs:174
                     let _e181 = sums_2[20];
                     lit[(out_start + 20u)] = (scale * _e181);
-                    // glimt_render_gpu/src/kernels/transfer.rs:167
+                    // glimt_render_gpu/src/kernels/transfer.rs:175
                     let _e189 = sums_2[21];
                     lit[(out_start + 21u)] = (scale * _e189);
-                    // glimt_render_gpu/src/kernels/transfer.rs:168
+                    // glimt_render_gpu/src/kernels/transfer.rs:176
                     let _e197 = sums_2[22];
                     lit[(out_start + 22u)] = (scale * _e197);
-                    // glimt_render_gpu/src/kernels/transfer.rs:169
+                    // glimt_render_gpu/src/kernels/transfer.rs:177
                     let _e205 = sums_2[23];
                     lit[(out_start + 23u)] = (scale * _e205);
-                    // glimt_render_gpu/src/kernels/transfer.rs:170
+                    // glimt_render_gpu/src/kernels/transfer.rs:178
                     let _e213 = sums_2[24];
                     lit[(out_start + 24u)] = (scale * _e213);
-                    // glimt_render_gpu/src/kernels/transfer.rs:171
+                    // glimt_render_gpu/src/kernels/transfer.rs:179
                     if (bands_1 > 5u) {
-                        // glimt_render_gpu/src/kernels/transfer.rs:172
+                        // glimt_render_gpu/src/kernels/transfer.rs:180
                         let _e224 = sums_2[25];
                         lit[(out_start + 25u)] = (scale * _e224);
-                        // glimt_render_gpu/src/kernels/transfer.rs:173
+                        // glimt_render_gpu/src/kernels/transfer.rs:181
                         let _e232 = sums_2[26];
                         lit[(out_start + 26u)] = (scale * _e232);
-                        // glimt_render_gpu/src/kernels/transfer.rs:174
+                        // glimt_render_gpu/src/kernels/transfer.rs:182
                         let _e240 = sums_2[27];
                         lit[(out_start + 27u)] = (scale * _e240);
-                        // glimt_render_gpu/src/kernels/transfer.rs:175
+                        // glimt_render_gpu/src/kernels/transfer.rs:183
                         let _e248 = sums_2[28];
                         lit[(out_start + 28u)] = (scale * _e248);
-                        // glimt_render_gpu/src/kernels/transfer.rs:176
+                        // glimt_render_gpu/src/kernels/transfer.rs:184
                         let _e256 = sums_2[29];
                         lit[(out_start + 29u)] = (scale * _e256);
-                        // glimt_render_gpu/src/kernels/transfer.rs:177
+                        // glimt_render_gpu/src/kernels/transfer.rs:185
                         let _e264 = sums_2[30];
                         lit[(out_start + 30u)] = (scale * _e264);
-                        // glimt_render_gpu/src/kernels/transfer.rs:178
+                        // glimt_render_gpu/src/kernels/transfer.rs:186
                         let _e272 = sums_2[31];
                         lit[(out_start + 31u)] = (scale * _e272);
-                        // glimt_render_gpu/src/kernels/transfer.rs:179
+                        // glimt_render_gpu/src/kernels/transfer.rs:187
                         let _e280 = sums_2[32];
                         lit[(out_start + 32u)] = (scale * _e280);
-                        // glimt_render_gpu/src/kernels/transfer.rs:180
+                        // glimt_render_gpu/src/kernels/transfer.rs:188
                         let _e288 = sums_2[33];
                         lit[(out_start + 33u)] = (scale * _e288);
-                        // glimt_render_gpu/src/kernels/transfer.rs:181
+                        // glimt_render_gpu/src/kernels/transfer.rs:189
                         let _e296 = sums_2[34];
                         lit[(out_start + 34u)] = (scale * _e296);
-                        // glimt_render_gpu/src/kernels/transfer.rs:182
+                        // glimt_render_gpu/src/kernels/transfer.rs:190
                         let _e304 = sums_2[35];
                         lit[(out_start + 35u)] = (scale * _e304);
                     }
@@ -1079,127 +1079,127 @@ fn store(bands_1: u32, scale: f32, sums_1: array<f32, 36>, out_start: u32, out_l
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:141
+// glimt_render_gpu/src/kernels/transfer.rs:149
 fn store_1(bands_2: u32, scale_1: f32, sums_3: array<f32, 36>, out_start_1: u32, out_len_1: u32) {
     var sums_4: array<f32, 36>;
 
     sums_4 = sums_3;
-    // glimt_render_gpu/src/kernels/transfer.rs:142
+    // glimt_render_gpu/src/kernels/transfer.rs:150
     let _e9 = sums_4[0];
     blocked[(out_start_1 + 0u)] = (scale_1 * _e9);
-    // glimt_render_gpu/src/kernels/transfer.rs:143
+    // glimt_render_gpu/src/kernels/transfer.rs:151
     if (bands_2 > 1u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:144
+        // glimt_render_gpu/src/kernels/transfer.rs:152
         let _e20 = sums_4[1];
         blocked[(out_start_1 + 1u)] = (scale_1 * _e20);
-        // glimt_render_gpu/src/kernels/transfer.rs:145
+        // glimt_render_gpu/src/kernels/transfer.rs:153
         let _e28 = sums_4[2];
         blocked[(out_start_1 + 2u)] = (scale_1 * _e28);
-        // glimt_render_gpu/src/kernels/transfer.rs:146
+        // glimt_render_gpu/src/kernels/transfer.rs:154
         let _e36 = sums_4[3];
         blocked[(out_start_1 + 3u)] = (scale_1 * _e36);
-        // glimt_render_gpu/src/kernels/transfer.rs:147
+        // glimt_render_gpu/src/kernels/transfer.rs:155
         if (bands_2 > 2u) {
-            // glimt_render_gpu/src/kernels/transfer.rs:148
+            // glimt_render_gpu/src/kernels/transfer.rs:156
             let _e47 = sums_4[4];
             blocked[(out_start_1 + 4u)] = (scale_1 * _e47);
-            // glimt_render_gpu/src/kernels/transfer.rs:149
+            // glimt_render_gpu/src/kernels/transfer.rs:157
             let _e55 = sums_4[5];
             blocked[(out_start_1 + 5u)] = (scale_1 * _e55);
-            // glimt_render_gpu/src/kernels/transfer.rs:150
+            // glimt_render_gpu/src/kernels/transfer.rs:158
             let _e63 = sums_4[6];
             blocked[(out_start_1 + 6u)] = (scale_1 * _e63);
-            // glimt_render_gpu/src/kernels/transfer.rs:151
+            // glimt_render_gpu/src/kernels/transfer.rs:159
             let _e71 = sums_4[7];
             blocked[(out_start_1 + 7u)] = (scale_1 * _e71);
-            // glimt_render_gpu/src/kernels/transfer.rs:152
+            // glimt_render_gpu/src/kernels/transfer.rs:160
             let _e79 = sums_4[8];
             blocked[(out_start_1 + 8u)] = (scale_1 * _e79);
-            // glimt_render_gpu/src/kernels/transfer.rs:153
+            // glimt_render_gpu/src/kernels/transfer.rs:161
             if (bands_2 > 3u) {
-                // glimt_render_gpu/src/kernels/transfer.rs:154
+                // glimt_render_gpu/src/kernels/transfer.rs:162
                 let _e90 = sums_4[9];
                 blocked[(out_start_1 + 9u)] = (scale_1 * _e90);
-                // glimt_render_gpu/src/kernels/transfer.rs:155
+                // glimt_render_gpu/src/kernels/transfer.rs:163
                 let _e98 = sums_4[10];
                 blocked[(out_start_1 + 10u)] = (scale_1 * _e98);
-                // glimt_render_gpu/src/kernels/transfer.rs:156
+                // glimt_render_gpu/src/kernels/transfer.rs:164
                 let _e106 = sums_4[11];
                 blocked[(out_start_1 + 11u)] = (scale_1 * _e106);
-                // glimt_render_gpu/src/kernels/transfer.rs:157
+                // glimt_render_gpu/src/kernels/transfer.rs:165
                 let _e114 = sums_4[12];
                 blocked[(out_start_1 + 12u)] = (scale_1 * _e114);
-                // glimt_render_gpu/src/kernels/transfer.rs:158
+                // glimt_render_gpu/src/kernels/transfer.rs:166
                 let _e122 = sums_4[13];
                 blocked[(out_start_1 + 13u)] = (scale_1 * _e122);
-                // glimt_render_gpu/src/kernels/transfer.rs:159
+                // glimt_render_gpu/src/kernels/transfer.rs:167
                 let _e130 = sums_4[14];
                 blocked[(out_start_1 + 14u)] = (scale_1 * _e130);
-                // glimt_render_gpu/src/kernels/transfer.rs:160
+                // glimt_render_gpu/src/kernels/transfer.rs:168
                 let _e138 = sums_4[15];
                 blocked[(out_start_1 + 15u)] = (scale_1 * _e138);
-                // glimt_render_gpu/src/kernels/transfer.rs:161
+                // glimt_render_gpu/src/kernels/transfer.rs:169
                 if (bands_2 > 4u) {
-                    // glimt_render_gpu/src/kernels/transfer.rs:162
+                    // glimt_render_gpu/src/kernels/transfer.rs:170
                     let _e149 = sums_4[16];
                     blocked[(out_start_1 + 16u)] = (scale_1 * _e149);
-                    // glimt_render_gpu/src/kernels/transfer.rs:163
+                    // glimt_render_gpu/src/kernels/transfer.rs:171
                     let _e157 = sums_4[17];
                     blocked[(out_start_1 + 17u)] = (scale_1 * _e157);
-                    // glimt_render_gpu/src/kernels/transfer.rs:164
+                    // glimt_render_gpu/src/kernels/transfer.rs:172
                     let _e165 = sums_4[18];
                     blocked[(out_start_1 + 18u)] = (scale_1 * _e165);
-                    // glimt_render_gpu/src/kernels/transfer.rs:165
+                    // glimt_render_gpu/src/kernels/transfer.rs:173
                     let _e173 = sums_4[19];
                     blocked[(out_start_1 + 19u)] = (scale_1 * _e173);
-                    // glimt_render_gpu/src/kernels/transfer.rs:166
+                    // glimt_render_gpu/src/kernels/transfer.rs:174
                     let _e181 = sums_4[20];
                     blocked[(out_start_1 + 20u)] = (scale_1 * _e181);
-                    // glimt_render_gpu/src/kernels/transfer.rs:167
+                    // glimt_render_gpu/src/kernels/transfer.rs:175
                     let _e189 = sums_4[21];
                     blocked[(out_start_1 + 21u)] = (scale_1 * _e189);
-                    // glimt_render_gpu/src/kernels/transfer.rs:168
+                    // glimt_render_gpu/src/kernels/transfer.rs:176
                     let _e197 = sums_4[22];
                     blocked[(out_start_1 + 22u)] = (scale_1 * _e197);
-                    // glimt_render_gpu/src/kernels/transfer.rs:169
+                    // glimt_render_gpu/src/kernels/transfer.rs:177
                     let _e205 = sums_4[23];
                     blocked[(out_start_1 + 23u)] = (scale_1 * _e205);
-                    // glimt_render_gpu/src/kernels/transfer.rs:170
+                    // glimt_render_gpu/src/kernels/transfer.rs:178
                     let _e213 = sums_4[24];
                     blocked[(out_start_1 + 24u)] = (scale_1 * _e213);
-                    // glimt_render_gpu/src/kernels/transfer.rs:171
+                    // glimt_render_gpu/src/kernels/transfer.rs:179
                     if (bands_2 > 5u) {
-                        // glimt_render_gpu/src/kernels/transfer.rs:172
+                        // glimt_render_gpu/src/kernels/transfer.rs:180
                         let _e224 = sums_4[25];
                         blocked[(out_start_1 + 25u)] = (scale_1 * _e224);
-                        // glimt_render_gpu/src/kernels/transfer.rs:173
+                        // glimt_render_gpu/src/kernels/transfer.rs:181
                         let _e232 = sums_4[26];
                         blocked[(out_start_1 + 26u)] = (scale_1 * _e232);
-                        // glimt_render_gpu/src/kernels/transfer.rs:174
+                        // glimt_render_gpu/src/kernels/transfer.rs:182
                         let _e240 = sums_4[27];
                         blocked[(out_start_1 + 27u)] = (scale_1 * _e240);
-                        // glimt_render_gpu/src/kernels/transfer.rs:175
+                        // glimt_render_gpu/src/kernels/transfer.rs:183
                         let _e248 = sums_4[28];
                         blocked[(out_start_1 + 28u)] = (scale_1 * _e248);
-                        // glimt_render_gpu/src/kernels/transfer.rs:176
+                        // glimt_render_gpu/src/kernels/transfer.rs:184
                         let _e256 = sums_4[29];
                         blocked[(out_start_1 + 29u)] = (scale_1 * _e256);
-                        // glimt_render_gpu/src/kernels/transfer.rs:177
+                        // glimt_render_gpu/src/kernels/transfer.rs:185
                         let _e264 = sums_4[30];
                         blocked[(out_start_1 + 30u)] = (scale_1 * _e264);
-                        // glimt_render_gpu/src/kernels/transfer.rs:178
+                        // glimt_render_gpu/src/kernels/transfer.rs:186
                         let _e272 = sums_4[31];
                         blocked[(out_start_1 + 31u)] = (scale_1 * _e272);
-                        // glimt_render_gpu/src/kernels/transfer.rs:179
+                        // glimt_render_gpu/src/kernels/transfer.rs:187
                         let _e280 = sums_4[32];
                         blocked[(out_start_1 + 32u)] = (scale_1 * _e280);
-                        // glimt_render_gpu/src/kernels/transfer.rs:180
+                        // glimt_render_gpu/src/kernels/transfer.rs:188
                         let _e288 = sums_4[33];
                         blocked[(out_start_1 + 33u)] = (scale_1 * _e288);
-                        // glimt_render_gpu/src/kernels/transfer.rs:181
+                        // glimt_render_gpu/src/kernels/transfer.rs:189
                         let _e296 = sums_4[34];
                         blocked[(out_start_1 + 34u)] = (scale_1 * _e296);
-                        // glimt_render_gpu/src/kernels/transfer.rs:182
+                        // glimt_render_gpu/src/kernels/transfer.rs:190
                         let _e304 = sums_4[35];
                         blocked[(out_start_1 + 35u)] = (scale_1 * _e304);
                     }
@@ -1235,51 +1235,51 @@ fn transfer_1(vertex: u32, params: TransferParams, lit_start: u32, lit_len: u32,
     rays = 0u;
     // glimt_render_gpu/src/kernels/transfer.rs:74
     let _e35 = meets(at_1, at_1.inner, (at_1.origin - at_1.inner), 1f, false);
-    // glimt_render_gpu/src/kernels/transfer.rs:75
+    // glimt_render_gpu/src/kernels/transfer.rs:83
     let _e40 = Xoshiro128PlusPlus_stream(params.seed, 1953653102u, at_1.number);
     source = _e40;
-    // glimt_render_gpu/src/kernels/transfer.rs:76
+    // glimt_render_gpu/src/kernels/transfer.rs:84
     counter_2 = 0u;
     loop {
         let row = counter_2;
         if (row >= params.rows) {
             break;
         }
-        // glimt_render_gpu/src/kernels/transfer.rs:78
+        // glimt_render_gpu/src/kernels/transfer.rs:86
         let first = ((row * n_1) / params.rows);
-        // glimt_render_gpu/src/kernels/transfer.rs:79
+        // glimt_render_gpu/src/kernels/transfer.rs:87
         let columns = ((((row + 1u) * n_1) / params.rows) - first);
-        // glimt_render_gpu/src/kernels/transfer.rs:80
+        // glimt_render_gpu/src/kernels/transfer.rs:88
         counter_3 = 0u;
         loop {
             let column = counter_3;
             if (column >= columns) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/transfer.rs:81
+            // glimt_render_gpu/src/kernels/transfer.rs:89
             let _e65 = Xoshiro128PlusPlus_next_uvec2_((&source));
             let _e66 = unit_vec2_(_e65);
-            // glimt_render_gpu/src/kernels/transfer.rs:82
+            // glimt_render_gpu/src/kernels/transfer.rs:90
             let down = ((f32(first) + (_e66.x * f32(columns))) / f32(n_1));
-            // glimt_render_gpu/src/kernels/transfer.rs:83
+            // glimt_render_gpu/src/kernels/transfer.rs:91
             let z_6 = (1f - (2f * down));
-            // glimt_render_gpu/src/kernels/transfer.rs:84
+            // glimt_render_gpu/src/kernels/transfer.rs:92
             let radius = (2f * sqrt((down * (1f - down))));
-            // glimt_render_gpu/src/kernels/transfer.rs:85
+            // glimt_render_gpu/src/kernels/transfer.rs:93
             let _e97 = cos_sin_pi((((f32(column) + _e66.y) * (2f / f32(columns))) - 1f));
             let around = (_e97 * radius);
-            // glimt_render_gpu/src/kernels/transfer.rs:86
+            // glimt_render_gpu/src/kernels/transfer.rs:94
             let direction_3 = vec3<f32>(around.x, around.y, z_6);
-            // glimt_render_gpu/src/kernels/transfer.rs:87
+            // glimt_render_gpu/src/kernels/transfer.rs:95
             let cosine = dot(at_1.normal, direction_3);
-            // glimt_render_gpu/src/kernels/transfer.rs:88
+            // glimt_render_gpu/src/kernels/transfer.rs:96
             if (cosine > 0f) {
-                // glimt_render_gpu/src/kernels/transfer.rs:89
+                // glimt_render_gpu/src/kernels/transfer.rs:97
                 let _e111 = rays;
                 rays = (_e111 + 1u);
-                // glimt_render_gpu/src/kernels/transfer.rs:90
+                // glimt_render_gpu/src/kernels/transfer.rs:98
                 if _e35 {
-                    // glimt_render_gpu/src/kernels/transfer.rs:91
+                    // glimt_render_gpu/src/kernels/transfer.rs:99
                     let _e119 = meets(at_1, at_1.inner, direction_3, 340282350000000000000000000000000000000f, false);
                     either_1 = _e119;
                     if _e119 {
@@ -1290,18 +1290,18 @@ fn transfer_1(vertex: u32, params: TransferParams, lit_start: u32, lit_len: u32,
                     let _e125 = either_1;
                     chosen_3 = _e125;
                 } else {
-                    // glimt_render_gpu/src/kernels/transfer.rs:94
+                    // glimt_render_gpu/src/kernels/transfer.rs:102
                     let _e128 = Ray_new(at_1.origin, direction_3);
                     let _e130 = any_hit(_e128, 340282350000000000000000000000000000000f);
                     chosen_3 = _e130;
                 }
                 let is_blocked = chosen_3;
-                // glimt_render_gpu/src/kernels/transfer.rs:96
+                // glimt_render_gpu/src/kernels/transfer.rs:104
                 if is_blocked {
-                    // glimt_render_gpu/src/kernels/transfer.rs:97
+                    // glimt_render_gpu/src/kernels/transfer.rs:105
                     add_basis(bands_3, direction_3, cosine, (&kept_away));
                 } else {
-                    // glimt_render_gpu/src/kernels/transfer.rs:99
+                    // glimt_render_gpu/src/kernels/transfer.rs:107
                     add_basis(bands_3, direction_3, cosine, (&arrives));
                 }
             }
@@ -1315,15 +1315,15 @@ fn transfer_1(vertex: u32, params: TransferParams, lit_start: u32, lit_len: u32,
             counter_2 = (_e138 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/transfer.rs:104
+    // glimt_render_gpu/src/kernels/transfer.rs:112
     let scale_2 = ((4f * 3.1415927f) / f32(n_1));
-    // glimt_render_gpu/src/kernels/transfer.rs:105
+    // glimt_render_gpu/src/kernels/transfer.rs:113
     let _e148 = arrives;
     store(bands_3, scale_2, _e148, lit_start, lit_len);
-    // glimt_render_gpu/src/kernels/transfer.rs:106
+    // glimt_render_gpu/src/kernels/transfer.rs:114
     let _e150 = kept_away;
     store_1(bands_3, scale_2, _e150, blocked_start, blocked_len);
-    // glimt_render_gpu/src/kernels/transfer.rs:107
+    // glimt_render_gpu/src/kernels/transfer.rs:115
     let _e152 = rays;
     return _e152;
 }

@@ -1,10 +1,13 @@
 //! Shared file: a light map as spherical harmonics (Hajisharif 2012, Eqs. 9 to 13): the factors of its projection, and the
 //! frame's coefficients made of the sums.
 
-use glam::{UVec2, Vec2, Vec4};
+use glam::{UVec2, Vec2, Vec3, Vec4};
 use glimt_probe::latlong::texel_solid_angle_sr;
 use glimt_probe::trig::cos_sin_pi;
-use glimt_sh::{hann, meridian, ring};
+use glimt_sh::{
+    coefficient_band, coefficient_index, coefficient_order, hann, meridian, ring, rotate_z,
+    temporal_filter,
+};
 
 /// How sums over a map become the light of a frame. 32 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -56,29 +59,23 @@ pub fn light_coefficient(k: u32, light: &LightParams, sums: &[Vec4], previous: &
     if k >= light.bands * light.bands {
         return Vec4::ZERO;
     }
-    let mut l = 0;
-    while (l + 1) * (l + 1) <= k {
-        l += 1;
-    }
     // What goes with cos mφ and what goes with sin mφ turn into each other.
-    let centre = l * (l + 1);
-    let turn = ring(light.rotation.x, light.rotation.y);
-    let mut value = sums[k as usize];
-    if k > centre {
-        let m = k - centre;
-        let (c, s) = (turn[(2 * m - 1) as usize], turn[(2 * m) as usize]);
-        value = value * c - sums[(centre - m) as usize] * s;
-    }
-    if k < centre {
-        let m = centre - k;
-        let (c, s) = (turn[(2 * m - 1) as usize], turn[(2 * m) as usize]);
-        value = value * c + sums[(centre + m) as usize] * s;
-    }
-    value *= hann(l, light.window);
-    if light.temporal > 0.0 {
-        value = (value + previous[k as usize] * light.temporal) / (1.0 + light.temporal);
-    }
-    value.truncate().extend(0.0)
+    let (l, m) = (coefficient_band(k), coefficient_order(k));
+    let own = sums[k as usize];
+    let opposite = sums[coefficient_index(l, -m) as usize];
+    let turned = Vec3::new(
+        rotate_z(m, own.x, opposite.x, light.rotation),
+        rotate_z(m, own.y, opposite.y, light.rotation),
+        rotate_z(m, own.z, opposite.z, light.rotation),
+    );
+    let now = turned * hann(l, light.window);
+    let before = previous[k as usize];
+    Vec4::new(
+        temporal_filter(now.x, before.x, light.temporal),
+        temporal_filter(now.y, before.y, light.temporal),
+        temporal_filter(now.z, before.z, light.temporal),
+        0.0,
+    )
 }
 
 #[cfg(test)]
