@@ -11,6 +11,7 @@ fn main() {
     let program = shared_image::program();
     let mut images = vec![shared_image::atlas_pair(&program, &context)];
     images.push(shared_image::light_pair(&program, &context));
+    images.push(shared_image::transfer_pair(&program, &context));
     images.push(shared_image::capture_pair(&program, &context));
     images.push(shared_image::sampler_pair(&program, &context));
     images.extend(shared_image::frame_pairs(&program, &context));

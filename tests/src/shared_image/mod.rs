@@ -9,6 +9,7 @@ mod frame;
 mod layered;
 mod light;
 pub mod sampler;
+mod transfer;
 
 use bytemuck::NoUninit;
 use glam::{UVec2, Vec4};
@@ -23,6 +24,7 @@ pub use capture::capture_pair;
 pub use frame::frame_pairs;
 pub use light::light_pair;
 pub use sampler::sampler_pair;
+pub use transfer::transfer_pair;
 
 /// One image on both processors, as words.
 #[derive(Clone, Debug)]
