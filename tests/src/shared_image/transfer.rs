@@ -83,7 +83,9 @@ pub fn transfer_pair(program: &Program, context: &GpuContext) -> Pair {
     let cpu = [words(&lists[0]), words(&lists[1]), words(&rays)].concat();
 
     let uploaded = GpuScene::new(context, &scene).expect("a small scene");
-    let vertices = context.buffer_of("vertices", &known).expect("a small buffer");
+    let vertices = context
+        .buffer_of("vertices", &known)
+        .expect("a small buffer");
     let [lit, blocked] = [0; 2].map(|_| Output::new::<f32>(context, count * n as u32));
     let mut args = vec![
         ("params", Arg::Value(bytemuck::bytes_of(&params))),

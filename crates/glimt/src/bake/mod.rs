@@ -71,11 +71,25 @@ pub fn load(setup: &Setup, scene: &SceneBuffers, file: &Path) -> Result<Transfer
     match transfer.check(scene.vertex_counts().iter().sum()) {
         Ok(()) => Ok(transfer),
         Err(TransferError::NotFinite(vertex)) => {
+            let (object, vertex) = place_of(&now, vertex);
             let what = format!("a coefficient of vertex {vertex} is not a finite number");
-            Err(Error::input(file, what).fix(anew))
+            let whose = named(setup, &now, object);
+            Err(Error::input(file, what).at(whose).fix(anew))
         }
         Err(e) => Err(Error::input(file, e).fix(anew)),
     }
+}
+
+/// The object that a vertex of the scene belongs to, and its number there.
+fn place_of(header: &Header, mut vertex: usize) -> (usize, usize) {
+    for (object, identity) in header.objects.iter().enumerate() {
+        let count = identity.vertices as usize;
+        if vertex < count {
+            return (object, vertex);
+        }
+        vertex -= count;
+    }
+    (0, vertex)
 }
 
 /// An object of the scene, as the shot's user knows it.
