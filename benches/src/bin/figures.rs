@@ -242,6 +242,7 @@ impl Studio {
             vec![
                 format!("probe.frames={light}"),
                 format!("render.prt.window={window}"),
+                "image.exposure_ev=-2.4".to_owned(),
             ]
         };
         self.sheet("window", &[("none", keys("0")), ("hann-5", keys("5"))])
@@ -262,7 +263,7 @@ impl Studio {
             )?;
             let truth = exr::read_pixels(&first(&truth, "exr")?)?;
             for bands in [3, 4, 5, 6] {
-                for window in [0, bands] {
+                for window in [0, 2 * bands, bands] {
                     let keys = [
                         format!("render.prt.bands={bands}"),
                         format!("render.prt.window={window}"),

@@ -121,7 +121,8 @@ pub fn required_bytes(vertices: u64, bands: u32) -> u64 {
 }
 
 /// What kernels know of vertices. `first` is the number of the first.
-pub(crate) fn for_kernels(vertices: &[SurfaceVertex], first: usize) -> Vec<TransferVertex> {
+#[must_use]
+pub fn for_kernels(vertices: &[SurfaceVertex], first: usize) -> Vec<TransferVertex> {
     let numbered = (first as u32..).zip(vertices);
     let vertex = |(number, vertex): (u32, &SurfaceVertex)| TransferVertex {
         origin: vertex.origin,
@@ -129,7 +130,7 @@ pub(crate) fn for_kernels(vertices: &[SurfaceVertex], first: usize) -> Vec<Trans
         normal: vertex.normal,
         number,
         inner: vertex.inner,
-        step: vertex.ray_offset,
+        unused: 0.0,
     };
     numbered.map(vertex).collect()
 }
