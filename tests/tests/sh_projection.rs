@@ -165,6 +165,7 @@ fn a_single_texel() {
                 .add_row(y, &table.row_sums(row.as_flattened()).unwrap())
                 .unwrap();
             let found = projection.coefficients();
+            let mut furthest = 0.0f64;
             let direction = latlong::texel_direction(UVec2::new(x, y), size);
             for (k, &(l, m)) in indices(6).iter().enumerate() {
                 let exact = area(y, size) * harmonic(l, m, centre(x, y, size));
@@ -172,16 +173,14 @@ fn a_single_texel() {
                 assert!(relative.abs() < 3e-6, "{size} ({x}, {y}) {k}: {relative:e}");
                 let beside = harmonic(l, m, centre(x + 1, y, size));
                 let moved = (f64::from(found[k].x) / area(y, size) - 2.0 * beside).abs();
-                assert!(
-                    k != 3 || y != h / 2 || !(moved < 3e-6),
-                    "another column passes"
-                );
+                furthest = furthest.max(moved);
                 assert_eq!((found[k].y, found[k].z), (0.0, -0.5 * found[k].x));
                 assert!(
                     (f64::from(basis(direction)[k]) - harmonic(l, m, centre(x, y, size))).abs()
                         < 3e-6
                 );
             }
+            assert!(y != h / 2 || !(furthest < 3e-6), "another column passes");
         }
     }
 }

@@ -6,7 +6,7 @@ use glimt_probe::trig::cos_sin_pi;
 
 use crate::error::{ShError, check_bands, check_len, check_size};
 use crate::ring_table::{RingSums, RingTable};
-use crate::separable::{meridian, meridian_index, ring_index};
+use crate::separable::{MERIDIAN_LEN, meridian, meridian_index, ring_index};
 use crate::{LightCoefficients, MAX_COEFFICIENTS, basis, coefficient_index};
 
 /// The coefficients of a lat-long map, row by row: `c_lm = Σ L y_lm ΔΩ` over its texels (Hajisharif 2012, Eq. 11), with `y_lm` at the
@@ -66,21 +66,13 @@ impl Projection {
         let theta = cos_sin_pi((2 * row + 1) as f32 / (2 * self.size.y) as f32);
         let meridian = meridian(theta.x, theta.y);
         let area = f64::from(texel_solid_angle_sr(row, self.size));
-        let mut add = |k: u32, factor: f64, ring: &[f64; 3]| {
-            for (own, sum) in self.sums[k as usize].iter_mut().zip(ring) {
-                *own += factor * sum;
-            }
-        };
-        for l in 0..self.bands {
-            for m in 0..=l {
-                let factor = area * f64::from(meridian[meridian_index(l, m) as usize]);
-                let m = m as i32;
-                let sums = |m: i32| &ring.sums[ring_index(m) as usize];
-                add(coefficient_index(l, m), factor, sums(m));
-                if m > 0 {
-                    add(coefficient_index(l, -m), factor, sums(-m));
-                }
-            }
+        match self.bands {
+            1 => add_bands::<1>(&meridian, area, ring, &mut self.sums),
+            2 => add_bands::<2>(&meridian, area, ring, &mut self.sums),
+            3 => add_bands::<3>(&meridian, area, ring, &mut self.sums),
+            4 => add_bands::<4>(&meridian, area, ring, &mut self.sums),
+            5 => add_bands::<5>(&meridian, area, ring, &mut self.sums),
+            _ => add_bands::<6>(&meridian, area, ring, &mut self.sums),
         }
         Ok(())
     }
@@ -117,6 +109,39 @@ impl Projection {
     pub fn coefficients(&self) -> LightCoefficients {
         self.sums
             .map(|[r, g, b]| Vec3::new(r as f32, g as f32, b as f32))
+    }
+}
+
+/// Adds a row's products; the number of bands is a constant, so that no index has to be computed.
+fn add_bands<const N: u32>(
+    meridian: &[f32; MERIDIAN_LEN],
+    area: f64,
+    ring: &RingSums,
+    sums: &mut [[f64; 3]; MAX_COEFFICIENTS],
+) {
+    let mut add = |k: u32, factor: f64, ring: &[f64; 3]| {
+        let own = &mut sums[k as usize];
+        for c in 0..3 {
+            own[c] += factor * ring[c];
+        }
+    };
+    for l in 0..N {
+        for m in 0..=l {
+            let factor = area * f64::from(meridian[meridian_index(l, m) as usize]);
+            let m = m as i32;
+            add(
+                coefficient_index(l, m),
+                factor,
+                &ring.sums[ring_index(m) as usize],
+            );
+            if m > 0 {
+                add(
+                    coefficient_index(l, -m),
+                    factor,
+                    &ring.sums[ring_index(-m) as usize],
+                );
+            }
+        }
     }
 }
 

@@ -192,13 +192,13 @@ impl<'a> RingTable<'a> {
     pub fn row_sums(&self, row: &[f32]) -> Result<RingSums, ShError> {
         check_len(row.len(), self.row_len())?;
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
-        if let Some(lanes) = crate::wide::row_lanes(&self.layout, self.bands, row, self.grouped) {
-            return Ok(row::finish(
+        if let Some(sums) = crate::wide::sum_groups(&self.layout, self.bands, row, self.grouped) {
+            return Ok(row::add_tail(
                 &self.layout,
                 self.bands,
-                &lanes,
                 row,
                 self.tail,
+                sums,
             ));
         }
         Ok(self.plain(row))
@@ -214,7 +214,7 @@ impl<'a> RingTable<'a> {
     }
 
     fn plain(&self, row: &[f32]) -> RingSums {
-        let lanes = row::row_lanes(&self.layout, self.bands, row, self.grouped);
-        row::finish(&self.layout, self.bands, &lanes, row, self.tail)
+        let sums = row::sum_groups(&self.layout, self.bands, row, self.grouped);
+        row::add_tail(&self.layout, self.bands, row, self.tail, sums)
     }
 }

@@ -16,7 +16,7 @@ const POLYNOMIALS: [&str; 9] = ["1", "y", "z", "x", "xy", "yz", "3zz-1", "zx", "
 
 const ENGINE: &str = "irradiance/pi of the unit normal (x, y, z) is e0 + e1 y + e2 z + e3 x + e4 xy + e5 yz + e6 (3zz-1) + e7 zx \
      + e8 (xx-yy); the clamped cosine (A_l/pi = 1, 2/3, 1/4) and the basis's constants are in them: times the albedo it is what a \
-     diffuse surface reflects";
+     diffuse surface reflects, to be clipped at 0, since three bands ring";
 
 /// What the numbers are, in one line.
 fn meaning(convention: ShConvention) -> &'static str {
