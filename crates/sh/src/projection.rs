@@ -9,8 +9,8 @@ use crate::ring_table::{RingSums, RingTable};
 use crate::separable::{MERIDIAN_LEN, meridian, meridian_index, ring_index};
 use crate::{LightCoefficients, MAX_COEFFICIENTS, basis, coefficient_index};
 
-/// The coefficients of a lat-long map, row by row: `c_lm = Σ L y_lm ΔΩ` over its texels (Hajisharif 2012, Eq. 11), with `y_lm` at the
-/// texel's centre and the texel's exact area `Δφ (cos θ₀ − cos θ₁)`, where Eq. 12 prints `2π² sin θ/(w h)`.
+/// The coefficients of a lat-long map, row by row: `c_lm = Σ L y_lm ΔΩ` over its texels (Hajisharif 2012, Eq. 11), with
+/// `y_lm` at the texel's centre and the texel's exact area `Δφ (cos θ₀ − cos θ₁)`, where Eq. 12 prints `2π² sin θ/(w h)`.
 ///
 /// Sums are in f64, so that rows may come in any order and in parts; one that is left out is black.
 ///
@@ -80,8 +80,8 @@ impl Projection {
     /// Adds the rows from `first` on that `texels` holds, as floats: see [`RingTable::row_sums`].
     ///
     /// # Errors
-    /// [`ShError::Row`], and [`ShError::Length`] where the table is another width's or a row is not whole. Rows before that are
-    /// added.
+    /// [`ShError::Row`], and [`ShError::Length`] where the table is another width's or a row is not whole. Rows before
+    /// that are added.
     pub fn add_rows(
         &mut self,
         table: &RingTable<'_>,
@@ -145,8 +145,9 @@ fn add_bands<const N: u32>(
     }
 }
 
-/// The coefficients of a function of which samples are known: `c_lm = (4π/N) Σ f(ω_i) y_lm(ω_i)` over N directions that are uniform on
-/// the whole sphere (Hajisharif 2012, Eq. 8), such as those of [`stratified_direction`](crate::stratified_direction).
+/// The coefficients of a function of which samples are known: `c_lm = (4π/N) Σ f(ω_i) y_lm(ω_i)` over N directions that
+/// are uniform on the whole sphere (Hajisharif 2012, Eq. 8), such as those of
+/// [`stratified_direction`](crate::stratified_direction).
 ///
 /// ```
 /// use glam::{UVec2, Vec2, Vec3};

@@ -58,7 +58,8 @@ pub(crate) fn add_lanes<const K: usize, const P: usize>(lanes: &Lanes<K>, out: &
     }
 }
 
-/// Four texels a quarter of a turn apart, `a` first, combined to what their cosines and sines are multiplied by: see [`step`].
+/// Four texels a quarter of a turn apart, `a` first, combined to what their cosines and sines are multiplied by: see
+/// [`step`].
 #[derive(Clone, Copy)]
 struct Turned<T> {
     /// m = 0, 4.
@@ -71,7 +72,8 @@ struct Turned<T> {
     across: T,
 }
 
-/// `K` = 2n − 1 sums of `T` = K − 1 factors and 1, in groups of `P` vectors; halves of vectors are what glam has registers for.
+/// `K` = 2n − 1 sums of `T` = K − 1 factors and 1, in groups of `P` vectors; halves of vectors are what glam has
+/// registers for.
 fn sum<const K: usize, const T: usize, const P: usize>(
     row: &[f32],
     grouped: &[f32],
@@ -114,8 +116,8 @@ fn sum<const K: usize, const T: usize, const P: usize>(
     add_lanes::<K, P>(&lanes, out);
 }
 
-/// Adds the products of all m ≥ 1: of the four texels `cos m(φ − qπ/2)` and `sin m(φ − qπ/2)` are cosines and sines of mφ, up to
-/// sign and order.
+/// Adds the products of all m ≥ 1: of the four texels `cos m(φ − qπ/2)` and `sin m(φ − qπ/2)` are cosines and sines of
+/// mφ, up to sign and order.
 #[inline(always)]
 fn step<const K: usize, const T: usize>(
     turned: Turned<Vec4>,

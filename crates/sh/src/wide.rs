@@ -1,7 +1,7 @@
 //! Host file: a row's sums over φ in registers of eight floats, where the processor has them.
 //!
-//! The same sums as in `row.rs`, written in the processor's own instructions: what the compiler makes of plain loops keeps the sums
-//! in memory, at a third of the pace.
+//! The same sums as in `row.rs`, written in the processor's own instructions: what the compiler makes of plain loops
+//! keeps the sums in memory, at a third of the pace.
 
 use core::arch::x86_64::{
     __m128, __m256, _MM_HINT_T0, _mm_prefetch, _mm256_add_pd, _mm256_add_ps,
@@ -64,8 +64,8 @@ fn add_to(sums: &mut [f64; 4], values: __m128) {
     }
 }
 
-/// `sum + a x + b y`. Where there are registers to spare the products come first: each sum then waits for one addition and not
-/// for two.
+/// `sum + a x + b y`. Where there are registers to spare the products come first: each sum then waits for one addition
+/// and not for two.
 #[target_feature(enable = "avx2,fma")]
 #[inline]
 fn plus<const K: usize>(sum: __m256, a: __m256, x: __m256, b: __m256, y: __m256) -> __m256 {
