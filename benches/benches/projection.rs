@@ -84,7 +84,8 @@ fn sum_lanes(floats: &[f32]) -> f32 {
     sums.iter().chain(rest).sum()
 }
 
-/// What one writes from the formula: a table of cosines and sines, seven sums a channel over each row, then the factors of θ.
+/// What one writes from the formula: a table of cosines and sines, seven sums a channel over each row, then the factors
+/// of θ.
 struct Plain {
     size: UVec2,
     ring: Vec<[f32; 7]>,

@@ -1,4 +1,5 @@
-//! Host file: real spherical harmonics of any band in f64, by the textbook's recurrences: slow, and written apart from the crate's.
+//! Host file: real spherical harmonics of any band in f64, by the textbook's recurrences: slow, and written apart from
+//! the crate's.
 
 use std::f64::consts::{PI, TAU};
 

@@ -55,7 +55,8 @@ fn difference(a: &LightCoefficients, b: &LightCoefficients) -> f32 {
     differences.fold(0.0, |worst, d| if d <= worst { worst } else { d }) / largest
 }
 
-/// How far values are from the oracle's, relative to the largest that the oracle has for the function, and for which function.
+/// How far values are from the oracle's, relative to the largest that the oracle has for the function, and for which
+/// function.
 fn worst_function(value: impl Fn(Vec3, usize) -> f32) -> (f64, usize) {
     let indices = indices(6);
     let (mut error, mut size) = ([0.0f64; 36], [0.0f64; 36]);
@@ -454,7 +455,8 @@ fn strata_are_equal_parts() {
     assert_eq!(stratified_direction(3, UVec2::ZERO, Vec2::ZERO), Vec3::Z);
 }
 
-/// The transfer of an open point, from samples: within five standard errors of its closed form, over 64 independent estimates.
+/// The transfer of an open point, from samples: within five standard errors of its closed form, over 64 independent
+/// estimates.
 #[test]
 fn samples_find_the_clamped_cosine() {
     let n = Vec3::new(0.48, -0.6, 0.64);

@@ -122,9 +122,9 @@ impl Studio {
     fn shot(&self) -> Outcome<PathBuf> {
         let file = self.out.join("shot.toml");
         let text = format!(
-            "[image]\nsize = [480, 360]\nrays_per_pixel = 16\n\
+            "[image]\nsize = [480, 360]\nrays_per_pixel = 16\nexposure_ev = -1.6\n\
              [camera]\neye = [3.4, -2.2, 1.9]\ntarget = [0.0, 0.0, 0.62]\nfov_x_deg = 36\n\
-             [probe]\nframes = {light:?}\n\
+             [probe]\nframes = {light:?}\nrotate_z_deg = 270\n\
              [[object]]\nmesh = {model:?}\nscale = {scale}\nground = true\n\
              material = {{ diffuse = [0.55, 0.5, 0.45] }}\n\
              [[object]]\nmesh = \"plane\"\nscale = 3.0\nsubdivide = 7\nmaterial = {{ diffuse = [0.5, 0.5, 0.5] }}\n\
@@ -242,6 +242,7 @@ impl Studio {
             vec![
                 format!("probe.frames={light}"),
                 format!("render.prt.window={window}"),
+                "image.exposure_ev=-2.4".to_owned(),
             ]
         };
         self.sheet("window", &[("none", keys("0")), ("hann-5", keys("5"))])
@@ -262,7 +263,7 @@ impl Studio {
             )?;
             let truth = exr::read_pixels(&first(&truth, "exr")?)?;
             for bands in [3, 4, 5, 6] {
-                for window in [0, bands] {
+                for window in [0, 2 * bands, bands] {
                     let keys = [
                         format!("render.prt.bands={bands}"),
                         format!("render.prt.window={window}"),

@@ -119,6 +119,20 @@ pub enum Command {
         #[command(flatten)]
         flags: UnwarpFlags,
     },
+    /// Project light maps onto spherical harmonics: the coefficients of each frame, for engines and programs of one's own
+    ///
+    /// FRAMES is a sequence with #### for the frames' numbers, one or several lat-long maps (EXR, HDR), or a shot, whose
+    /// light is taken as its keys say (mirror balls too). The world has z up: row 0 is +z, the image's centre +x, its
+    /// left half +y.
+    #[command(after_help = SH_EXAMPLES)]
+    Sh {
+        /// A sequence, light maps, or a shot
+        #[arg(value_name = "FRAMES", required = true)]
+        inputs: Vec<PathBuf>,
+        /// Flags.
+        #[command(flatten)]
+        flags: ShFlags,
+    },
     /// Say what a file holds (EXR, HDR, glTF, OBJ, PLY, shot), or which devices there are
     #[command(after_help = INFO_EXAMPLES)]
     Info {
@@ -315,6 +329,92 @@ pub struct UnwarpFlags {
     pub strict: bool,
 }
 
+/// Flags of `glimt sh`.
+#[derive(Clone, Debug, Args)]
+pub struct ShFlags {
+    /// Project these frames of a sequence alone, as 1-24 or 7
+    #[arg(long, value_name = "A-B", allow_hyphen_values = true)]
+    pub frames: Option<String>,
+    /// Bands, l = 0 to N - 1: N² coefficients
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=6))]
+    pub bands: u32,
+    /// Multiply band l by the Hann window (1 + cos(πl/W))/2 against ringing; W = N is usual, off leaves it out
+    #[arg(long, value_name = "W|off", default_value = "off", value_parser = window)]
+    pub window: f32,
+    /// Filter over the frames: (c + α·c_before)/(1 + α)
+    #[arg(long, value_name = "α", default_value = "0", value_parser = alpha)]
+    pub temporal: f32,
+    /// How they are written
+    #[arg(long, value_enum, default_value_t)]
+    pub format: ShFormat,
+    /// Signs, order and scale in csv and json
+    #[arg(long, value_enum, default_value_t)]
+    pub convention: ShConvention,
+    /// The axis that points up in what is written: y turns (x, y, z) into (x, z, -y)
+    #[arg(long, value_enum, default_value_t)]
+    pub up: Up,
+    /// File for the coefficients; standard output if not given
+    #[arg(long, short, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Refuse maps with texels that are no light, rather than take them as 0
+    #[arg(long)]
+    pub strict: bool,
+}
+
+/// How coefficients are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum ShFormat {
+    /// A line a coefficient: frame, l, m, r, g, b
+    #[default]
+    Csv,
+    /// One object with a list of frames
+    Json,
+    /// JSON of the nine coefficients of irradiance over π that engines' shaders take
+    Engine,
+}
+
+/// Whose signs, order and scale.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum ShConvention {
+    /// Orthonormal, without the Condon-Shortley sign: band 1 is 0.4886 (y, z, x)
+    #[default]
+    Glimt,
+    /// With it: (-1)^m
+    CondonShortley,
+    /// As DirectXMath's spherical harmonics
+    Directx,
+    /// Nine coefficients of irradiance over π, the constants folded in
+    Filament,
+}
+
+/// The axis that points up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Up {
+    /// As light maps are read
+    #[default]
+    Z,
+    /// As glTF's worlds stand
+    Y,
+}
+
+/// Reads the width of a window; 0 is none.
+fn window(text: &str) -> Result<f32, String> {
+    if text == "off" {
+        return Ok(0.0);
+    }
+    let width: Option<f32> = text.parse().ok();
+    let width = width.filter(|width| (0.1..=1e6).contains(width));
+    width.ok_or_else(|| "a window is between 0.1 and 1000000 bands wide, or off".to_owned())
+}
+
+/// Reads the weight of the frame before.
+fn alpha(text: &str) -> Result<f32, String> {
+    let alpha: Option<f32> = text.parse().ok();
+    alpha
+        .filter(|alpha| (0.0..=1e6).contains(alpha))
+        .ok_or_else(|| "a weight is between 0 and 1000000".to_owned())
+}
+
 /// Reads a size.
 fn map_size(text: &str) -> Result<UVec2, String> {
     let sides = text.split_once(['x', '×', ',']).and_then(|(w, h)| {
@@ -487,3 +587,13 @@ Examples:
   glimt info light.0001.exr   size, channels, stops, brightest direction, bad texels
   glimt info model.glb        triangles, bounds, materials, nodes, animations, cameras
   glimt info shot.toml        the shot with all its defaults";
+
+const SH_EXAMPLES: &str = "\
+Examples:
+  glimt sh light.hdr                                             25 coefficients of each colour, as CSV
+  glimt sh 'capture/light.####.exr' --frames 1-96 -o light.csv
+  glimt sh 'capture/light.####.exr' --bands 4 --window 4 --temporal 0.5 --format json -o light.json
+  glimt sh shot.toml --format engine --up y -o diffuse.json      for an engine: nine coefficients, y up
+  glimt sh day.exr dusk.exr night.exr --convention directx
+
+In what is written, the first lines of csv and the key `meaning` of JSON say what the numbers are.";

@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::notes::Notes;
 use crate::report::Reporter;
-use crate::{bake, compare, demo, follow, info, render, synth};
+use crate::{bake, compare, demo, follow, info, render, sh, synth};
 
 /// Does what a command asks for.
 ///
@@ -38,6 +38,7 @@ pub fn run(command: Command, reporter: &Reporter) -> Result<()> {
         Command::Bake { shot, flags } => bake::run(&shot, &flags, reporter),
         Command::Synth { input, flags } => synth::run(input.as_deref(), &flags, reporter),
         Command::Unwarp { input, flags } => unwarp::run(&input, &flags, reporter),
+        Command::Sh { inputs, flags } => sh::run(&inputs, &flags, reporter),
         Command::Info { file: None, .. } => {
             info::devices(reporter);
             Ok(())

@@ -24,6 +24,7 @@ pub mod output;
 pub mod render;
 pub mod report;
 pub mod setup;
+pub mod sh;
 pub mod shot;
 pub mod synth;
 pub mod view;

@@ -65,6 +65,11 @@ impl Reporter {
         }
     }
 
+    /// Whether events go to standard output.
+    pub fn is_json(&self) -> bool {
+        self.talk.json
+    }
+
     /// Work on `frames` frames begins.
     pub fn start(&self, frames: usize, out: &Path, device: &str, triangles: usize) {
         self.event(&json!({

@@ -35,7 +35,9 @@ fn the_small_shots_render() {
     let film = "synth synth.toml --frames 1 --device cpu --set capture.size=[240,170] --set capture.pixel_um=50 \
                 --set plate.size=[64,36] --set truth.size=[128,64]";
     t.run(&film.split_whitespace().collect::<Vec<_>>()).ok();
-    for shot in ["still", "mirror-ball", "catcher"] {
+    let bake = "bake prt.toml --directions 16 --device cpu";
+    t.run(&bake.split(' ').collect::<Vec<_>>()).ok();
+    for shot in ["still", "mirror-ball", "catcher", "prt"] {
         let file = format!("{shot}.toml");
         let small = "--set image.size=[32,18] --set image.rays_per_pixel=4 --frames 1";
         let args: Vec<&str> = ["render", &file]
@@ -55,6 +57,7 @@ fn the_small_shots_render() {
                 "synth.toml",
                 "still.toml",
                 "mirror-ball.toml",
+                "prt.toml",
                 "catcher.toml"
             ]
             .contains(&name.as_str())

@@ -1,10 +1,10 @@
 //! Shared file: the basis, its first six bands written out.
 //!
-//! Real spherical harmonics `y_lm`, `l ∈ 0..n`, `m ∈ −l..=l`, orthonormal over the sphere, with z the axis, as Hajisharif 2012,
-//! Eq. 5, has them (with the factor √2 for m ≠ 0, which is missing in print), and **without** the Condon–Shortley sign:
-//! `y_{1,−1} = √(3/4π) y`, `y_{1,0} = √(3/4π) z`, `y_{1,1} = +√(3/4π) x`. Positive m go with `cos mφ`, negative ones with
-//! `sin |m|φ`. A band is a polynomial of the unit vector: a zonal factor in z times the real or imaginary part of `(x + iy)^|m|`,
-//! so no angle is ever computed and the poles are points like all others.
+//! Real spherical harmonics `y_lm`, `l ∈ 0..n`, `m ∈ −l..=l`, orthonormal over the sphere, with z the axis, as Hajisharif
+//! 2012, Eq. 5, has them (with the factor √2 for m ≠ 0, which is missing in print), and **without** the Condon–Shortley
+//! sign: `y_{1,−1} = √(3/4π) y`, `y_{1,0} = √(3/4π) z`, `y_{1,1} = +√(3/4π) x`. Positive m go with `cos mφ`, negative
+//! ones with `sin |m|φ`. A band is a polynomial of the unit vector: a zonal factor in z times the real or imaginary part
+//! of `(x + iy)^|m|`, so no angle is ever computed and the poles are points like all others.
 
 use core::f32::consts::PI;
 
@@ -106,8 +106,8 @@ pub(crate) fn turn(p: Vec2, x: f32, y: f32) -> Vec2 {
     Vec2::new(p.x * x - p.y * y, p.x * y + p.y * x)
 }
 
-/// All 36 basis functions of the unit vector `d`, at [`coefficient_index`]. A vector of another length gives polynomials of it
-/// that mean nothing.
+/// All 36 basis functions of the unit vector `d`, at [`coefficient_index`]. A vector of another length gives polynomials
+/// of it that mean nothing.
 ///
 /// Error below 10⁻⁶ of each function's maximum.
 ///
@@ -254,8 +254,8 @@ pub fn add_basis(bands: u32, d: Vec3, weight: f32, sums: &mut [f32; 36]) {
     }
 }
 
-/// The Hann window `σ_l = (1 + cos(π l/w))/2` for `l ≤ w`, 0 beyond (Sloan 2008): band l of a light that a few bands describe is
-/// multiplied by it against ringing. A window w that is not above 0 means none: 1.
+/// The Hann window `σ_l = (1 + cos(π l/w))/2` for `l ≤ w`, 0 beyond (Sloan 2008): band l of a light that a few bands
+/// describe is multiplied by it against ringing. A window w that is not above 0 means none: 1.
 ///
 /// ```
 /// use glimt_sh::hann;
@@ -275,9 +275,9 @@ pub fn hann(l: u32, window: f32) -> f32 {
     }
 }
 
-/// `A_l`, the band l of the clamped cosine (Ramamoorthi and Hanrahan 2001, Eqs. 7 and 8): the transfer of an unoccluded point
-/// with normal n is `c_lm = A_l y_lm(n)`, and irradiance is `Σ A_l L_lm y_lm(n)`. π, 2π/3, π/4, 0, −π/24, 0; bands beyond the
-/// sixth, which this crate has not, give 0.
+/// `A_l`, the band l of the clamped cosine (Ramamoorthi and Hanrahan 2001, Eqs. 7 and 8): the transfer of an unoccluded
+/// point with normal n is `c_lm = A_l y_lm(n)`, and irradiance is `Σ A_l L_lm y_lm(n)`. π, 2π/3, π/4, 0, −π/24, 0; bands
+/// beyond the sixth, which this crate has not, give 0.
 ///
 /// ```
 /// use glimt_sh::cosine_lobe;

@@ -1,7 +1,7 @@
 //! Host file: the same coefficients as others write them.
 //!
-//! Only signs, order and scale differ; axes are the caller's. [`rotated`](crate::rotated) turns a light whose z is up into one whose
-//! y is: by the matrix with the columns X, −Z, Y, which takes +z to +y.
+//! Only signs, order and scale differ; axes are the caller's. [`rotated`](crate::rotated) turns a light whose z is up
+//! into one whose y is: by the matrix with the columns X, −Z, Y, which takes +z to +y.
 
 use core::f32::consts::FRAC_1_PI;
 
@@ -30,9 +30,9 @@ pub fn condon_shortley(light: &LightCoefficients) -> LightCoefficients {
     })
 }
 
-/// The coefficients that DirectXMath's spherical harmonics (`XMSHEvalDirection`, and D3DX's before it) take, in the order l² + l + m.
-/// Its basis has the Condon–Shortley sign and is orthonormal, so they are those of [`condon_shortley`]. The same function leads
-/// back.
+/// The coefficients that DirectXMath's spherical harmonics (`XMSHEvalDirection`, and D3DX's before it) take, in the order
+/// l² + l + m. Its basis has the Condon–Shortley sign and is orthonormal, so they are those of [`condon_shortley`]. The
+/// same function leads back.
 ///
 /// ```
 /// use glam::Vec3;
@@ -49,9 +49,9 @@ pub fn directx(light: &LightCoefficients) -> LightCoefficients {
 /// Nine coefficients e that give irradiance over π, as Filament's and Babylon's shaders take it:
 /// `E(n)/π = e0 + e1 y + e2 z + e3 x + e4 xy + e5 yz + e6 (3z² − 1) + e7 zx + e8 (x² − y²)` of the unit normal (x, y, z).
 ///
-/// `e_k = A_l/π · K_k · L_k`, with [`cosine_lobe`] A and the basis functions' constants K: 0.282095 L for l = 0, 0.325735 L for l = 1, and
-/// 0.273137 L, 0.273137 L, 0.078848 L, 0.273137 L, 0.136569 L for l = 2. Times the albedo it is the radiance that a diffuse surface
-/// reflects.
+/// `e_k = A_l/π · K_k · L_k`, with [`cosine_lobe`] A and the basis functions' constants K: 0.282095 L for l = 0, 0.325735
+/// L for l = 1, and 0.273137 L, 0.273137 L, 0.078848 L, 0.273137 L, 0.136569 L for l = 2. Times the albedo it is the
+/// radiance that a diffuse surface reflects.
 ///
 /// ```
 /// use glam::Vec3;

@@ -3,8 +3,8 @@
 use glam::{UVec2, Vec2, Vec3};
 use glimt_sampling::warp::sample_uniform_sphere;
 
-/// Direction (unit length) in part `i` of the sphere's `strata.x · strata.y` parts of equal area: `strata.x` rings of equal height
-/// from +z to −z, each cut into `strata.y` from +x counter-clockwise. `u ∈ [0, 1)²` places it in its part.
+/// Direction (unit length) in part `i` of the sphere's `strata.x · strata.y` parts of equal area: `strata.x` rings of
+/// equal height from +z to −z, each cut into `strata.y` from +x counter-clockwise. `u ∈ [0, 1)²` places it in its part.
 ///
 /// With uniform `u` it estimates integrals without bias: Hajisharif 2012 takes 10 × 10 to 50 × 50 for a transfer (Eq. 8).
 /// Numbers beyond the last start anew; no parts count as one.

@@ -31,8 +31,8 @@ pub fn coefficient_order(k: u32) -> i32 {
     k as i32 - (l * (l + 1)) as i32
 }
 
-/// `(c + α c_before)/(1 + α)`, the filter over time (Hajisharif 2012, Eq. 13), with `c_before` the last frame's *filtered* coefficient.
-/// α = 0 filters nothing; an α that is not above 0 counts as that.
+/// `(c + α c_before)/(1 + α)`, the filter over time (Hajisharif 2012, Eq. 13), with `c_before` the last frame's
+/// *filtered* coefficient. α = 0 filters nothing; an α that is not above 0 counts as that.
 ///
 /// After a step of the light what is left of the difference shrinks by `α/(1 + α)` a frame.
 ///
@@ -50,8 +50,8 @@ pub fn temporal_filter(current: f32, before: f32, alpha: f32) -> f32 {
     (current + alpha * before) / (1.0 + alpha)
 }
 
-/// A coefficient of order `m` of a light that has been turned about +z by an angle, counter-clockwise from above. `own` is the
-/// coefficient before, `opposite` that of (l, −m), `angle` the angle's cosine and sine.
+/// A coefficient of order `m` of a light that has been turned about +z by an angle, counter-clockwise from above. `own`
+/// is the coefficient before, `opposite` that of (l, −m), `angle` the angle's cosine and sine.
 ///
 /// ```
 /// use glam::Vec2;

@@ -39,30 +39,33 @@
 //!
 //! # Conventions
 //!
-//! - World: right-handed, **z up**. Directions have unit length. Maps are those of [`glimt_probe::latlong`]: row 0 at +z, `φ = π − 2πu`.
-//! - The basis is real and orthonormal, **without the Condon–Shortley sign**: band 1 is `√(3/4π) (y, z, x)`. The coefficient of (l, m)
-//!   stands at l(l + 1) + m.
-//! - n bands are l = 0, …, n − 1. Coefficients are in radiance times steradian: those of a light of radiance 1 all around are
-//!   (√4π, 0, 0, …).
+//! - World: right-handed, **z up**. Directions have unit length. Maps are those of [`glimt_probe::latlong`]: row 0 at +z,
+//!   `φ = π − 2πu`.
+//! - The basis is real and orthonormal, **without the Condon–Shortley sign**: band 1 is `√(3/4π) (y, z, x)`. The
+//!   coefficient of (l, m) stands at l(l + 1) + m.
+//! - n bands are l = 0, …, n − 1. Coefficients are in radiance times steradian: those of a light of radiance 1 all around
+//!   are (√4π, 0, 0, …).
 //! - A texel is a bin: the basis at its centre times its exact area. Projection is linear: it looks at no texel's value.
 //!
 //! # One source, two processors
 //!
-//! [`mod@basis`], [`separable`], and the modules of [`stratified_direction`] and [`rotate_z`] are *shared files*: plain Rust that also lowers
-//! to WGSL. With the feature `shader-source` their text is at hand as `SHADER_SOURCE`, and `WGSL` holds their functions.
+//! [`mod@basis`], [`separable`], and the modules of [`stratified_direction`] and [`rotate_z`] are *shared files*: plain
+//! Rust that also lowers to WGSL. With the feature `shader-source` their text is at hand as `SHADER_SOURCE`, and `WGSL`
+//! holds their functions.
 //!
 //! With the feature `std`, [`RingTable::row_sums`] looks at run time whether the processor has AVX2 and FMA.
 //!
 //! # Bibliography
 //!
 //! 1. S. Hajisharif, J. Kronander, E. Miandji, J. Unger: *Real-time image based lighting with streaming HDR-light probe
-//!    sequences*, SIGRAD 2012. Eq. 5 (the basis; √2 for m ≠ 0 is missing in print), Eqs. 8 and 11 (projection; the exact area
-//!    instead of Eq. 12), Eq. 13 (the filter over time), Eqs. 2 and 14 (products).
+//!    sequences*, SIGRAD 2012. Eq. 5 (the basis; √2 for m ≠ 0 is missing in print), Eqs. 8 and 11 (projection; the exact
+//!    area instead of Eq. 12), Eq. 13 (the filter over time), Eqs. 2 and 14 (products).
 //! 2. R. Ramamoorthi, P. Hanrahan: *An efficient representation for irradiance environment maps*, SIGGRAPH 2001. Eqs. 7–10.
 //! 3. P.-P. Sloan: *Stupid spherical harmonics (SH) tricks*, GDC 2008 (windows).
 //! 4. P.-P. Sloan, J. Kautz, J. Snyder: *Precomputed radiance transfer for real-time rendering in dynamic, low-frequency
 //!    lighting environments*, SIGGRAPH 2002.
-//! 5. W. Gautschi: *Orthogonal polynomials: computation and approximation*, 2004 (Gauss's rules, by which lights are turned).
+//! 5. W. Gautschi: *Orthogonal polynomials: computation and approximation*, 2004 (Gauss's rules, by which lights are
+//!    turned).
 
 #![no_std]
 #[cfg(feature = "std")]

@@ -4,8 +4,8 @@ use glam::Vec3;
 
 use crate::{MAX_COEFFICIENTS, basis, coefficient_band, cosine_lobe, hann, temporal_filter};
 
-/// Coefficients of a light of three colours, at [`coefficient_index`](crate::coefficient_index); those of bands that it does not have
-/// are 0.
+/// Coefficients of a light of three colours, at [`coefficient_index`](crate::coefficient_index); those of bands that it
+/// does not have are 0.
 pub type LightCoefficients = [Vec3; MAX_COEFFICIENTS];
 
 /// `Σ_k c_k y_k(d)`, what the coefficients say of the unit vector `d`. It may be negative: a few bands ring.
@@ -41,8 +41,8 @@ pub fn dot(light: &LightCoefficients, transfer: &[f32; MAX_COEFFICIENTS]) -> Vec
     sum
 }
 
-/// The light with each band times its [`hann`] window (Sloan 2008). For a light of n bands `window = n` is usual; one that is not
-/// above 0 leaves the light as it is.
+/// The light with each band times its [`hann`] window (Sloan 2008). For a light of n bands `window = n` is usual; one
+/// that is not above 0 leaves the light as it is.
 ///
 /// ```
 /// use glam::Vec3;
@@ -55,8 +55,8 @@ pub fn windowed(light: &LightCoefficients, window: f32) -> LightCoefficients {
     by_band(light, |l| hann(l, window))
 }
 
-/// The coefficients of irradiance as a function of the normal: `E_lm = A_l L_lm` (Ramamoorthi and Hanrahan 2001, Eq. 10), of a point
-/// that sees the whole hemisphere. In W/m² where the light is in W/(m² sr).
+/// The coefficients of irradiance as a function of the normal: `E_lm = A_l L_lm` (Ramamoorthi and Hanrahan 2001, Eq. 10),
+/// of a point that sees the whole hemisphere. In W/m² where the light is in W/(m² sr).
 ///
 /// ```
 /// use glam::Vec3;
@@ -72,7 +72,8 @@ pub fn irradiance(light: &LightCoefficients) -> LightCoefficients {
     by_band(light, cosine_lobe)
 }
 
-/// The filter over time (Hajisharif 2012, Eq. 13): `(c + α c_before)/(1 + α)`, with what this function returned for the frame before.
+/// The filter over time (Hajisharif 2012, Eq. 13): `(c + α c_before)/(1 + α)`, with what this function returned for the
+/// frame before.
 ///
 /// ```
 /// use glam::Vec3;

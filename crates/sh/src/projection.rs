@@ -6,11 +6,11 @@ use glimt_probe::trig::cos_sin_pi;
 
 use crate::error::{ShError, check_bands, check_len, check_size};
 use crate::ring_table::{RingSums, RingTable};
-use crate::separable::{meridian, meridian_index, ring_index};
+use crate::separable::{MERIDIAN_LEN, meridian, meridian_index, ring_index};
 use crate::{LightCoefficients, MAX_COEFFICIENTS, basis, coefficient_index};
 
-/// The coefficients of a lat-long map, row by row: `c_lm = Σ L y_lm ΔΩ` over its texels (Hajisharif 2012, Eq. 11), with `y_lm` at the
-/// texel's centre and the texel's exact area `Δφ (cos θ₀ − cos θ₁)`, where Eq. 12 prints `2π² sin θ/(w h)`.
+/// The coefficients of a lat-long map, row by row: `c_lm = Σ L y_lm ΔΩ` over its texels (Hajisharif 2012, Eq. 11), with
+/// `y_lm` at the texel's centre and the texel's exact area `Δφ (cos θ₀ − cos θ₁)`, where Eq. 12 prints `2π² sin θ/(w h)`.
 ///
 /// Sums are in f64, so that rows may come in any order and in parts; one that is left out is black.
 ///
@@ -66,21 +66,13 @@ impl Projection {
         let theta = cos_sin_pi((2 * row + 1) as f32 / (2 * self.size.y) as f32);
         let meridian = meridian(theta.x, theta.y);
         let area = f64::from(texel_solid_angle_sr(row, self.size));
-        let mut add = |k: u32, factor: f64, ring: &[f64; 3]| {
-            for (own, sum) in self.sums[k as usize].iter_mut().zip(ring) {
-                *own += factor * sum;
-            }
-        };
-        for l in 0..self.bands {
-            for m in 0..=l {
-                let factor = area * f64::from(meridian[meridian_index(l, m) as usize]);
-                let m = m as i32;
-                let sums = |m: i32| &ring.sums[ring_index(m) as usize];
-                add(coefficient_index(l, m), factor, sums(m));
-                if m > 0 {
-                    add(coefficient_index(l, -m), factor, sums(-m));
-                }
-            }
+        match self.bands {
+            1 => add_bands::<1>(&meridian, area, ring, &mut self.sums),
+            2 => add_bands::<2>(&meridian, area, ring, &mut self.sums),
+            3 => add_bands::<3>(&meridian, area, ring, &mut self.sums),
+            4 => add_bands::<4>(&meridian, area, ring, &mut self.sums),
+            5 => add_bands::<5>(&meridian, area, ring, &mut self.sums),
+            _ => add_bands::<6>(&meridian, area, ring, &mut self.sums),
         }
         Ok(())
     }
@@ -88,8 +80,8 @@ impl Projection {
     /// Adds the rows from `first` on that `texels` holds, as floats: see [`RingTable::row_sums`].
     ///
     /// # Errors
-    /// [`ShError::Row`], and [`ShError::Length`] where the table is another width's or a row is not whole. Rows before that are
-    /// added.
+    /// [`ShError::Row`], and [`ShError::Length`] where the table is another width's or a row is not whole. Rows before
+    /// that are added.
     pub fn add_rows(
         &mut self,
         table: &RingTable<'_>,
@@ -120,8 +112,42 @@ impl Projection {
     }
 }
 
-/// The coefficients of a function of which samples are known: `c_lm = (4π/N) Σ f(ω_i) y_lm(ω_i)` over N directions that are uniform on
-/// the whole sphere (Hajisharif 2012, Eq. 8), such as those of [`stratified_direction`](crate::stratified_direction).
+/// Adds a row's products; the number of bands is a constant, so that no index has to be computed.
+fn add_bands<const N: u32>(
+    meridian: &[f32; MERIDIAN_LEN],
+    area: f64,
+    ring: &RingSums,
+    sums: &mut [[f64; 3]; MAX_COEFFICIENTS],
+) {
+    let mut add = |k: u32, factor: f64, ring: &[f64; 3]| {
+        let own = &mut sums[k as usize];
+        for c in 0..3 {
+            own[c] += factor * ring[c];
+        }
+    };
+    for l in 0..N {
+        for m in 0..=l {
+            let factor = area * f64::from(meridian[meridian_index(l, m) as usize]);
+            let m = m as i32;
+            add(
+                coefficient_index(l, m),
+                factor,
+                &ring.sums[ring_index(m) as usize],
+            );
+            if m > 0 {
+                add(
+                    coefficient_index(l, -m),
+                    factor,
+                    &ring.sums[ring_index(-m) as usize],
+                );
+            }
+        }
+    }
+}
+
+/// The coefficients of a function of which samples are known: `c_lm = (4π/N) Σ f(ω_i) y_lm(ω_i)` over N directions that
+/// are uniform on the whole sphere (Hajisharif 2012, Eq. 8), such as those of
+/// [`stratified_direction`](crate::stratified_direction).
 ///
 /// ```
 /// use glam::{UVec2, Vec2, Vec3};

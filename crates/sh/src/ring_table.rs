@@ -1,8 +1,8 @@
 //! Host file: the factors of φ of a map's columns, and the sums over a row that they are for.
 //!
-//! A quarter of a turn maps a column onto another, and its cosines and sines onto themselves up to sign and order. So where the
-//! width is a multiple of four, the four texels of a quarter of a turn are first added and subtracted, and share each
-//! multiplication; the table is a quarter as long. Lanes run forwards through all four quarters of the row.
+//! A quarter of a turn maps a column onto another, and its cosines and sines onto themselves up to sign and order. So
+//! where the width is a multiple of four, the four texels of a quarter of a turn are first added and subtracted, and
+//! share each multiplication; the table is a quarter as long. Lanes run forwards through all four quarters of the row.
 
 use glam::UVec2;
 use glimt_probe::trig::cos_sin_pi;
@@ -77,7 +77,8 @@ pub fn ring_table_len(width: u32, bands: u32, channels: u32) -> Result<usize, Sh
     Ok(Layout::new(width, bands, channels)?.len())
 }
 
-/// Fills `table`, of [`ring_table_len`], with cosines and sines of multiples of the columns' azimuths `φ = π − 2π(j + ½)/width`.
+/// Fills `table`, of [`ring_table_len`], with cosines and sines of multiples of the columns' azimuths `φ = π − 2π(j +
+/// ½)/width`.
 ///
 /// # Errors
 /// Those of [`ring_table_len`], and [`ShError::Length`].
@@ -110,8 +111,8 @@ pub fn build_ring_table_into(
     Ok(())
 }
 
-/// The sums over a row of red, green and blue times 1, cos φ, sin φ, cos 2φ, …, at [`ring_index`](crate::separable::ring_index);
-/// 0 beyond the bands.
+/// The sums over a row of red, green and blue times 1, cos φ, sin φ, cos 2φ, …, at
+/// [`ring_index`](crate::separable::ring_index); 0 beyond the bands.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RingSums {
     /// The sums of each factor.
@@ -178,11 +179,12 @@ impl<'a> RingTable<'a> {
         self.width as usize * self.layout.channels
     }
 
-    /// Sums a row, given as floats: `row.as_flattened()` of texels `[f32; 3]`, or of `[f32; 4]`, whose fourth channel is left out.
+    /// Sums a row, given as floats: `row.as_flattened()` of texels `[f32; 3]`, or of `[f32; 4]`, whose fourth channel is
+    /// left out.
     ///
-    /// Blocks of 32 products are summed in f32, blocks in f64. Nothing is checked: what is negative counts as it is, and a NaN or
-    /// an infinity makes the sums of its own channel NaN or infinite, and no others. Who would take such texels as no light puts
-    /// zeros there first.
+    /// Blocks of 32 products are summed in f32, blocks in f64. Nothing is checked: what is negative counts as it is, and
+    /// a NaN or an infinity makes the sums of its own channel NaN or infinite, and no others. Who would take such texels
+    /// as no light puts zeros there first.
     ///
     /// With the feature `std`, on an x86-64 with AVX2 and FMA, eight products are made at a time; the result differs
     /// from the plain path's by rounding, below 10⁻⁶ of the sum of the magnitudes.
@@ -192,13 +194,13 @@ impl<'a> RingTable<'a> {
     pub fn row_sums(&self, row: &[f32]) -> Result<RingSums, ShError> {
         check_len(row.len(), self.row_len())?;
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
-        if let Some(lanes) = crate::wide::row_lanes(&self.layout, self.bands, row, self.grouped) {
-            return Ok(row::finish(
+        if let Some(sums) = crate::wide::sum_groups(&self.layout, self.bands, row, self.grouped) {
+            return Ok(row::add_tail(
                 &self.layout,
                 self.bands,
-                &lanes,
                 row,
                 self.tail,
+                sums,
             ));
         }
         Ok(self.plain(row))
@@ -214,7 +216,7 @@ impl<'a> RingTable<'a> {
     }
 
     fn plain(&self, row: &[f32]) -> RingSums {
-        let lanes = row::row_lanes(&self.layout, self.bands, row, self.grouped);
-        row::finish(&self.layout, self.bands, &lanes, row, self.tail)
+        let sums = row::sum_groups(&self.layout, self.bands, row, self.grouped);
+        row::add_tail(&self.layout, self.bands, row, self.tail, sums)
     }
 }

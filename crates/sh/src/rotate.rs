@@ -15,11 +15,12 @@ const GAUSS: [(f32, f64); 3] = [
 /// Nodes around a ring. One more than the highest frequency of a product of two basis functions.
 const AROUND: u32 = 11;
 
-/// The coefficients of the light that `rotation` (a rotation or a reflection) makes of this one: its value along `rotation · d` is the old
-/// one's along d. `Mat3::from_quat` makes a matrix of a quaternion.
+/// The coefficients of the light that `rotation` (a rotation or a reflection) makes of this one: its value along
+/// `rotation · d` is the old one's along d. `Mat3::from_quat` makes a matrix of a quaternion.
 ///
-/// Exact up to rounding, below 10⁻⁶ of a band's norm: a band stays a band when turned, and its new coefficients are integrals of polynomials
-/// of degree 10 at most, which 6 × 11 points give exactly. A matrix that is not orthogonal gives nothing that means anything.
+/// Exact up to rounding, below 10⁻⁶ of a band's norm: a band stays a band when turned, and its new coefficients are
+/// integrals of polynomials of degree 10 at most, which 6 × 11 points give exactly. A matrix that is not orthogonal gives
+/// nothing that means anything.
 ///
 /// ```
 /// use glam::{Mat3, Vec3};
@@ -48,8 +49,8 @@ pub fn rotated(light: &LightCoefficients, rotation: &Mat3) -> LightCoefficients 
     sums.map(|[r, g, b]| Vec3::new(r as f32, g as f32, b as f32))
 }
 
-/// Adds the product of each band's value at `from` with its functions at `to`. Bands are kept apart, so that rounding in a bright one
-/// does not reach into a faint one.
+/// Adds the product of each band's value at `from` with its functions at `to`. Bands are kept apart, so that rounding in
+/// a bright one does not reach into a faint one.
 fn add_node(
     light: &LightCoefficients,
     from: Vec3,

@@ -3,13 +3,12 @@
 use glam::Vec4;
 
 use crate::ring_table::{LANES, Layout, RingSums};
-use crate::separable::RING_LEN;
 
 /// Groups whose products are summed in f32 before they go to f64: so few that a small texel beside a sun is not lost.
 pub(crate) const BLOCK: usize = 32;
 
-/// Sums of twelve lanes: whole texels of 3 and of 4 channels.
-pub(crate) type Lanes = [[f64; 12]; RING_LEN];
+/// `K` sums of twelve lanes: whole texels of 3 and of 4 channels.
+pub(crate) type Lanes<const K: usize> = [[f64; 12]; K];
 
 /// `P` vectors of a group.
 pub(crate) type Group<const P: usize> = [[f32; LANES]; P];
@@ -26,27 +25,41 @@ pub(crate) fn quarters<const P: usize>(row: &[f32]) -> [&[Group<P>]; 4] {
     [at(0), at(1), at(2), at(3)]
 }
 
-/// The sums of a row's groups, by lane. `grouped` is the table's part for them.
-pub(crate) fn row_lanes(layout: &Layout, bands: u32, row: &[f32], grouped: &[f32]) -> Lanes {
-    let mut lanes = [[0.0; 12]; RING_LEN];
+/// The sums of a row's groups. `grouped` is the table's part for them. One band has the sums of two.
+pub(crate) fn sum_groups(layout: &Layout, bands: u32, row: &[f32], grouped: &[f32]) -> RingSums {
+    let mut out = RingSums::default();
     if layout.groups > 0 {
         match (layout.vectors, bands) {
-            (1, ..=2) => sum::<3, 2, 1>(row, grouped, &mut lanes),
-            (1, 3) => sum::<5, 4, 1>(row, grouped, &mut lanes),
-            (1, 4) => sum::<7, 6, 1>(row, grouped, &mut lanes),
-            (1, 5) => sum::<9, 8, 1>(row, grouped, &mut lanes),
-            (1, _) => sum::<11, 10, 1>(row, grouped, &mut lanes),
-            (_, ..=2) => sum::<3, 2, 3>(row, grouped, &mut lanes),
-            (_, 3) => sum::<5, 4, 3>(row, grouped, &mut lanes),
-            (_, 4) => sum::<7, 6, 3>(row, grouped, &mut lanes),
-            (_, 5) => sum::<9, 8, 3>(row, grouped, &mut lanes),
-            _ => sum::<11, 10, 3>(row, grouped, &mut lanes),
+            (1, ..=2) => sum::<3, 2, 1>(row, grouped, &mut out),
+            (1, 3) => sum::<5, 4, 1>(row, grouped, &mut out),
+            (1, 4) => sum::<7, 6, 1>(row, grouped, &mut out),
+            (1, 5) => sum::<9, 8, 1>(row, grouped, &mut out),
+            (1, _) => sum::<11, 10, 1>(row, grouped, &mut out),
+            (_, ..=2) => sum::<3, 2, 3>(row, grouped, &mut out),
+            (_, 3) => sum::<5, 4, 3>(row, grouped, &mut out),
+            (_, 4) => sum::<7, 6, 3>(row, grouped, &mut out),
+            (_, 5) => sum::<9, 8, 3>(row, grouped, &mut out),
+            _ => sum::<11, 10, 3>(row, grouped, &mut out),
         }
     }
-    lanes
+    out
 }
 
-/// Four texels a quarter of a turn apart, `a` first, combined to what their cosines and sines are multiplied by: see [`step`].
+/// Adds the lanes of each channel; `P` = 3 vectors hold texels of three channels.
+#[inline(always)]
+pub(crate) fn add_lanes<const K: usize, const P: usize>(lanes: &Lanes<K>, out: &mut RingSums) {
+    for (sums, lanes) in out.sums.iter_mut().zip(lanes) {
+        for (c, sum) in sums.iter_mut().enumerate() {
+            *sum = match P {
+                3 => (lanes[c] + lanes[c + 3]) + (lanes[c + 6] + lanes[c + 9]),
+                _ => lanes[c] + lanes[c + 4] + lanes[c + 8],
+            };
+        }
+    }
+}
+
+/// Four texels a quarter of a turn apart, `a` first, combined to what their cosines and sines are multiplied by: see
+/// [`step`].
 #[derive(Clone, Copy)]
 struct Turned<T> {
     /// m = 0, 4.
@@ -59,12 +72,14 @@ struct Turned<T> {
     across: T,
 }
 
-/// `K` = 2n − 1 sums of `T` = K − 1 factors and 1, in groups of `P` vectors; halves of vectors are what glam has registers for.
+/// `K` = 2n − 1 sums of `T` = K − 1 factors and 1, in groups of `P` vectors; halves of vectors are what glam has
+/// registers for.
 fn sum<const K: usize, const T: usize, const P: usize>(
     row: &[f32],
     grouped: &[f32],
-    lanes: &mut Lanes,
+    out: &mut RingSums,
 ) {
+    let mut lanes: Lanes<K> = [[0.0; 12]; K];
     let [a, b, c, d] = quarters::<P>(row);
     let table = grouped.as_chunks::<LANES>().0.as_chunks::<T>().0;
     let table = table.as_chunks::<P>().0;
@@ -98,10 +113,11 @@ fn sum<const K: usize, const T: usize, const P: usize>(
             }
         }
     }
+    add_lanes::<K, P>(&lanes, out);
 }
 
-/// Adds the products of all m ≥ 1: of the four texels `cos m(φ − qπ/2)` and `sin m(φ − qπ/2)` are cosines and sines of mφ, up to
-/// sign and order.
+/// Adds the products of all m ≥ 1: of the four texels `cos m(φ − qπ/2)` and `sin m(φ − qπ/2)` are cosines and sines of
+/// mφ, up to sign and order.
 #[inline(always)]
 fn step<const K: usize, const T: usize>(
     turned: Turned<Vec4>,
@@ -140,23 +156,16 @@ fn step<const K: usize, const T: usize>(
     }
 }
 
-/// Adds the columns that fill no group, and the lanes of each channel.
-pub(crate) fn finish(
+/// Adds the columns that fill no group.
+pub(crate) fn add_tail(
     layout: &Layout,
     bands: u32,
-    lanes: &Lanes,
     row: &[f32],
     tail: &[f32],
+    mut out: RingSums,
 ) -> RingSums {
-    let mut out = RingSums::default();
-    let count = 2 * bands as usize - 1;
-    for (sums, lanes) in out.sums.iter_mut().zip(lanes).take(count) {
-        for (c, sum) in sums.iter_mut().enumerate() {
-            *sum = match layout.channels {
-                3 => (lanes[c] + lanes[c + 3]) + (lanes[c + 6] + lanes[c + 9]),
-                _ => lanes[c] + lanes[c + 4] + lanes[c + 8],
-            };
-        }
+    if bands == 1 {
+        out.sums[1..].fill([0.0; 3]);
     }
     let first = layout.columns - layout.tail;
     let quarter = layout.columns * layout.channels;

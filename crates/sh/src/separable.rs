@@ -1,7 +1,7 @@
 //! Shared file: a basis function as a factor of the ring (φ) times a factor of the meridian (θ).
 //!
-//! `y_lm = meridian[l, |m|] · ring[m]`. A map in latitude and longitude is projected a row at a time by it: first 2n − 1 sums over φ,
-//! then n² products, so that a texel costs 2n − 1 multiplications and not n².
+//! `y_lm = meridian[l, |m|] · ring[m]`. A map in latitude and longitude is projected a row at a time by it: first 2n − 1
+//! sums over φ, then n² products, so that a texel costs 2n − 1 multiplications and not n².
 
 use glam::Vec2;
 

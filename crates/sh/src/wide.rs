@@ -1,7 +1,7 @@
 //! Host file: a row's sums over φ in registers of eight floats, where the processor has them.
 //!
-//! The same sums as in `row.rs`, written in the processor's own instructions: what the compiler makes of plain loops keeps the sums
-//! in memory, at a third of the pace.
+//! The same sums as in `row.rs`, written in the processor's own instructions: what the compiler makes of plain loops
+//! keeps the sums in memory, at a third of the pace.
 
 use core::arch::x86_64::{
     __m128, __m256, _MM_HINT_T0, _mm_prefetch, _mm256_add_pd, _mm256_add_ps,
@@ -10,42 +10,41 @@ use core::arch::x86_64::{
     _mm256_storeu_pd, _mm256_sub_ps,
 };
 
-use crate::ring_table::{LANES, Layout};
-use crate::row::{BLOCK, Lanes, quarters};
-use crate::separable::RING_LEN;
+use crate::ring_table::{LANES, Layout, RingSums};
+use crate::row::{BLOCK, Lanes, add_lanes, quarters};
 
 /// Bytes that come into the cache together.
 const LINE: usize = 64;
 
-/// The sums of a row's groups, by lane, as [`row_lanes`](crate::row::row_lanes) has them; `None` where the processor lacks the
+/// The sums of a row's groups, as [`row::sum_groups`](crate::row::sum_groups) has them; `None` where the processor lacks the
 /// instructions, or there are no groups.
-pub(crate) fn row_lanes(
+pub(crate) fn sum_groups(
     layout: &Layout,
     bands: u32,
     row: &[f32],
     grouped: &[f32],
-) -> Option<Lanes> {
+) -> Option<RingSums> {
     let has = std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma");
     if !has || layout.groups == 0 {
         return None;
     }
-    let mut lanes = [[0.0; 12]; RING_LEN];
+    let mut out = RingSums::default();
     // SAFETY: AVX2 and FMA were found just now.
     unsafe {
         match (layout.vectors, bands) {
-            (1, ..=2) => sum::<3, 2, 1>(row, grouped, &mut lanes),
-            (1, 3) => sum::<5, 4, 1>(row, grouped, &mut lanes),
-            (1, 4) => sum::<7, 6, 1>(row, grouped, &mut lanes),
-            (1, 5) => sum::<9, 8, 1>(row, grouped, &mut lanes),
-            (1, _) => sum::<11, 10, 1>(row, grouped, &mut lanes),
-            (_, ..=2) => sum::<3, 2, 3>(row, grouped, &mut lanes),
-            (_, 3) => sum::<5, 4, 3>(row, grouped, &mut lanes),
-            (_, 4) => sum::<7, 6, 3>(row, grouped, &mut lanes),
-            (_, 5) => sum::<9, 8, 3>(row, grouped, &mut lanes),
-            _ => sum::<11, 10, 3>(row, grouped, &mut lanes),
+            (1, ..=2) => sum::<3, 2, 1>(row, grouped, &mut out),
+            (1, 3) => sum::<5, 4, 1>(row, grouped, &mut out),
+            (1, 4) => sum::<7, 6, 1>(row, grouped, &mut out),
+            (1, 5) => sum::<9, 8, 1>(row, grouped, &mut out),
+            (1, _) => sum::<11, 10, 1>(row, grouped, &mut out),
+            (_, ..=2) => sum::<3, 2, 3>(row, grouped, &mut out),
+            (_, 3) => sum::<5, 4, 3>(row, grouped, &mut out),
+            (_, 4) => sum::<7, 6, 3>(row, grouped, &mut out),
+            (_, 5) => sum::<9, 8, 3>(row, grouped, &mut out),
+            _ => sum::<11, 10, 3>(row, grouped, &mut out),
         }
     }
-    Some(lanes)
+    Some(out)
 }
 
 #[target_feature(enable = "avx2,fma")]
@@ -65,8 +64,8 @@ fn add_to(sums: &mut [f64; 4], values: __m128) {
     }
 }
 
-/// `sum + a x + b y`. Where there are registers to spare the products come first: each sum then waits for one addition and not
-/// for two.
+/// `sum + a x + b y`. Where there are registers to spare the products come first: each sum then waits for one addition
+/// and not for two.
 #[target_feature(enable = "avx2,fma")]
 #[inline]
 fn plus<const K: usize>(sum: __m256, a: __m256, x: __m256, b: __m256, y: __m256) -> __m256 {
@@ -93,8 +92,9 @@ fn minus<const K: usize>(sum: __m256, a: __m256, x: __m256, b: __m256, y: __m256
 fn sum<const K: usize, const T: usize, const P: usize>(
     row: &[f32],
     grouped: &[f32],
-    lanes: &mut Lanes,
+    out: &mut RingSums,
 ) {
+    let mut lanes: Lanes<K> = [[0.0; 12]; K];
     let [a, b, c, d] = quarters::<P>(row);
     let table = grouped.as_chunks::<LANES>().0.as_chunks::<T>().0;
     let table = table.as_chunks::<P>().0;
@@ -162,4 +162,5 @@ fn sum<const K: usize, const T: usize, const P: usize>(
             }
         }
     }
+    add_lanes::<K, P>(&lanes, out);
 }

@@ -11,10 +11,11 @@ fn main() {
     let program = shared_image::program();
     let mut images = vec![shared_image::atlas_pair(&program, &context)];
     images.push(shared_image::light_pair(&program, &context));
+    images.push(shared_image::transfer_pair(&program, &context));
     images.push(shared_image::capture_pair(&program, &context));
     images.push(shared_image::sampler_pair(&program, &context));
     images.push(shared_image::projection_pair(&program, &context));
-    images.push(shared_image::transfer_pair(&program, &context));
+    images.push(shared_image::drawing_pair(&program, &context));
     images.extend(shared_image::frame_pairs(&program, &context));
     for image in images {
         let (cpu, gpu) = (hash(&image.cpu), hash(&image.gpu));

@@ -4,6 +4,7 @@
 
 pub mod atlas;
 mod capture;
+mod drawing;
 pub mod drawn;
 mod estimators;
 mod frame;
@@ -22,10 +23,11 @@ use crate::gpu::entry_of;
 use crate::{golden, sampler_sets};
 
 pub use capture::capture_pair;
+pub use drawing::{drawing_pair, projection_pair};
 pub use frame::frame_pairs;
 pub use light::light_pair;
 pub use sampler::sampler_pair;
-pub use transfer::{projection_pair, transfer_pair};
+pub use transfer::transfer_pair;
 
 /// One image on both processors, as words.
 #[derive(Clone, Debug)]

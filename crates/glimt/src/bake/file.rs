@@ -279,3 +279,19 @@ fn header(file: &Path, document: &Value) -> Result<Header> {
         .filter(|header| (1..=6).contains(&header.bands))
         .ok_or_else(|| Error::input(file, "its transfer is of a version that is not known"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_ten_million_vertices_take_is_known_before() {
+        // 9 vectors of each kind, position and normal; two triangles for each vertex.
+        assert_eq!(size(10_000_000, 20_000_000, 6), 3_360_000_000);
+        assert!(size(20_000_000, 40_000_000, 6) > u64::from(u32::MAX));
+        let error = too_long(Path::new("a.glb"), size(20_000_000, 40_000_000, 6));
+        let text = error.to_string();
+        assert!(text.contains("a.glb: it would be 6.3 GiB long"), "{text}");
+        assert_eq!(size(u64::MAX, 1, 6), u64::MAX);
+    }
+}

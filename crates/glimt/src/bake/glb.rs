@@ -124,3 +124,51 @@ pub fn vectors(document: &Value, accessor: u64, bytes: &[u8]) -> Option<Vec<[f32
     };
     (0..number(&accessor["count"], 0)).map(vector).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+    use std::io::Cursor;
+
+    #[test]
+    fn a_file_is_read_back_and_a_short_one_is_not() {
+        let document = json!({"asset": {"version": "2.0"}, "é": [1, 2, 3]});
+        let bytes = [1u8, 2, 3, 4, 5, 6, 7, 8];
+        let mut whole = head(&document, 8).expect("a short file");
+        whole.extend(bytes);
+        let mut file = Cursor::new(&whole);
+        assert_eq!(read_document(&mut file).expect("a document"), document);
+        assert_eq!(read_bytes(&mut file).expect("bytes"), bytes);
+        for length in [20, 40, whole.len() - 1] {
+            let mut file = Cursor::new(&whole[..length]);
+            let error = read_document(&mut file).expect_err("too short");
+            assert!(matches!(error, Broken::Short(there, said)
+                if there == length as u64 && said == whole.len() as u64));
+        }
+        assert!(matches!(
+            read_document(&mut Cursor::new(&whole[..19])),
+            Err(Broken::NotGlb)
+        ));
+        assert!(head(&document, u64::from(u32::MAX)).is_none());
+    }
+
+    #[test]
+    fn interleaved_values_are_found() {
+        let floats: Vec<f32> = (0..24).map(|i| i as f32).collect();
+        let document = |stride: u64| {
+            json!({
+                "accessors": [{
+                    "bufferView": 0, "byteOffset": 8, "componentType": 5126, "count": 3, "type": "VEC4",
+                }],
+                "bufferViews": [{"buffer": 0, "byteOffset": 4, "byteLength": 92, "byteStride": stride}],
+            })
+        };
+        let found = vectors(&document(28), 0, bytemuck::cast_slice(&floats)).expect("vectors");
+        assert_eq!(found[0], [3.0, 4.0, 5.0, 6.0]);
+        assert_eq!(found[2], [17.0, 18.0, 19.0, 20.0]);
+        // Beyond the end, or not there.
+        assert!(vectors(&document(40), 0, bytemuck::cast_slice(&floats)).is_none());
+        assert!(vectors(&document(28), 1, bytemuck::cast_slice(&floats)).is_none());
+    }
+}

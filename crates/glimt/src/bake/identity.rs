@@ -90,7 +90,7 @@ impl Header {
                 let (now, then) = (now.vertices, then.vertices);
                 format!("its mesh has {now} vertices now and had {then}")
             } else if now.geometry != then.geometry {
-                "its mesh has changed".to_owned()
+                "its mesh has changed, or whether it is a catcher".to_owned()
             } else if now.transform != then.transform {
                 "it stands elsewhere now".to_owned()
             } else {

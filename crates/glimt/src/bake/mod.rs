@@ -71,8 +71,10 @@ pub fn load(setup: &Setup, scene: &SceneBuffers, file: &Path) -> Result<Transfer
     match transfer.check(scene.vertex_counts().iter().sum()) {
         Ok(()) => Ok(transfer),
         Err(TransferError::NotFinite(vertex)) => {
+            let (object, vertex) = place_of(&now, vertex);
             let what = format!("a coefficient of vertex {vertex} is not a finite number");
-            Err(Error::input(file, what).fix(anew))
+            let whose = named(setup, &now, object);
+            Err(Error::input(file, what).at(whose).fix(anew))
         }
         Err(e) => Err(Error::input(file, e).fix(anew)),
     }
@@ -115,6 +117,18 @@ pub fn give(setup: &Setup, scene: &mut SceneBuffers) -> Result<()> {
 /// What makes a transfer that can be used.
 fn anew(setup: &Setup) -> String {
     format!("run `glimt bake {}`", setup.source.file.display())
+}
+
+/// The object that a vertex of the scene belongs to, and its number there.
+fn place_of(header: &Header, mut vertex: usize) -> (usize, usize) {
+    for (object, identity) in header.objects.iter().enumerate() {
+        let count = identity.vertices as usize;
+        if vertex < count {
+            return (object, vertex);
+        }
+        vertex -= count;
+    }
+    (0, vertex)
 }
 
 /// An object of the scene, as the shot's user knows it.

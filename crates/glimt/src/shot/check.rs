@@ -363,11 +363,11 @@ fn check_prt(prt: &Prt, source: &Source) -> Result<()> {
             "0 projects the light map as it is, 1 after halving it once",
         );
     }
-    if prt.window.is_some_and(|w| !(w >= 0.0 && w <= 1e6)) {
+    if !(prt.window >= 0.0 && prt.window <= 1e6) {
         return bad(
             "window",
             "it is not between 0 and 1e6",
-            "leave it out for as many bands as there are; 0 for no window",
+            "as many as there are bands is usual; 0 for no window",
         );
     }
     if !(prt.temporal >= 0.0 && prt.temporal <= 1e6) {

@@ -3,9 +3,11 @@
 use super::Shot;
 use crate::error::{Error, Result};
 use glimt_render_gpu::generated::{
-    COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DISPLAY_OVER_PLATE, RECONSTRUCT, RECONSTRUCT_LAYERS,
-    SHADE_BIS, SHADE_BIS_LAYERS, SHADE_MIS, SHADE_MIS_LAYERS, SHADE_SMC, SHADE_SMC_LAYERS, TONEMAP,
+    COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DISPLAY_OVER_PLATE, HALVE, LIGHT_COEFFICIENT,
+    RECONSTRUCT, RECONSTRUCT_LAYERS, SHADE_BIS, SHADE_BIS_LAYERS, SHADE_MIS, SHADE_MIS_LAYERS,
+    SHADE_SMC, SHADE_SMC_LAYERS, TONEMAP, UNPACK_LAYERS, VERTEX_LIGHT,
 };
+use glimt_render_gpu::gpu::HAND_WRITTEN;
 use sha2::{Digest, Sha256};
 use std::fs::File;
 use std::io::Read;
@@ -89,8 +91,15 @@ pub fn of_frame(scene: &Hash, inputs: &Hash, frame: u32) -> String {
         COMPOSITE_OVER_PLATE,
         DISPLAY_OVER_PLATE,
         COMPOSITE_ALONE,
+        HALVE,
+        LIGHT_COEFFICIENT,
+        VERTEX_LIGHT,
+        UNPACK_LAYERS,
     ] {
         hasher.update(entry.wgsl.as_bytes());
+    }
+    for wgsl in HAND_WRITTEN {
+        hasher.update(wgsl.as_bytes());
     }
     hasher.update(scene);
     hasher.update(inputs);

@@ -65,9 +65,8 @@ pub struct Prt {
     pub directions: u32,
     /// How often the light map is halved before it is projected.
     pub level: u32,
-    /// Width of the Hann window on the light's bands; as many as there are, if not given, and none if 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub window: Option<f32>,
+    /// Width of the Hann window on the light's bands, against ringing: as wide as there are bands is usual; 0 for none.
+    pub window: f32,
     /// How much of the frame before goes into the light of a frame: `(now + temporal · before)/(1 + temporal)`.
     pub temporal: f32,
     /// Whether objects cast shadows.
@@ -82,7 +81,7 @@ impl Default for Prt {
             bands: 5,
             directions: 2500,
             level: default.level,
-            window: None,
+            window: default.window,
             temporal: default.temporal,
             shadows: default.shadows,
         }
@@ -94,7 +93,7 @@ impl Prt {
     pub fn settings(&self) -> PrtSettings {
         PrtSettings {
             level: self.level,
-            window: self.window.unwrap_or(self.bands as f32),
+            window: self.window,
             temporal: self.temporal,
             shadows: self.shadows,
         }

@@ -885,7 +885,7 @@ const _: () = {
     assert!(offset_of!(crate::kernels::transfer::TransferVertex, normal) == 16);
     assert!(offset_of!(crate::kernels::transfer::TransferVertex, number) == 28);
     assert!(offset_of!(crate::kernels::transfer::TransferVertex, inner) == 32);
-    assert!(offset_of!(crate::kernels::transfer::TransferVertex, step) == 44);
+    assert!(offset_of!(crate::kernels::transfer::TransferVertex, unused) == 44);
     assert!(size_of::<crate::kernels::triangle::Triangle>() == 48);
     assert!(offset_of!(crate::kernels::triangle::Triangle, v0) == 0);
     assert!(offset_of!(crate::kernels::triangle::Triangle, material) == 12);

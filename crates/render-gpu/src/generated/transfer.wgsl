@@ -22,7 +22,7 @@ struct TransferVertex {
     normal: vec3<f32>,
     number: u32,
     inner: vec3<f32>,
-    step: f32,
+    unused: f32,
 }
 
 struct TransferParams {
@@ -41,17 +41,6 @@ struct Ray {
     origin: vec3<f32>,
     direction: vec3<f32>,
     inverse_direction: vec3<f32>,
-}
-
-struct Hit {
-    triangle: u32,
-    t: f32,
-    barycentrics: vec2<f32>,
-}
-
-struct Option_Hit {
-    is_some: bool,
-    value: Hit,
 }
 
 struct Xoshiro128PlusPlus {
@@ -79,7 +68,7 @@ var<storage, read_write> blocked: array<f32>;
 @group(0) @binding(6) 
 var<storage, read_write> out: array<u32>;
 @group(0) @binding(0) 
-var<storage> params_1: Params;
+var<storage> params_2: Params;
 
 // glimt_render_gpu/src/kernels/ray.rs:48
 fn inverse(x: f32) -> f32 {
@@ -124,6 +113,13 @@ fn box_distance(node: BvhNode, ray: Ray) -> f32 {
     return _e40;
 }
 
+// glimt_render_gpu/src/kernels/triangle.rs:33
+fn Triangle_is_catcher(this_: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:34
+    return ((this_.object & 2147483648u) != 0u);
+}
+
 // glimt_render_gpu/src/kernels/triangle.rs:51
 fn edge_functions(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
@@ -158,10 +154,10 @@ fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
         return 340282350000000000000000000000000000000f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:77
-    let t_2 = (dot(a_1, normal) / slope);
+    let t_1 = (dot(a_1, normal) / slope);
     // glimt_render_gpu/src/kernels/triangle.rs:78
-    if ((t_2 > 0f) && (t_2 < t_max)) {
-        chosen_1 = t_2;
+    if ((t_1 > 0f) && (t_1 < t_max)) {
+        chosen_1 = t_1;
     } else {
         chosen_1 = 340282350000000000000000000000000000000f;
     }
@@ -169,322 +165,81 @@ fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     return _e59;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:33
-fn Triangle_is_catcher(this_: Triangle) -> bool {
-
-    // glimt_render_gpu/src/kernels/triangle.rs:34
-    return ((this_.object & 2147483648u) != 0u);
-}
-
-// glimt_render_gpu/src/kernels/bvh.rs:145
-fn visit_leaf(leaf: BvhNode, ray_2: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
-    var nearest: u32;
-    var counter: u32;
-    var both: bool;
-    var both_1: bool;
-
-    // glimt_render_gpu/src/kernels/bvh.rs:153
-    nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:154
-    counter = leaf.first;
-    loop {
-        let i = counter;
-        if (i >= (leaf.first + leaf.count)) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:155
-        let _e19 = triangles[i];
-        let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_2, _e20);
-        // glimt_render_gpu/src/kernels/bvh.rs:157
-        let _e23 = (*reach);
-        let _e24 = (_e21 < _e23);
-        both = _e24;
-        if _e24 {
-            both_1 = no_catcher;
-            if no_catcher {
-                let _e29 = triangles[i];
-                let _e30 = Triangle_is_catcher(_e29);
-                both_1 = _e30;
-            }
-            let _e31 = both_1;
-            both = !(_e31);
-        }
-        let _e33 = both;
-        if _e33 {
-            // glimt_render_gpu/src/kernels/bvh.rs:158
-            (*reach) = _e21;
-            // glimt_render_gpu/src/kernels/bvh.rs:159
-            nearest = i;
-        }
-        continuing {
-            let _e36 = counter;
-            counter = (_e36 + 1u);
-        }
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:162
-    let _e40 = nearest;
-    return _e40;
-}
-
-// glimt_render_gpu/src/kernels/bvh.rs:77
-fn traverse(ray_3: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
-    var either: bool;
-    var best_1: u32;
+// glimt_render_gpu/src/kernels/bvh.rs:170
+fn any_hit_of(ray_2: Ray, t_max_1: f32, object: u32, own: bool) -> bool {
     var stack: array<u32, 64>;
     var height: u32;
-    var pair: u32;
-    var near: BvhNode;
-    var far: BvhNode;
-    var t_near: f32;
-    var t_far: f32;
-    var into_near: bool;
-    var into_far: bool;
+    var counter: u32;
+    var both: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:84
-    let _e8 = (arrayLength((&nodes)) == 0u);
-    either = _e8;
-    if _e8 {
-    } else {
-        let _e13 = nodes[0u];
-        let _e14 = box_distance(_e13, ray_3);
-        let _e15 = (*reach_1);
-        either = (_e14 >= _e15);
+    // glimt_render_gpu/src/kernels/bvh.rs:178
+    if (arrayLength((&nodes)) == 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:179
+        return false;
     }
-    let _e17 = either;
-    if _e17 {
-        // glimt_render_gpu/src/kernels/bvh.rs:85
-        return 4294967295u;
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:87
-    let root = nodes[0u];
-    // glimt_render_gpu/src/kernels/bvh.rs:88
-    if (root.count > 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:89
-        let _e31 = visit_leaf(root, ray_3, reach_1, 4294967295u, any_);
-        return _e31;
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:91
-    best_1 = 4294967295u;
-    // glimt_render_gpu/src/kernels/bvh.rs:92
+    // glimt_render_gpu/src/kernels/bvh.rs:181
     stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:93
-    height = 0u;
-    // glimt_render_gpu/src/kernels/bvh.rs:94
-    pair = root.first;
-    // glimt_render_gpu/src/kernels/bvh.rs:95
+    // glimt_render_gpu/src/kernels/bvh.rs:182
+    height = 1u;
+    // glimt_render_gpu/src/kernels/bvh.rs:183
     loop {
-        // glimt_render_gpu/src/kernels/bvh.rs:96
-        let _e47 = pair;
-        let _e50 = nodes[_e47];
-        near = _e50;
-        // glimt_render_gpu/src/kernels/bvh.rs:97
-        let _e53 = pair;
-        let _e58 = nodes[(_e53 + 1u)];
-        far = _e58;
-        // glimt_render_gpu/src/kernels/bvh.rs:98
-        let _e61 = near;
-        let _e62 = box_distance(_e61, ray_3);
-        t_near = _e62;
-        // glimt_render_gpu/src/kernels/bvh.rs:99
-        let _e65 = far;
-        let _e66 = box_distance(_e65, ray_3);
-        t_far = _e66;
-        // glimt_render_gpu/src/kernels/bvh.rs:101
-        let _e69 = t_near;
-        let _e70 = t_far;
-        if (_e69 > _e70) {
-            // glimt_render_gpu/src/kernels/bvh.rs:102
-            let node_1 = near;
-            // glimt_render_gpu/src/kernels/bvh.rs:103
-            let _e75 = far;
-            near = _e75;
-            // glimt_render_gpu/src/kernels/bvh.rs:104
-            far = node_1;
-            // glimt_render_gpu/src/kernels/bvh.rs:105
-            let t_3 = t_near;
-            // glimt_render_gpu/src/kernels/bvh.rs:106
-            let _e80 = t_far;
-            t_near = _e80;
-            // glimt_render_gpu/src/kernels/bvh.rs:107
-            t_far = t_3;
+        let _e20 = height;
+        if !((_e20 > 0u)) {
+            break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:109
-        let _e83 = t_near;
-        let _e84 = (*reach_1);
-        into_near = (_e83 < _e84);
-        // glimt_render_gpu/src/kernels/bvh.rs:110
-        let _e88 = into_near;
-        let _e90 = near.count;
-        if (_e88 && (_e90 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:111
-            let _e95 = near;
-            let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_3, reach_1, _e96, any_);
-            best_1 = _e97;
-            // glimt_render_gpu/src/kernels/bvh.rs:112
-            let _e99 = best_1;
-            if (any_ && (_e99 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:113
-                let _e104 = best_1;
-                return _e104;
+        // glimt_render_gpu/src/kernels/bvh.rs:184
+        let _e26 = height;
+        height = (_e26 - 1u);
+        // glimt_render_gpu/src/kernels/bvh.rs:185
+        let _e29 = height;
+        let _e31 = stack[_e29];
+        let node_1 = nodes[_e31];
+        // glimt_render_gpu/src/kernels/bvh.rs:186
+        let _e36 = box_distance(node_1, ray_2);
+        if (_e36 < t_max_1) {
+            // glimt_render_gpu/src/kernels/bvh.rs:187
+            if (node_1.count == 0u) {
+                // glimt_render_gpu/src/kernels/bvh.rs:188
+                let _e44 = height;
+                stack[_e44] = node_1.first;
+                // glimt_render_gpu/src/kernels/bvh.rs:189
+                let _e50 = height;
+                stack[(_e50 + 1u)] = (node_1.first + 1u);
+                // glimt_render_gpu/src/kernels/bvh.rs:190
+                let _e56 = height;
+                height = (_e56 + 2u);
             }
-            // glimt_render_gpu/src/kernels/bvh.rs:115
-            into_near = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:117
-        let _e108 = t_far;
-        let _e109 = (*reach_1);
-        into_far = (_e108 < _e109);
-        // glimt_render_gpu/src/kernels/bvh.rs:118
-        let _e113 = into_far;
-        let _e115 = far.count;
-        if (_e113 && (_e115 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:119
-            let _e120 = far;
-            let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_3, reach_1, _e121, any_);
-            best_1 = _e122;
-            // glimt_render_gpu/src/kernels/bvh.rs:120
-            let _e124 = best_1;
-            if (any_ && (_e124 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:121
-                let _e129 = best_1;
-                return _e129;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:123
-            into_far = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:125
-        let _e133 = into_near;
-        if _e133 {
-            // glimt_render_gpu/src/kernels/bvh.rs:126
-            let _e136 = near.first;
-            pair = _e136;
-            // glimt_render_gpu/src/kernels/bvh.rs:127
-            let _e138 = into_far;
-            if _e138 {
-                // glimt_render_gpu/src/kernels/bvh.rs:128
-                let _e141 = far.first;
-                let _e142 = height;
-                stack[_e142] = _e141;
-                // glimt_render_gpu/src/kernels/bvh.rs:129
-                let _e146 = height;
-                height = (_e146 + 1u);
-            }
-        } else {
-            let _e148 = into_far;
-            if _e148 {
-                // glimt_render_gpu/src/kernels/bvh.rs:132
-                let _e151 = far.first;
-                pair = _e151;
-            } else {
-                let _e152 = height;
-                if (_e152 > 0u) {
-                    // glimt_render_gpu/src/kernels/bvh.rs:134
-                    let _e157 = height;
-                    height = (_e157 - 1u);
-                    // glimt_render_gpu/src/kernels/bvh.rs:135
-                    let _e160 = height;
-                    let _e162 = stack[_e160];
-                    pair = _e162;
-                } else {
-                    // glimt_render_gpu/src/kernels/bvh.rs:137
-                    let _e164 = best_1;
-                    return _e164;
+            // glimt_render_gpu/src/kernels/bvh.rs:192
+            counter = node_1.first;
+            loop {
+                let i = counter;
+                if (i >= (node_1.first + node_1.count)) {
+                    break;
+                }
+                // glimt_render_gpu/src/kernels/bvh.rs:193
+                let triangle_1 = triangles[i];
+                // glimt_render_gpu/src/kernels/bvh.rs:194
+                let _e71 = Triangle_is_catcher(triangle_1);
+                let is_asked = (!(_e71) && ((triangle_1.object == object) == own));
+                // glimt_render_gpu/src/kernels/bvh.rs:195
+                both = is_asked;
+                if is_asked {
+                    let _e79 = intersect(triangle_1, ray_2, t_max_1);
+                    both = (_e79 < t_max_1);
+                }
+                let _e81 = both;
+                if _e81 {
+                    // glimt_render_gpu/src/kernels/bvh.rs:196
+                    return true;
+                }
+                continuing {
+                    let _e84 = counter;
+                    counter = (_e84 + 1u);
                 }
             }
         }
     }
-    return u32();
-}
-
-// glimt_render_gpu/src/kernels/triangle.rs:84
-fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
-
-    // glimt_render_gpu/src/kernels/triangle.rs:85
-    let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:91
-    let sum = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:92
-    if (sum == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:94
-        return vec2((1f / 3f));
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:96
-    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum));
-}
-
-// glimt_render_gpu/src/kernels/bvh.rs:45
-fn closest_hit(ray_5: Ray, t_max_1: f32) -> Option_Hit {
-    var t: f32;
-
-    // glimt_render_gpu/src/kernels/bvh.rs:51
-    t = t_max_1;
-    // glimt_render_gpu/src/kernels/bvh.rs:52
-    let _e7 = traverse(ray_5, (&t), false);
-    // glimt_render_gpu/src/kernels/bvh.rs:53
-    if (_e7 == 4294967295u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:54
-        return Option_Hit();
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:56
-    let _e14 = t;
-    let _e17 = triangles[_e7];
-    let _e18 = barycentrics(_e17, ray_5);
-    return Option_Hit(true, Hit(_e7, _e14, _e18));
-}
-
-// glimt_render_gpu/src/kernels/transfer.rs:120
-fn meets(at: TransferVertex, origin_1: vec3<f32>, direction_2: vec3<f32>, reach_2: f32, own: bool) -> bool {
-    var from_: vec3<f32>;
-    var left: f32;
-    var counter_1: u32;
-
-    // glimt_render_gpu/src/kernels/transfer.rs:129
-    from_ = origin_1;
-    // glimt_render_gpu/src/kernels/transfer.rs:130
-    left = reach_2;
-    // glimt_render_gpu/src/kernels/transfer.rs:131
-    let step_ = (at.step / max(length(direction_2), 0.000000000000000000000000000000000000011754944f));
-    // glimt_render_gpu/src/kernels/transfer.rs:132
-    counter_1 = 0u;
-    loop {
-        let _e20 = counter_1;
-        if (_e20 >= 64u) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/transfer.rs:133
-        let _e23 = from_;
-        let _e24 = Ray_new(_e23, direction_2);
-        let _e25 = left;
-        let _e26 = closest_hit(_e24, _e25);
-        if !(_e26.is_some) {
-            // glimt_render_gpu/src/kernels/transfer.rs:134
-            return false;
-        } else {
-            let hit = _e26.value;
-            // glimt_render_gpu/src/kernels/transfer.rs:135
-            // glimt_render_gpu/src/kernels/transfer.rs:136
-            let object = triangles[hit.triangle].object;
-            // glimt_render_gpu/src/kernels/transfer.rs:137
-            if (((object & 2147483648u) == 0u) && ((object == at.object) == own)) {
-                // glimt_render_gpu/src/kernels/transfer.rs:138
-                return true;
-            }
-            // glimt_render_gpu/src/kernels/transfer.rs:140
-            let _e56 = from_;
-            from_ = (_e56 + (direction_2 * (hit.t + step_)));
-            // glimt_render_gpu/src/kernels/transfer.rs:141
-            let _e61 = left;
-            left = (_e61 - (hit.t + step_));
-        }
-        continuing {
-            let _e63 = counter_1;
-            counter_1 = (_e63 + 1u);
-        }
-    }
-    // glimt_render_gpu/src/kernels/transfer.rs:145
+    // glimt_render_gpu/src/kernels/bvh.rs:201
     return false;
 }
 
@@ -624,6 +379,17 @@ fn Xoshiro128PlusPlus_stream(seed: u32, frame: u32, pixel: u32) -> Xoshiro128Plu
     return _e8;
 }
 
+// glimt_render_gpu/src/kernels/transfer.rs:111
+fn strata_of_row(params: TransferParams, row: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/transfer.rs:112
+    let first_1 = ((row * params.directions) / params.rows);
+    // glimt_render_gpu/src/kernels/transfer.rs:113
+    let next = (((row + 1u) * params.directions) / params.rows);
+    // glimt_render_gpu/src/kernels/transfer.rs:114
+    return vec2<u32>(first_1, (next - first_1));
+}
+
 // glimt_sampling/src/xoshiro.rs:56
 fn Xoshiro128PlusPlus_next_u32_(this_1: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
@@ -706,14 +472,251 @@ fn cos_sin_pi(x_3: f32) -> vec2<f32> {
     return _e77;
 }
 
+// glimt_render_gpu/src/kernels/transfer.rs:121
+fn stratified_direction(n_1: u32, first: u32, columns: u32, column: u32, u_2: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/transfer.rs:122
+    let down = ((f32(first) + (u_2.x * f32(columns))) / f32(n_1));
+    // glimt_render_gpu/src/kernels/transfer.rs:123
+    let radius = (2f * sqrt((down * (1f - down))));
+    // glimt_render_gpu/src/kernels/transfer.rs:124
+    let _e31 = cos_sin_pi((((f32(column) + u_2.y) * (2f / f32(columns))) - 1f));
+    let around = (_e31 * radius);
+    // glimt_render_gpu/src/kernels/transfer.rs:125
+    return vec3<f32>(around.x, around.y, (1f - (2f * down)));
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:145
+fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
+    var nearest: u32;
+    var counter_1: u32;
+    var both_1: bool;
+    var both_2: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:153
+    nearest = best;
+    // glimt_render_gpu/src/kernels/bvh.rs:154
+    counter_1 = leaf.first;
+    loop {
+        let i_1 = counter_1;
+        if (i_1 >= (leaf.first + leaf.count)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:155
+        let _e19 = triangles[i_1];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_3, _e20);
+        // glimt_render_gpu/src/kernels/bvh.rs:157
+        let _e23 = (*reach);
+        let _e24 = (_e21 < _e23);
+        both_1 = _e24;
+        if _e24 {
+            both_2 = no_catcher;
+            if no_catcher {
+                let _e29 = triangles[i_1];
+                let _e30 = Triangle_is_catcher(_e29);
+                both_2 = _e30;
+            }
+            let _e31 = both_2;
+            both_1 = !(_e31);
+        }
+        let _e33 = both_1;
+        if _e33 {
+            // glimt_render_gpu/src/kernels/bvh.rs:158
+            (*reach) = _e21;
+            // glimt_render_gpu/src/kernels/bvh.rs:159
+            nearest = i_1;
+        }
+        continuing {
+            let _e36 = counter_1;
+            counter_1 = (_e36 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:162
+    let _e40 = nearest;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:77
+fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+    var either: bool;
+    var best_1: u32;
+    var stack_1: array<u32, 64>;
+    var height_1: u32;
+    var pair: u32;
+    var near: BvhNode;
+    var far: BvhNode;
+    var t_near: f32;
+    var t_far: f32;
+    var into_near: bool;
+    var into_far: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:84
+    let _e8 = (arrayLength((&nodes)) == 0u);
+    either = _e8;
+    if _e8 {
+    } else {
+        let _e13 = nodes[0u];
+        let _e14 = box_distance(_e13, ray_4);
+        let _e15 = (*reach_1);
+        either = (_e14 >= _e15);
+    }
+    let _e17 = either;
+    if _e17 {
+        // glimt_render_gpu/src/kernels/bvh.rs:85
+        return 4294967295u;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:87
+    let root = nodes[0u];
+    // glimt_render_gpu/src/kernels/bvh.rs:88
+    if (root.count > 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:89
+        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u, any_);
+        return _e31;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:91
+    best_1 = 4294967295u;
+    // glimt_render_gpu/src/kernels/bvh.rs:92
+    stack_1 = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:93
+    height_1 = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:94
+    pair = root.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:95
+    loop {
+        // glimt_render_gpu/src/kernels/bvh.rs:96
+        let _e47 = pair;
+        let _e50 = nodes[_e47];
+        near = _e50;
+        // glimt_render_gpu/src/kernels/bvh.rs:97
+        let _e53 = pair;
+        let _e58 = nodes[(_e53 + 1u)];
+        far = _e58;
+        // glimt_render_gpu/src/kernels/bvh.rs:98
+        let _e61 = near;
+        let _e62 = box_distance(_e61, ray_4);
+        t_near = _e62;
+        // glimt_render_gpu/src/kernels/bvh.rs:99
+        let _e65 = far;
+        let _e66 = box_distance(_e65, ray_4);
+        t_far = _e66;
+        // glimt_render_gpu/src/kernels/bvh.rs:101
+        let _e69 = t_near;
+        let _e70 = t_far;
+        if (_e69 > _e70) {
+            // glimt_render_gpu/src/kernels/bvh.rs:102
+            let node_2 = near;
+            // glimt_render_gpu/src/kernels/bvh.rs:103
+            let _e75 = far;
+            near = _e75;
+            // glimt_render_gpu/src/kernels/bvh.rs:104
+            far = node_2;
+            // glimt_render_gpu/src/kernels/bvh.rs:105
+            let t_2 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:106
+            let _e80 = t_far;
+            t_near = _e80;
+            // glimt_render_gpu/src/kernels/bvh.rs:107
+            t_far = t_2;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:109
+        let _e83 = t_near;
+        let _e84 = (*reach_1);
+        into_near = (_e83 < _e84);
+        // glimt_render_gpu/src/kernels/bvh.rs:110
+        let _e88 = into_near;
+        let _e90 = near.count;
+        if (_e88 && (_e90 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:111
+            let _e95 = near;
+            let _e96 = best_1;
+            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96, any_);
+            best_1 = _e97;
+            // glimt_render_gpu/src/kernels/bvh.rs:112
+            let _e99 = best_1;
+            if (any_ && (_e99 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:113
+                let _e104 = best_1;
+                return _e104;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:115
+            into_near = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:117
+        let _e108 = t_far;
+        let _e109 = (*reach_1);
+        into_far = (_e108 < _e109);
+        // glimt_render_gpu/src/kernels/bvh.rs:118
+        let _e113 = into_far;
+        let _e115 = far.count;
+        if (_e113 && (_e115 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:119
+            let _e120 = far;
+            let _e121 = best_1;
+            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121, any_);
+            best_1 = _e122;
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let _e124 = best_1;
+            if (any_ && (_e124 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:121
+                let _e129 = best_1;
+                return _e129;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:123
+            into_far = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:125
+        let _e133 = into_near;
+        if _e133 {
+            // glimt_render_gpu/src/kernels/bvh.rs:126
+            let _e136 = near.first;
+            pair = _e136;
+            // glimt_render_gpu/src/kernels/bvh.rs:127
+            let _e138 = into_far;
+            if _e138 {
+                // glimt_render_gpu/src/kernels/bvh.rs:128
+                let _e141 = far.first;
+                let _e142 = height_1;
+                stack_1[_e142] = _e141;
+                // glimt_render_gpu/src/kernels/bvh.rs:129
+                let _e146 = height_1;
+                height_1 = (_e146 + 1u);
+            }
+        } else {
+            let _e148 = into_far;
+            if _e148 {
+                // glimt_render_gpu/src/kernels/bvh.rs:132
+                let _e151 = far.first;
+                pair = _e151;
+            } else {
+                let _e152 = height_1;
+                if (_e152 > 0u) {
+                    // glimt_render_gpu/src/kernels/bvh.rs:134
+                    let _e157 = height_1;
+                    height_1 = (_e157 - 1u);
+                    // glimt_render_gpu/src/kernels/bvh.rs:135
+                    let _e160 = height_1;
+                    let _e162 = stack_1[_e160];
+                    pair = _e162;
+                } else {
+                    // glimt_render_gpu/src/kernels/bvh.rs:137
+                    let _e164 = best_1;
+                    return _e164;
+                }
+            }
+        }
+    }
+    return u32();
+}
+
 // glimt_render_gpu/src/kernels/bvh.rs:65
-fn any_hit(ray_6: Ray, t_max_2: f32) -> bool {
-    var t_1: f32;
+fn any_hit(ray_5: Ray, t_max_2: f32) -> bool {
+    var t: f32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:66
-    t_1 = t_max_2;
+    t = t_max_2;
     // glimt_render_gpu/src/kernels/bvh.rs:67
-    let _e7 = traverse(ray_6, (&t_1), true);
+    let _e7 = traverse(ray_5, (&t), true);
     return (_e7 != 4294967295u);
 }
 
@@ -735,27 +738,27 @@ fn zonal_2_(z_1: f32) -> array<f32, 3> {
 fn zonal_3_(z_2: f32) -> array<f32, 4> {
 
     // glimt_sh/src/basis.rs:64
-    let t_4 = (z_2 * z_2);
+    let t_3 = (z_2 * z_2);
     // glimt_sh/src/basis.rs:65
-    return array<f32, 4>(((0.37317634f * z_2) * ((5f * t_4) - 3f)), (0.4570458f * ((5f * t_4) - 1f)), (1.4453057f * z_2), 0.5900436f);
+    return array<f32, 4>(((0.37317634f * z_2) * ((5f * t_3) - 3f)), (0.4570458f * ((5f * t_3) - 1f)), (1.4453057f * z_2), 0.5900436f);
 }
 
 // glimt_sh/src/basis.rs:76
 fn zonal_4_(z_3: f32) -> array<f32, 5> {
 
     // glimt_sh/src/basis.rs:77
-    let t_5 = (z_3 * z_3);
+    let t_4 = (z_3 * z_3);
     // glimt_sh/src/basis.rs:78
-    return array<f32, 5>((0.10578555f * ((((35f * t_5) - 30f) * t_5) + 3f)), ((0.6690465f * z_3) * ((7f * t_5) - 3f)), (0.47308734f * ((7f * t_5) - 1f)), (1.7701308f * z_3), 0.6258357f);
+    return array<f32, 5>((0.10578555f * ((((35f * t_4) - 30f) * t_4) + 3f)), ((0.6690465f * z_3) * ((7f * t_4) - 3f)), (0.47308734f * ((7f * t_4) - 1f)), (1.7701308f * z_3), 0.6258357f);
 }
 
 // glimt_sh/src/basis.rs:90
 fn zonal_5_(z_4: f32) -> array<f32, 6> {
 
     // glimt_sh/src/basis.rs:91
-    let t_6 = (z_4 * z_4);
+    let t_5 = (z_4 * z_4);
     // glimt_sh/src/basis.rs:92
-    return array<f32, 6>(((0.116950326f * z_4) * ((((63f * t_6) - 70f) * t_6) + 15f)), (0.45294666f * ((((21f * t_6) - 14f) * t_6) + 1f)), ((2.3967683f * z_4) * ((3f * t_6) - 1f)), (0.4892383f * ((9f * t_6) - 1f)), (2.0756624f * z_4), 0.6563821f);
+    return array<f32, 6>(((0.116950326f * z_4) * ((((63f * t_5) - 70f) * t_5) + 15f)), (0.45294666f * ((((21f * t_5) - 14f) * t_5) + 1f)), ((2.3967683f * z_4) * ((3f * t_5) - 1f)), (0.4892383f * ((9f * t_5) - 1f)), (2.0756624f * z_4), 0.6563821f);
 }
 
 // glimt_sh/src/basis.rs:197
@@ -948,127 +951,127 @@ fn add_basis(bands: u32, d: vec3<f32>, weight: f32, sums: ptr<function, array<f3
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:149
+// glimt_render_gpu/src/kernels/transfer.rs:129
 fn store(bands_1: u32, scale: f32, sums_1: array<f32, 36>, out_start: u32, out_len: u32) {
     var sums_2: array<f32, 36>;
 
     sums_2 = sums_1;
-    // glimt_render_gpu/src/kernels/transfer.rs:150
+    // glimt_render_gpu/src/kernels/transfer.rs:130
     let _e9 = sums_2[0];
     lit[(out_start + 0u)] = (scale * _e9);
-    // glimt_render_gpu/src/kernels/transfer.rs:151
+    // glimt_render_gpu/src/kernels/transfer.rs:131
     if (bands_1 > 1u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:152
+        // glimt_render_gpu/src/kernels/transfer.rs:132
         let _e20 = sums_2[1];
         lit[(out_start + 1u)] = (scale * _e20);
-        // glimt_render_gpu/src/kernels/transfer.rs:153
+        // glimt_render_gpu/src/kernels/transfer.rs:133
         let _e28 = sums_2[2];
         lit[(out_start + 2u)] = (scale * _e28);
-        // glimt_render_gpu/src/kernels/transfer.rs:154
+        // glimt_render_gpu/src/kernels/transfer.rs:134
         let _e36 = sums_2[3];
         lit[(out_start + 3u)] = (scale * _e36);
-        // glimt_render_gpu/src/kernels/transfer.rs:155
+        // glimt_render_gpu/src/kernels/transfer.rs:135
         if (bands_1 > 2u) {
-            // glimt_render_gpu/src/kernels/transfer.rs:156
+            // glimt_render_gpu/src/kernels/transfer.rs:136
             let _e47 = sums_2[4];
             lit[(out_start + 4u)] = (scale * _e47);
-            // glimt_render_gpu/src/kernels/transfer.rs:157
+            // glimt_render_gpu/src/kernels/transfer.rs:137
             let _e55 = sums_2[5];
             lit[(out_start + 5u)] = (scale * _e55);
-            // glimt_render_gpu/src/kernels/transfer.rs:158
+            // glimt_render_gpu/src/kernels/transfer.rs:138
             let _e63 = sums_2[6];
             lit[(out_start + 6u)] = (scale * _e63);
-            // glimt_render_gpu/src/kernels/transfer.rs:159
+            // glimt_render_gpu/src/kernels/transfer.rs:139
             let _e71 = sums_2[7];
             lit[(out_start + 7u)] = (scale * _e71);
-            // glimt_render_gpu/src/kernels/transfer.rs:160
+            // glimt_render_gpu/src/kernels/transfer.rs:140
             let _e79 = sums_2[8];
             lit[(out_start + 8u)] = (scale * _e79);
-            // glimt_render_gpu/src/kernels/transfer.rs:161
+            // glimt_render_gpu/src/kernels/transfer.rs:141
             if (bands_1 > 3u) {
-                // glimt_render_gpu/src/kernels/transfer.rs:162
+                // glimt_render_gpu/src/kernels/transfer.rs:142
                 let _e90 = sums_2[9];
                 lit[(out_start + 9u)] = (scale * _e90);
-                // glimt_render_gpu/src/kernels/transfer.rs:163
+                // glimt_render_gpu/src/kernels/transfer.rs:143
                 let _e98 = sums_2[10];
                 lit[(out_start + 10u)] = (scale * _e98);
-                // glimt_render_gpu/src/kernels/transfer.rs:164
+                // glimt_render_gpu/src/kernels/transfer.rs:144
                 let _e106 = sums_2[11];
                 lit[(out_start + 11u)] = (scale * _e106);
-                // glimt_render_gpu/src/kernels/transfer.rs:165
+                // glimt_render_gpu/src/kernels/transfer.rs:145
                 let _e114 = sums_2[12];
                 lit[(out_start + 12u)] = (scale * _e114);
-                // glimt_render_gpu/src/kernels/transfer.rs:166
+                // glimt_render_gpu/src/kernels/transfer.rs:146
                 let _e122 = sums_2[13];
                 lit[(out_start + 13u)] = (scale * _e122);
-                // glimt_render_gpu/src/kernels/transfer.rs:167
+                // glimt_render_gpu/src/kernels/transfer.rs:147
                 let _e130 = sums_2[14];
                 lit[(out_start + 14u)] = (scale * _e130);
-                // glimt_render_gpu/src/kernels/transfer.rs:168
+                // glimt_render_gpu/src/kernels/transfer.rs:148
                 let _e138 = sums_2[15];
                 lit[(out_start + 15u)] = (scale * _e138);
-                // glimt_render_gpu/src/kernels/transfer.rs:169
+                // glimt_render_gpu/src/kernels/transfer.rs:149
                 if (bands_1 > 4u) {
-                    // glimt_render_gpu/src/kernels/transfer.rs:170
+                    // glimt_render_gpu/src/kernels/transfer.rs:150
                     let _e149 = sums_2[16];
                     lit[(out_start + 16u)] = (scale * _e149);
-                    // glimt_render_gpu/src/kernels/transfer.rs:171
+                    // glimt_render_gpu/src/kernels/transfer.rs:151
                     let _e157 = sums_2[17];
                     lit[(out_start + 17u)] = (scale * _e157);
-                    // glimt_render_gpu/src/kernels/transfer.rs:172
+                    // glimt_render_gpu/src/kernels/transfer.rs:152
                     let _e165 = sums_2[18];
                     lit[(out_start + 18u)] = (scale * _e165);
-                    // glimt_render_gpu/src/kernels/transfer.rs:173
+                    // glimt_render_gpu/src/kernels/transfer.rs:153
                     let _e173 = sums_2[19];
                     lit[(out_start + 19u)] = (scale * _e173);
-                    // glimt_render_gpu/src/kernels/transfer.rs:174
+                    // glimt_render_gpu/src/kernels/transfer.rs:154
                     let _e181 = sums_2[20];
                     lit[(out_start + 20u)] = (scale * _e181);
-                    // glimt_render_gpu/src/kernels/transfer.rs:175
+                    // glimt_render_gpu/src/kernels/transfer.rs:155
                     let _e189 = sums_2[21];
                     lit[(out_start + 21u)] = (scale * _e189);
-                    // glimt_render_gpu/src/kernels/transfer.rs:176
+                    // glimt_render_gpu/src/kernels/transfer.rs:156
                     let _e197 = sums_2[22];
                     lit[(out_start + 22u)] = (scale * _e197);
-                    // glimt_render_gpu/src/kernels/transfer.rs:177
+                    // glimt_render_gpu/src/kernels/transfer.rs:157
                     let _e205 = sums_2[23];
                     lit[(out_start + 23u)] = (scale * _e205);
-                    // glimt_render_gpu/src/kernels/transfer.rs:178
+                    // glimt_render_gpu/src/kernels/transfer.rs:158
                     let _e213 = sums_2[24];
                     lit[(out_start + 24u)] = (scale * _e213);
-                    // glimt_render_gpu/src/kernels/transfer.rs:179
+                    // glimt_render_gpu/src/kernels/transfer.rs:159
                     if (bands_1 > 5u) {
-                        // glimt_render_gpu/src/kernels/transfer.rs:180
+                        // glimt_render_gpu/src/kernels/transfer.rs:160
                         let _e224 = sums_2[25];
                         lit[(out_start + 25u)] = (scale * _e224);
-                        // glimt_render_gpu/src/kernels/transfer.rs:181
+                        // glimt_render_gpu/src/kernels/transfer.rs:161
                         let _e232 = sums_2[26];
                         lit[(out_start + 26u)] = (scale * _e232);
-                        // glimt_render_gpu/src/kernels/transfer.rs:182
+                        // glimt_render_gpu/src/kernels/transfer.rs:162
                         let _e240 = sums_2[27];
                         lit[(out_start + 27u)] = (scale * _e240);
-                        // glimt_render_gpu/src/kernels/transfer.rs:183
+                        // glimt_render_gpu/src/kernels/transfer.rs:163
                         let _e248 = sums_2[28];
                         lit[(out_start + 28u)] = (scale * _e248);
-                        // glimt_render_gpu/src/kernels/transfer.rs:184
+                        // glimt_render_gpu/src/kernels/transfer.rs:164
                         let _e256 = sums_2[29];
                         lit[(out_start + 29u)] = (scale * _e256);
-                        // glimt_render_gpu/src/kernels/transfer.rs:185
+                        // glimt_render_gpu/src/kernels/transfer.rs:165
                         let _e264 = sums_2[30];
                         lit[(out_start + 30u)] = (scale * _e264);
-                        // glimt_render_gpu/src/kernels/transfer.rs:186
+                        // glimt_render_gpu/src/kernels/transfer.rs:166
                         let _e272 = sums_2[31];
                         lit[(out_start + 31u)] = (scale * _e272);
-                        // glimt_render_gpu/src/kernels/transfer.rs:187
+                        // glimt_render_gpu/src/kernels/transfer.rs:167
                         let _e280 = sums_2[32];
                         lit[(out_start + 32u)] = (scale * _e280);
-                        // glimt_render_gpu/src/kernels/transfer.rs:188
+                        // glimt_render_gpu/src/kernels/transfer.rs:168
                         let _e288 = sums_2[33];
                         lit[(out_start + 33u)] = (scale * _e288);
-                        // glimt_render_gpu/src/kernels/transfer.rs:189
+                        // glimt_render_gpu/src/kernels/transfer.rs:169
                         let _e296 = sums_2[34];
                         lit[(out_start + 34u)] = (scale * _e296);
-                        // glimt_render_gpu/src/kernels/transfer.rs:190
+                        // glimt_render_gpu/src/kernels/transfer.rs:170
                         let _e304 = sums_2[35];
                         lit[(out_start + 35u)] = (scale * _e304);
                     }
@@ -1079,127 +1082,127 @@ fn store(bands_1: u32, scale: f32, sums_1: array<f32, 36>, out_start: u32, out_l
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:149
+// glimt_render_gpu/src/kernels/transfer.rs:129
 fn store_1(bands_2: u32, scale_1: f32, sums_3: array<f32, 36>, out_start_1: u32, out_len_1: u32) {
     var sums_4: array<f32, 36>;
 
     sums_4 = sums_3;
-    // glimt_render_gpu/src/kernels/transfer.rs:150
+    // glimt_render_gpu/src/kernels/transfer.rs:130
     let _e9 = sums_4[0];
     blocked[(out_start_1 + 0u)] = (scale_1 * _e9);
-    // glimt_render_gpu/src/kernels/transfer.rs:151
+    // glimt_render_gpu/src/kernels/transfer.rs:131
     if (bands_2 > 1u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:152
+        // glimt_render_gpu/src/kernels/transfer.rs:132
         let _e20 = sums_4[1];
         blocked[(out_start_1 + 1u)] = (scale_1 * _e20);
-        // glimt_render_gpu/src/kernels/transfer.rs:153
+        // glimt_render_gpu/src/kernels/transfer.rs:133
         let _e28 = sums_4[2];
         blocked[(out_start_1 + 2u)] = (scale_1 * _e28);
-        // glimt_render_gpu/src/kernels/transfer.rs:154
+        // glimt_render_gpu/src/kernels/transfer.rs:134
         let _e36 = sums_4[3];
         blocked[(out_start_1 + 3u)] = (scale_1 * _e36);
-        // glimt_render_gpu/src/kernels/transfer.rs:155
+        // glimt_render_gpu/src/kernels/transfer.rs:135
         if (bands_2 > 2u) {
-            // glimt_render_gpu/src/kernels/transfer.rs:156
+            // glimt_render_gpu/src/kernels/transfer.rs:136
             let _e47 = sums_4[4];
             blocked[(out_start_1 + 4u)] = (scale_1 * _e47);
-            // glimt_render_gpu/src/kernels/transfer.rs:157
+            // glimt_render_gpu/src/kernels/transfer.rs:137
             let _e55 = sums_4[5];
             blocked[(out_start_1 + 5u)] = (scale_1 * _e55);
-            // glimt_render_gpu/src/kernels/transfer.rs:158
+            // glimt_render_gpu/src/kernels/transfer.rs:138
             let _e63 = sums_4[6];
             blocked[(out_start_1 + 6u)] = (scale_1 * _e63);
-            // glimt_render_gpu/src/kernels/transfer.rs:159
+            // glimt_render_gpu/src/kernels/transfer.rs:139
             let _e71 = sums_4[7];
             blocked[(out_start_1 + 7u)] = (scale_1 * _e71);
-            // glimt_render_gpu/src/kernels/transfer.rs:160
+            // glimt_render_gpu/src/kernels/transfer.rs:140
             let _e79 = sums_4[8];
             blocked[(out_start_1 + 8u)] = (scale_1 * _e79);
-            // glimt_render_gpu/src/kernels/transfer.rs:161
+            // glimt_render_gpu/src/kernels/transfer.rs:141
             if (bands_2 > 3u) {
-                // glimt_render_gpu/src/kernels/transfer.rs:162
+                // glimt_render_gpu/src/kernels/transfer.rs:142
                 let _e90 = sums_4[9];
                 blocked[(out_start_1 + 9u)] = (scale_1 * _e90);
-                // glimt_render_gpu/src/kernels/transfer.rs:163
+                // glimt_render_gpu/src/kernels/transfer.rs:143
                 let _e98 = sums_4[10];
                 blocked[(out_start_1 + 10u)] = (scale_1 * _e98);
-                // glimt_render_gpu/src/kernels/transfer.rs:164
+                // glimt_render_gpu/src/kernels/transfer.rs:144
                 let _e106 = sums_4[11];
                 blocked[(out_start_1 + 11u)] = (scale_1 * _e106);
-                // glimt_render_gpu/src/kernels/transfer.rs:165
+                // glimt_render_gpu/src/kernels/transfer.rs:145
                 let _e114 = sums_4[12];
                 blocked[(out_start_1 + 12u)] = (scale_1 * _e114);
-                // glimt_render_gpu/src/kernels/transfer.rs:166
+                // glimt_render_gpu/src/kernels/transfer.rs:146
                 let _e122 = sums_4[13];
                 blocked[(out_start_1 + 13u)] = (scale_1 * _e122);
-                // glimt_render_gpu/src/kernels/transfer.rs:167
+                // glimt_render_gpu/src/kernels/transfer.rs:147
                 let _e130 = sums_4[14];
                 blocked[(out_start_1 + 14u)] = (scale_1 * _e130);
-                // glimt_render_gpu/src/kernels/transfer.rs:168
+                // glimt_render_gpu/src/kernels/transfer.rs:148
                 let _e138 = sums_4[15];
                 blocked[(out_start_1 + 15u)] = (scale_1 * _e138);
-                // glimt_render_gpu/src/kernels/transfer.rs:169
+                // glimt_render_gpu/src/kernels/transfer.rs:149
                 if (bands_2 > 4u) {
-                    // glimt_render_gpu/src/kernels/transfer.rs:170
+                    // glimt_render_gpu/src/kernels/transfer.rs:150
                     let _e149 = sums_4[16];
                     blocked[(out_start_1 + 16u)] = (scale_1 * _e149);
-                    // glimt_render_gpu/src/kernels/transfer.rs:171
+                    // glimt_render_gpu/src/kernels/transfer.rs:151
                     let _e157 = sums_4[17];
                     blocked[(out_start_1 + 17u)] = (scale_1 * _e157);
-                    // glimt_render_gpu/src/kernels/transfer.rs:172
+                    // glimt_render_gpu/src/kernels/transfer.rs:152
                     let _e165 = sums_4[18];
                     blocked[(out_start_1 + 18u)] = (scale_1 * _e165);
-                    // glimt_render_gpu/src/kernels/transfer.rs:173
+                    // glimt_render_gpu/src/kernels/transfer.rs:153
                     let _e173 = sums_4[19];
                     blocked[(out_start_1 + 19u)] = (scale_1 * _e173);
-                    // glimt_render_gpu/src/kernels/transfer.rs:174
+                    // glimt_render_gpu/src/kernels/transfer.rs:154
                     let _e181 = sums_4[20];
                     blocked[(out_start_1 + 20u)] = (scale_1 * _e181);
-                    // glimt_render_gpu/src/kernels/transfer.rs:175
+                    // glimt_render_gpu/src/kernels/transfer.rs:155
                     let _e189 = sums_4[21];
                     blocked[(out_start_1 + 21u)] = (scale_1 * _e189);
-                    // glimt_render_gpu/src/kernels/transfer.rs:176
+                    // glimt_render_gpu/src/kernels/transfer.rs:156
                     let _e197 = sums_4[22];
                     blocked[(out_start_1 + 22u)] = (scale_1 * _e197);
-                    // glimt_render_gpu/src/kernels/transfer.rs:177
+                    // glimt_render_gpu/src/kernels/transfer.rs:157
                     let _e205 = sums_4[23];
                     blocked[(out_start_1 + 23u)] = (scale_1 * _e205);
-                    // glimt_render_gpu/src/kernels/transfer.rs:178
+                    // glimt_render_gpu/src/kernels/transfer.rs:158
                     let _e213 = sums_4[24];
                     blocked[(out_start_1 + 24u)] = (scale_1 * _e213);
-                    // glimt_render_gpu/src/kernels/transfer.rs:179
+                    // glimt_render_gpu/src/kernels/transfer.rs:159
                     if (bands_2 > 5u) {
-                        // glimt_render_gpu/src/kernels/transfer.rs:180
+                        // glimt_render_gpu/src/kernels/transfer.rs:160
                         let _e224 = sums_4[25];
                         blocked[(out_start_1 + 25u)] = (scale_1 * _e224);
-                        // glimt_render_gpu/src/kernels/transfer.rs:181
+                        // glimt_render_gpu/src/kernels/transfer.rs:161
                         let _e232 = sums_4[26];
                         blocked[(out_start_1 + 26u)] = (scale_1 * _e232);
-                        // glimt_render_gpu/src/kernels/transfer.rs:182
+                        // glimt_render_gpu/src/kernels/transfer.rs:162
                         let _e240 = sums_4[27];
                         blocked[(out_start_1 + 27u)] = (scale_1 * _e240);
-                        // glimt_render_gpu/src/kernels/transfer.rs:183
+                        // glimt_render_gpu/src/kernels/transfer.rs:163
                         let _e248 = sums_4[28];
                         blocked[(out_start_1 + 28u)] = (scale_1 * _e248);
-                        // glimt_render_gpu/src/kernels/transfer.rs:184
+                        // glimt_render_gpu/src/kernels/transfer.rs:164
                         let _e256 = sums_4[29];
                         blocked[(out_start_1 + 29u)] = (scale_1 * _e256);
-                        // glimt_render_gpu/src/kernels/transfer.rs:185
+                        // glimt_render_gpu/src/kernels/transfer.rs:165
                         let _e264 = sums_4[30];
                         blocked[(out_start_1 + 30u)] = (scale_1 * _e264);
-                        // glimt_render_gpu/src/kernels/transfer.rs:186
+                        // glimt_render_gpu/src/kernels/transfer.rs:166
                         let _e272 = sums_4[31];
                         blocked[(out_start_1 + 31u)] = (scale_1 * _e272);
-                        // glimt_render_gpu/src/kernels/transfer.rs:187
+                        // glimt_render_gpu/src/kernels/transfer.rs:167
                         let _e280 = sums_4[32];
                         blocked[(out_start_1 + 32u)] = (scale_1 * _e280);
-                        // glimt_render_gpu/src/kernels/transfer.rs:188
+                        // glimt_render_gpu/src/kernels/transfer.rs:168
                         let _e288 = sums_4[33];
                         blocked[(out_start_1 + 33u)] = (scale_1 * _e288);
-                        // glimt_render_gpu/src/kernels/transfer.rs:189
+                        // glimt_render_gpu/src/kernels/transfer.rs:169
                         let _e296 = sums_4[34];
                         blocked[(out_start_1 + 34u)] = (scale_1 * _e296);
-                        // glimt_render_gpu/src/kernels/transfer.rs:190
+                        // glimt_render_gpu/src/kernels/transfer.rs:170
                         let _e304 = sums_4[35];
                         blocked[(out_start_1 + 35u)] = (scale_1 * _e304);
                     }
@@ -1210,8 +1213,8 @@ fn store_1(bands_2: u32, scale_1: f32, sums_3: array<f32, 36>, out_start_1: u32,
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:59
-fn transfer_1(vertex: u32, params: TransferParams, lit_start: u32, lit_len: u32, blocked_start: u32, blocked_len: u32) -> u32 {
+// glimt_render_gpu/src/kernels/transfer.rs:56
+fn transfer_1(vertex: u32, params_1: TransferParams, lit_start: u32, lit_len: u32, blocked_start: u32, blocked_len: u32) -> u32 {
     var arrives: array<f32, 36>;
     var kept_away: array<f32, 36>;
     var rays: u32;
@@ -1221,124 +1224,122 @@ fn transfer_1(vertex: u32, params: TransferParams, lit_start: u32, lit_len: u32,
     var chosen_3: bool;
     var either_1: bool;
 
-    // glimt_render_gpu/src/kernels/transfer.rs:68
-    let at_1 = vertices[vertex];
-    // glimt_render_gpu/src/kernels/transfer.rs:69
-    let _e14 = Tuple_u32_u32_(params.directions, params.bands);
-    let n_1 = _e14.fa;
+    // glimt_render_gpu/src/kernels/transfer.rs:65
+    let at = vertices[vertex];
+    // glimt_render_gpu/src/kernels/transfer.rs:66
+    let _e14 = Tuple_u32_u32_(params_1.directions, params_1.bands);
+    let n_2 = _e14.fa;
     let bands_3 = _e14.fb;
-    // glimt_render_gpu/src/kernels/transfer.rs:70
+    // glimt_render_gpu/src/kernels/transfer.rs:67
     arrives = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/transfer.rs:71
+    // glimt_render_gpu/src/kernels/transfer.rs:68
     kept_away = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/transfer.rs:72
+    // glimt_render_gpu/src/kernels/transfer.rs:69
     rays = 0u;
+    // glimt_render_gpu/src/kernels/transfer.rs:71
+    let _e33 = Ray_new(at.inner, (at.origin - at.inner));
+    // glimt_render_gpu/src/kernels/transfer.rs:72
+    let _e38 = any_hit_of(_e33, 1f, at.object, false);
+    // glimt_render_gpu/src/kernels/transfer.rs:73
+    let _e43 = Xoshiro128PlusPlus_stream(params_1.seed, 1953653102u, at.number);
+    source = _e43;
     // glimt_render_gpu/src/kernels/transfer.rs:74
-    let _e35 = meets(at_1, at_1.inner, (at_1.origin - at_1.inner), 1f, false);
-    // glimt_render_gpu/src/kernels/transfer.rs:83
-    let _e40 = Xoshiro128PlusPlus_stream(params.seed, 1953653102u, at_1.number);
-    source = _e40;
-    // glimt_render_gpu/src/kernels/transfer.rs:84
     counter_2 = 0u;
     loop {
-        let row = counter_2;
-        if (row >= params.rows) {
+        let row_1 = counter_2;
+        if (row_1 >= params_1.rows) {
             break;
         }
-        // glimt_render_gpu/src/kernels/transfer.rs:86
-        let first = ((row * n_1) / params.rows);
-        // glimt_render_gpu/src/kernels/transfer.rs:87
-        let columns = ((((row + 1u) * n_1) / params.rows) - first);
-        // glimt_render_gpu/src/kernels/transfer.rs:88
+        // glimt_render_gpu/src/kernels/transfer.rs:75
+        let _e52 = strata_of_row(params_1, row_1);
+        // glimt_render_gpu/src/kernels/transfer.rs:76
+        let _e56 = Tuple_u32_u32_(_e52.x, _e52.y);
+        let first_2 = _e56.fa;
+        let columns_1 = _e56.fb;
+        // glimt_render_gpu/src/kernels/transfer.rs:77
         counter_3 = 0u;
         loop {
-            let column = counter_3;
-            if (column >= columns) {
+            let column_1 = counter_3;
+            if (column_1 >= columns_1) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/transfer.rs:89
+            // glimt_render_gpu/src/kernels/transfer.rs:78
             let _e65 = Xoshiro128PlusPlus_next_uvec2_((&source));
             let _e66 = unit_vec2_(_e65);
-            // glimt_render_gpu/src/kernels/transfer.rs:90
-            let down = ((f32(first) + (_e66.x * f32(columns))) / f32(n_1));
-            // glimt_render_gpu/src/kernels/transfer.rs:91
-            let z_6 = (1f - (2f * down));
-            // glimt_render_gpu/src/kernels/transfer.rs:92
-            let radius = (2f * sqrt((down * (1f - down))));
-            // glimt_render_gpu/src/kernels/transfer.rs:93
-            let _e97 = cos_sin_pi((((f32(column) + _e66.y) * (2f / f32(columns))) - 1f));
-            let around = (_e97 * radius);
-            // glimt_render_gpu/src/kernels/transfer.rs:94
-            let direction_3 = vec3<f32>(around.x, around.y, z_6);
-            // glimt_render_gpu/src/kernels/transfer.rs:95
-            let cosine = dot(at_1.normal, direction_3);
-            // glimt_render_gpu/src/kernels/transfer.rs:96
+            // glimt_render_gpu/src/kernels/transfer.rs:79
+            let _e68 = stratified_direction(n_2, first_2, columns_1, column_1, _e66);
+            // glimt_render_gpu/src/kernels/transfer.rs:80
+            let cosine = dot(at.normal, _e68);
+            // glimt_render_gpu/src/kernels/transfer.rs:81
             if (cosine > 0f) {
-                // glimt_render_gpu/src/kernels/transfer.rs:97
-                let _e111 = rays;
-                rays = (_e111 + 1u);
-                // glimt_render_gpu/src/kernels/transfer.rs:98
-                if _e35 {
-                    // glimt_render_gpu/src/kernels/transfer.rs:99
-                    let _e119 = meets(at_1, at_1.inner, direction_3, 340282350000000000000000000000000000000f, false);
-                    either_1 = _e119;
-                    if _e119 {
+                // glimt_render_gpu/src/kernels/transfer.rs:82
+                let _e77 = rays;
+                rays = (_e77 + 1u);
+                // glimt_render_gpu/src/kernels/transfer.rs:83
+                let _e81 = Ray_new(at.origin, _e68);
+                // glimt_render_gpu/src/kernels/transfer.rs:84
+                if _e38 {
+                    // glimt_render_gpu/src/kernels/transfer.rs:85
+                    let _e86 = Ray_new(at.inner, _e68);
+                    // glimt_render_gpu/src/kernels/transfer.rs:86
+                    let _e91 = any_hit_of(_e86, 340282350000000000000000000000000000000f, at.object, false);
+                    either_1 = _e91;
+                    if _e91 {
                     } else {
-                        let _e124 = meets(at_1, at_1.origin, direction_3, 340282350000000000000000000000000000000f, true);
-                        either_1 = _e124;
+                        let _e96 = any_hit_of(_e81, 340282350000000000000000000000000000000f, at.object, true);
+                        either_1 = _e96;
                     }
-                    let _e125 = either_1;
-                    chosen_3 = _e125;
+                    let _e97 = either_1;
+                    chosen_3 = _e97;
                 } else {
-                    // glimt_render_gpu/src/kernels/transfer.rs:102
-                    let _e128 = Ray_new(at_1.origin, direction_3);
-                    let _e130 = any_hit(_e128, 340282350000000000000000000000000000000f);
-                    chosen_3 = _e130;
+                    // glimt_render_gpu/src/kernels/transfer.rs:89
+                    let _e100 = any_hit(_e81, 340282350000000000000000000000000000000f);
+                    chosen_3 = _e100;
                 }
                 let is_blocked = chosen_3;
-                // glimt_render_gpu/src/kernels/transfer.rs:104
+                // glimt_render_gpu/src/kernels/transfer.rs:91
                 if is_blocked {
-                    // glimt_render_gpu/src/kernels/transfer.rs:105
-                    add_basis(bands_3, direction_3, cosine, (&kept_away));
+                    // glimt_render_gpu/src/kernels/transfer.rs:92
+                    add_basis(bands_3, _e68, cosine, (&kept_away));
                 } else {
-                    // glimt_render_gpu/src/kernels/transfer.rs:107
-                    add_basis(bands_3, direction_3, cosine, (&arrives));
+                    // glimt_render_gpu/src/kernels/transfer.rs:94
+                    add_basis(bands_3, _e68, cosine, (&arrives));
                 }
             }
             continuing {
-                let _e135 = counter_3;
-                counter_3 = (_e135 + 1u);
+                let _e105 = counter_3;
+                counter_3 = (_e105 + 1u);
             }
         }
         continuing {
-            let _e138 = counter_2;
-            counter_2 = (_e138 + 1u);
+            let _e108 = counter_2;
+            counter_2 = (_e108 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/transfer.rs:112
-    let scale_2 = ((4f * 3.1415927f) / f32(n_1));
-    // glimt_render_gpu/src/kernels/transfer.rs:113
-    let _e148 = arrives;
-    store(bands_3, scale_2, _e148, lit_start, lit_len);
-    // glimt_render_gpu/src/kernels/transfer.rs:114
-    let _e150 = kept_away;
-    store_1(bands_3, scale_2, _e150, blocked_start, blocked_len);
-    // glimt_render_gpu/src/kernels/transfer.rs:115
-    let _e152 = rays;
-    return _e152;
+    // glimt_render_gpu/src/kernels/transfer.rs:99
+    let scale_2 = ((4f * 3.1415927f) / f32(n_2));
+    // glimt_render_gpu/src/kernels/transfer.rs:100
+    let _e118 = arrives;
+    store(bands_3, scale_2, _e118, lit_start, lit_len);
+    // glimt_render_gpu/src/kernels/transfer.rs:101
+    let _e120 = kept_away;
+    store_1(bands_3, scale_2, _e120, blocked_start, blocked_len);
+    // glimt_render_gpu/src/kernels/transfer.rs:102
+    let _e122 = rays;
+    return _e122;
 }
 
 @compute @workgroup_size(64, 1, 1) 
 fn transfer(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     let local = ((id.y * (groups.x * 64u)) + id.x);
-    let _e11 = params_1.count;
+    let _e11 = params_2.count;
     if (local >= _e11) {
         return;
     }
-    let _e14 = params_1.first;
-    let _e17 = params_1.params;
-    let _e19 = params_1.lit_len;
-    let _e22 = params_1.blocked_len;
+    let _e14 = params_2.first;
+    let _e17 = params_2.params;
+    let _e19 = params_2.lit_len;
+    let _e22 = params_2.blocked_len;
     let _e24 = transfer_1((_e14 + local), _e17, (local * _e19), _e19, (local * _e22), _e22);
     out[local] = _e24;
 }

@@ -43,14 +43,16 @@ const PARAMS: &[ParamField] = &[
 ];
 const BUFFERS: &[BufferSlot] = &[slot("values", 1, false), slot("out", 2, true)];
 
+pub(super) const WGSL: &str = concat!(
+    include_str!("../generated/projection_functions.wgsl"),
+    include_str!("projection.wgsl")
+);
+
 const fn by_hand(name: &'static str) -> Entry {
     Entry {
         name,
         kernel: "",
-        wgsl: concat!(
-            include_str!("../generated/projection_functions.wgsl"),
-            include_str!("projection.wgsl")
-        ),
+        wgsl: WGSL,
         workgroup_size: 256,
         params_size: 16,
         params: PARAMS,

@@ -20,6 +20,9 @@ mod timing;
 mod unwarp;
 mod upload;
 
+/// The shaders that are written by hand, around functions made from Rust.
+pub const HAND_WRITTEN: [&str; 2] = [light::WGSL, raster::WGSL];
+
 pub use bake::bake;
 pub use buffer::GpuBuffer;
 pub use device::{AdapterPreference, AdapterSummary, GpuContext, GpuOptions, enumerate};

@@ -17,7 +17,7 @@ const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Rows of a copy from a texture begin at multiples of this.
 const ROW_ALIGNMENT: u64 = 256;
 
-const WGSL: &str = concat!(
+pub(super) const WGSL: &str = concat!(
     include_str!("../generated/raster_functions.wgsl"),
     include_str!("raster.wgsl")
 );

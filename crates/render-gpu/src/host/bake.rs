@@ -109,19 +109,20 @@ impl BakeSettings {
 ///
 /// ```
 /// use glimt_render_gpu::host::bake::required_bytes;
-/// // Two lists of 25 floats, and 48 bytes for the vertex.
-/// assert_eq!(required_bytes(1, 5), 248);
-/// assert_eq!(required_bytes(10_000_000, 6), 3_360_000_000);
+/// // Two lists of 25 floats, and twice the vertex while the objects' are put together.
+/// assert_eq!(required_bytes(1, 5), 200 + 2 * 56);
+/// assert_eq!(required_bytes(10_000_000, 6), 4_000_000_000);
 /// ```
 #[must_use]
 pub fn required_bytes(vertices: u64, bands: u32) -> u64 {
     let n = u64::from(bands);
     let lists = (2 * size_of::<f32>() as u64).saturating_mul(n * n);
-    vertices.saturating_mul(lists.saturating_add(size_of::<TransferVertex>() as u64))
+    vertices.saturating_mul(lists.saturating_add(2 * size_of::<SurfaceVertex>() as u64))
 }
 
 /// What kernels know of vertices. `first` is the number of the first.
-pub(crate) fn for_kernels(vertices: &[SurfaceVertex], first: usize) -> Vec<TransferVertex> {
+#[must_use]
+pub fn for_kernels(vertices: &[SurfaceVertex], first: usize) -> Vec<TransferVertex> {
     let numbered = (first as u32..).zip(vertices);
     let vertex = |(number, vertex): (u32, &SurfaceVertex)| TransferVertex {
         origin: vertex.origin,
@@ -129,7 +130,7 @@ pub(crate) fn for_kernels(vertices: &[SurfaceVertex], first: usize) -> Vec<Trans
         normal: vertex.normal,
         number,
         inner: vertex.inner,
-        step: vertex.ray_offset,
+        unused: 0.0,
     };
     numbered.map(vertex).collect()
 }

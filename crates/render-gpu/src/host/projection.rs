@@ -47,7 +47,8 @@ impl Projector {
         self.bands
     }
 
-    /// The coefficients of a map of three channels, rows from +z down. See [`RingTable::row_sums`] for texels that are no light.
+    /// The coefficients of a map of three channels, rows from +z down. See [`RingTable::row_sums`] for texels that are no
+    /// light.
     ///
     /// # Errors
     /// [`ShError::Length`]: the map has another size, or the projector was made for four channels.

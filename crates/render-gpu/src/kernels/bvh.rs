@@ -162,6 +162,45 @@ fn visit_leaf(
     nearest
 }
 
+/// Whether anything of an object blocks the ray at a distance in `(0, t_max)`, or, where `own` is not set, anything of another
+/// object. Catchers do not.
+///
+/// For few rays: it visits nodes in no order.
+#[must_use]
+pub fn any_hit_of(
+    nodes: &[BvhNode],
+    triangles: &[Triangle],
+    ray: &Ray,
+    t_max: f32,
+    object: u32,
+    own: bool,
+) -> bool {
+    if nodes.is_empty() {
+        return false;
+    }
+    let mut stack = [0u32; STACK_SIZE];
+    let mut height = 1;
+    while height > 0 {
+        height -= 1;
+        let node = nodes[stack[height] as usize];
+        if box_distance(&node, ray) < t_max {
+            if node.count == 0 {
+                stack[height] = node.first;
+                stack[height + 1] = node.first + 1;
+                height += 2;
+            }
+            for i in node.first..node.first + node.count {
+                let triangle = &triangles[i as usize];
+                let is_asked = !triangle.is_catcher() && (triangle.object == object) == own;
+                if is_asked && intersect(triangle, ray, t_max) < t_max {
+                    return true;
+                }
+            }
+        }
+    }
+    false
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,21 +2,18 @@
 
 use core::f32::consts::PI;
 
-use glam::Vec3;
+use glam::{UVec2, Vec2, Vec3};
 use glimt_probe::trig::cos_sin_pi;
 use glimt_sampling::uniform::{UniformSource, unit_vec2};
 use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
 use glimt_sh::basis::add_basis;
 
-use super::bvh::{BvhNode, any_hit, closest_hit};
+use super::bvh::{BvhNode, any_hit, any_hit_of};
 use super::ray::Ray;
-use super::triangle::{CATCHER, Triangle};
+use super::triangle::Triangle;
 
 /// Marks the streams of transfer: those of pixels have the frame's number in this place.
 const STREAM: u32 = 0x7472_616e;
-
-/// How many surfaces a ray passes at most that looks for those of one object.
-const MOST_PASSED: u32 = 64;
 
 /// What is the same for all vertices. 16 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -46,8 +43,8 @@ pub struct TransferVertex {
     pub number: u32,
     /// A point beneath the surface: what crosses the way from there to `origin`, and is another object's, touches the surface.
     pub inner: Vec3,
-    /// How far beyond a surface a ray goes on that passes it.
-    pub step: f32,
+    /// Fills 16 bytes.
+    pub unused: f32,
 }
 
 /// Transfer of the vertex `vertex`, `(4π/N) Σ T(ω) y_lm(ω)` with `T = V ⟨n·ω⟩` over N directions (Eqs. 3 and 8), in world
@@ -71,35 +68,25 @@ pub fn transfer(
     let mut kept_away = [0.0_f32; 36];
     let mut rays = 0;
     // Where another object lies on the surface, no point is above the one and before the other.
-    let touched = meets(
-        nodes,
-        triangles,
-        &at,
-        at.inner,
-        at.origin - at.inner,
-        1.0,
-        false,
-    );
+    let across = Ray::new(at.inner, at.origin - at.inner);
+    let touched = any_hit_of(nodes, triangles, &across, 1.0, at.object, false);
     let mut source = Xoshiro128PlusPlus::stream(params.seed, STREAM, at.number);
     for row in 0..params.rows {
-        // Strata of equal areas: as many columns as make N, and as high as they are many.
-        let first = row * n / params.rows;
-        let columns = (row + 1) * n / params.rows - first;
+        let strata = strata_of_row(params, row);
+        let (first, columns) = (strata.x, strata.y);
         for column in 0..columns {
             let u = unit_vec2(source.next_uvec2());
-            let down = (first as f32 + u.x * columns as f32) / n as f32;
-            let z = 1.0 - 2.0 * down;
-            let radius = 2.0 * libm::sqrtf(down * (1.0 - down));
-            let around = cos_sin_pi((column as f32 + u.y) * (2.0 / columns as f32) - 1.0) * radius;
-            let direction = Vec3::new(around.x, around.y, z);
+            let direction = stratified_direction(n, first, columns, column, u);
             let cosine = at.normal.dot(direction);
             if cosine > 0.0 {
                 rays += 1;
+                let ray = Ray::new(at.origin, direction);
                 let is_blocked = if touched {
-                    meets(nodes, triangles, &at, at.inner, direction, f32::MAX, false)
-                        || meets(nodes, triangles, &at, at.origin, direction, f32::MAX, true)
+                    let beneath = Ray::new(at.inner, direction);
+                    any_hit_of(nodes, triangles, &beneath, f32::MAX, at.object, false)
+                        || any_hit_of(nodes, triangles, &ray, f32::MAX, at.object, true)
                 } else {
-                    any_hit(nodes, triangles, &Ray::new(at.origin, direction), f32::MAX)
+                    any_hit(nodes, triangles, &ray, f32::MAX)
                 };
                 if is_blocked {
                     add_basis(bands, direction, cosine, &mut kept_away);
@@ -115,34 +102,27 @@ pub fn transfer(
     rays
 }
 
-/// Whether a ray meets a surface within `reach` that is no catcher, and is of the vertex's own object where `own` is set, of
-/// another where not.
-fn meets(
-    nodes: &[BvhNode],
-    triangles: &[Triangle],
-    at: &TransferVertex,
-    origin: Vec3,
-    direction: Vec3,
-    reach: f32,
-    own: bool,
-) -> bool {
-    let mut from = origin;
-    let mut left = reach;
-    let step = at.step / direction.length().max(f32::MIN_POSITIVE);
-    for _ in 0..MOST_PASSED {
-        match closest_hit(nodes, triangles, &Ray::new(from, direction), left) {
-            None => return false,
-            Some(hit) => {
-                let object = triangles[hit.triangle as usize].object;
-                if object & CATCHER == 0 && (object == at.object) == own {
-                    return true;
-                }
-                from += direction * (hit.t + step);
-                left -= hit.t + step;
-            }
-        }
-    }
-    false
+/// The first stratum of row `row` of `params.rows`, and their number.
+///
+/// Rows are as high as their strata are many, so all strata have the area 4π/N, whatever N is; a square N has √N rows and
+/// columns.
+#[inline]
+#[must_use]
+pub fn strata_of_row(params: &TransferParams, row: u32) -> UVec2 {
+    let first = row * params.directions / params.rows;
+    let next = (row + 1) * params.directions / params.rows;
+    UVec2::new(first, next - first)
+}
+
+/// A direction that is uniform in a stratum: that of column `column` in a row whose strata are `first`, `first + 1`, …, as many as
+/// `columns`, of `n` in all. Rows run from +z to −z, columns from −x by −y, +x and +y around.
+#[inline]
+#[must_use]
+pub fn stratified_direction(n: u32, first: u32, columns: u32, column: u32, u: Vec2) -> Vec3 {
+    let down = (first as f32 + u.x * columns as f32) / n as f32;
+    let radius = 2.0 * libm::sqrtf(down * (1.0 - down));
+    let around = cos_sin_pi((column as f32 + u.y) * (2.0 / columns as f32) - 1.0) * radius;
+    Vec3::new(around.x, around.y, 1.0 - 2.0 * down)
 }
 
 /// `out[k] = scale · sums[k]` for the coefficients of `bands` bands. Written out, as in [`add_basis`].
@@ -206,6 +186,6 @@ mod tests {
         assert_eq!(core::mem::offset_of!(TransferVertex, object), 12);
         assert_eq!(core::mem::offset_of!(TransferVertex, normal), 16);
         assert_eq!(core::mem::offset_of!(TransferVertex, inner), 32);
-        assert_eq!(core::mem::offset_of!(TransferVertex, step), 44);
+        assert_eq!(core::mem::offset_of!(TransferVertex, unused), 44);
     }
 }

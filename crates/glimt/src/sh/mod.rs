@@ -1,0 +1,147 @@
+//! Host file: `glimt sh`: light maps to coefficients of spherical harmonics.
+
+mod lights;
+mod text;
+
+use crate::cli::{ShFlags, ShFormat, Up};
+use crate::error::{Error, Kind, Result};
+use crate::notes::Notes;
+use crate::output::write_text;
+use crate::report::{FrameStatus, Reporter, count};
+use glam::UVec2;
+use glimt_render_gpu::host::env::EnvMap;
+use glimt_render_gpu::host::projection::Projector;
+use glimt_sh::{LightCoefficients, Z_UP_TO_Y_UP, rotated, temporally_filtered, windowed};
+use lights::Lights;
+use serde_json::json;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// A frame's coefficients, as they are written.
+struct Projected {
+    frame: u32,
+    file: PathBuf,
+    size: UVec2,
+    coefficients: LightCoefficients,
+}
+
+/// Projects the frames that `inputs` name, and writes their coefficients to the flags' file or to standard output.
+///
+/// # Errors
+/// The first thing that fails; a file that was there before stays as it was.
+pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<()> {
+    let began = Instant::now();
+    if reporter.is_json() && flags.out.is_none() {
+        return Err(
+            Error::usage("--json and the coefficients would share standard output")
+                .fix("name a file for the coefficients, with -o"),
+        );
+    }
+    let mut notes = Notes::new(flags.strict);
+    let found = |done, all| reporter.stage("looking for the ball", done, all);
+    let lights = Lights::open(inputs, flags, &mut notes, &found);
+    reporter.notes(notes.take());
+    let lights = lights?;
+    if let Some(out) = &flags.out {
+        refuse_input(out, &lights)?;
+    }
+    let shown = flags.out.as_deref().unwrap_or(Path::new("standard output"));
+    reporter.start_filming(lights.len(), shown, "the CPU");
+
+    let mut projector = None;
+    let mut projected: Vec<Projected> = Vec::new();
+    let mut before: Option<LightCoefficients> = None;
+    for i in 0..lights.len() {
+        let started = Instant::now();
+        let map = lights.load(i, &mut notes);
+        reporter.notes(notes.take());
+        let map = map?;
+        let raw =
+            project(&mut projector, &map, flags.bands).map_err(|e| e.file(&lights.file(i)))?;
+        let light = match lights.turn() {
+            Some(turn) => rotated(&raw, &turn),
+            None => raw,
+        };
+        let light = windowed(&light, flags.window);
+        // The filter goes on from what it gave, not from what is written: turned or in another convention.
+        let light = match &before {
+            Some(before) => temporally_filtered(&light, before, flags.temporal),
+            None => light,
+        };
+        before = Some(light);
+        projected.push(Projected {
+            frame: lights.frame(i),
+            file: lights.file(i),
+            size: map.size(),
+            coefficients: match flags.up {
+                Up::Z => light,
+                Up::Y => rotated(&light, &Z_UP_TO_Y_UP),
+            },
+        });
+        let status = FrameStatus::Rendered(started.elapsed().as_secs_f64());
+        reporter.frame(lights.frame(i), status, i + 1, lights.len());
+    }
+    let written = match flags.format {
+        ShFormat::Csv => text::csv(&projected, flags),
+        ShFormat::Json => text::json(&projected, flags),
+        ShFormat::Engine => text::engine(&projected, flags),
+    };
+    match &flags.out {
+        Some(file) => write_text(file, &written)?,
+        None => print(&written)?,
+    }
+    let seconds = began.elapsed().as_secs_f64();
+    let summary = json!({
+        "projected": projected.len(), "bands": flags.bands, "seconds": seconds, "out": flags.out,
+    });
+    let text = format!(
+        "{} in {seconds:.1} s: {}",
+        count(projected.len(), "light"),
+        shown.display()
+    );
+    reporter.finish(summary, &text);
+    Ok(())
+}
+
+/// The coefficients of a map, by a projector that is kept while the size stays.
+fn project(kept: &mut Option<Projector>, map: &EnvMap, bands: u32) -> Result<LightCoefficients> {
+    let projector = match kept.take() {
+        Some(projector) if projector.size() == map.size() => projector,
+        _ => Projector::new(map.size(), bands, 4)
+            .map_err(|e| Error::new(Kind::Input, e).fix("resize it"))?,
+    };
+    let light = projector.project_vec4(map.texels());
+    *kept = Some(projector);
+    light.map_err(|e| Error::new(Kind::Internal, e))
+}
+
+/// Sees that no light is written over.
+fn refuse_input(out: &Path, lights: &Lights) -> Result<()> {
+    let Ok(out_path) = out.canonicalize() else {
+        return Ok(());
+    };
+    let same = |i: usize| {
+        lights
+            .file(i)
+            .canonicalize()
+            .is_ok_and(|path| path == out_path)
+    };
+    if (0..lights.len()).any(same) {
+        return Err(Error::usage("this is one of the lights that are read")
+            .file(out)
+            .fix("name another file with -o"));
+    }
+    Ok(())
+}
+
+fn print(text: &str) -> Result<()> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        // A closed pipe (`glimt sh light.hdr | head`) is no error of ours.
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Error::writing(Path::new("standard output"), &e))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,287 @@
+//! Host file: `glimt bake`: transfer to a file and back, and everything that must not be taken for it.
+
+mod common;
+
+use common::{Ran, Scratch, glb};
+use glimt::bake;
+use glimt::bake::identity::Header;
+use glimt::cli::RenderFlags;
+use glimt::error::Result;
+use glimt::notes::Notes;
+use glimt::setup::Setup;
+use glimt::shot::{Shot, parse};
+use glimt_render_gpu::host::bake::BakeSettings;
+use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::host::transfer::Transfer;
+use serde_json::Value;
+use std::path::Path;
+
+/// A ball over a floor, few directions.
+const PLACED: &str = "translate = [0, 0, 1]\n[[object]]\nmesh = \"plane\"\nscale = 3\nsubdivide = 2\n\
+                      [render.prt]\nbands = 3\ndirections = 25\n";
+
+fn baked(scratch: &Scratch, args: &[&str]) -> Ran {
+    let all = ["bake", "shot.toml", "--device", "cpu"];
+    scratch.run(&[&all, args].concat())
+}
+
+fn setup(shot: &Path, set: &[&str]) -> (Setup, SceneBuffers) {
+    let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
+    let (read, source) = parse::read::<Shot>(shot, &set).expect("a shot");
+    let base = shot.parent().expect("a folder");
+    let flags = RenderFlags::default();
+    let setup = Setup::load(read, source, base, 1, &flags, &mut Notes::default()).expect("meshes");
+    let scene = SceneBuffers::build(&setup.scene).expect("a scene");
+    (setup, scene)
+}
+
+fn load(shot: &Path, set: &[&str]) -> Result<Transfer> {
+    let (setup, scene) = setup(shot, set);
+    let file = bake::file_of(&setup.shot, &setup.source);
+    bake::load(&setup, &scene, &file)
+}
+
+#[test]
+fn a_transfer_comes_back_as_it_was_computed() {
+    let scratch = Scratch::new("bake-round");
+    let shot = scratch.shot("none.exr", PLACED);
+    let ran = baked(&scratch, &["--json"]).ok();
+    let summary: Value =
+        serde_json::from_str(ran.out.lines().last().expect("a line")).expect("JSON");
+    assert_eq!(summary["event"], "summary");
+    assert_eq!(summary["vertices"], 65 * 129 + 25);
+    let file = scratch.file("shot.prt.glb");
+    let length = std::fs::metadata(&file).expect("the file").len();
+    assert_eq!(summary["bytes"], length);
+    assert!(summary["rays"].as_u64().expect("rays") > 100_000);
+    assert_eq!(scratch.list(""), ["shot.prt.glb", "shot.toml"]);
+
+    let (setup, scene) = setup(&shot, &[]);
+    let settings = BakeSettings {
+        bands: 3,
+        directions: 25,
+        seed: 1,
+    };
+    let direct =
+        glimt_render_gpu::host::bake::bake(&scene, &settings, &|_| ()).expect("a transfer");
+    assert_eq!(summary["rays"], direct.rays);
+    let read = bake::load(&setup, &scene, &file).expect("the transfer");
+    assert_eq!(read, direct.transfer);
+    assert!(read.blocked.iter().any(|c| *c != 0.0));
+
+    // Another program's reader.
+    let (document, buffers, _) = gltf::import(&file).expect("glTF");
+    let counts = document.meshes().map(|mesh| {
+        let primitive = mesh.primitives().next().expect("a primitive");
+        let reader = primitive.reader(|buffer| Some(&buffers[buffer.index()]));
+        let normals = reader.read_normals().expect("normals");
+        assert!(
+            normals
+                .into_iter()
+                .all(|n| (glam::Vec3::from(n).length() - 1.0).abs() < 1e-5)
+        );
+        let custom = primitive.attributes().filter(|(name, accessor)| {
+            matches!(name, gltf::Semantic::Extras(name) if name.starts_with("SH_"))
+                && accessor.count() == reader.read_positions().expect("positions").count()
+        });
+        let indices = reader.read_indices().expect("faces").into_u32().count();
+        (custom.count(), indices / 3)
+    });
+    assert_eq!(counts.collect::<Vec<_>>(), [(6, 2 * 128 * 63), (6, 32)]);
+    scratch.run(&["info", "shot.prt.glb"]).ok();
+
+    // It is not computed again, unless it would be another one.
+    let before = std::fs::read(&file).expect("the file");
+    baked(&scratch, &[]).ok().says(&["there already"]);
+    assert_eq!(std::fs::read(&file).expect("the file"), before);
+    for other in [
+        ["--directions", "16"],
+        ["--bands", "2"],
+        ["--set", "render.seed=9"],
+    ] {
+        let ran = baked(&scratch, &other).ok();
+        assert!(!ran.err.contains("there already"), "{other:?}: {ran:?}");
+        assert_ne!(std::fs::read(&file).expect("the file"), before);
+    }
+    // Half a file is not there already.
+    std::fs::write(&file, &before[..before.len() / 2]).expect("a file");
+    baked(&scratch, &[]).ok().says(&["vertices"]);
+    assert_eq!(std::fs::read(&file).expect("the file"), before);
+
+    // Elsewhere.
+    baked(&scratch, &["-o", "other.glb", "--directions", "1"]).ok();
+    let set = ["render.prt.bake=other.glb"];
+    assert_ne!(load(&shot, &set).expect("the other"), read);
+    baked(&scratch, &["--set", "render.prt.bake=third.glb"]).ok();
+    assert!(scratch.file("third.glb").exists());
+}
+
+/// Loading fails with one line that names the file, what to do, and all of these.
+fn refused(result: Result<Transfer>, file: &str, words: &[&str]) {
+    let text = result
+        .expect_err("a transfer that must not be taken")
+        .to_string();
+    assert_eq!(text.lines().count(), 1);
+    for word in [&[file, "run `glimt bake"][..], words].concat() {
+        assert!(text.contains(word), "`{word}` is not in: {text}");
+    }
+    println!("{text}");
+}
+
+#[test]
+fn what_is_of_something_else_is_refused() {
+    let scratch = Scratch::new("bake-refused");
+    let shot = scratch.shot("none.exr", PLACED);
+    let name = "shot.prt.glb";
+    refused(load(&shot, &[]), name, &["there is no such file"]);
+    baked(&scratch, &[]).ok();
+    load(&shot, &[]).expect("the transfer");
+
+    let stale = [
+        (
+            "object.1.translate=[0,0,-1]",
+            "object.1 (`plane`)",
+            "stands elsewhere",
+        ),
+        (
+            "object.0.rotate_deg=[0,0,1]",
+            "object.0 (`sphere`)",
+            "stands elsewhere",
+        ),
+        (
+            "object.1.subdivide=3",
+            "object.1 (`plane`)",
+            "81 vertices now and had 25",
+        ),
+        ("object.1.catcher=true", "object.1 (`plane`)", "catcher"),
+        ("object.0.mesh=helicopter", "stale", "objects now and had 2"),
+    ];
+    for (set, whose, what) in stale {
+        refused(load(&shot, &[set]), name, &["it is stale", whose, what]);
+    }
+    let bands = [
+        "it has 3 bands, and render.prt.bands is 4",
+        "set render.prt.bands=3",
+    ];
+    refused(load(&shot, &["render.prt.bands=4"]), name, &bands);
+    // What does not change light at the vertices does not matter.
+    let same = [
+        "object.0.material.diffuse=[1,0,0]",
+        "camera.fov_x_deg=20",
+        "render.seed=4",
+    ];
+    load(&shot, &same).expect("the transfer");
+    load(&shot, &["render.prt.directions=900"]).expect("the transfer");
+
+    let file = scratch.file(name);
+    let whole = std::fs::read(&file).expect("the file");
+    for (length, what) in [
+        (0, "no file of transfer"),
+        (11, "no file of transfer"),
+        (100, "ends too early"),
+        (whole.len() / 2, "ends too early"),
+        (whole.len() - 1, "ends too early"),
+    ] {
+        std::fs::write(&file, &whole[..length]).expect("a file");
+        refused(load(&shot, &[]), name, &[what]);
+    }
+    for (bytes, what) in [
+        (
+            glb(r#"{"asset":{"version":"2.0"}}"#, b"1234"),
+            "no file of transfer",
+        ),
+        (
+            b"P6 8 8 255 and some more bytes".to_vec(),
+            "no file of transfer",
+        ),
+        (
+            glb(
+                r#"{"asset":{"version":"2.0","extras":{"glimt_bake":{"version":9}}}}"#,
+                b"1234",
+            ),
+            "a version that is not known",
+        ),
+    ] {
+        std::fs::write(&file, bytes).expect("a file");
+        refused(load(&shot, &[]), name, &[what]);
+    }
+
+    // A coefficient that is no number; an attribute that is not there.
+    let text_end = 20 + u32::from_le_bytes(whole[12..16].try_into().expect("a word")) as usize;
+    let document: Value = serde_json::from_slice(&whole[20..text_end]).expect("JSON");
+    let accessor = &document["meshes"][1]["primitives"][0]["attributes"]["_SH_BLOCKED_1"];
+    let view = &document["bufferViews"][accessor.as_u64().expect("a number") as usize];
+    let offset = text_end + 8 + view["byteOffset"].as_u64().expect("a number") as usize;
+    let mut broken = whole.clone();
+    broken[offset + 32..offset + 36].copy_from_slice(&f32::NAN.to_le_bytes());
+    std::fs::write(&file, &broken).expect("a file");
+    let what = ["object.1 (`plane`)", "vertex 2 is not a finite number"];
+    refused(load(&shot, &[]), name, &what);
+    let mut broken = whole.clone();
+    let place = whole
+        .windows(8)
+        .position(|w| w == b"\"_SH_1\":")
+        .expect("an attribute");
+    broken[place + 5] = b'9';
+    std::fs::write(&file, &broken).expect("a file");
+    refused(load(&shot, &[]), name, &["object 0", "_SH_1 is missing"]);
+    std::fs::write(&file, &whole).expect("a file");
+    load(&shot, &[]).expect("the transfer");
+}
+
+#[test]
+fn what_cannot_be_computed_is_said_with_its_key() {
+    let scratch = Scratch::new("bake-keys");
+    scratch.shot("none.exr", PLACED);
+    let usage: [(&[&str], &str); 6] = [
+        (&["--bands", "0"], "render.prt.bands"),
+        (&["--bands", "7"], "render.prt.bands"),
+        (&["--directions", "0"], "render.prt.directions"),
+        (&["--directions", "9999999"], "render.prt.directions"),
+        (&["--set", "object.1.subdivide=11"], "object.1.subdivide"),
+        (&["--set", "object.0.subdivide=10"], "object.0.subdivide"),
+    ];
+    for (args, key) in usage {
+        baked(&scratch, args).fails(2, &[key]);
+    }
+    baked(&scratch, &["-o", "no/such/folder/a.glb"]).fails(4, &["a.glb"]);
+    assert_eq!(scratch.list(""), ["shot.toml"]);
+
+    let spin = "[[object]]\nmesh = \"helicopter\"\n[[object.spin]]\nnode = \"main rotor\"\ndeg_per_frame = 5\n";
+    scratch.shot("none.exr", spin);
+    baked(&scratch, &[]).fails(2, &["object.1.spin", "main rotor", "another method"]);
+    // The method does not matter: a shot that is to be rendered by transfer is one to compute it for.
+    scratch.shot(
+        "none.exr",
+        "[render]\nmethod = \"prt\"\n[render.prt]\nbands = 1\ndirections = 1\n",
+    );
+    baked(&scratch, &[]).ok();
+}
+
+#[test]
+fn meshes_as_they_come_are_computed() {
+    let scratch = Scratch::new("bake-meshes");
+    // Neither has normals. The first has a vertex that no face uses and an edge of three faces.
+    scratch.put(
+        "odd.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 -1\nv 9 9 9\nf 1 2 3\nf 1 2 4\nf 2 1 5\n",
+    );
+    scratch.put(
+        "plain.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+         element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+    );
+    for mesh in ["odd.obj", "plain.ply"] {
+        let more =
+            format!("[[object]]\nmesh = \"{mesh}\"\n[render.prt]\nbands = 6\ndirections = 9\n");
+        let shot = scratch.shot("none.exr", &more);
+        baked(&scratch, &[]).ok();
+        let read = load(&shot, &[]).expect("the transfer");
+        let (setup, scene) = setup(&shot, &[]);
+        read.check(scene.vertex_counts().iter().sum())
+            .expect("numbers");
+        let header = Header::new(&scene, &bake::settings_of(&setup.shot));
+        assert_eq!(header.objects.len(), 2);
+        gltf::import(scratch.file("shot.prt.glb")).expect("glTF");
+    }
+}

@@ -1,0 +1,283 @@
+//! Host file: `glimt sh`: coefficients of lights, as numbers in files.
+
+mod common;
+
+use common::Scratch;
+use serde_json::Value;
+use std::f64::consts::PI;
+use std::fs;
+
+/// The lines of a CSV behind its head: frame, l, m, and three colours.
+fn rows(text: &str) -> Vec<([i64; 3], [f64; 3])> {
+    let lines = text.lines().filter(|line| !line.starts_with('#'));
+    let rows = lines.skip(1).map(|line| {
+        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
+        (
+            [cells[0] as i64, cells[1] as i64, cells[2] as i64],
+            [cells[3], cells[4], cells[5]],
+        )
+    });
+    rows.collect()
+}
+
+fn parsed(text: &str) -> Value {
+    serde_json::from_str(text).expect("JSON")
+}
+
+fn list(value: &Value) -> Vec<[f64; 3]> {
+    serde_json::from_value(value.clone()).expect("a list of colours")
+}
+
+/// A map that is red in direction +x, green in +y, blue in +z, all as cosines.
+fn lobes(t: &Scratch, name: &str, brightness: f32) {
+    let (w, h) = (64, 32);
+    t.exr(name, w, h, |x, y, c| {
+        let theta = std::f32::consts::PI * (y as f32 + 0.5) / h as f32;
+        let phi = std::f32::consts::PI * (1.0 - 2.0 * (x as f32 + 0.5) / w as f32);
+        let d = [
+            theta.sin() * phi.cos(),
+            theta.sin() * phi.sin(),
+            theta.cos(),
+        ];
+        brightness * (1.0 + d[c])
+    });
+}
+
+#[test]
+fn a_map_of_first_order_light() {
+    let t = Scratch::new("sh-map");
+    lobes(&t, "light.exr", 1.0);
+    let out = t.run(&["sh", "light.exr", "--bands", "2"]).ok().out;
+    assert!(out.contains("without the Condon-Shortley sign"), "{out}");
+    let rows = rows(&out);
+    let order: Vec<[i64; 3]> = rows.iter().map(|row| row.0).collect();
+    assert_eq!(order, [[1, 0, 0], [1, 1, -1], [1, 1, 0], [1, 1, 1]]);
+    let (mean, slope) = ((4.0 * PI).sqrt(), (4.0 * PI / 3.0).sqrt());
+    let exact = [
+        [mean; 3],
+        [0.0, slope, 0.0],
+        [0.0, 0.0, slope],
+        [slope, 0.0, 0.0],
+    ];
+    for (row, exact) in rows.iter().zip(exact) {
+        for (found, exact) in row.1.iter().zip(exact) {
+            assert!((found - exact).abs() < 2e-3, "{row:?} {exact:?}");
+        }
+    }
+}
+
+#[test]
+fn conventions_and_up() {
+    let t = Scratch::new("sh-conventions");
+    lobes(&t, "light.exr", 1.0);
+    let run = |more: &[&str]| {
+        let args = [
+            &["sh", "light.exr", "--format", "json", "--bands", "3"],
+            more,
+        ]
+        .concat();
+        let value = parsed(&t.run(&args).ok().out);
+        list(&value["frames"][0]["coefficients"])
+    };
+    let ours = run(&[]);
+    for convention in ["condon-shortley", "directx"] {
+        let theirs = run(&["--convention", convention]);
+        let signs: Vec<f64> = (0..4)
+            .map(|k| (theirs[k][0] + theirs[k][1] + theirs[k][2]) / (ours[k].iter().sum::<f64>()))
+            .collect();
+        assert_eq!(signs, [1.0, -1.0, 1.0, -1.0], "{convention}");
+    }
+    // Blue was above; with y up it is along y.
+    let up = run(&["--up", "y"]);
+    assert!(
+        (up[1][2] - ours[2][2]).abs() < 1e-5 && up[2][2].abs() < 1e-3,
+        "{up:?}"
+    );
+    // What was along y, green, is now along −z.
+    assert!((up[2][1] + ours[1][1]).abs() < 1e-5, "{up:?}");
+    let engine = run(&["--convention", "filament"]);
+    assert_eq!(engine.len(), 9);
+    let exact = ours[3][0] * 0.325_735;
+    assert!((engine[3][0] - exact).abs() < 1e-5);
+    let filtered = run(&["--window", "3"]);
+    assert!((filtered[1][1] / ours[1][1] - 0.75).abs() < 1e-5);
+}
+
+/// The nine coefficients against irradiance that is known: of `1 + d` it is `π + 2π/3 n`.
+#[test]
+fn what_engines_take() {
+    let t = Scratch::new("sh-engine");
+    lobes(&t, "light.exr", 2.0);
+    t.run(&["sh", "light.exr", "--format", "engine", "-o", "light.json"])
+        .ok();
+    let value = parsed(&fs::read_to_string(t.file("light.json")).unwrap());
+    assert_eq!(value["order"][6], "3zz-1");
+    assert!(value["meaning"].as_str().unwrap().contains("albedo"));
+    let e = list(&value["frames"][0]["sh"]);
+    let [x, y, z] = [0.48, -0.6, 0.64];
+    let polynomials = [
+        1.0,
+        y,
+        z,
+        x,
+        x * y,
+        y * z,
+        3.0 * z * z - 1.0,
+        z * x,
+        x * x - y * y,
+    ];
+    for (c, n) in [x, y, z].into_iter().enumerate() {
+        let found: f64 = e.iter().zip(polynomials).map(|(e, p)| e[c] * p).sum();
+        assert!(
+            (found - 2.0 * (1.0 + 2.0 / 3.0 * n)).abs() < 3e-3,
+            "{c}: {found}"
+        );
+    }
+    assert_eq!(
+        t.list(".")
+            .iter()
+            .filter(|name| name.ends_with(".part"))
+            .count(),
+        0
+    );
+}
+
+#[test]
+fn a_sequence_is_filtered_over_time() {
+    let t = Scratch::new("sh-sequence");
+    lobes(&t, "light.0001.exr", 1.0);
+    lobes(&t, "light.0002.exr", 3.0);
+    lobes(&t, "light.0003.exr", 3.0);
+    let out = t
+        .run(&["sh", "light.####.exr", "--bands", "1", "--temporal", "1"])
+        .ok()
+        .out;
+    let values: Vec<f64> = rows(&out)
+        .iter()
+        .map(|row| row.1[0] / (4.0 * PI).sqrt())
+        .collect();
+    for (found, exact) in values.iter().zip([1.0, 2.0, 2.5]) {
+        assert!((found - exact).abs() < 1e-5, "{values:?}");
+    }
+    let out = t
+        .run(&["sh", "light.####.exr", "--bands", "1", "--frames", "2-3"])
+        .ok()
+        .out;
+    assert_eq!(
+        rows(&out).iter().map(|row| row.0[0]).collect::<Vec<_>>(),
+        [2, 3]
+    );
+    let out = t
+        .run(&["sh", "light.0003.exr", "light.0001.exr", "--bands", "1"])
+        .ok()
+        .out;
+    let values: Vec<f64> = rows(&out).iter().map(|row| row.1[0]).collect();
+    assert!((values[0] / values[1] - 3.0).abs() < 1e-5, "{values:?}");
+
+    fs::remove_file(t.file("light.0002.exr")).unwrap();
+    t.run(&["sh", "light.####.exr"])
+        .ok()
+        .says(&["frame 2 is missing"]);
+    t.run(&["sh", "light.####.exr", "--frames", "1-3"])
+        .fails(3, &["light.0002.exr", "frame 2 of 1-3 is missing"]);
+}
+
+/// The shot's keys say how its light is scaled and turned.
+#[test]
+fn the_light_of_a_shot() {
+    let t = Scratch::new("sh-shot");
+    lobes(&t, "light.exr", 1.0);
+    t.shot("light.exr", "");
+    let shot = fs::read_to_string(t.file("shot.toml")).unwrap();
+    let turned = shot.replace("[probe]\n", "[probe]\nscale = 2.0\nrotate_z_deg = 90.0\n");
+    t.put("shot.toml", turned);
+    let own = rows(&t.run(&["sh", "light.exr", "--bands", "2"]).ok().out);
+    let of_shot = rows(&t.run(&["sh", "shot.toml", "--bands", "2"]).ok().out);
+    // Red, along x, is turned to y.
+    assert!(
+        (of_shot[1].1[0] - 2.0 * own[3].1[0]).abs() < 1e-4,
+        "{of_shot:?}"
+    );
+    assert!(of_shot[3].1[0].abs() < 1e-3);
+}
+
+#[test]
+fn what_cannot_be_is_said() {
+    let t = Scratch::new("sh-errors");
+    lobes(&t, "light.exr", 1.0);
+    t.run(&["sh", "light.exr", "gone.exr"])
+        .fails(3, &["gone.exr", "no such file"]);
+    t.run(&["sh", "light.####.exr"])
+        .fails(3, &["no file is named light.####.exr", "#"]);
+    t.run(&["sh", "light.exr", "light.####.exr"])
+        .fails(2, &["is a sequence", "one sequence"]);
+    t.run(&["sh", "light.exr", "--frames", "1-2"])
+        .fails(2, &["--frames", "light.####.exr"]);
+    t.run(&["sh", "light.exr", "-o", "light.exr"])
+        .fails(2, &["light.exr", "one of the lights"]);
+    t.run(&["sh", "light.exr", "-o", "no/folder/c.csv"])
+        .fails(4, &["no/folder/c.csv"]);
+    assert_eq!(t.run(&["--json", "sh", "light.exr"]).status, 2);
+    for bad in [
+        ["--bands", "0"],
+        ["--bands", "7"],
+        ["--window", "-1"],
+        ["--temporal", "-1"],
+        ["--temporal", "nan"],
+    ] {
+        assert_eq!(
+            t.run(&[&["sh", "light.exr"], &bad[..]].concat()).status,
+            2,
+            "{bad:?}"
+        );
+    }
+    t.put("shot.toml", "[probe]\nframes = \"light.exr\"\nscael = 2\n");
+    t.run(&["sh", "shot.toml"])
+        .fails(2, &["shot.toml", "scael"]);
+}
+
+#[test]
+fn texels_that_are_no_light_are_counted() {
+    let t = Scratch::new("sh-bad");
+    let bad = |x, y, _| if (x, y) == (3, 1) { f32::NAN } else { 1.0 };
+    t.exr("light.exr", 8, 4, bad);
+    let ran = t
+        .run(&["sh", "light.exr"])
+        .ok()
+        .says(&["1 of 32", "no light: 1 NaN"]);
+    assert!(
+        rows(&ran.out)
+            .iter()
+            .all(|row| row.1.iter().all(|c| c.is_finite()))
+    );
+    t.run(&["sh", "light.exr", "--strict"])
+        .fails(3, &["light.exr", "--strict"]);
+    // Of any shape, down to a texel.
+    t.exr("one.exr", 1, 1, |_, _, _| 1.0);
+    t.exr("odd.exr", 5, 3, |_, _, _| 1.0);
+    for name in ["one.exr", "odd.exr"] {
+        let out = t.run(&["sh", name, "--bands", "6"]).ok().out;
+        let mean = rows(&out)[0].1[1];
+        assert!((mean - (4.0 * PI).sqrt()).abs() < 1e-5, "{name}: {mean}");
+    }
+}
+
+#[test]
+fn events_and_coefficients_do_not_mix() {
+    let t = Scratch::new("sh-json");
+    lobes(&t, "light.exr", 1.0);
+    let out = t
+        .run(&["--json", "sh", "light.exr", "-o", "c.csv"])
+        .ok()
+        .out;
+    let events: Vec<Value> = out.lines().map(parsed).collect();
+    let last = &events[events.len() - 1];
+    assert_eq!(
+        (&last["event"], &last["projected"]),
+        (&"summary".into(), &1.into())
+    );
+    assert_eq!(
+        rows(&fs::read_to_string(t.file("c.csv")).unwrap()).len(),
+        25
+    );
+}
