@@ -1,20 +1,17 @@
 //! Host file: a frame's light as spherical harmonics, on the CPU (Hajisharif 2012, Eqs. 9 to 13).
 
 use glam::{UVec2, Vec2, Vec4};
-use glimt_sh::{
-    MAX_COEFFICIENTS, Projection, RingTable, ShError, build_ring_table_into, ring_table_len,
-};
+use glimt_sh::{MAX_COEFFICIENTS, ShError};
 use rayon::prelude::*;
 
 use super::env::PreparedEnv;
 use super::methods::PrtSettings;
+use super::projection::Projector;
 use super::render::SettingsError;
 use crate::kernels::environment::RadianceMap;
 use crate::kernels::light_sh::{LightParams, light_coefficient};
 use crate::kernels::pyramid::{Taps, half_size, halve, taps};
 
-/// Rows whose sums are added before they go to the others': the same ones, whatever the threads.
-const BLOCK_ROWS: u32 = 16;
 /// Floats in a texel.
 const CHANNELS: u32 = 4;
 
@@ -23,8 +20,8 @@ const CHANNELS: u32 = 4;
 pub struct LightSh {
     /// The maps halved, the largest first, with the size of what each is half of and its taps; kept for their room.
     levels: Vec<(UVec2, Vec<Taps>, Vec<Vec4>)>,
-    /// The factors of φ of so many columns, for so many bands.
-    ring: (u32, u32, Vec<f32>),
+    /// Of maps of the size and bands of the frame before.
+    projector: Option<Projector>,
     /// Bands of the frame before, and its filtered coefficients.
     previous: Option<(u32, [Vec4; MAX_COEFFICIENTS])>,
 }
@@ -122,30 +119,15 @@ impl LightSh {
         bands: u32,
         level: u32,
     ) -> Result<[Vec4; MAX_COEFFICIENTS], ShError> {
-        let mut ring = std::mem::take(&mut self.ring);
+        let known = self.projector.take();
         let (size, texels) = self.level(map, level);
-        if (ring.0, ring.1) != (size.x, bands) {
-            let mut table = vec![0.0; ring_table_len(size.x, bands, CHANNELS)?];
-            build_ring_table_into(size.x, bands, CHANNELS, &mut table)?;
-            ring = (size.x, bands, table);
-        }
-        let table = RingTable::new(size.x, bands, CHANNELS, &ring.2)?;
-        let blocks = texels.par_chunks((size.x * BLOCK_ROWS) as usize);
-        let of_block = |(block, texels): (usize, &[Vec4])| {
-            let mut projection = Projection::new(bands, size)?;
-            let first = block as u32 * BLOCK_ROWS;
-            projection.add_rows(&table, first, bytemuck::cast_slice(texels))?;
-            Ok(projection)
+        let known = known.filter(|known| (known.size(), known.bands()) == (size, bands));
+        let projector = match known {
+            Some(known) => known,
+            None => Projector::new(size, bands, CHANNELS)?,
         };
-        let blocks: Vec<Projection> = blocks
-            .enumerate()
-            .map(of_block)
-            .collect::<Result<_, ShError>>()?;
-        let mut all = Projection::new(bands, size)?;
-        for block in &blocks {
-            all.merge(block);
-        }
-        self.ring = ring;
-        Ok(all.coefficients().map(|c| c.extend(0.0)))
+        let sums = projector.project_vec4(texels)?;
+        self.projector = Some(projector);
+        Ok(sums.map(|c| c.extend(0.0)))
     }
 }
