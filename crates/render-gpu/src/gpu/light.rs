@@ -133,9 +133,12 @@ impl GpuLight {
         Ok(())
     }
 
-    /// The next frame starts anew.
+    /// The next frame starts anew, and goes by nothing that was recorded and perhaps never handed over.
     pub fn forget(&mut self) {
         self.before = None;
+        for level in &mut self.levels {
+            level.has_taps = false;
+        }
     }
 
     /// Makes the coefficients of the map that was uploaded last, without waiting for them: [`GpuLight::read`].
@@ -150,10 +153,13 @@ impl GpuLight {
     ) -> Result<(), GpuError> {
         let mut pool = std::mem::take(&mut self.pool);
         let mut recording = Recording::new(context, &mut pool);
-        self.record(&mut recording, bands, settings)?;
-        recording.submit()?;
+        let recorded = self.record(&mut recording, bands, settings);
+        let done = recorded.and_then(|()| recording.submit());
         self.pool = pool;
-        Ok(())
+        if done.is_err() {
+            self.forget();
+        }
+        done.map(drop)
     }
 
     /// The coefficients that were made last, copied back: 36, of which those beyond `bands²` are 0.

@@ -44,7 +44,7 @@ const BAND_GRANULE: u32 = 64;
 /// Marks on the GPU's clock: before the light, after it, and after the composite.
 const MARKS: usize = 3;
 
-/// Where a drawn frame's time went.
+/// Where a drawn frame's time went. The GPU's times are by its own clock; a software adapter's may tell light from drawing badly.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DrawTimes {
     /// Handing over light map and plate, and recording, as the host saw it.
@@ -109,6 +109,8 @@ impl GpuPrt {
 
     /// Draws a frame, over a plate of the same size or the background of the settings, and waits for nothing. `uploaded` is the
     /// scene.
+    ///
+    /// Frames that nobody waits for pile up: whoever draws many calls [`GpuContext::finish`] now and then.
     ///
     /// With one ray a pixel, or all of them through its centre, pixels have one sample, at their centre; else four. What is behind
     /// objects is one value a pixel. Faces nearer to the eye's plane than 10⁻⁵ of the farthest point's distance are cut off.
