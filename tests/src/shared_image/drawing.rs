@@ -241,7 +241,7 @@ pub fn drawing_pair(program: &Program, context: &GpuContext) -> Pair {
         ),
     ];
     Pair {
-        name: "transfer".to_owned(),
+        name: "drawing".to_owned(),
         cpu: cpu.concat(),
         gpu: gpu.concat(),
     }
