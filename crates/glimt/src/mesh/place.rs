@@ -13,6 +13,7 @@ use glam::{DMat3, EulerRot, Mat4, Quat, Vec3};
 use glimt_render_gpu::host::scene::{Material, Object, SceneDescription};
 use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::f32::consts::FRAC_PI_2;
 use std::path::Path;
 
@@ -89,13 +90,14 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
     let mut movers = Vec::new();
     for (index, object) in shot.objects.iter().enumerate() {
         let name = object.mesh.as_str();
-        let key = (name, object.subdivide);
-        if !loaded.contains_key(&key) {
-            let mut model = load(base, name, notes)?;
-            cut(&mut model, object.subdivide, index, source)?;
-            loaded.insert(key, Loaded::new(model, &mut scene));
-        }
-        let entry = &loaded[&key];
+        let entry = match loaded.entry((name, object.subdivide)) {
+            Entry::Occupied(known) => &*known.into_mut(),
+            Entry::Vacant(place) => {
+                let mut model = load(base, name, notes)?;
+                cut(&mut model, object.subdivide, index, source)?;
+                &*place.insert(Loaded::new(model, &mut scene))
+            }
+        };
         let model = &entry.model;
         digests.push(model.digest(name)?);
         triangles += model.triangles();
