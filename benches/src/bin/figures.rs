@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --bin figures -- --out figures` renders by the program's own commands. Without names it makes all; with
 //! some (`4 5 6 7 8 window agreement`) those. The dragon and the light maps come from the folder that `GLIMT_BENCH_DATA` names;
-//! where they are missing, the built-in sculpture under the built-in sky stands in.
+//! where they are missing, the built-in helicopter under a procedural sky stands in.
 
 use glam::{UVec2, Vec3, Vec4};
 use glimt::cli::Cli;
@@ -78,10 +78,10 @@ impl Studio {
             true => dragon.canonicalize()?.display().to_string(),
             false => {
                 println!(
-                    "{} is not there: the built-in sculpture stands in",
+                    "{} is not there: the built-in helicopter stands in",
                     dragon.display()
                 );
-                "armillary".to_owned()
+                "helicopter".to_owned()
             }
         };
         let mut lights = Vec::new();
@@ -132,7 +132,7 @@ impl Studio {
              [output]\nvideo = \"\"\n",
             light = self.lights[0].display().to_string(),
             model = self.model,
-            scale = if self.model == "armillary" { 0.7 } else { 9.0 },
+            scale = if self.model == "helicopter" { 0.4 } else { 9.0 },
         );
         if std::fs::read_to_string(&file).ok().as_ref() != Some(&text) {
             std::fs::write(&file, text)?;
