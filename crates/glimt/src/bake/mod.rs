@@ -219,10 +219,7 @@ fn read_shot(file: &Path, flags: &BakeFlags, notes: &mut Notes) -> Result<Setup>
     });
     let set: Vec<String> = flags.set.iter().cloned().chain(own).collect();
     let (shot, source) = parse::read::<Shot>(file, &set)?;
-    // Whatever it is rendered by.
-    let mut checked = shot.clone();
-    checked.render.method = Method::Mis;
-    check::check(&checked, &source)?;
+    check::check(&shot, &source)?;
     let base = file.parent().unwrap_or(Path::new(""));
     let first = match shot.render.frames.as_str() {
         "" => 1,
