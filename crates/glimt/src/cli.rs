@@ -487,6 +487,7 @@ Examples:
   glimt render shot.toml --method smc --frames 1-48 --state-out half.state
   glimt render shot.toml --method smc --frames 49-96 --state-in half.state     # as if in one run
   glimt render shot.toml --method smc --frames 60-72 --preroll 10
+  glimt render shot.toml --method prt --set render.prt.temporal=0.5            # after glimt bake shot.toml
   glimt render shot.toml --set object.0.material.diffuse=[0.8,0.2,0.1] --set render.preset=kronander
 
 A shot needs a light and an object; every other key has a default:
