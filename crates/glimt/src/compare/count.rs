@@ -1,5 +1,6 @@
 //! Host file: the count of a contestant that its time is fitted by.
 
+use crate::report;
 use crate::shot::{Method, Shot};
 
 /// The most of any count: what a shot may have.
@@ -32,17 +33,19 @@ impl Knob {
     /// Of a shot: its rays where it has more than one, else what its method counts on a ray.
     #[must_use]
     pub fn of(shot: &Shot) -> Self {
+        let render = &shot.render;
         if shot.image.rays_per_pixel > 1 {
             return Self::Rays(shot.image.rays_per_pixel);
         }
-        let render = &shot.render;
         match render.method {
+            // It draws no samples on a ray.
+            Method::Prt => Self::Rays(1),
             Method::Bis => Self::Picks {
                 candidates: render.bis.candidates,
                 samples: render.bis.samples,
             },
             Method::Smc => Self::Particles(render.smc.particles),
-            _ => Self::Samples {
+            Method::Mis => Self::Samples {
                 brdf: render.brdf_samples,
                 env: render.env_samples,
             },
@@ -92,7 +95,7 @@ impl Knob {
                     "{n} rays × ({} + {})",
                     shot.render.brdf_samples, shot.render.env_samples
                 ),
-                _ => format!("{n} rays"),
+                _ => report::count(n as usize, "ray"),
             },
             Self::Samples { brdf, env } => format!("{brdf} + {env} on 1 ray"),
             Self::Picks {
@@ -127,6 +130,8 @@ mod tests {
         (shot.render.bis.candidates, shot.render.bis.samples) = (400, 20);
         let keys = ["render.bis.candidates=200", "render.bis.samples=10"];
         assert_eq!(Knob::of(&shot).keys(10), keys);
+        shot.render.method = Method::Prt;
+        assert_eq!(Knob::of(&shot), Knob::Rays(1));
         shot.render.method = Method::Smc;
         assert_eq!(Knob::of(&shot).keys(12), ["render.smc.particles=12"]);
     }
