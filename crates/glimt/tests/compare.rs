@@ -280,6 +280,32 @@ fn a_killed_comparison_is_continued() {
 
 /// A limit ends the reference, the first line says so, and a later run goes on.
 #[test]
+fn one_without_noise_is_compared_by_its_bias() {
+    let t = Scratch::new("compare-prt");
+    plane(&t, "");
+    t.run(&["bake", "shot.toml", "--device", "cpu"]).ok();
+    let prt = [
+        "--contestant",
+        "prt: render.method=prt image.rays_per_pixel=1",
+    ];
+    compare(&t, &[&prt[..], &["--frames", "1"]].concat()).ok();
+    let table = untimed(&t, "compare");
+    let cell = |name: &str, column: &str| -> f64 {
+        let column = table[0].iter().position(|head| head == column).unwrap();
+        let row = table
+            .iter()
+            .find(|row| row[0] == name && row[1] == "1")
+            .unwrap();
+        row[column].parse().unwrap()
+    };
+    // Five bands leave little out of what a plane reflects; all of it is the same for every seed.
+    let error = cell("prt", "relative_rmse");
+    assert!(error > 0.0 && error < 0.05, "{error}");
+    assert!((error - cell("prt", "bias").abs()).abs() < 0.01);
+    assert_eq!(cell("prt", "relative_rmse_se"), 0.0);
+}
+
+#[test]
 fn a_short_reference_is_said() {
     let t = Scratch::new("compare-short");
     plane(&t, "");
