@@ -64,6 +64,8 @@ struct Studio {
     model: String,
     /// Light maps of 1628 × 814 texels.
     lights: Vec<PathBuf>,
+    /// The exposure that suits them.
+    exposure_ev: f32,
 }
 
 /// A key of the shot and its value, as after `--set`.
@@ -102,6 +104,7 @@ impl Studio {
                 )?);
             }
         }
+        let exposure_ev = if lights.is_empty() { -5.0 } else { -1.6 };
         if lights.is_empty() {
             println!(
                 "{} has no light maps: a procedural one stands in",
@@ -115,14 +118,19 @@ impl Studio {
                 .collect();
             lights.push(enlarged(&out.join("procedural.hdr"), size, texels)?);
         }
-        Ok(Self { out, model, lights })
+        Ok(Self {
+            out,
+            model,
+            lights,
+            exposure_ev,
+        })
     }
 
     /// The shot of all figures: the model on a plane that takes its shadow.
     fn shot(&self) -> Outcome<PathBuf> {
         let file = self.out.join("shot.toml");
         let text = format!(
-            "[image]\nsize = [480, 360]\nrays_per_pixel = 16\nexposure_ev = -1.6\n\
+            "[image]\nsize = [480, 360]\nrays_per_pixel = 16\nexposure_ev = {exposure_ev}\n\
              [camera]\neye = [3.4, -2.2, 1.9]\ntarget = [0.0, 0.0, 0.62]\nfov_x_deg = 36\n\
              [probe]\nframes = {light:?}\nrotate_z_deg = 270\n\
              [[object]]\nmesh = {model:?}\nscale = {scale}\nground = true\n\
@@ -131,6 +139,7 @@ impl Studio {
              [render]\nmethod = \"prt\"\n\
              [output]\nvideo = \"\"\n",
             light = self.lights[0].display().to_string(),
+            exposure_ev = self.exposure_ev,
             model = self.model,
             scale = if self.model == "helicopter" { 0.4 } else { 9.0 },
         );
