@@ -38,7 +38,7 @@ fn setup(shot: &Path, set: &[&str]) -> (Setup, SceneBuffers) {
 fn load(shot: &Path, set: &[&str]) -> Result<Transfer> {
     let (setup, scene) = setup(shot, set);
     let file = bake::file_of(&setup.shot, &setup.source);
-    bake::load(&setup, &scene, &file)
+    bake::load(&setup, &setup.shot, &scene, &file)
 }
 
 #[test]
@@ -65,7 +65,7 @@ fn a_transfer_comes_back_as_it_was_computed() {
     let direct =
         glimt_render_gpu::host::bake::bake(&scene, &settings, &|_| ()).expect("a transfer");
     assert_eq!(summary["rays"], direct.rays);
-    let read = bake::load(&setup, &scene, &file).expect("the transfer");
+    let read = bake::load(&setup, &setup.shot, &scene, &file).expect("the transfer");
     assert_eq!(read, direct.transfer);
     assert!(read.blocked.iter().any(|c| *c != 0.0));
 

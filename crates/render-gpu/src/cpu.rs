@@ -133,12 +133,9 @@ impl Renderer for CpuRenderer {
             Method::Prt => self.vertex_lights(scene, env, settings)?,
             _ => Vec::new(),
         };
-        let method = match (settings.method, scene.transfer()) {
-            (Method::Prt, Some(transfer)) => WorkMethod::Prt(transfer.surface(&lights)),
-            _ => WorkMethod::new(settings, env, past.as_ref(), &motions, &whole)?,
-        };
+        let surface = scene.transfer().map(|transfer| transfer.surface(&lights));
         let work = Work {
-            method,
+            method: WorkMethod::new(settings, env, past.as_ref(), &motions, surface, &whole)?,
             whole,
             env: env.view(),
             scene: scene.view(),
@@ -255,11 +252,12 @@ impl<'a> WorkMethod<'a> {
         env: &'a PreparedEnv,
         past: Option<&'a SmcState>,
         motions: &'a [Mat4],
+        surface: Option<Surface<'a>>,
         frame: &FrameParams,
     ) -> Result<Self, RenderError> {
         Ok(match settings.method {
             Method::Mis => Self::Mis,
-            Method::Prt => return Err(SettingsError::NoTransfer.into()),
+            Method::Prt => Self::Prt(surface.ok_or(SettingsError::NoTransfer)?),
             Method::Bis => Self::Bis(settings.bis.params()?),
             Method::Smc => {
                 let now = env.view();

@@ -8,6 +8,7 @@ use super::identity::Header;
 use crate::error::{Error, Result};
 use crate::output::atomic::Pending;
 use glam::Vec3;
+use glimt_render_gpu::host::bake::MAX_BANDS;
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer};
 use serde_json::{Value, json};
@@ -276,7 +277,7 @@ fn header(file: &Path, document: &Value) -> Result<Header> {
     let known: Option<Header> = serde_json::from_value(header.clone()).ok();
     known
         .filter(|header| header.version == super::identity::VERSION && header.shadowed)
-        .filter(|header| (1..=6).contains(&header.bands))
+        .filter(|header| (1..=MAX_BANDS).contains(&header.bands))
         .ok_or_else(|| Error::input(file, "its transfer is of a version that is not known"))
 }
 

@@ -49,10 +49,10 @@ pub fn settings_of(shot: &Shot) -> BakeSettings {
 /// # Errors
 /// The file is not there, not whole, of something else, of other bands, or holds what is no number. Each error names it, and
 /// the command that makes it anew.
-pub fn load(setup: &Setup, scene: &SceneBuffers, file: &Path) -> Result<Transfer> {
+pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Result<Transfer> {
     let anew = anew(setup);
     let (header, transfer) = file::read(file).map_err(|e| e.fix(&anew))?;
-    let settings = settings_of(&setup.shot);
+    let settings = settings_of(shot);
     let now = Header::new(scene, &settings);
     if let Some(difference) = now.differs(&header) {
         let error = Error::input(file, format!("it is stale: {}", difference.what)).fix(&anew);
@@ -96,17 +96,18 @@ pub fn expect(setup: &mut Setup) -> Result<()> {
     Ok(())
 }
 
-/// Gives a scene, built of the setup's, the transfer that it is rendered by, where it is.
+/// Gives a scene, built of the setup's, the transfer that it is rendered by, where it is: as the keys of `shot` say, which may differ
+/// from the setup's under `render`.
 ///
 /// # Errors
 /// As [`load`].
-pub fn give(setup: &Setup, scene: &mut SceneBuffers) -> Result<()> {
-    if setup.shot.render.method != Method::Prt {
+pub fn give(setup: &Setup, shot: &Shot, scene: &mut SceneBuffers) -> Result<()> {
+    if shot.render.method != Method::Prt {
         return Ok(());
     }
-    let file = file_of(&setup.shot, &setup.source);
-    let transfer = Arc::new(load(setup, scene, &file)?);
-    let objects = &setup.shot.objects;
+    let file = file_of(shot, &setup.source);
+    let transfer = Arc::new(load(setup, shot, scene, &file)?);
+    let objects = &shot.objects;
     let owners = setup.owners.iter();
     let reflections: Vec<f32> = owners.map(|&of_shot| objects[of_shot].reflection).collect();
     scene
@@ -190,10 +191,11 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     let began = Instant::now();
     let baked = compute(&processor, &scene, &settings, reporter)?;
     let seconds = began.elapsed().as_secs_f64();
-    let Baked { transfer, rays } = baked;
-    let at = scene
-        .vertices()
-        .map_err(|e| setup.refused_scene(setup.first, &e))?;
+    let Baked {
+        transfer,
+        vertices: at,
+        rays,
+    } = baked;
     let size = file::write(&out, &scene, &at, &header, &transfer)?;
     let rate = rays as f64 / seconds.max(1e-9);
     let summary = json!({

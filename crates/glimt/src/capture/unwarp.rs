@@ -48,7 +48,7 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
         let file = files.path(frame);
         check_size(&file, photo::read_size(&file)?, size, &first)?;
     }
-    tell_gaps(&files, &numbers, &mut notes);
+    files.tell_gaps(&numbers, "no map is made for what is not there", &mut notes);
     atomic::prepare_folder(&flags.out)?;
     let mut unwarper = Unwarper::open(flags.device)?;
     reporter.start_filming(numbers.len(), &flags.out, &unwarper.processor.name());
@@ -155,21 +155,6 @@ fn keys(flags: &UnwarpFlags) -> Result<Ball> {
         ..e
     })?;
     Ok(ball)
-}
-
-/// Says which frames are missing between the first and the last.
-fn tell_gaps(files: &FrameFiles, numbers: &[u32], notes: &mut Notes) {
-    for pair in numbers.windows(2) {
-        let which = match pair[1] - pair[0] {
-            0 | 1 => continue,
-            2 => format!("frame {} is", pair[0] + 1),
-            _ => format!("frames {} to {} are", pair[0] + 1, pair[1] - 1),
-        };
-        notes.warn(
-            &files.path(pair[0] + 1),
-            format!("{which} missing: no map is made for what is not there"),
-        );
-    }
 }
 
 fn name(what: &str, frame: u32, extension: &str) -> String {

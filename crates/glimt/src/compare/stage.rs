@@ -124,12 +124,10 @@ impl<'a> Stage<'a> {
         if shot.render.method != shot::Method::Prt || self.transfer.as_ref() == Some(&wanted) {
             return Ok(());
         }
-        let own = std::mem::replace(&mut self.job.setup.shot, shot.clone());
-        let given = bake::refuse_motion(&self.job.setup)
-            .and_then(|()| bake::give(&self.job.setup, &mut self.scene));
-        self.job.setup.shot = own;
+        bake::refuse_motion(&self.job.setup)?;
+        bake::give(&self.job.setup, shot, &mut self.scene)?;
         self.transfer = Some(wanted);
-        given
+        Ok(())
     }
 
     /// Renders a frame. Reading the light and moving the scene are no part of its time.

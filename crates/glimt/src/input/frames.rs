@@ -1,6 +1,7 @@
 //! Host file: the files of a sequence, `light.####.exr`, or of a still.
 
 use crate::error::{Error, Result};
+use crate::notes::Notes;
 use std::path::{Path, PathBuf};
 
 /// Where the frames of a sequence are.
@@ -174,6 +175,21 @@ impl FrameFiles {
                     there.len()
                 ))
             }
+        }
+    }
+
+    /// Says which frames are missing between those of `numbers`, and what comes of it.
+    pub fn tell_gaps(&self, numbers: &[u32], consequence: &str, notes: &mut Notes) {
+        for pair in numbers.windows(2) {
+            let which = match pair[1] - pair[0] {
+                0 | 1 => continue,
+                2 => format!("frame {} is", pair[0] + 1),
+                _ => format!("frames {} to {} are", pair[0] + 1, pair[1] - 1),
+            };
+            notes.warn(
+                &self.path(pair[0] + 1),
+                format!("{which} missing: {consequence}"),
+            );
         }
     }
 }

@@ -12,6 +12,9 @@ use glam::Mat3;
 use glimt_render_gpu::host::env::EnvMap;
 use std::path::{Path, PathBuf};
 
+/// What becomes of missing frames.
+const NOT_THERE: &str = "there are no coefficients of what is not there";
+
 /// Lights in the order in which they are projected.
 pub(super) struct Lights {
     /// Each with the number of its frame, and where it is read.
@@ -43,7 +46,7 @@ impl Lights {
             && !sequence.is_still()
         {
             let frames = frames_of(sequence, flags.frames.as_deref())?;
-            tell_gaps(sequence, &frames, notes);
+            sequence.tell_gaps(&frames, NOT_THERE, notes);
             let range = frames[0]..=frames[frames.len() - 1];
             let probe = Probe::open(sequence.clone(), &frames, range, &keys, notes, progress)?;
             return Ok(Self::of_probe(probe, frames, 0.0));
@@ -96,7 +99,7 @@ impl Lights {
             text => Some(text),
         };
         let frames = frames_of(&files, flags.frames.as_deref().or(of_shot))?;
-        tell_gaps(&files, &frames, notes);
+        files.tell_gaps(&frames, NOT_THERE, notes);
         let range = match of_shot {
             Some(text) => range::parse(text)?,
             None => frames[0]..=frames[frames.len() - 1],
@@ -156,20 +159,5 @@ fn frames_of(files: &FrameFiles, asked: Option<&str>) -> Result<Vec<u32>> {
         None => files
             .existing()
             .map_err(|e| e.fix("check the path: each # stands for a digit of the frame's number")),
-    }
-}
-
-/// Says which frames are missing between the first and the last.
-fn tell_gaps(files: &FrameFiles, frames: &[u32], notes: &mut Notes) {
-    for pair in frames.windows(2) {
-        let which = match pair[1] - pair[0] {
-            0 | 1 => continue,
-            2 => format!("frame {} is", pair[0] + 1),
-            _ => format!("frames {} to {} are", pair[0] + 1, pair[1] - 1),
-        };
-        notes.warn(
-            &files.path(pair[0] + 1),
-            format!("{which} missing: there are no coefficients of what is not there"),
-        );
     }
 }

@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use glimt_render_gpu::generated::{
     COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DISPLAY_OVER_PLATE, HALVE, LIGHT_COEFFICIENT,
     RECONSTRUCT, RECONSTRUCT_LAYERS, SHADE_BIS, SHADE_BIS_LAYERS, SHADE_MIS, SHADE_MIS_LAYERS,
-    SHADE_SMC, SHADE_SMC_LAYERS, TONEMAP, UNPACK_LAYERS, VERTEX_LIGHT,
+    SHADE_SMC, SHADE_SMC_LAYERS, TAPS, TONEMAP, UNPACK_LAYERS, VERTEX_LIGHT,
 };
 use glimt_render_gpu::gpu::HAND_WRITTEN;
 use sha2::{Digest, Sha256};
@@ -91,6 +91,7 @@ pub fn of_frame(scene: &Hash, inputs: &Hash, frame: u32) -> String {
         COMPOSITE_OVER_PLATE,
         DISPLAY_OVER_PLATE,
         COMPOSITE_ALONE,
+        TAPS,
         HALVE,
         LIGHT_COEFFICIENT,
         VERTEX_LIGHT,

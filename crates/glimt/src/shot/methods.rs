@@ -1,6 +1,7 @@
 //! Host file: keys of the estimators of reflected light.
 
 use super::words;
+use glimt_render_gpu::host::bake::BakeSettings;
 use glimt_render_gpu::host::render::{self, BisSettings, PrtSettings, SmcSettings};
 use glimt_sampling::resample;
 use serde::{Deserialize, Serialize};
@@ -75,11 +76,11 @@ pub struct Prt {
 
 impl Default for Prt {
     fn default() -> Self {
-        let default = PrtSettings::default();
+        let (bake, default) = (BakeSettings::default(), PrtSettings::default());
         Self {
             bake: String::new(),
-            bands: 5,
-            directions: 2500,
+            bands: bake.bands,
+            directions: bake.directions,
             level: default.level,
             window: default.window,
             temporal: default.temporal,

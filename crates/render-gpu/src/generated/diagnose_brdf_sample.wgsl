@@ -784,6 +784,18 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_7)) - (this_8.up * y_1)));
 }
 
+// glimt_render_gpu/src/kernels/frame.rs:118
+fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/frame.rs:119
+    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:120
+    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:126
+    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    return _e22;
+}
+
 // glimt_render_gpu/src/kernels/ray.rs:48
 fn inverse(x_5: f32) -> f32 {
 
@@ -802,30 +814,26 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:102
-fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
+fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:103
-    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:104
-    if (this_9.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:105
+    if (this_10.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:104
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:107
-        let film = PixelPattern(pattern.kind, pattern.seed, this_9.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:111
-        let _e32 = PixelPattern_pair(film, 1u, 0u, 1u);
-        let _e33 = unit_vec2_(_e32);
-        chosen_2 = _e33;
+        // glimt_render_gpu/src/kernels/frame.rs:106
+        let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+        // glimt_render_gpu/src/kernels/frame.rs:110
+        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e24 = unit_vec2_(_e23);
+        chosen_2 = _e24;
     }
-    let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:113
-    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:119
-    let _e47 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
-    let _e48 = Ray_new(this_9.eye, _e47);
-    return _e48;
+    let place_1 = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:112
+    let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
+    let _e30 = Ray_new(this_10.eye, _e29);
+    return _e30;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:29
@@ -900,10 +908,10 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:33
-fn Triangle_is_catcher(this_10: Triangle) -> bool {
+fn Triangle_is_catcher(this_11: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:34
-    return ((this_10.object & 2147483648u) != 0u);
+    return ((this_11.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:145
@@ -1174,10 +1182,10 @@ fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:40
-fn Triangle_area_normal(this_11: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:41
-    return cross((this_11.v1_ - this_11.v0_), (this_11.v2_ - this_11.v0_));
+    return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:120
@@ -1199,10 +1207,10 @@ fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_12: TextureView) -> bool {
+fn TextureView_exists(this_13: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_12.width > 0u);
+    return (this_13.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -1247,11 +1255,11 @@ fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
+fn TextureView_texel(this_14: TextureView, index_10: u32) -> vec4<f32> {
     var chosen_6: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word = scene_texels[(this_13.first + index_10)];
+    let word = scene_texels[(this_14.first + index_10)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r = (word & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -1261,7 +1269,7 @@ fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha = (f32((word >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_13.flags & 1u) != 0u) {
+    if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e41 = scene_texels[r];
         let _e45 = scene_texels[g];
@@ -1276,40 +1284,40 @@ fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_14: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_14.flags >> 1u) & 3u);
+    let wrap_u = ((this_15.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_14.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_15.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e22 = wrap(uv.x, wrap_u);
-    let x_8 = ((_e22 * f32(this_14.width)) - 0.5f);
+    let x_8 = ((_e22 * f32(this_15.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e30 = wrap(uv.y, wrap_v);
-    let y_2 = ((_e30 * f32(this_14.height)) - 0.5f);
+    let y_2 = ((_e30 * f32(this_15.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e39 = Tuple_f32_f32_(floor(x_8), floor(y_2));
     let left = _e39.fa;
     let top = _e39.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e45 = neighbour(i32(left), this_14.width, wrap_u);
+    let _e45 = neighbour(i32(left), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e51 = neighbour((i32(left) + 1i), this_14.width, wrap_u);
+    let _e51 = neighbour((i32(left) + 1i), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e55 = neighbour(i32(top), this_14.height, wrap_v);
-    let row0_ = (_e55 * this_14.width);
+    let _e55 = neighbour(i32(top), this_15.height, wrap_v);
+    let row0_ = (_e55 * this_15.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e63 = neighbour((i32(top) + 1i), this_14.height, wrap_v);
-    let row1_ = (_e63 * this_14.width);
+    let _e63 = neighbour((i32(top) + 1i), this_15.height, wrap_v);
+    let row1_ = (_e63 * this_15.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e68 = TextureView_texel(this_14, (row0_ + _e45));
-    let _e70 = TextureView_texel(this_14, (row0_ + _e51));
+    let _e68 = TextureView_texel(this_15, (row0_ + _e45));
+    let _e70 = TextureView_texel(this_15, (row0_ + _e51));
     let _e71 = (x_8 - left);
     let upper = ((_e68 * (1f - _e71)) + (_e70 * _e71));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e79 = TextureView_texel(this_14, (row1_ + _e45));
-    let _e81 = TextureView_texel(this_14, (row1_ + _e51));
+    let _e79 = TextureView_texel(this_15, (row1_ + _e45));
+    let _e81 = TextureView_texel(this_15, (row1_ + _e51));
     let _e82 = (x_8 - left);
     let lower = ((_e79 * (1f - _e82)) + (_e81 * _e82));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -1318,12 +1326,12 @@ fn TextureView_sample(this_14: TextureView, uv: vec2<f32>) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:73
-fn Material_bumped_normal(this_15: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+fn Material_bumped_normal(this_16: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/material.rs:81
     let across = (tangent - (normal * dot(normal, tangent)));
     // glimt_render_gpu/src/kernels/material.rs:82
-    let _e12 = TextureView_exists(this_15.normal_texture);
+    let _e12 = TextureView_exists(this_16.normal_texture);
     if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
         // glimt_render_gpu/src/kernels/material.rs:83
         return normal;
@@ -1333,10 +1341,10 @@ fn Material_bumped_normal(this_15: Material, uv_1: vec2<f32>, normal: vec3<f32>,
     // glimt_render_gpu/src/kernels/material.rs:86
     let b_5 = (cross(normal, t_3) * handedness);
     // glimt_render_gpu/src/kernels/material.rs:87
-    let _e27 = TextureView_sample(this_15.normal_texture, uv_1);
+    let _e27 = TextureView_sample(this_16.normal_texture, uv_1);
     let map = ((_e27.xyz * 2f) - vec3(1f));
     // glimt_render_gpu/src/kernels/material.rs:88
-    let tilt = (((t_3 * map.x) + (b_5 * map.y)) * this_15.normal_scale);
+    let tilt = (((t_3 * map.x) + (b_5 * map.y)) * this_16.normal_scale);
     // glimt_render_gpu/src/kernels/material.rs:89
     let _e46 = unit_or((tilt + (normal * map.z)), normal);
     return _e46;
@@ -1356,10 +1364,10 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_17: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+    return vec3<f32>(dot(v_2, this_17.t), dot(v_2, this_17.b), dot(v_2, this_17.n));
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -1380,35 +1388,35 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
 }
 
 // glimt_render_gpu/src/kernels/material.rs:46
-fn Material_brdf(this_17: Material, uv_2: vec2<f32>) -> BlinnPhong {
+fn Material_brdf(this_18: Material, uv_2: vec2<f32>) -> BlinnPhong {
     var color: vec3<f32>;
     var metallic_1: f32;
     var roughness_1: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:47
-    if (this_17.kind == 0u) {
+    if (this_18.kind == 0u) {
         // glimt_render_gpu/src/kernels/material.rs:48
-        return BlinnPhong(this_17.color, this_17.specular, this_17.exponent);
+        return BlinnPhong(this_18.color, this_18.specular, this_18.exponent);
     }
     // glimt_render_gpu/src/kernels/material.rs:54
-    color = this_17.color;
+    color = this_18.color;
     // glimt_render_gpu/src/kernels/material.rs:55
-    let _e17 = TextureView_exists(this_17.base_color_texture);
+    let _e17 = TextureView_exists(this_18.base_color_texture);
     if _e17 {
         // glimt_render_gpu/src/kernels/material.rs:56
-        let _e20 = TextureView_sample(this_17.base_color_texture, uv_2);
+        let _e20 = TextureView_sample(this_18.base_color_texture, uv_2);
         let _e22 = color;
         color = (_e22 * _e20.xyz);
     }
     // glimt_render_gpu/src/kernels/material.rs:58
-    metallic_1 = this_17.metallic;
+    metallic_1 = this_18.metallic;
     // glimt_render_gpu/src/kernels/material.rs:59
-    roughness_1 = this_17.roughness;
+    roughness_1 = this_18.roughness;
     // glimt_render_gpu/src/kernels/material.rs:60
-    let _e32 = TextureView_exists(this_17.metallic_roughness_texture);
+    let _e32 = TextureView_exists(this_18.metallic_roughness_texture);
     if _e32 {
         // glimt_render_gpu/src/kernels/material.rs:61
-        let _e35 = TextureView_sample(this_17.metallic_roughness_texture, uv_2);
+        let _e35 = TextureView_sample(this_18.metallic_roughness_texture, uv_2);
         // glimt_render_gpu/src/kernels/material.rs:62
         let _e38 = roughness_1;
         roughness_1 = (_e38 * _e35.y);
@@ -1507,15 +1515,15 @@ fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_18: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_19: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_18).dimension;
+    let dimension_4 = (*this_19).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_18).dimension = (dimension_4 + 1u);
+    (*this_19).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_18).index;
-    let _e13 = (*this_18).seed;
+    let _e11 = (*this_19).index;
+    let _e13 = (*this_19).seed;
     let _e17 = hash2_(_e13, (dimension_4 >> 2u));
     let _e18 = owen_sobol(_e11, dimension_4, _e17);
     return _e18;
@@ -1532,16 +1540,16 @@ fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:66
-fn PixelPattern_triple(this_19: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_20: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    let index_15 = ((this_19.ray * samples_1) + sample_1);
+    let index_15 = ((this_20.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    if (this_19.kind == 0u) {
+    if (this_20.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:69
-        let _e14 = PixelPattern_sobol_point(this_19, purpose_4, index_15);
+        let _e14 = PixelPattern_sobol_point(this_20, purpose_4, index_15);
         point = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e17 = OwenSobol_next_uvec2_((&point));
@@ -1550,20 +1558,20 @@ fn PixelPattern_triple(this_19: PixelPattern, purpose_4: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    let _e22 = PixelPattern_generator(this_19, purpose_4, index_15);
+    let _e22 = PixelPattern_generator(this_20, purpose_4, index_15);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:74
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:75
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    if (this_19.kind == 1u) {
+    if (this_20.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:77
         return vec3<u32>(_e25, _e27);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:79
-    let _e37 = PixelPattern_key(this_19, purpose_4);
-    let _e38 = Tuple_u32_u32_((this_19.rays * samples_1), _e37);
+    let _e37 = PixelPattern_key(this_20, purpose_4);
+    let _e38 = Tuple_u32_u32_((this_20.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:80
@@ -1580,13 +1588,13 @@ fn luminance(rgb: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_20: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_21: BlinnPhong) -> f32 {
     var chosen_10: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_20.specular);
+    let _e4 = luminance(this_21.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_20.diffuse);
+    let _e7 = luminance(this_21.diffuse);
     let both_2 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_2 > 0f) {
@@ -1805,23 +1813,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_21: HalfVector, exponent_3: f32) -> f32 {
+fn HalfVector_lobe(this_22: HalfVector, exponent_3: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_21.cos2_theta, this_21.sin2_theta, exponent_3);
+    let _e6 = cosine_power(this_22.cos2_theta, this_22.sin2_theta, exponent_3);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_22: HalfVector, exponent_4: f32) -> f32 {
+fn HalfVector_pdf_sr(this_23: HalfVector, exponent_4: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_22, exponent_4);
-    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_22.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_23, exponent_4);
+    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_23.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_23: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -1831,7 +1839,7 @@ fn BlinnPhong_pdf_sr(this_23: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_23);
+    let _e17 = BlinnPhong_pmf_specular(this_24);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -1839,21 +1847,21 @@ fn BlinnPhong_pdf_sr(this_23: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_1, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_23.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_24.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_24: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_25: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_15: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_24);
+    let _e8 = BlinnPhong_pmf_specular(this_25);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_24.exponent);
+        let _e12 = sample_power_cosine(u_5, this_25.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_15 = (((2f * dot(wo_2, h)) * h) - wo_2);
@@ -1864,7 +1872,7 @@ fn BlinnPhong_sample(this_24: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec
     }
     let wi_2 = chosen_15;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_24, wo_2, wi_2);
+    let _e25 = BlinnPhong_pdf_sr(this_25, wo_2, wi_2);
     return BrdfSample(wi_2, _e25);
 }
 

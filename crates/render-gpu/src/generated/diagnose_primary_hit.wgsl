@@ -744,6 +744,18 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_6)) - (this_8.up * y_1)));
 }
 
+// glimt_render_gpu/src/kernels/frame.rs:118
+fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/frame.rs:119
+    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:120
+    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:126
+    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    return _e22;
+}
+
 // glimt_render_gpu/src/kernels/ray.rs:48
 fn inverse(x_5: f32) -> f32 {
 
@@ -762,30 +774,26 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:102
-fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
+fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:103
-    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:104
-    if (this_9.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:105
+    if (this_10.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:104
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:107
-        let film = PixelPattern(pattern.kind, pattern.seed, this_9.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:111
-        let _e32 = PixelPattern_pair(film, 1u, 0u, 1u);
-        let _e33 = unit_vec2_(_e32);
-        chosen_2 = _e33;
+        // glimt_render_gpu/src/kernels/frame.rs:106
+        let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+        // glimt_render_gpu/src/kernels/frame.rs:110
+        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e24 = unit_vec2_(_e23);
+        chosen_2 = _e24;
     }
-    let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:113
-    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:119
-    let _e47 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
-    let _e48 = Ray_new(this_9.eye, _e47);
-    return _e48;
+    let place_1 = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:112
+    let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
+    let _e30 = Ray_new(this_10.eye, _e29);
+    return _e30;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:29
@@ -860,10 +868,10 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:33
-fn Triangle_is_catcher(this_10: Triangle) -> bool {
+fn Triangle_is_catcher(this_11: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:34
-    return ((this_10.object & 2147483648u) != 0u);
+    return ((this_11.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:145

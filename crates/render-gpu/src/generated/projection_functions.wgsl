@@ -191,3 +191,59 @@ fn row_area(row_2: u32, size_2: vec2<u32>) -> f32 {
     return _e4;
 }
 
+// glimt_sh/src/filter.rs:13
+fn coefficient_band(k: u32) -> u32 {
+    var l: u32;
+
+    // glimt_sh/src/filter.rs:14
+    l = 0u;
+    // glimt_sh/src/filter.rs:15
+    loop {
+        let _e6 = l;
+        let _e9 = l;
+        let _e12 = l;
+        if ((_e6 < 5u) && (k >= ((_e9 + 1u) * (_e12 + 1u)))) {
+            // glimt_sh/src/filter.rs:16
+            let _e20 = l;
+            l = (_e20 + 1u);
+        } else {
+            break;
+        }
+    }
+    // glimt_sh/src/filter.rs:18
+    let _e23 = l;
+    return _e23;
+}
+
+// glimt_sh/src/filter.rs:29
+fn coefficient_order(k_1: u32) -> i32 {
+
+    // glimt_sh/src/filter.rs:30
+    let _e3 = coefficient_band(k_1);
+    // glimt_sh/src/filter.rs:31
+    return (i32(k_1) - i32((_e3 * (_e3 + 1u))));
+}
+
+// glimt_sh/src/separable.rs:24
+fn ring_index(m: i32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sh/src/separable.rs:25
+    if (m > 0i) {
+        // glimt_sh/src/separable.rs:26
+        chosen_1 = u32(((2i * m) - 1i));
+    } else {
+        // glimt_sh/src/separable.rs:28
+        chosen_1 = u32((-2i * m));
+    }
+    let _e16 = chosen_1;
+    return _e16;
+}
+
+// glimt_sh/src/separable.rs:40
+fn meridian_index(l_1: u32, m_1: u32) -> u32 {
+
+    // glimt_sh/src/separable.rs:41
+    return (((l_1 * (l_1 + 1u)) / 2u) + m_1);
+}
+

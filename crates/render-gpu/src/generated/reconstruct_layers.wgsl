@@ -62,6 +62,11 @@ struct Ray {
     inverse_direction: vec3<f32>,
 }
 
+struct Returned_Environment_map {
+    value_size: vec2<u32>,
+    value_rotation: vec2<f32>,
+}
+
 struct PixelLayers {
     object: vec4<f32>,
     lit: vec3<f32>,
@@ -700,6 +705,18 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_6)) - (this_8.up * y_1)));
 }
 
+// glimt_render_gpu/src/kernels/frame.rs:118
+fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/frame.rs:119
+    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:120
+    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:126
+    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    return _e22;
+}
+
 // glimt_render_gpu/src/kernels/ray.rs:48
 fn inverse(x_5: f32) -> f32 {
 
@@ -718,30 +735,33 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:102
-fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
+fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:103
-    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:104
-    if (this_9.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:105
+    if (this_10.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:104
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:107
-        let film = PixelPattern(pattern.kind, pattern.seed, this_9.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:111
-        let _e32 = PixelPattern_pair(film, 1u, 0u, 1u);
-        let _e33 = unit_vec2_(_e32);
-        chosen_2 = _e33;
+        // glimt_render_gpu/src/kernels/frame.rs:106
+        let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+        // glimt_render_gpu/src/kernels/frame.rs:110
+        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e24 = unit_vec2_(_e23);
+        chosen_2 = _e24;
     }
-    let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:113
-    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:119
-    let _e47 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
-    let _e48 = Ray_new(this_9.eye, _e47);
-    return _e48;
+    let place_1 = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:112
+    let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
+    let _e30 = Ray_new(this_10.eye, _e29);
+    return _e30;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:53
+fn Environment_map(cdf_size: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_map {
+
+    // glimt_render_gpu/src/kernels/environment.rs:54
+    return Returned_Environment_map(cdf_size, rotation);
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -749,14 +769,6 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
 
     // glimt_probe/src/rotate.rs:34
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:64
-fn Environment_to_map(cdf_size: vec2<u32>, rotation: vec2<f32>, direction_1: vec3<f32>) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/environment.rs:65
-    let _e9 = rotate_z(direction_1, vec2<f32>(rotation.x, -(rotation.y)));
-    return _e9;
 }
 
 // glimt_probe/src/latlong.rs:45
@@ -822,17 +834,28 @@ fn bilinear(size_1: vec2<u32>, d_2: vec3<f32>) -> vec3<f32> {
     return ((upper * (1f - f.y)) + (lower * f.y)).xyz;
 }
 
+// glimt_render_gpu/src/kernels/environment.rs:43
+fn RadianceMap_background(size_2: vec2<u32>, rotation_1: vec2<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:44
+    let to_map = vec2<f32>(rotation_1.x, -(rotation_1.y));
+    // glimt_render_gpu/src/kernels/environment.rs:45
+    let _e10 = rotate_z(direction_1, to_map);
+    let _e11 = bilinear(size_2, _e10);
+    return _e11;
+}
+
 // glimt_render_gpu/src/kernels/environment.rs:98
-fn Environment_background(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
+fn Environment_background(cdf_size_1: vec2<u32>, rotation_2: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:99
-    let _e5 = Environment_to_map(cdf_size_1, rotation_1, direction_2);
-    let _e6 = bilinear(cdf_size_1, _e5);
-    return _e6;
+    let _e5 = Environment_map(cdf_size_1, rotation_2);
+    let _e8 = RadianceMap_background(_e5.value_size, _e5.value_rotation, direction_2);
+    return _e8;
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:119
-fn reconstruct_layers_1(pixel_2: u32, frame_2: FrameParams, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> PixelLayers {
+fn reconstruct_layers_1(pixel_3: u32, frame_2: FrameParams, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> PixelLayers {
     var object: vec4<f32>;
     var lit: vec3<f32>;
     var catcher: f32;
@@ -842,7 +865,7 @@ fn reconstruct_layers_1(pixel_2: u32, frame_2: FrameParams, env_cdf_size: vec2<u
     var counter_1: u32;
 
     // glimt_render_gpu/src/kernels/layers.rs:125
-    let first = (pixel_2 * frame_2.rays_per_pixel);
+    let first = (pixel_3 * frame_2.rays_per_pixel);
     // glimt_render_gpu/src/kernels/layers.rs:126
     object = vec4(0f);
     // glimt_render_gpu/src/kernels/layers.rs:127

@@ -872,6 +872,18 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_8)) - (this_8.up * y_1)));
 }
 
+// glimt_render_gpu/src/kernels/frame.rs:118
+fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/frame.rs:119
+    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:120
+    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:126
+    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    return _e22;
+}
+
 // glimt_render_gpu/src/kernels/ray.rs:48
 fn inverse(x_5: f32) -> f32 {
 
@@ -890,30 +902,26 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:102
-fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
+fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:103
-    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:104
-    if (this_9.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:105
+    if (this_10.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:104
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:107
-        let film = PixelPattern(pattern.kind, pattern.seed, this_9.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:111
-        let _e32 = PixelPattern_pair(film, 1u, 0u, 1u);
-        let _e33 = unit_vec2_(_e32);
-        chosen_2 = _e33;
+        // glimt_render_gpu/src/kernels/frame.rs:106
+        let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+        // glimt_render_gpu/src/kernels/frame.rs:110
+        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e24 = unit_vec2_(_e23);
+        chosen_2 = _e24;
     }
-    let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:113
-    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:119
-    let _e47 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
-    let _e48 = Ray_new(this_9.eye, _e47);
-    return _e48;
+    let place_1 = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:112
+    let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
+    let _e30 = Ray_new(this_10.eye, _e29);
+    return _e30;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:29
@@ -988,10 +996,10 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:33
-fn Triangle_is_catcher(this_10: Triangle) -> bool {
+fn Triangle_is_catcher(this_11: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:34
-    return ((this_10.object & 2147483648u) != 0u);
+    return ((this_11.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:145
@@ -1262,10 +1270,10 @@ fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:40
-fn Triangle_area_normal(this_11: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:41
-    return cross((this_11.v1_ - this_11.v0_), (this_11.v2_ - this_11.v0_));
+    return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:120
@@ -1287,10 +1295,10 @@ fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_12: TextureView) -> bool {
+fn TextureView_exists(this_13: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_12.width > 0u);
+    return (this_13.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -1335,11 +1343,11 @@ fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
+fn TextureView_texel(this_14: TextureView, index_10: u32) -> vec4<f32> {
     var chosen_6: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word = scene_texels[(this_13.first + index_10)];
+    let word = scene_texels[(this_14.first + index_10)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r_1 = (word & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -1349,7 +1357,7 @@ fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha = (f32((word >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_13.flags & 1u) != 0u) {
+    if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e41 = scene_texels[r_1];
         let _e45 = scene_texels[g];
@@ -1364,40 +1372,40 @@ fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_14: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_14.flags >> 1u) & 3u);
+    let wrap_u = ((this_15.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_14.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_15.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e22 = wrap(uv.x, wrap_u);
-    let x_9 = ((_e22 * f32(this_14.width)) - 0.5f);
+    let x_9 = ((_e22 * f32(this_15.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e30 = wrap(uv.y, wrap_v);
-    let y_2 = ((_e30 * f32(this_14.height)) - 0.5f);
+    let y_2 = ((_e30 * f32(this_15.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e39 = Tuple_f32_f32_(floor(x_9), floor(y_2));
     let left = _e39.fa;
     let top = _e39.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e45 = neighbour(i32(left), this_14.width, wrap_u);
+    let _e45 = neighbour(i32(left), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e51 = neighbour((i32(left) + 1i), this_14.width, wrap_u);
+    let _e51 = neighbour((i32(left) + 1i), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e55 = neighbour(i32(top), this_14.height, wrap_v);
-    let row0_ = (_e55 * this_14.width);
+    let _e55 = neighbour(i32(top), this_15.height, wrap_v);
+    let row0_ = (_e55 * this_15.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e63 = neighbour((i32(top) + 1i), this_14.height, wrap_v);
-    let row1_ = (_e63 * this_14.width);
+    let _e63 = neighbour((i32(top) + 1i), this_15.height, wrap_v);
+    let row1_ = (_e63 * this_15.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e68 = TextureView_texel(this_14, (row0_ + _e45));
-    let _e70 = TextureView_texel(this_14, (row0_ + _e51));
+    let _e68 = TextureView_texel(this_15, (row0_ + _e45));
+    let _e70 = TextureView_texel(this_15, (row0_ + _e51));
     let _e71 = (x_9 - left);
     let upper = ((_e68 * (1f - _e71)) + (_e70 * _e71));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e79 = TextureView_texel(this_14, (row1_ + _e45));
-    let _e81 = TextureView_texel(this_14, (row1_ + _e51));
+    let _e79 = TextureView_texel(this_15, (row1_ + _e45));
+    let _e81 = TextureView_texel(this_15, (row1_ + _e51));
     let _e82 = (x_9 - left);
     let lower = ((_e79 * (1f - _e82)) + (_e81 * _e82));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -1406,12 +1414,12 @@ fn TextureView_sample(this_14: TextureView, uv: vec2<f32>) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:73
-fn Material_bumped_normal(this_15: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+fn Material_bumped_normal(this_16: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/material.rs:81
     let across = (tangent - (normal * dot(normal, tangent)));
     // glimt_render_gpu/src/kernels/material.rs:82
-    let _e12 = TextureView_exists(this_15.normal_texture);
+    let _e12 = TextureView_exists(this_16.normal_texture);
     if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
         // glimt_render_gpu/src/kernels/material.rs:83
         return normal;
@@ -1421,10 +1429,10 @@ fn Material_bumped_normal(this_15: Material, uv_1: vec2<f32>, normal: vec3<f32>,
     // glimt_render_gpu/src/kernels/material.rs:86
     let b_5 = (cross(normal, t_4) * handedness);
     // glimt_render_gpu/src/kernels/material.rs:87
-    let _e27 = TextureView_sample(this_15.normal_texture, uv_1);
+    let _e27 = TextureView_sample(this_16.normal_texture, uv_1);
     let map = ((_e27.xyz * 2f) - vec3(1f));
     // glimt_render_gpu/src/kernels/material.rs:88
-    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_15.normal_scale);
+    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_16.normal_scale);
     // glimt_render_gpu/src/kernels/material.rs:89
     let _e46 = unit_or((tilt + (normal * map.z)), normal);
     return _e46;
@@ -1444,10 +1452,10 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_17: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+    return vec3<f32>(dot(v_2, this_17.t), dot(v_2, this_17.b), dot(v_2, this_17.n));
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -1468,35 +1476,35 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
 }
 
 // glimt_render_gpu/src/kernels/material.rs:46
-fn Material_brdf(this_17: Material, uv_2: vec2<f32>) -> BlinnPhong {
+fn Material_brdf(this_18: Material, uv_2: vec2<f32>) -> BlinnPhong {
     var color: vec3<f32>;
     var metallic_1: f32;
     var roughness_1: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:47
-    if (this_17.kind == 0u) {
+    if (this_18.kind == 0u) {
         // glimt_render_gpu/src/kernels/material.rs:48
-        return BlinnPhong(this_17.color, this_17.specular, this_17.exponent);
+        return BlinnPhong(this_18.color, this_18.specular, this_18.exponent);
     }
     // glimt_render_gpu/src/kernels/material.rs:54
-    color = this_17.color;
+    color = this_18.color;
     // glimt_render_gpu/src/kernels/material.rs:55
-    let _e17 = TextureView_exists(this_17.base_color_texture);
+    let _e17 = TextureView_exists(this_18.base_color_texture);
     if _e17 {
         // glimt_render_gpu/src/kernels/material.rs:56
-        let _e20 = TextureView_sample(this_17.base_color_texture, uv_2);
+        let _e20 = TextureView_sample(this_18.base_color_texture, uv_2);
         let _e22 = color;
         color = (_e22 * _e20.xyz);
     }
     // glimt_render_gpu/src/kernels/material.rs:58
-    metallic_1 = this_17.metallic;
+    metallic_1 = this_18.metallic;
     // glimt_render_gpu/src/kernels/material.rs:59
-    roughness_1 = this_17.roughness;
+    roughness_1 = this_18.roughness;
     // glimt_render_gpu/src/kernels/material.rs:60
-    let _e32 = TextureView_exists(this_17.metallic_roughness_texture);
+    let _e32 = TextureView_exists(this_18.metallic_roughness_texture);
     if _e32 {
         // glimt_render_gpu/src/kernels/material.rs:61
-        let _e35 = TextureView_sample(this_17.metallic_roughness_texture, uv_2);
+        let _e35 = TextureView_sample(this_18.metallic_roughness_texture, uv_2);
         // glimt_render_gpu/src/kernels/material.rs:62
         let _e38 = roughness_1;
         roughness_1 = (_e38 * _e35.y);
@@ -1592,22 +1600,22 @@ fn RisSum_new() -> RisSum {
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:60
-fn Candidates_of_brdf(this_18: Candidates) -> u32 {
+fn Candidates_of_brdf(this_19: Candidates) -> u32 {
     var chosen_10: u32;
     var chosen_11: u32;
 
     // glimt_render_gpu/src/kernels/candidates.rs:61
-    if (this_18.source == 0u) {
+    if (this_19.source == 0u) {
         // glimt_render_gpu/src/kernels/candidates.rs:62
-        chosen_10 = this_18.count;
+        chosen_10 = this_19.count;
     } else {
-        if (this_18.source == 1u) {
+        if (this_19.source == 1u) {
             // glimt_render_gpu/src/kernels/candidates.rs:64
             chosen_11 = 0u;
         } else {
             // glimt_render_gpu/src/kernels/candidates.rs:66
-            let _e18 = (this_18.count / 2u);
-            chosen_11 = select(_e18, (_e18 + 1u), ((this_18.count % 2u) != 0u));
+            let _e18 = (this_19.count / 2u);
+            chosen_11 = select(_e18, (_e18 + 1u), ((this_19.count % 2u) != 0u));
         }
         let _e25 = chosen_11;
         chosen_10 = _e25;
@@ -1627,15 +1635,15 @@ fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_19: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_20: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_19).dimension;
+    let dimension_4 = (*this_20).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_19).dimension = (dimension_4 + 1u);
+    (*this_20).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_19).index;
-    let _e13 = (*this_19).seed;
+    let _e11 = (*this_20).index;
+    let _e13 = (*this_20).seed;
     let _e17 = hash2_(_e13, (dimension_4 >> 2u));
     let _e18 = owen_sobol(_e11, dimension_4, _e17);
     return _e18;
@@ -1652,16 +1660,16 @@ fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:66
-fn PixelPattern_triple(this_20: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_21: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    let index_18 = ((this_20.ray * samples_1) + sample_1);
+    let index_18 = ((this_21.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    if (this_20.kind == 0u) {
+    if (this_21.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:69
-        let _e14 = PixelPattern_sobol_point(this_20, purpose_4, index_18);
+        let _e14 = PixelPattern_sobol_point(this_21, purpose_4, index_18);
         point = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e17 = OwenSobol_next_uvec2_((&point));
@@ -1670,20 +1678,20 @@ fn PixelPattern_triple(this_20: PixelPattern, purpose_4: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    let _e22 = PixelPattern_generator(this_20, purpose_4, index_18);
+    let _e22 = PixelPattern_generator(this_21, purpose_4, index_18);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:74
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:75
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    if (this_20.kind == 1u) {
+    if (this_21.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:77
         return vec3<u32>(_e25, _e27);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:79
-    let _e37 = PixelPattern_key(this_20, purpose_4);
-    let _e38 = Tuple_u32_u32_((this_20.rays * samples_1), _e37);
+    let _e37 = PixelPattern_key(this_21, purpose_4);
+    let _e38 = Tuple_u32_u32_((this_21.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:80
@@ -1700,13 +1708,13 @@ fn luminance(rgb: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_21: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_22: BlinnPhong) -> f32 {
     var chosen_12: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_21.specular);
+    let _e4 = luminance(this_22.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_21.diffuse);
+    let _e7 = luminance(this_22.diffuse);
     let both_3 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_3 > 0f) {
@@ -1925,23 +1933,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_22: HalfVector, exponent_3: f32) -> f32 {
+fn HalfVector_lobe(this_23: HalfVector, exponent_3: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_22.cos2_theta, this_22.sin2_theta, exponent_3);
+    let _e6 = cosine_power(this_23.cos2_theta, this_23.sin2_theta, exponent_3);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_23: HalfVector, exponent_4: f32) -> f32 {
+fn HalfVector_pdf_sr(this_24: HalfVector, exponent_4: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_23, exponent_4);
-    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_23.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_24, exponent_4);
+    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_24.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_25: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -1951,7 +1959,7 @@ fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_24);
+    let _e17 = BlinnPhong_pmf_specular(this_25);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -1959,21 +1967,21 @@ fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_1, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_24.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_25.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_25: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_26: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_17: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_25);
+    let _e8 = BlinnPhong_pmf_specular(this_26);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_25.exponent);
+        let _e12 = sample_power_cosine(u_5, this_26.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_17 = (((2f * dot(wo_2, h)) * h) - wo_2);
@@ -1984,15 +1992,15 @@ fn BlinnPhong_sample(this_25: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec
     }
     let wi_5 = chosen_17;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_25, wo_2, wi_5);
+    let _e25 = BlinnPhong_pdf_sr(this_26, wo_2, wi_5);
     return BrdfSample(wi_5, _e25);
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_26: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_27: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_26.t * v_3.x) + (this_26.b * v_3.y)) + (this_26.n * v_3.z));
+    return (((this_27.t * v_3.x) + (this_27.b * v_3.y)) + (this_27.n * v_3.z));
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -2350,9 +2358,9 @@ fn EnvCdf_sample(size_10: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
     // glimt_envmap_cdf/src/env_cdf.rs:74
     let _e53 = place_in_bin(_e37, (u_9.x >> 1u), (_e45 & 65535u));
     let _e61 = place_in_bin(_e19, (u_9.y >> 1u), (_e45 >> 16u));
-    let place_1 = vec2<f32>(_e53, _e61);
+    let place_2 = vec2<f32>(_e53, _e61);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e64 = direction_in_texel(texel_5, size_10, place_1);
+    let _e64 = direction_in_texel(texel_5, size_10, place_2);
     let _e68 = density_sr(_e19.units, _e37.units, _e19.index, size_10);
     return EnvSample(texel_5, _e64, _e68);
 }
@@ -2377,7 +2385,7 @@ fn normalisation(exponent_5: f32) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_27: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_28: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_3.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2385,32 +2393,32 @@ fn BlinnPhong_eval(this_27: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_27.diffuse * 0.31830987f);
+    let diffuse = (this_28.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_27.specular.x, this_27.specular.y), this_27.specular.z) <= 0f) {
+    if (max(max(this_28.specular.x, this_28.specular.y), this_28.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_27.exponent);
+    let _e31 = normalisation(this_28.exponent);
     let _e32 = HalfVector_new(wo_3, wi_2);
-    let _e34 = HalfVector_lobe(_e32, this_27.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_28.exponent);
     let lobe = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_27.specular * lobe));
+    return (diffuse + (this_28.specular * lobe));
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:73
-fn Candidates_draw(this_28: Candidates, index_15: u32, point_1: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_29: Candidates, index_15: u32, point_1: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density: f32;
     var direction_8: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/candidates.rs:80
-    let _e8 = Candidates_of_brdf(this_28);
+    let _e8 = Candidates_of_brdf(this_29);
     // glimt_render_gpu/src/kernels/candidates.rs:81
-    let of_env = (this_28.count - _e8);
+    let of_env = (this_29.count - _e8);
     // glimt_render_gpu/src/kernels/candidates.rs:83
     density = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:87
@@ -2493,83 +2501,83 @@ fn Candidates_draw(this_28: Candidates, index_15: u32, point_1: ShadingPoint, pa
     // glimt_render_gpu/src/kernels/candidates.rs:119
     let _e157 = radiance;
     let _e158 = luminance(_e157);
-    let target_ = ((_e158 + this_28.floor) * reflected);
+    let target_ = ((_e158 + this_29.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:120
     let _e163 = direction_8;
     let _e164 = wi_3;
     let _e165 = radiance;
     let _e168 = density;
-    return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_28.count) / _e168)));
+    return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_29.count) / _e168)));
 }
 
 // glimt_sampling/src/ris.rs:72
-fn RisSum_add(this_29: ptr<function, RisSum>, weight: f32) {
+fn RisSum_add(this_30: ptr<function, RisSum>, weight: f32) {
 
     // glimt_sampling/src/ris.rs:73
-    let _e6 = (*this_29).candidates;
-    (*this_29).candidates = (_e6 + 1u);
+    let _e6 = (*this_30).candidates;
+    (*this_30).candidates = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
         // glimt_sampling/src/ris.rs:75
-        let _e13 = (*this_29).sum;
-        (*this_29).sum = (_e13 + weight);
+        let _e13 = (*this_30).sum;
+        (*this_30).sum = (_e13 + weight);
         // glimt_sampling/src/ris.rs:76
-        let _e17 = (*this_29).candidates;
-        (*this_29).end = _e17;
+        let _e17 = (*this_30).candidates;
+        (*this_30).end = _e17;
     }
     return;
 }
 
 // glimt_sampling/src/ris.rs:109
-fn Word_next_u32_(this_30: ptr<function, Word>) -> u32 {
+fn Word_next_u32_(this_31: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/ris.rs:110
-    let _e4 = (*this_30).f0_;
+    let _e4 = (*this_31).f0_;
     return _e4;
 }
 
 // glimt_sampling/src/resample.rs:135
-fn Comb_place_tooth(this_31: ptr<function, Comb>, source: ptr<function, Word>) {
+fn Comb_place_tooth(this_32: ptr<function, Comb>, source: ptr<function, Word>) {
 
     // glimt_sampling/src/resample.rs:136
-    let _e5 = (*this_31).made;
-    let _e7 = (*this_31).teeth;
+    let _e5 = (*this_32).made;
+    let _e7 = (*this_32).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:137
         return;
     }
     // glimt_sampling/src/resample.rs:139
-    let _e12 = (*this_31).made;
+    let _e12 = (*this_32).made;
     let first_3 = f32(_e12);
     // glimt_sampling/src/resample.rs:140
-    let _e16 = (*this_31).scheme;
+    let _e16 = (*this_32).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:141
-        let _e21 = (*this_31).state;
-        (*this_31).next = (first_3 + _e21);
+        let _e21 = (*this_32).state;
+        (*this_32).next = (first_3 + _e21);
     } else {
-        let _e25 = (*this_31).scheme;
+        let _e25 = (*this_32).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:143
             let _e29 = Word_next_u32_(source);
             let _e30 = unit_f32_(_e29);
-            (*this_31).next = (first_3 + _e30);
+            (*this_32).next = (first_3 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:146
             let _e35 = Word_next_u32_(source);
             let _e36 = unit_f32_(_e35);
             let v_7 = (1f - _e36);
             // glimt_sampling/src/resample.rs:147
-            let _e40 = (*this_31).teeth;
-            let _e42 = (*this_31).made;
+            let _e40 = (*this_32).teeth;
+            let _e42 = (*this_32).made;
             let left_1 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:148
-            let _e50 = (*this_31).state;
-            (*this_31).state = (_e50 * pow(v_7, (1f / left_1)));
+            let _e50 = (*this_32).state;
+            (*this_32).state = (_e50 * pow(v_7, (1f / left_1)));
             // glimt_sampling/src/resample.rs:149
-            let _e55 = (*this_31).state;
-            let _e58 = (*this_31).teeth;
-            (*this_31).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_32).state;
+            let _e58 = (*this_32).teeth;
+            (*this_32).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -2616,13 +2624,13 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_11: u32) -> RisPicks {
 }
 
 // glimt_sampling/src/ris.rs:83
-fn RisSum_normaliser(this_32: RisSum) -> f32 {
+fn RisSum_normaliser(this_33: RisSum) -> f32 {
     var chosen_25: f32;
 
     // glimt_sampling/src/ris.rs:84
-    if (this_32.candidates > 0u) {
+    if (this_33.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_25 = (this_32.sum / f32(this_32.candidates));
+        chosen_25 = (this_33.sum / f32(this_33.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
         chosen_25 = 0f;
@@ -2632,10 +2640,10 @@ fn RisSum_normaliser(this_32: RisSum) -> f32 {
 }
 
 // glimt_sampling/src/ris.rs:153
-fn RisPicks_is_done(this_33: RisPicks) -> bool {
+fn RisPicks_is_done(this_34: RisPicks) -> bool {
 
     // glimt_sampling/src/ris.rs:154
-    return (this_33.left == 0u);
+    return (this_34.left == 0u);
 }
 
 // glimt_sampling/src/resample.rs:44
@@ -2655,76 +2663,76 @@ fn sure_copies(scheme_1: u32, expected: f32) -> u32 {
 }
 
 // glimt_sampling/src/resample.rs:105
-fn Comb_take(this_34: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, Word>) -> u32 {
+fn Comb_take(this_35: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/resample.rs:106
-    let _e6 = (*this_34).scheme;
+    let _e6 = (*this_35).scheme;
     let _e7 = sure_copies(_e6, expected_1);
     // glimt_sampling/src/resample.rs:107
-    let _e12 = (*this_34).reach;
-    (*this_34).reach = (_e12 + (expected_1 - f32(_e7)));
+    let _e12 = (*this_35).reach;
+    (*this_35).reach = (_e12 + (expected_1 - f32(_e7)));
     // glimt_sampling/src/resample.rs:108
-    let before = (*this_34).made;
+    let before = (*this_35).made;
     // glimt_sampling/src/resample.rs:109
     loop {
-        let _e19 = (*this_34).made;
-        let _e21 = (*this_34).teeth;
-        let _e24 = (*this_34).next;
-        let _e26 = (*this_34).reach;
+        let _e19 = (*this_35).made;
+        let _e21 = (*this_35).teeth;
+        let _e24 = (*this_35).next;
+        let _e26 = (*this_35).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:110
-            let _e32 = (*this_34).made;
-            (*this_34).made = (_e32 + 1u);
+            let _e32 = (*this_35).made;
+            (*this_35).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:111
-            Comb_place_tooth(this_34, source_2);
+            Comb_place_tooth(this_35, source_2);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:113
-    let _e37 = (*this_34).made;
+    let _e37 = (*this_35).made;
     return (_e7 + (_e37 - before));
 }
 
 // glimt_sampling/src/ris.rs:133
-fn RisPicks_take(this_35: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+fn RisPicks_take(this_36: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     var chosen_27: u32;
     var borrowed_3: Comb;
     var borrowed_4: Word;
 
     // glimt_sampling/src/ris.rs:134
-    let _e6 = (*this_35).candidate;
-    (*this_35).candidate = (_e6 + 1u);
+    let _e6 = (*this_36).candidate;
+    (*this_36).candidate = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:135
-    let _e13 = (*this_35).left;
+    let _e13 = (*this_36).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
         // glimt_sampling/src/ris.rs:136
         return 0u;
     }
     // glimt_sampling/src/ris.rs:138
-    let _e22 = (*this_35).candidate;
-    let _e24 = (*this_35).end;
+    let _e22 = (*this_36).candidate;
+    let _e24 = (*this_36).end;
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
-        let _e28 = (*this_35).left;
+        let _e28 = (*this_36).left;
         chosen_27 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
-        let _e32 = (*this_35).comb;
+        let _e32 = (*this_36).comb;
         borrowed_3 = _e32;
-        let _e34 = (*this_35).sum;
-        let _e37 = (*this_35).samples;
+        let _e34 = (*this_36).sum;
+        let _e37 = (*this_36).samples;
         borrowed_4 = Word(0u);
         let _e42 = Comb_take((&borrowed_3), ((weight_1 / _e34) * _e37), (&borrowed_4));
         let _e43 = borrowed_3;
-        (*this_35).comb = _e43;
-        let _e45 = (*this_35).left;
+        (*this_36).comb = _e43;
+        let _e45 = (*this_36).left;
         chosen_27 = min(_e42, _e45);
     }
     let picks_2 = chosen_27;
     // glimt_sampling/src/ris.rs:146
-    let _e50 = (*this_35).left;
-    (*this_35).left = (_e50 - picks_2);
+    let _e50 = (*this_36).left;
+    (*this_36).left = (_e50 - picks_2);
     // glimt_sampling/src/ris.rs:147
     return picks_2;
 }
@@ -2768,41 +2776,41 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_10: vec3<f32>) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_36: LightSample, point_4: ShadingPoint) -> Reflected {
+fn LightSample_traced(this_37: LightSample, point_4: ShadingPoint) -> Reflected {
     var chosen_28: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_36.contribution.x, this_36.contribution.y), this_36.contribution.z) > 0f)) {
+    if !((max(max(this_37.contribution.x, this_37.contribution.y), this_37.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e22 = Scene_is_lit(point_4, this_36.direction);
+    let _e22 = Scene_is_lit(point_4, this_37.direction);
     if _e22 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_28 = Reflected(this_36.contribution, vec3(0f));
+        chosen_28 = Reflected(this_37.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_28 = Reflected(vec3(0f), this_36.contribution);
+        chosen_28 = Reflected(vec3(0f), this_37.contribution);
     }
     let _e33 = chosen_28;
     return _e33;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_37: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_38: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_37).lit;
-    (*this_37).lit = (_e6 + light.lit);
+    let _e6 = (*this_38).lit;
+    (*this_38).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_37).blocked;
-    (*this_37).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_38).blocked;
+    (*this_38).blocked = (_e11 + light.blocked);
     return;
 }
 
 // glimt_render_gpu/src/kernels/bis.rs:35
-fn Bis_reflected(this_38: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Reflected {
+fn Bis_reflected(this_39: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Reflected {
     var weights_1: RisSum;
     var counter_2: u32;
     var sum_2: Reflected;
@@ -2811,7 +2819,7 @@ fn Bis_reflected(this_38: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
     var both_2: bool;
 
     // glimt_render_gpu/src/kernels/bis.rs:42
-    let candidates = Candidates(this_38.candidates, this_38.source, 0f);
+    let candidates = Candidates(this_39.candidates, this_39.source, 0f);
     // glimt_render_gpu/src/kernels/bis.rs:47
     let _e12 = RisSum_new();
     weights_1 = _e12;
@@ -2819,7 +2827,7 @@ fn Bis_reflected(this_38: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
     counter_2 = 0u;
     loop {
         let j_1 = counter_2;
-        if (j_1 >= this_38.candidates) {
+        if (j_1 >= this_39.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/bis.rs:49
@@ -2835,18 +2843,18 @@ fn Bis_reflected(this_38: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
     // glimt_render_gpu/src/kernels/bis.rs:52
     let _e34 = weights_1;
     let _e39 = PixelPattern_pair(pattern_2, 6u, 0u, 1u);
-    let _e41 = RisPicks_new(_e34, this_38.samples, _e39.x);
+    let _e41 = RisPicks_new(_e34, this_39.samples, _e39.x);
     picks_1 = _e41;
     // glimt_render_gpu/src/kernels/bis.rs:53
     let _e46 = weights_1;
     let _e47 = RisSum_normaliser(_e46);
-    let scale = (f32(this_38.samples) / max(_e47, 0.000000000000000000000000000000000000011754944f));
+    let scale = (f32(this_39.samples) / max(_e47, 0.000000000000000000000000000000000000011754944f));
     // glimt_render_gpu/src/kernels/bis.rs:54
     j = 0u;
     // glimt_render_gpu/src/kernels/bis.rs:55
     loop {
         let _e55 = j;
-        let _e57 = (_e55 < this_38.candidates);
+        let _e57 = (_e55 < this_39.candidates);
         both_2 = _e57;
         if _e57 {
             let _e59 = picks_1;

@@ -1007,6 +1007,18 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_8)) - (this_8.up * y_1)));
 }
 
+// glimt_render_gpu/src/kernels/frame.rs:118
+fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/frame.rs:119
+    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:120
+    let view_2 = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:126
+    let _e22 = CameraView_direction(view_2, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    return _e22;
+}
+
 // glimt_render_gpu/src/kernels/ray.rs:48
 fn inverse(x_5: f32) -> f32 {
 
@@ -1025,30 +1037,26 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:102
-fn FrameParams_camera_ray(this_9: FrameParams, pattern: PixelPattern) -> Ray {
+fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:103
-    let corner = vec2<f32>(vec2<u32>((pattern.pixel % this_9.width), (pattern.pixel / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:104
-    if (this_9.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:105
+    if (this_10.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:104
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:107
-        let film = PixelPattern(pattern.kind, pattern.seed, this_9.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:111
-        let _e32 = PixelPattern_pair(film, 1u, 0u, 1u);
-        let _e33 = unit_vec2_(_e32);
-        chosen_2 = _e33;
+        // glimt_render_gpu/src/kernels/frame.rs:106
+        let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+        // glimt_render_gpu/src/kernels/frame.rs:110
+        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e24 = unit_vec2_(_e23);
+        chosen_2 = _e24;
     }
-    let place = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:113
-    let view_2 = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:119
-    let _e47 = CameraView_direction(view_2, (corner + place), vec2<u32>(this_9.width, this_9.height));
-    let _e48 = Ray_new(this_9.eye, _e47);
-    return _e48;
+    let place_1 = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:112
+    let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
+    let _e30 = Ray_new(this_10.eye, _e29);
+    return _e30;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:29
@@ -1123,10 +1131,10 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:33
-fn Triangle_is_catcher(this_10: Triangle) -> bool {
+fn Triangle_is_catcher(this_11: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:34
-    return ((this_10.object & 2147483648u) != 0u);
+    return ((this_11.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:145
@@ -1397,10 +1405,10 @@ fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:40
-fn Triangle_area_normal(this_11: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:41
-    return cross((this_11.v1_ - this_11.v0_), (this_11.v2_ - this_11.v0_));
+    return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:120
@@ -1422,10 +1430,10 @@ fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_12: TextureView) -> bool {
+fn TextureView_exists(this_13: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_12.width > 0u);
+    return (this_13.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -1470,11 +1478,11 @@ fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
+fn TextureView_texel(this_14: TextureView, index_10: u32) -> vec4<f32> {
     var chosen_6: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_1 = scene_texels[(this_13.first + index_10)];
+    let word_1 = scene_texels[(this_14.first + index_10)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r_1 = (word_1 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -1484,7 +1492,7 @@ fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha = (f32((word_1 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_13.flags & 1u) != 0u) {
+    if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e41 = scene_texels[r_1];
         let _e45 = scene_texels[g];
@@ -1499,40 +1507,40 @@ fn TextureView_texel(this_13: TextureView, index_10: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_14: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_14.flags >> 1u) & 3u);
+    let wrap_u = ((this_15.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_14.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_15.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e22 = wrap(uv.x, wrap_u);
-    let x_9 = ((_e22 * f32(this_14.width)) - 0.5f);
+    let x_9 = ((_e22 * f32(this_15.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e30 = wrap(uv.y, wrap_v);
-    let y_2 = ((_e30 * f32(this_14.height)) - 0.5f);
+    let y_2 = ((_e30 * f32(this_15.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e39 = Tuple_f32_f32_(floor(x_9), floor(y_2));
     let left = _e39.fa;
     let top = _e39.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e45 = neighbour(i32(left), this_14.width, wrap_u);
+    let _e45 = neighbour(i32(left), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e51 = neighbour((i32(left) + 1i), this_14.width, wrap_u);
+    let _e51 = neighbour((i32(left) + 1i), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e55 = neighbour(i32(top), this_14.height, wrap_v);
-    let row0_ = (_e55 * this_14.width);
+    let _e55 = neighbour(i32(top), this_15.height, wrap_v);
+    let row0_ = (_e55 * this_15.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e63 = neighbour((i32(top) + 1i), this_14.height, wrap_v);
-    let row1_ = (_e63 * this_14.width);
+    let _e63 = neighbour((i32(top) + 1i), this_15.height, wrap_v);
+    let row1_ = (_e63 * this_15.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e68 = TextureView_texel(this_14, (row0_ + _e45));
-    let _e70 = TextureView_texel(this_14, (row0_ + _e51));
+    let _e68 = TextureView_texel(this_15, (row0_ + _e45));
+    let _e70 = TextureView_texel(this_15, (row0_ + _e51));
     let _e71 = (x_9 - left);
     let upper = ((_e68 * (1f - _e71)) + (_e70 * _e71));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e79 = TextureView_texel(this_14, (row1_ + _e45));
-    let _e81 = TextureView_texel(this_14, (row1_ + _e51));
+    let _e79 = TextureView_texel(this_15, (row1_ + _e45));
+    let _e81 = TextureView_texel(this_15, (row1_ + _e51));
     let _e82 = (x_9 - left);
     let lower = ((_e79 * (1f - _e82)) + (_e81 * _e82));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -1541,12 +1549,12 @@ fn TextureView_sample(this_14: TextureView, uv: vec2<f32>) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:73
-fn Material_bumped_normal(this_15: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+fn Material_bumped_normal(this_16: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/material.rs:81
     let across = (tangent - (normal * dot(normal, tangent)));
     // glimt_render_gpu/src/kernels/material.rs:82
-    let _e12 = TextureView_exists(this_15.normal_texture);
+    let _e12 = TextureView_exists(this_16.normal_texture);
     if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
         // glimt_render_gpu/src/kernels/material.rs:83
         return normal;
@@ -1556,10 +1564,10 @@ fn Material_bumped_normal(this_15: Material, uv_1: vec2<f32>, normal: vec3<f32>,
     // glimt_render_gpu/src/kernels/material.rs:86
     let b_5 = (cross(normal, t_4) * handedness);
     // glimt_render_gpu/src/kernels/material.rs:87
-    let _e27 = TextureView_sample(this_15.normal_texture, uv_1);
+    let _e27 = TextureView_sample(this_16.normal_texture, uv_1);
     let map = ((_e27.xyz * 2f) - vec3(1f));
     // glimt_render_gpu/src/kernels/material.rs:88
-    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_15.normal_scale);
+    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_16.normal_scale);
     // glimt_render_gpu/src/kernels/material.rs:89
     let _e46 = unit_or((tilt + (normal * map.z)), normal);
     return _e46;
@@ -1579,10 +1587,10 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_17: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+    return vec3<f32>(dot(v_2, this_17.t), dot(v_2, this_17.b), dot(v_2, this_17.n));
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -1603,35 +1611,35 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
 }
 
 // glimt_render_gpu/src/kernels/material.rs:46
-fn Material_brdf(this_17: Material, uv_2: vec2<f32>) -> BlinnPhong {
+fn Material_brdf(this_18: Material, uv_2: vec2<f32>) -> BlinnPhong {
     var color: vec3<f32>;
     var metallic_1: f32;
     var roughness_1: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:47
-    if (this_17.kind == 0u) {
+    if (this_18.kind == 0u) {
         // glimt_render_gpu/src/kernels/material.rs:48
-        return BlinnPhong(this_17.color, this_17.specular, this_17.exponent);
+        return BlinnPhong(this_18.color, this_18.specular, this_18.exponent);
     }
     // glimt_render_gpu/src/kernels/material.rs:54
-    color = this_17.color;
+    color = this_18.color;
     // glimt_render_gpu/src/kernels/material.rs:55
-    let _e17 = TextureView_exists(this_17.base_color_texture);
+    let _e17 = TextureView_exists(this_18.base_color_texture);
     if _e17 {
         // glimt_render_gpu/src/kernels/material.rs:56
-        let _e20 = TextureView_sample(this_17.base_color_texture, uv_2);
+        let _e20 = TextureView_sample(this_18.base_color_texture, uv_2);
         let _e22 = color;
         color = (_e22 * _e20.xyz);
     }
     // glimt_render_gpu/src/kernels/material.rs:58
-    metallic_1 = this_17.metallic;
+    metallic_1 = this_18.metallic;
     // glimt_render_gpu/src/kernels/material.rs:59
-    roughness_1 = this_17.roughness;
+    roughness_1 = this_18.roughness;
     // glimt_render_gpu/src/kernels/material.rs:60
-    let _e32 = TextureView_exists(this_17.metallic_roughness_texture);
+    let _e32 = TextureView_exists(this_18.metallic_roughness_texture);
     if _e32 {
         // glimt_render_gpu/src/kernels/material.rs:61
-        let _e35 = TextureView_sample(this_17.metallic_roughness_texture, uv_2);
+        let _e35 = TextureView_sample(this_18.metallic_roughness_texture, uv_2);
         // glimt_render_gpu/src/kernels/material.rs:62
         let _e38 = roughness_1;
         roughness_1 = (_e38 * _e35.y);
@@ -1736,35 +1744,35 @@ fn LightLobe_of_point(point: ShadingPoint) -> LightLobe {
 }
 
 // glimt_render_gpu/src/kernels/past.rs:109
-fn PastView_project(this_18: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
+fn PastView_project(this_19: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
 
     // glimt_render_gpu/src/kernels/past.rs:110
-    let v_5 = (was_at - this_18.eye);
+    let v_5 = (was_at - this_19.eye);
     // glimt_render_gpu/src/kernels/past.rs:111
-    let along = dot(v_5, this_18.forward);
+    let along = dot(v_5, this_19.forward);
     // glimt_render_gpu/src/kernels/past.rs:112
     if !((along > 0f)) {
         // glimt_render_gpu/src/kernels/past.rs:113
         return Option_Vec3_();
     }
     // glimt_render_gpu/src/kernels/past.rs:115
-    let x_10 = (dot(v_5, this_18.right) / (along * dot(this_18.right, this_18.right)));
+    let x_10 = (dot(v_5, this_19.right) / (along * dot(this_19.right, this_19.right)));
     // glimt_render_gpu/src/kernels/past.rs:116
-    let y_3 = (dot(v_5, this_18.up) / (along * dot(this_18.up, this_18.up)));
+    let y_3 = (dot(v_5, this_19.up) / (along * dot(this_19.up, this_19.up)));
     // glimt_render_gpu/src/kernels/past.rs:117
-    let place_1 = (vec2<f32>((0.5f + (0.5f * x_10)), (0.5f - (0.5f * y_3))) * size_2);
+    let place_2 = (vec2<f32>((0.5f + (0.5f * x_10)), (0.5f - (0.5f * y_3))) * size_2);
     // glimt_render_gpu/src/kernels/past.rs:118
-    return Option_Vec3_(true, vec3<f32>(place_1, length(v_5)));
+    return Option_Vec3_(true, vec3<f32>(place_2, length(v_5)));
 }
 
 // glimt_render_gpu/src/kernels/past.rs:126
-fn PastView_predecessor(this_19: PastView, point_1: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
+fn PastView_predecessor(this_20: PastView, point_1: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
     var chosen_10: vec3<f32>;
     var chosen_11: u32;
     var chosen_12: Option_u32_;
 
     // glimt_render_gpu/src/kernels/past.rs:134
-    if (this_19.pixels == 0u) {
+    if (this_20.pixels == 0u) {
         // glimt_render_gpu/src/kernels/past.rs:135
         return Option_u32_();
     }
@@ -1775,7 +1783,7 @@ fn PastView_predecessor(this_19: PastView, point_1: ShadingPoint, object: u32, f
     // glimt_render_gpu/src/kernels/past.rs:139
     let size_13 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
     // glimt_render_gpu/src/kernels/past.rs:140
-    let _e29 = PastView_project(this_19, was_at_1, size_13);
+    let _e29 = PastView_project(this_20, was_at_1, size_13);
     let value = _e29.value;
     if _e29.is_some {
         chosen_10 = value;
@@ -1804,26 +1812,26 @@ fn PastView_predecessor(this_19: PastView, point_1: ShadingPoint, object: u32, f
         // glimt_render_gpu/src/kernels/past.rs:154
         chosen_11 = ((u32(seen.y) * frame_2.width) + u32(seen.x));
     }
-    let pixel_2 = chosen_11;
+    let pixel_3 = chosen_11;
     // glimt_render_gpu/src/kernels/past.rs:156
-    if ((pixel_2 < this_19.first_pixel) || ((pixel_2 - this_19.first_pixel) >= this_19.pixels)) {
+    if ((pixel_3 < this_20.first_pixel) || ((pixel_3 - this_20.first_pixel) >= this_20.pixels)) {
         // glimt_render_gpu/src/kernels/past.rs:157
         return Option_u32_();
     }
     // glimt_render_gpu/src/kernels/past.rs:159
-    let ray_11 = (((pixel_2 - this_19.first_pixel) * pattern_1.rays) + pattern_1.ray);
+    let ray_11 = (((pixel_3 - this_20.first_pixel) * pattern_1.rays) + pattern_1.ray);
     // glimt_render_gpu/src/kernels/past.rs:160
     let state_6 = past_states[ray_11];
     // glimt_render_gpu/src/kernels/past.rs:161
     let turned = normalize((motion * vec4<f32>(point_1.frame.n, 0f)).xyz);
     // glimt_render_gpu/src/kernels/past.rs:163
-    let saw = (this_19.eye - (state_6.wo * state_6.depth));
+    let saw = (this_20.eye - (state_6.wo * state_6.depth));
     // glimt_render_gpu/src/kernels/past.rs:164
     let off_plane = abs(dot((was_at_1 - saw), state_6.normal));
     // glimt_render_gpu/src/kernels/past.rs:165
-    let same_plane = (off_plane <= (this_19.depth_tolerance * seen.z));
+    let same_plane = (off_plane <= (this_20.depth_tolerance * seen.z));
     // glimt_render_gpu/src/kernels/past.rs:166
-    if (((state_6.depth > 0f) && same_plane) && (dot(turned, state_6.normal) >= this_19.normal_cosine)) {
+    if (((state_6.depth > 0f) && same_plane) && (dot(turned, state_6.normal) >= this_20.normal_cosine)) {
         // glimt_render_gpu/src/kernels/past.rs:167
         chosen_12 = Option_u32_(true, ray_11);
     } else {
@@ -1845,23 +1853,23 @@ fn LightLobe_of_state(state_1: RayState) -> LightLobe {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:87
-fn PixelPattern_source(this_20: PixelPattern, purpose_4: u32) -> PatternSource {
+fn PixelPattern_source(this_21: PixelPattern, purpose_4: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:88
-    let _e8 = PixelPattern_sobol_point(this_20, purpose_4, this_20.ray);
-    let _e10 = PixelPattern_generator(this_20, purpose_4, this_20.ray);
-    return PatternSource((this_20.kind == 0u), _e8, _e10);
+    let _e8 = PixelPattern_sobol_point(this_21, purpose_4, this_21.ray);
+    let _e10 = PixelPattern_generator(this_21, purpose_4, this_21.ray);
+    return PatternSource((this_21.kind == 0u), _e8, _e10);
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:83
-fn SmcParams_sampler(this_21: SmcParams) -> Sampler {
+fn SmcParams_sampler(this_22: SmcParams) -> Sampler {
     var chosen_13: u32;
     var chosen_14: u32;
     var chosen_15: u32;
     var chosen_16: u32;
 
     // glimt_render_gpu/src/kernels/smc.rs:84
-    if (this_21.path == 1u) {
+    if (this_22.path == 1u) {
         // glimt_render_gpu/src/kernels/smc.rs:85
         chosen_13 = 1u;
     } else {
@@ -1870,15 +1878,15 @@ fn SmcParams_sampler(this_21: SmcParams) -> Sampler {
     }
     let path = chosen_13;
     // glimt_render_gpu/src/kernels/smc.rs:89
-    if (this_21.scheme == 1u) {
+    if (this_22.scheme == 1u) {
         // glimt_render_gpu/src/kernels/smc.rs:90
         chosen_14 = 1u;
     } else {
-        if (this_21.scheme == 2u) {
+        if (this_22.scheme == 2u) {
             // glimt_render_gpu/src/kernels/smc.rs:92
             chosen_15 = 2u;
         } else {
-            if (this_21.scheme == 3u) {
+            if (this_22.scheme == 3u) {
                 // glimt_render_gpu/src/kernels/smc.rs:94
                 chosen_16 = 3u;
             } else {
@@ -1893,14 +1901,14 @@ fn SmcParams_sampler(this_21: SmcParams) -> Sampler {
     }
     let scheme_6 = chosen_14;
     // glimt_render_gpu/src/kernels/smc.rs:98
-    return Sampler(Bridge(path, this_21.intermediate), scheme_6, this_21.ess_threshold);
+    return Sampler(Bridge(path, this_22.intermediate), scheme_6, this_22.ess_threshold);
 }
 
 // glimt_smc/src/bridge.rs:47
-fn Bridge_steps(this_22: Bridge) -> u32 {
+fn Bridge_steps(this_23: Bridge) -> u32 {
 
     // glimt_smc/src/bridge.rs:48
-    return (this_22.intermediate + 1u);
+    return (this_23.intermediate + 1u);
 }
 
 // glimt_brdf/src/lobe.rs:86
@@ -1952,15 +1960,15 @@ fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_23: HalfVector, exponent_2: f32) -> f32 {
+fn HalfVector_lobe(this_24: HalfVector, exponent_2: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_23.cos2_theta, this_23.sin2_theta, exponent_2);
+    let _e6 = cosine_power(this_24.cos2_theta, this_24.sin2_theta, exponent_2);
     return _e6;
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_25: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -1968,33 +1976,33 @@ fn BlinnPhong_eval(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_24.diffuse * 0.31830987f);
+    let diffuse = (this_25.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_24.specular.x, this_24.specular.y), this_24.specular.z) <= 0f) {
+    if (max(max(this_25.specular.x, this_25.specular.y), this_25.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_24.exponent);
+    let _e31 = normalisation(this_25.exponent);
     let _e32 = HalfVector_new(wo_1, wi_1);
-    let _e34 = HalfVector_lobe(_e32, this_24.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_25.exponent);
     let lobe_4 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_24.specular * lobe_4));
+    return (diffuse + (this_25.specular * lobe_4));
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:57
-fn LightLobe_value(this_25: LightLobe, direction_2: vec3<f32>) -> f32 {
+fn LightLobe_value(this_26: LightLobe, direction_2: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:58
-    let _e5 = ShadingFrame_to_local(this_25.frame, direction_2);
+    let _e5 = ShadingFrame_to_local(this_26.frame, direction_2);
     // glimt_render_gpu/src/kernels/light_target.rs:59
     if !((_e5.z > 0f)) {
         // glimt_render_gpu/src/kernels/light_target.rs:60
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:62
-    let _e16 = BlinnPhong_eval(this_25.brdf, this_25.wo, _e5);
+    let _e16 = BlinnPhong_eval(this_26.brdf, this_26.wo, _e5);
     return (_e16.x * _e5.z);
 }
 
@@ -2132,7 +2140,7 @@ fn LightTarget_densities(previous_light_size_2: vec2<u32>, previous_light_rotati
 }
 
 // glimt_smc/src/bridge.rs:64
-fn Bridge_density(this_26: Bridge, k: u32, ends: Endpoints) -> f32 {
+fn Bridge_density(this_27: Bridge, k: u32, ends: Endpoints) -> f32 {
 
     // glimt_smc/src/bridge.rs:65
     if (k == 0u) {
@@ -2140,16 +2148,16 @@ fn Bridge_density(this_26: Bridge, k: u32, ends: Endpoints) -> f32 {
         return ends.previous;
     }
     // glimt_smc/src/bridge.rs:68
-    let _e10 = Bridge_steps(this_26);
+    let _e10 = Bridge_steps(this_27);
     if (k >= _e10) {
         // glimt_smc/src/bridge.rs:69
         return ends.current;
     }
     // glimt_smc/src/bridge.rs:71
-    let _e16 = Bridge_steps(this_26);
+    let _e16 = Bridge_steps(this_27);
     let beta = (f32(k) / f32(_e16));
     // glimt_smc/src/bridge.rs:72
-    if (this_26.path == 0u) {
+    if (this_27.path == 0u) {
         // glimt_smc/src/bridge.rs:73
         return (((1f - beta) * ends.previous) + (beta * ends.current));
     }
@@ -2301,10 +2309,10 @@ fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, tar
 }
 
 // glimt_smc/src/particle.rs:25
-fn Particle_weight(this_27: Particle) -> f32 {
+fn Particle_weight(this_28: Particle) -> f32 {
 
     // glimt_smc/src/particle.rs:26
-    return exp(this_27.log_weight);
+    return exp(this_28.log_weight);
 }
 
 // glimt_smc/src/weights.rs:65
@@ -2372,43 +2380,43 @@ fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_28: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_29: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_28).dimension;
+    let dimension_4 = (*this_29).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_28).dimension = (dimension_4 + 1u);
+    (*this_29).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_28).index;
-    let _e13 = (*this_28).seed;
+    let _e11 = (*this_29).index;
+    let _e13 = (*this_29).seed;
     let _e17 = hash2_(_e13, (dimension_4 >> 2u));
     let _e18 = owen_sobol(_e11, dimension_4, _e17);
     return _e18;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:131
-fn PatternSource_next_u32_(this_29: ptr<function, PatternSource>) -> u32 {
+fn PatternSource_next_u32_(this_30: ptr<function, PatternSource>) -> u32 {
     var chosen_23: u32;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:132
-    let _e5 = (*this_29).is_sobol;
+    let _e5 = (*this_30).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:133
-        let _e9 = (*this_29).point;
+        let _e9 = (*this_30).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_29).point = _e11;
+        (*this_30).point = _e11;
         chosen_23 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:135
-        let _e15 = (*this_29).generator;
+        let _e15 = (*this_30).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_29).generator = _e17;
+        (*this_30).generator = _e17;
         chosen_23 = _e16;
     }
     let _e18 = chosen_23;
@@ -2416,47 +2424,47 @@ fn PatternSource_next_u32_(this_29: ptr<function, PatternSource>) -> u32 {
 }
 
 // glimt_sampling/src/resample.rs:135
-fn Comb_place_tooth(this_30: ptr<function, Comb>, source: ptr<function, PatternSource>) {
+fn Comb_place_tooth(this_31: ptr<function, Comb>, source: ptr<function, PatternSource>) {
 
     // glimt_sampling/src/resample.rs:136
-    let _e5 = (*this_30).made;
-    let _e7 = (*this_30).teeth;
+    let _e5 = (*this_31).made;
+    let _e7 = (*this_31).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:137
         return;
     }
     // glimt_sampling/src/resample.rs:139
-    let _e12 = (*this_30).made;
+    let _e12 = (*this_31).made;
     let first_2 = f32(_e12);
     // glimt_sampling/src/resample.rs:140
-    let _e16 = (*this_30).scheme;
+    let _e16 = (*this_31).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:141
-        let _e21 = (*this_30).state;
-        (*this_30).next = (first_2 + _e21);
+        let _e21 = (*this_31).state;
+        (*this_31).next = (first_2 + _e21);
     } else {
-        let _e25 = (*this_30).scheme;
+        let _e25 = (*this_31).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:143
             let _e29 = PatternSource_next_u32_(source);
             let _e30 = unit_f32_(_e29);
-            (*this_30).next = (first_2 + _e30);
+            (*this_31).next = (first_2 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:146
             let _e35 = PatternSource_next_u32_(source);
             let _e36 = unit_f32_(_e35);
             let v_8 = (1f - _e36);
             // glimt_sampling/src/resample.rs:147
-            let _e40 = (*this_30).teeth;
-            let _e42 = (*this_30).made;
+            let _e40 = (*this_31).teeth;
+            let _e42 = (*this_31).made;
             let left_1 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:148
-            let _e50 = (*this_30).state;
-            (*this_30).state = (_e50 * pow(v_8, (1f / left_1)));
+            let _e50 = (*this_31).state;
+            (*this_31).state = (_e50 * pow(v_8, (1f / left_1)));
             // glimt_sampling/src/resample.rs:149
-            let _e55 = (*this_30).state;
-            let _e58 = (*this_30).teeth;
-            (*this_30).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_31).state;
+            let _e58 = (*this_31).teeth;
+            (*this_31).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -2483,54 +2491,54 @@ fn Comb_new(scheme_1: u32, picks: u32, sure: u32, source_1: ptr<function, Patter
 }
 
 // glimt_sampling/src/resample.rs:105
-fn Comb_take(this_31: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
+fn Comb_take(this_32: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
 
     // glimt_sampling/src/resample.rs:106
-    let _e6 = (*this_31).scheme;
+    let _e6 = (*this_32).scheme;
     let _e7 = sure_copies(_e6, expected_1);
     // glimt_sampling/src/resample.rs:107
-    let _e12 = (*this_31).reach;
-    (*this_31).reach = (_e12 + (expected_1 - f32(_e7)));
+    let _e12 = (*this_32).reach;
+    (*this_32).reach = (_e12 + (expected_1 - f32(_e7)));
     // glimt_sampling/src/resample.rs:108
-    let before = (*this_31).made;
+    let before = (*this_32).made;
     // glimt_sampling/src/resample.rs:109
     loop {
-        let _e19 = (*this_31).made;
-        let _e21 = (*this_31).teeth;
-        let _e24 = (*this_31).next;
-        let _e26 = (*this_31).reach;
+        let _e19 = (*this_32).made;
+        let _e21 = (*this_32).teeth;
+        let _e24 = (*this_32).next;
+        let _e26 = (*this_32).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:110
-            let _e32 = (*this_31).made;
-            (*this_31).made = (_e32 + 1u);
+            let _e32 = (*this_32).made;
+            (*this_32).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:111
-            Comb_place_tooth(this_31, source_2);
+            Comb_place_tooth(this_32, source_2);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:113
-    let _e37 = (*this_31).made;
+    let _e37 = (*this_32).made;
     return (_e7 + (_e37 - before));
 }
 
 // glimt_sampling/src/resample.rs:120
-fn Comb_finish(this_32: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
+fn Comb_finish(this_33: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
     var counter_7: u32;
 
     // glimt_sampling/src/resample.rs:121
-    let _e5 = (*this_32).teeth;
-    let _e7 = (*this_32).made;
+    let _e5 = (*this_33).teeth;
+    let _e7 = (*this_33).made;
     let left_2 = (_e5 - _e7);
     // glimt_sampling/src/resample.rs:122
-    let _e11 = (*this_32).scheme;
+    let _e11 = (*this_33).scheme;
     if (_e11 != 0u) {
         // glimt_sampling/src/resample.rs:124
-        let _e16 = (*this_32).teeth;
-        let _e18 = (*this_32).made;
+        let _e16 = (*this_33).teeth;
+        let _e18 = (*this_33).made;
         let drawn = min(_e16, (_e18 + 1u));
         // glimt_sampling/src/resample.rs:125
-        let _e24 = (*this_32).picks;
+        let _e24 = (*this_33).picks;
         counter_7 = drawn;
         loop {
             let _e26 = counter_7;
@@ -2546,8 +2554,8 @@ fn Comb_finish(this_32: ptr<function, Comb>, source_3: ptr<function, PatternSour
         }
     }
     // glimt_sampling/src/resample.rs:129
-    let _e35 = (*this_32).teeth;
-    (*this_32).made = _e35;
+    let _e35 = (*this_33).teeth;
+    (*this_33).made = _e35;
     // glimt_sampling/src/resample.rs:130
     return left_2;
 }
@@ -2763,28 +2771,28 @@ fn skip(scheme_4: u32, picks_3: u32, source_5: ptr<function, PatternSource>) {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:140
-fn PatternSource_next_uvec2_(this_33: ptr<function, PatternSource>) -> vec2<u32> {
+fn PatternSource_next_uvec2_(this_34: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_25: vec2<u32>;
     var borrowed_4: OwenSobol;
     var borrowed_5: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:141
-    let _e5 = (*this_33).is_sobol;
+    let _e5 = (*this_34).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:142
-        let _e9 = (*this_33).point;
+        let _e9 = (*this_34).point;
         borrowed_4 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_4));
         let _e11 = borrowed_4;
-        (*this_33).point = _e11;
+        (*this_34).point = _e11;
         chosen_25 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:144
-        let _e15 = (*this_33).generator;
+        let _e15 = (*this_34).generator;
         borrowed_5 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
         let _e17 = borrowed_5;
-        (*this_33).generator = _e17;
+        (*this_34).generator = _e17;
         chosen_25 = _e16;
     }
     let _e18 = chosen_25;
@@ -2815,13 +2823,13 @@ fn split_word(word: u32, pmf_first: f32) -> Split {
         // glimt_smc/src/proposal.rs:145
         chosen_27 = (word - (edge << 16u));
     }
-    let place_2 = chosen_27;
+    let place_3 = chosen_27;
     // glimt_smc/src/proposal.rs:147
     let width_1 = max(width, 1u);
     // glimt_smc/src/proposal.rs:148
-    let upper_1 = (place_2 / width_1);
+    let upper_1 = (place_3 / width_1);
     // glimt_smc/src/proposal.rs:149
-    let lower_1 = (((place_2 % width_1) * 65536u) / width_1);
+    let lower_1 = (((place_3 % width_1) * 65536u) / width_1);
     // glimt_smc/src/proposal.rs:150
     return Split(first_3, ((upper_1 << 16u) + lower_1));
 }
@@ -2857,18 +2865,18 @@ fn sample_cap(u_2: vec2<f32>, height_1: f32) -> DirectionSample {
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_34: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_35: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_34.t * v_3.x) + (this_34.b * v_3.y)) + (this_34.n * v_3.z));
+    return (((this_35.t * v_3.x) + (this_35.b * v_3.y)) + (this_35.n * v_3.z));
 }
 
 // glimt_smc/src/proposal.rs:43
-fn CapMove_propose(this_35: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
+fn CapMove_propose(this_36: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:44
     let _e6 = unit_vec2_(u_3.xy);
-    let _e8 = sample_cap(_e6, this_35.height);
+    let _e8 = sample_cap(_e6, this_36.height);
     let local = _e8.direction;
     // glimt_smc/src/proposal.rs:45
     let _e11 = ShadingFrame_from_normal(from_);
@@ -3118,9 +3126,9 @@ fn EnvCdf_sample(size_9: vec2<u32>, u_7: vec2<u32>) -> EnvSample {
     // glimt_envmap_cdf/src/env_cdf.rs:74
     let _e53 = place_in_bin(_e37, (u_7.x >> 1u), (_e45 & 65535u));
     let _e61 = place_in_bin(_e19, (u_7.y >> 1u), (_e45 >> 16u));
-    let place_3 = vec2<f32>(_e53, _e61);
+    let place_4 = vec2<f32>(_e53, _e61);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e64 = direction_in_texel(texel_5, size_9, place_3);
+    let _e64 = direction_in_texel(texel_5, size_9, place_4);
     let _e68 = density_sr(_e19.units, _e37.units, _e19.index, size_9);
     return EnvSample(texel_5, _e64, _e68);
 }
@@ -3200,13 +3208,13 @@ fn Independent_LightDraw_propose(sampler_light_cdf_size: vec2<u32>, sampler_ligh
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_36: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_37: BlinnPhong) -> f32 {
     var chosen_33: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_36.specular);
+    let _e4 = luminance(this_37.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_36.diffuse);
+    let _e7 = luminance(this_37.diffuse);
     let both_4 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_4 > 0f) {
@@ -3369,15 +3377,15 @@ fn pdf_cosine_hemisphere_sr(direction_11: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_37: HalfVector, exponent_5: f32) -> f32 {
+fn HalfVector_pdf_sr(this_38: HalfVector, exponent_5: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_37, exponent_5);
-    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_37.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_38, exponent_5);
+    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_38.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_38: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_39: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_2.z <= 0f) || (wi_2.z <= 0f)) {
@@ -3387,7 +3395,7 @@ fn BlinnPhong_pdf_sr(this_38: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_2);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_38);
+    let _e17 = BlinnPhong_pmf_specular(this_39);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -3395,21 +3403,21 @@ fn BlinnPhong_pdf_sr(this_38: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_2, wi_2);
-    let _e25 = HalfVector_pdf_sr(_e23, this_38.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_39.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_39: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_40: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
     var chosen_36: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_39);
+    let _e8 = BlinnPhong_pmf_specular(this_40);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_14, this_39.exponent);
+        let _e12 = sample_power_cosine(u_14, this_40.exponent);
         let h_1 = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_36 = (((2f * dot(wo_3, h_1)) * h_1) - wo_3);
@@ -3420,37 +3428,37 @@ fn BlinnPhong_sample(this_39: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: ve
     }
     let wi_5 = chosen_36;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_39, wo_3, wi_5);
+    let _e25 = BlinnPhong_pdf_sr(this_40, wo_3, wi_5);
     return BrdfSample(wi_5, _e25);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:133
-fn BrdfDraw_sample(this_40: BrdfDraw, u_15: vec3<u32>) -> Sampled {
+fn BrdfDraw_sample(this_41: BrdfDraw, u_15: vec3<u32>) -> Sampled {
 
     // glimt_render_gpu/src/kernels/light_target.rs:134
     let _e8 = unit_vec2_(u_15.xy);
-    let _e9 = BlinnPhong_sample(this_40.brdf, this_40.wo, u_15.z, _e8);
+    let _e9 = BlinnPhong_sample(this_41.brdf, this_41.wo, u_15.z, _e8);
     // glimt_render_gpu/src/kernels/light_target.rs:135
-    let _e13 = ShadingFrame_to_world(this_40.frame, _e9.wi);
+    let _e13 = ShadingFrame_to_world(this_41.frame, _e9.wi);
     return Sampled(_e13, _e9.pdf_sr);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:142
-fn BrdfDraw_pdf(this_41: BrdfDraw, state_4: vec3<f32>) -> f32 {
+fn BrdfDraw_pdf(this_42: BrdfDraw, state_4: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:143
-    let _e7 = ShadingFrame_to_local(this_41.frame, state_4);
-    let _e8 = BlinnPhong_pdf_sr(this_41.brdf, this_41.wo, _e7);
+    let _e7 = ShadingFrame_to_local(this_42.frame, state_4);
+    let _e8 = BlinnPhong_pdf_sr(this_42.brdf, this_42.wo, _e7);
     return _e8;
 }
 
 // glimt_smc/src/proposal.rs:81
-fn Independent_BrdfDraw_propose(this_42: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
+fn Independent_BrdfDraw_propose(this_43: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:82
-    let _e6 = BrdfDraw_sample(this_42.sampler, u_16);
+    let _e6 = BrdfDraw_sample(this_43.sampler, u_16);
     // glimt_smc/src/proposal.rs:83
-    let _e11 = BrdfDraw_pdf(this_42.sampler, from_2);
+    let _e11 = BrdfDraw_pdf(this_43.sampler, from_2);
     return Proposed(_e6.state, _e6.pdf, _e11);
 }
 
@@ -3531,7 +3539,7 @@ fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32
 }
 
 // glimt_smc/src/sampler.rs:47
-fn Sampler_step(this_43: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_cdf_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_cdf_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
+fn Sampler_step(this_44: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_cdf_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_cdf_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
     var accepted: u32;
     var counter_13: u32;
     var borrowed_6: Particle;
@@ -3539,18 +3547,18 @@ fn Sampler_step(this_43: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 
     // glimt_smc/src/sampler.rs:55
     // glimt_smc/src/sampler.rs:56
-    let _e23 = reweight(k_3, this_43.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
+    let _e23 = reweight(k_3, this_44.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:57
     let _e25 = ess(particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:58
-    let resampled = ((_e25 < (this_43.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
+    let resampled = ((_e25 < (this_44.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
     // glimt_smc/src/sampler.rs:59
     if resampled {
         // glimt_smc/src/sampler.rs:60
-        resample(this_43.scheme, particles_start_6, particles_len_6, source_6);
+        resample(this_44.scheme, particles_start_6, particles_len_6, source_6);
     } else {
         // glimt_smc/src/sampler.rs:62
-        skip(this_43.scheme, particles_len_6, source_6);
+        skip(this_44.scheme, particles_len_6, source_6);
     }
     // glimt_smc/src/sampler.rs:64
     accepted = 0u;
@@ -3572,7 +3580,7 @@ fn Sampler_step(this_43: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
         // glimt_smc/src/sampler.rs:70
         let _e63 = particles[(particles_start_6 + i_10)];
         borrowed_6 = _e63;
-        let _e64 = metropolis(k_3, this_43.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_cdf_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_6), u_24);
+        let _e64 = metropolis(k_3, this_44.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_cdf_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_6), u_24);
         let _e65 = borrowed_6;
         particles[(particles_start_6 + i_10)] = _e65;
         if _e64 {
@@ -3598,7 +3606,7 @@ fn Sampler_step(this_43: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 }
 
 // glimt_smc/src/sampler.rs:85
-fn Sampler_advance(this_44: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_cdf_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_cdf_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
+fn Sampler_advance(this_45: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_cdf_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_cdf_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
     var frame_3: Report;
     var counter_14: u32;
     var chosen_40: f32;
@@ -3607,7 +3615,7 @@ fn Sampler_advance(this_44: Sampler, target_previous_light_size_3: vec2<u32>, ta
     // glimt_smc/src/sampler.rs:92
     frame_3 = Report(0f, f32(particles_len_7), 0u, 0u);
     // glimt_smc/src/sampler.rs:98
-    let _e29 = Bridge_steps(this_44.bridge);
+    let _e29 = Bridge_steps(this_45.bridge);
     counter_14 = 1u;
     loop {
         let k_4 = counter_14;
@@ -3615,7 +3623,7 @@ fn Sampler_advance(this_44: Sampler, target_previous_light_size_3: vec2<u32>, ta
             break;
         }
         // glimt_smc/src/sampler.rs:99
-        let _e36 = Sampler_step(this_44, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_cdf_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_cdf_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
+        let _e36 = Sampler_step(this_45, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_cdf_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_cdf_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
         // glimt_smc/src/sampler.rs:100
         let _e40 = is_log_zero(_e36.log_ratio);
         either_1 = _e40;
@@ -3656,12 +3664,12 @@ fn Sampler_advance(this_44: Sampler, target_previous_light_size_3: vec2<u32>, ta
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:111
-fn SmcParams_advance(this_45: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_cdf_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
+fn SmcParams_advance(this_46: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_cdf_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
 
     // glimt_render_gpu/src/kernels/smc.rs:118
     // glimt_render_gpu/src/kernels/smc.rs:139
-    let _e25 = SmcParams_sampler(this_45);
-    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_cdf_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_45.cap_share, CapMove(this_45.cap_height), this_45.light_share, target_light_cdf_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
+    let _e25 = SmcParams_sampler(this_46);
+    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_cdf_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_46.cap_share, CapMove(this_46.cap_height), this_46.light_share, target_light_cdf_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
     return _e26;
 }
 
@@ -3673,22 +3681,22 @@ fn RisSum_new() -> RisSum {
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:60
-fn Candidates_of_brdf(this_46: Candidates) -> u32 {
+fn Candidates_of_brdf(this_47: Candidates) -> u32 {
     var chosen_41: u32;
     var chosen_42: u32;
 
     // glimt_render_gpu/src/kernels/candidates.rs:61
-    if (this_46.source == 0u) {
+    if (this_47.source == 0u) {
         // glimt_render_gpu/src/kernels/candidates.rs:62
-        chosen_41 = this_46.count;
+        chosen_41 = this_47.count;
     } else {
-        if (this_46.source == 1u) {
+        if (this_47.source == 1u) {
             // glimt_render_gpu/src/kernels/candidates.rs:64
             chosen_42 = 0u;
         } else {
             // glimt_render_gpu/src/kernels/candidates.rs:66
-            let _e18 = (this_46.count / 2u);
-            chosen_42 = select(_e18, (_e18 + 1u), ((this_46.count % 2u) != 0u));
+            let _e18 = (this_47.count / 2u);
+            chosen_42 = select(_e18, (_e18 + 1u), ((this_47.count % 2u) != 0u));
         }
         let _e25 = chosen_42;
         chosen_41 = _e25;
@@ -3708,16 +3716,16 @@ fn jittered(index_14: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:66
-fn PixelPattern_triple(this_47: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_48: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point_3: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    let index_18 = ((this_47.ray * samples_1) + sample_1);
+    let index_18 = ((this_48.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    if (this_47.kind == 0u) {
+    if (this_48.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:69
-        let _e14 = PixelPattern_sobol_point(this_47, purpose_5, index_18);
+        let _e14 = PixelPattern_sobol_point(this_48, purpose_5, index_18);
         point_3 = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e17 = OwenSobol_next_uvec2_((&point_3));
@@ -3726,20 +3734,20 @@ fn PixelPattern_triple(this_47: PixelPattern, purpose_5: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    let _e22 = PixelPattern_generator(this_47, purpose_5, index_18);
+    let _e22 = PixelPattern_generator(this_48, purpose_5, index_18);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:74
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:75
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    if (this_47.kind == 1u) {
+    if (this_48.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:77
         return vec3<u32>(_e25, _e27);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:79
-    let _e37 = PixelPattern_key(this_47, purpose_5);
-    let _e38 = Tuple_u32_u32_((this_47.rays * samples_1), _e37);
+    let _e37 = PixelPattern_key(this_48, purpose_5);
+    let _e38 = Tuple_u32_u32_((this_48.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:80
@@ -3749,16 +3757,16 @@ fn PixelPattern_triple(this_47: PixelPattern, purpose_5: u32, sample_1: u32, sam
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:73
-fn Candidates_draw(this_48: Candidates, index_15: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_49: Candidates, index_15: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density_1: f32;
     var direction_12: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/candidates.rs:80
-    let _e8 = Candidates_of_brdf(this_48);
+    let _e8 = Candidates_of_brdf(this_49);
     // glimt_render_gpu/src/kernels/candidates.rs:81
-    let of_env = (this_48.count - _e8);
+    let of_env = (this_49.count - _e8);
     // glimt_render_gpu/src/kernels/candidates.rs:83
     density_1 = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:87
@@ -3841,41 +3849,41 @@ fn Candidates_draw(this_48: Candidates, index_15: u32, point_4: ShadingPoint, pa
     // glimt_render_gpu/src/kernels/candidates.rs:119
     let _e157 = radiance;
     let _e158 = luminance(_e157);
-    let target_ = ((_e158 + this_48.floor) * reflected);
+    let target_ = ((_e158 + this_49.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:120
     let _e163 = direction_12;
     let _e164 = wi_3;
     let _e165 = radiance;
     let _e168 = density_1;
-    return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_48.count) / _e168)));
+    return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_49.count) / _e168)));
 }
 
 // glimt_sampling/src/ris.rs:72
-fn RisSum_add(this_49: ptr<function, RisSum>, weight: f32) {
+fn RisSum_add(this_50: ptr<function, RisSum>, weight: f32) {
 
     // glimt_sampling/src/ris.rs:73
-    let _e6 = (*this_49).candidates;
-    (*this_49).candidates = (_e6 + 1u);
+    let _e6 = (*this_50).candidates;
+    (*this_50).candidates = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
         // glimt_sampling/src/ris.rs:75
-        let _e13 = (*this_49).sum;
-        (*this_49).sum = (_e13 + weight);
+        let _e13 = (*this_50).sum;
+        (*this_50).sum = (_e13 + weight);
         // glimt_sampling/src/ris.rs:76
-        let _e17 = (*this_49).candidates;
-        (*this_49).end = _e17;
+        let _e17 = (*this_50).candidates;
+        (*this_50).end = _e17;
     }
     return;
 }
 
 // glimt_sampling/src/ris.rs:83
-fn RisSum_normaliser(this_50: RisSum) -> f32 {
+fn RisSum_normaliser(this_51: RisSum) -> f32 {
     var chosen_43: f32;
 
     // glimt_sampling/src/ris.rs:84
-    if (this_50.candidates > 0u) {
+    if (this_51.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_43 = (this_50.sum / f32(this_50.candidates));
+        chosen_43 = (this_51.sum / f32(this_51.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
         chosen_43 = 0f;
@@ -3885,55 +3893,55 @@ fn RisSum_normaliser(this_50: RisSum) -> f32 {
 }
 
 // glimt_sampling/src/ris.rs:109
-fn Word_next_u32_(this_51: ptr<function, Word>) -> u32 {
+fn Word_next_u32_(this_52: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/ris.rs:110
-    let _e4 = (*this_51).f0_;
+    let _e4 = (*this_52).f0_;
     return _e4;
 }
 
 // glimt_sampling/src/resample.rs:135
-fn Comb_place_tooth_1(this_52: ptr<function, Comb>, source_9: ptr<function, Word>) {
+fn Comb_place_tooth_1(this_53: ptr<function, Comb>, source_9: ptr<function, Word>) {
 
     // glimt_sampling/src/resample.rs:136
-    let _e5 = (*this_52).made;
-    let _e7 = (*this_52).teeth;
+    let _e5 = (*this_53).made;
+    let _e7 = (*this_53).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:137
         return;
     }
     // glimt_sampling/src/resample.rs:139
-    let _e12 = (*this_52).made;
+    let _e12 = (*this_53).made;
     let first_6 = f32(_e12);
     // glimt_sampling/src/resample.rs:140
-    let _e16 = (*this_52).scheme;
+    let _e16 = (*this_53).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:141
-        let _e21 = (*this_52).state;
-        (*this_52).next = (first_6 + _e21);
+        let _e21 = (*this_53).state;
+        (*this_53).next = (first_6 + _e21);
     } else {
-        let _e25 = (*this_52).scheme;
+        let _e25 = (*this_53).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:143
             let _e29 = Word_next_u32_(source_9);
             let _e30 = unit_f32_(_e29);
-            (*this_52).next = (first_6 + _e30);
+            (*this_53).next = (first_6 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:146
             let _e35 = Word_next_u32_(source_9);
             let _e36 = unit_f32_(_e35);
             let v_9 = (1f - _e36);
             // glimt_sampling/src/resample.rs:147
-            let _e40 = (*this_52).teeth;
-            let _e42 = (*this_52).made;
+            let _e40 = (*this_53).teeth;
+            let _e42 = (*this_53).made;
             let left_3 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:148
-            let _e50 = (*this_52).state;
-            (*this_52).state = (_e50 * pow(v_9, (1f / left_3)));
+            let _e50 = (*this_53).state;
+            (*this_53).state = (_e50 * pow(v_9, (1f / left_3)));
             // glimt_sampling/src/resample.rs:149
-            let _e55 = (*this_52).state;
-            let _e58 = (*this_52).teeth;
-            (*this_52).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_53).state;
+            let _e58 = (*this_53).teeth;
+            (*this_53).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -3980,82 +3988,82 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
 }
 
 // glimt_sampling/src/resample.rs:105
-fn Comb_take_1(this_53: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
+fn Comb_take_1(this_54: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/resample.rs:106
-    let _e6 = (*this_53).scheme;
+    let _e6 = (*this_54).scheme;
     let _e7 = sure_copies(_e6, expected_2);
     // glimt_sampling/src/resample.rs:107
-    let _e12 = (*this_53).reach;
-    (*this_53).reach = (_e12 + (expected_2 - f32(_e7)));
+    let _e12 = (*this_54).reach;
+    (*this_54).reach = (_e12 + (expected_2 - f32(_e7)));
     // glimt_sampling/src/resample.rs:108
-    let before_1 = (*this_53).made;
+    let before_1 = (*this_54).made;
     // glimt_sampling/src/resample.rs:109
     loop {
-        let _e19 = (*this_53).made;
-        let _e21 = (*this_53).teeth;
-        let _e24 = (*this_53).next;
-        let _e26 = (*this_53).reach;
+        let _e19 = (*this_54).made;
+        let _e21 = (*this_54).teeth;
+        let _e24 = (*this_54).next;
+        let _e26 = (*this_54).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:110
-            let _e32 = (*this_53).made;
-            (*this_53).made = (_e32 + 1u);
+            let _e32 = (*this_54).made;
+            (*this_54).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:111
-            Comb_place_tooth_1(this_53, source_11);
+            Comb_place_tooth_1(this_54, source_11);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:113
-    let _e37 = (*this_53).made;
+    let _e37 = (*this_54).made;
     return (_e7 + (_e37 - before_1));
 }
 
 // glimt_sampling/src/ris.rs:133
-fn RisPicks_take(this_54: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+fn RisPicks_take(this_55: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     var chosen_45: u32;
     var borrowed_8: Comb;
     var borrowed_9: Word;
 
     // glimt_sampling/src/ris.rs:134
-    let _e6 = (*this_54).candidate;
-    (*this_54).candidate = (_e6 + 1u);
+    let _e6 = (*this_55).candidate;
+    (*this_55).candidate = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:135
-    let _e13 = (*this_54).left;
+    let _e13 = (*this_55).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
         // glimt_sampling/src/ris.rs:136
         return 0u;
     }
     // glimt_sampling/src/ris.rs:138
-    let _e22 = (*this_54).candidate;
-    let _e24 = (*this_54).end;
+    let _e22 = (*this_55).candidate;
+    let _e24 = (*this_55).end;
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
-        let _e28 = (*this_54).left;
+        let _e28 = (*this_55).left;
         chosen_45 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
-        let _e32 = (*this_54).comb;
+        let _e32 = (*this_55).comb;
         borrowed_8 = _e32;
-        let _e34 = (*this_54).sum;
-        let _e37 = (*this_54).samples;
+        let _e34 = (*this_55).sum;
+        let _e37 = (*this_55).samples;
         borrowed_9 = Word(0u);
         let _e42 = Comb_take_1((&borrowed_8), ((weight_1 / _e34) * _e37), (&borrowed_9));
         let _e43 = borrowed_8;
-        (*this_54).comb = _e43;
-        let _e45 = (*this_54).left;
+        (*this_55).comb = _e43;
+        let _e45 = (*this_55).left;
         chosen_45 = min(_e42, _e45);
     }
     let picks_6 = chosen_45;
     // glimt_sampling/src/ris.rs:146
-    let _e50 = (*this_54).left;
-    (*this_54).left = (_e50 - picks_6);
+    let _e50 = (*this_55).left;
+    (*this_55).left = (_e50 - picks_6);
     // glimt_sampling/src/ris.rs:147
     return picks_6;
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:145
-fn SmcParams_start(this_55: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
+fn SmcParams_start(this_56: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
     var counter_15: u32;
     var counter_16: u32;
@@ -4066,7 +4074,7 @@ fn SmcParams_start(this_55: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
 
     // glimt_render_gpu/src/kernels/smc.rs:152
     // glimt_render_gpu/src/kernels/smc.rs:153
-    let candidates = Candidates(this_55.candidates, this_55.source, this_55.floor);
+    let candidates = Candidates(this_56.candidates, this_56.source, this_56.floor);
     // glimt_render_gpu/src/kernels/smc.rs:158
     let _e15 = RisSum_new();
     weights_1 = _e15;
@@ -4074,7 +4082,7 @@ fn SmcParams_start(this_55: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
     counter_15 = 0u;
     loop {
         let j = counter_15;
-        if (j >= this_55.candidates) {
+        if (j >= this_56.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:160
@@ -4118,7 +4126,7 @@ fn SmcParams_start(this_55: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
     counter_17 = 0u;
     loop {
         let j_1 = counter_17;
-        if (j_1 >= this_55.candidates) {
+        if (j_1 >= this_56.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:175
@@ -4193,36 +4201,36 @@ fn Scene_is_lit(point_7: ShadingPoint, direction_14: vec3<f32>) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_56: LightSample, point_8: ShadingPoint) -> Reflected {
+fn LightSample_traced(this_57: LightSample, point_8: ShadingPoint) -> Reflected {
     var chosen_46: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_56.contribution.x, this_56.contribution.y), this_56.contribution.z) > 0f)) {
+    if !((max(max(this_57.contribution.x, this_57.contribution.y), this_57.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e22 = Scene_is_lit(point_8, this_56.direction);
+    let _e22 = Scene_is_lit(point_8, this_57.direction);
     if _e22 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_46 = Reflected(this_56.contribution, vec3(0f));
+        chosen_46 = Reflected(this_57.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_46 = Reflected(vec3(0f), this_56.contribution);
+        chosen_46 = Reflected(vec3(0f), this_57.contribution);
     }
     let _e33 = chosen_46;
     return _e33;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_57: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_58: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_57).lit;
-    (*this_57).lit = (_e6 + light.lit);
+    let _e6 = (*this_58).lit;
+    (*this_58).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_57).blocked;
-    (*this_57).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_58).blocked;
+    (*this_58).blocked = (_e11 + light.blocked);
     return;
 }
 

@@ -67,21 +67,21 @@ var<storage, read_write> out: array<PixelLayers>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/raster.rs:226
+// glimt_render_gpu/src/kernels/raster.rs:210
 fn half(word: u32) -> f32 {
     var value: f32;
     var chosen: f32;
 
-    // glimt_render_gpu/src/kernels/raster.rs:227
+    // glimt_render_gpu/src/kernels/raster.rs:211
     let bits = (word & 32767u);
-    // glimt_render_gpu/src/kernels/raster.rs:228
+    // glimt_render_gpu/src/kernels/raster.rs:212
     value = (f32(bits) * (1f / 16777216f));
-    // glimt_render_gpu/src/kernels/raster.rs:229
+    // glimt_render_gpu/src/kernels/raster.rs:213
     if (bits >= 1024u) {
-        // glimt_render_gpu/src/kernels/raster.rs:231
+        // glimt_render_gpu/src/kernels/raster.rs:215
         value = bitcast<f32>(((bits << 13u) + 939524096u));
     }
-    // glimt_render_gpu/src/kernels/raster.rs:233
+    // glimt_render_gpu/src/kernels/raster.rs:217
     if ((word & 32768u) != 0u) {
         let _e28 = value;
         chosen = -(_e28);
@@ -93,15 +93,15 @@ fn half(word: u32) -> f32 {
     return _e31;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:211
+// glimt_render_gpu/src/kernels/raster.rs:195
 fn unpack(words: vec2<u32>, scale: f32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/raster.rs:212
+    // glimt_render_gpu/src/kernels/raster.rs:196
     let _e5 = half(words.x);
     let _e10 = half((words.x >> 16u));
     let _e12 = half(words.y);
     let radiance = vec3<f32>(_e5, _e10, _e12);
-    // glimt_render_gpu/src/kernels/raster.rs:213
+    // glimt_render_gpu/src/kernels/raster.rs:197
     let _e21 = half((words.y >> 16u));
     return vec4<f32>((radiance / vec3(scale)), _e21);
 }
@@ -117,16 +117,16 @@ fn CameraView_direction(this_: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec
     return normalize(((this_.forward + (this_.right * x)) - (this_.up * y)));
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:195
-fn centre_direction(frame: FrameParams, pixel: u32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/frame.rs:118
+fn FrameParams_direction(this_1: FrameParams, pixel: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/raster.rs:196
-    let view = CameraView(frame.eye, frame.forward, frame.right, frame.up);
-    // glimt_render_gpu/src/kernels/raster.rs:202
-    let corner = vec2<f32>(vec2<u32>((pixel % frame.width), (pixel / frame.width)));
-    // glimt_render_gpu/src/kernels/raster.rs:203
-    let _e23 = CameraView_direction(view, (corner + vec2(0.5f)), vec2<u32>(frame.width, frame.height));
-    return _e23;
+    // glimt_render_gpu/src/kernels/frame.rs:119
+    let corner = vec2<f32>(vec2<u32>((pixel % this_1.width), (pixel / this_1.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:120
+    let view = CameraView(this_1.eye, this_1.forward, this_1.right, this_1.up);
+    // glimt_render_gpu/src/kernels/frame.rs:126
+    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_1.width, this_1.height));
+    return _e22;
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -210,34 +210,35 @@ fn RadianceMap_background(size_2: vec2<u32>, rotation: vec2<f32>, direction: vec
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:159
-fn unpack_layers_1(pixel_1: u32, frame_1: FrameParams, layout_: DrawnLayout, map_rotation: vec2<f32>) -> PixelLayers {
+// glimt_render_gpu/src/kernels/raster.rs:158
+fn unpack_layers_1(pixel_1: u32, frame: FrameParams, layout_: DrawnLayout, map_rotation: vec2<f32>) -> PixelLayers {
     var behind: vec3<f32>;
 
+    // glimt_render_gpu/src/kernels/raster.rs:168
+    let at = (((pixel_1 / frame.width) * layout_.pitch) + (pixel_1 % frame.width));
     // glimt_render_gpu/src/kernels/raster.rs:169
-    let at = (((pixel_1 / frame_1.width) * layout_.pitch) + (pixel_1 % frame_1.width));
-    // glimt_render_gpu/src/kernels/raster.rs:170
     let _e16 = object[at];
     let _e18 = unpack(_e16, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:171
+    // glimt_render_gpu/src/kernels/raster.rs:170
     let _e22 = lit[at];
     let _e24 = unpack(_e22, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:172
+    // glimt_render_gpu/src/kernels/raster.rs:171
     let _e28 = blocked[at];
     let _e30 = unpack(_e28, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:173
+    // glimt_render_gpu/src/kernels/raster.rs:172
     behind = vec3(0f);
-    // glimt_render_gpu/src/kernels/raster.rs:174
-    if ((frame_1.background == 0u) && (_e18.w < 1f)) {
-        // glimt_render_gpu/src/kernels/raster.rs:175
+    // glimt_render_gpu/src/kernels/raster.rs:173
+    if ((frame.background == 0u) && (_e18.w < 1f)) {
+        // glimt_render_gpu/src/kernels/raster.rs:174
+        // glimt_render_gpu/src/kernels/raster.rs:179
+        let _e50 = FrameParams_direction(frame, (frame.first_pixel + pixel_1), vec2(0.5f));
         // glimt_render_gpu/src/kernels/raster.rs:180
-        let _e48 = centre_direction(frame_1, (frame_1.first_pixel + pixel_1));
-        let _e49 = RadianceMap_background(layout_.map_size, map_rotation, _e48);
-        behind = _e49;
+        let _e52 = RadianceMap_background(layout_.map_size, map_rotation, _e50);
+        behind = _e52;
     }
     // glimt_render_gpu/src/kernels/raster.rs:182
-    let _e55 = behind;
-    return PixelLayers(_e18, _e24.xyz, _e24.w, _e30.xyz, 0u, _e55, 0u);
+    let _e58 = behind;
+    return PixelLayers(_e18, _e24.xyz, _e24.w, _e30.xyz, 0u, _e58, 0u);
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -62,6 +62,7 @@ pub fn bake(
     }
     Ok(Baked {
         transfer: made,
+        vertices,
         rays,
     })
 }

@@ -159,6 +159,69 @@ pub(super) struct Bound<'a> {
     pub(super) bytes_per_element: Option<u64>,
 }
 
+impl Bound<'_> {
+    /// What a dispatch of elements `done .. done + elements` binds: their part, or all of what every element reads.
+    fn binding(&self, done: u32, elements: u32) -> wgpu::BindGroupEntry<'_> {
+        let (from, size) = match self.bytes_per_element {
+            Some(bytes) => (u64::from(done) * bytes, u64::from(elements) * bytes),
+            None => (0, self.len),
+        };
+        wgpu::BindGroupEntry {
+            binding: self.slot.binding,
+            resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+                buffer: &self.buffer.raw,
+                offset: self.offset + from,
+                size: wgpu::BufferSize::new(size),
+            }),
+        }
+    }
+
+    /// Sees that it begins where a binding may.
+    pub(super) fn check_alignment(&self, entry: &Entry, alignment: u64) -> Result<(), GpuError> {
+        if self.offset.is_multiple_of(alignment) {
+            return Ok(());
+        }
+        let (path, offset) = (self.slot.path, self.offset);
+        Err(GpuError::Argument {
+            entry: entry.name.to_owned(),
+            problem: format!(
+                "'{path}' begins at byte {offset}, which is no multiple of {alignment}"
+            ),
+        })
+    }
+}
+
+impl GpuContext {
+    /// The arguments of a dispatch of elements `done .. done + elements`. Errors go to the scope around it.
+    pub(super) fn bind_group(
+        &self,
+        kernel: &Kernel,
+        params: &GpuBuffer,
+        bound: &[Bound<'_>],
+        done: u32,
+        elements: u32,
+    ) -> wgpu::BindGroup {
+        let mut entries = vec![wgpu::BindGroupEntry {
+            binding: 0,
+            resource: params.raw.as_entire_binding(),
+        }];
+        entries.extend(bound.iter().map(|bound| bound.binding(done, elements)));
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(kernel.entry.name),
+            layout: &kernel.layout,
+            entries: &entries,
+        })
+    }
+
+    /// Columns and rows of workgroups for so many elements: as square as the limit needs, not as wide as it allows, or a second
+    /// row might be almost empty.
+    pub(super) fn grid(&self, entry: &Entry, elements: u32) -> [u32; 2] {
+        let groups = elements.div_ceil(entry.workgroup_size).max(1);
+        let rows = groups.div_ceil(self.limits.max_compute_workgroups_per_dimension);
+        [groups.div_ceil(rows), rows]
+    }
+}
+
 /// The arguments of a launch, checked to be all of the entry's and no others.
 #[derive(Debug)]
 pub(super) struct Arguments<'a> {

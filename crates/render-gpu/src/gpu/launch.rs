@@ -179,16 +179,7 @@ impl GpuContext {
         let binding = self.max_binding_bytes();
         let alignment = u64::from(self.limits.min_storage_buffer_offset_alignment);
         for bound in &arguments.bound {
-            if !bound.offset.is_multiple_of(alignment) {
-                let problem = format!(
-                    "'{}' begins at byte {}, which is no multiple of {alignment}",
-                    bound.slot.path, bound.offset
-                );
-                return Err(GpuError::Argument {
-                    entry: entry.name.to_owned(),
-                    problem,
-                });
-            }
+            bound.check_alignment(entry, alignment)?;
             let what = || format!("argument '{}' of {}", bound.slot.path, entry.name);
             let limit = "max_storage_buffer_binding_size";
             match bound.bytes_per_element {
@@ -227,39 +218,12 @@ impl GpuContext {
         stopwatch: Option<Stopwatch>,
     ) -> Result<Flight, GpuError> {
         let entry = &kernel.entry;
-        let mut entries = vec![wgpu::BindGroupEntry {
-            binding: 0,
-            resource: params.raw.as_entire_binding(),
-        }];
-        entries.extend(arguments.bound.iter().map(|bound| {
-            let part = bound
-                .bytes_per_element
-                .map(|bytes| (u64::from(done) * bytes, u64::from(elements) * bytes));
-            let (from, size) = part.unwrap_or((0, bound.len));
-            let offset = bound.offset + from;
-            wgpu::BindGroupEntry {
-                binding: bound.slot.binding,
-                resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
-                    buffer: &bound.buffer.raw,
-                    offset,
-                    size: wgpu::BufferSize::new(size),
-                }),
-            }
-        }));
-        // As square as the limit needs, not as wide as it allows: a second row may be almost empty.
-        let groups = elements.div_ceil(entry.workgroup_size);
-        let rows = groups.div_ceil(self.limits.max_compute_workgroups_per_dimension);
-        let columns = groups.div_ceil(rows);
-
+        let [columns, rows] = self.grid(entry, elements);
         let submitted = Instant::now();
         let submission = self.guarded(
             || format!("{elements} elements of {}", entry.name),
             || {
-                let bind_group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                    label: Some(entry.name),
-                    layout: &kernel.layout,
-                    entries: &entries,
-                });
+                let bind_group = self.bind_group(kernel, params, &arguments.bound, done, elements);
                 let mut encoder = self
                     .device
                     .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());

@@ -107,21 +107,9 @@ fn project(
     }
     workgroupBarrier();
     if index < bands * bands {
-        var l = 0u;
-        while (l + 1u) * (l + 1u) <= index {
-            l++;
-        }
-        let centre = l * (l + 1u);
-        var order = 0u;
-        var ring = 0u;
-        if index > centre {
-            order = index - centre;
-            ring = 2u * order - 1u;
-        } else {
-            order = centre - index;
-            ring = 2u * order;
-        }
-        let factor = centre / 2u + order;
+        let order = coefficient_order(index);
+        let ring = ring_index(order);
+        let factor = meridian_index(coefficient_band(index), u32(abs(order)));
         var sum = vec3(0.0);
         for (var y = 0u; y < 16u; y++) {
             sum += rows[11u * y + ring].xyz * scratch[21u * y + factor].x;

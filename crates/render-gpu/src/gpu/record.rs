@@ -3,7 +3,7 @@
 use super::buffer::GpuBuffer;
 use super::device::GpuContext;
 use super::error::GpuError;
-use super::kernel::{Arguments, Bound, Kernel};
+use super::kernel::{Arguments, Bound};
 use super::launch::Arg;
 use super::timing::Stopwatch;
 use crate::entry::Entry;
@@ -48,10 +48,7 @@ impl<'a> Recording<'a> {
         first: u32,
         count: u32,
     ) -> Result<(), GpuError> {
-        // As square as the limit needs, as a launch's.
-        let groups = count.div_ceil(entry.workgroup_size).max(1);
-        let rows = groups.div_ceil(self.context.limits.max_compute_workgroups_per_dimension);
-        let grid = [groups.div_ceil(rows), rows];
+        let grid = self.context.grid(entry, count);
         self.dispatch_grid(entry, args, first, count, grid)
     }
 
@@ -78,7 +75,10 @@ impl<'a> Recording<'a> {
         }
         self.put_params(entry, arguments.params_for(entry, first, count))?;
         let params = &self.pool.buffers[self.used - 1];
-        let bind_group = bind(context, &kernel, params, &arguments.bound, count)?;
+        let bind_group = context.guarded(
+            || format!("the arguments of {}", entry.name),
+            || context.bind_group(&kernel, params, &arguments.bound, 0, count),
+        )?;
         let mut pass = self
             .encoder
             .begin_compute_pass(&wgpu::ComputePassDescriptor {
@@ -148,48 +148,6 @@ fn check_bound(
         let what = format!("argument '{path}' of {}", entry.name);
         return Err(context.limit_error(what, bytes, "max_storage_buffer_binding_size", most));
     }
-    let alignment = u64::from(context.limits.min_storage_buffer_offset_alignment);
-    if !bound.offset.is_multiple_of(alignment) {
-        return Err(GpuError::Argument {
-            entry: entry.name.to_owned(),
-            problem: format!(
-                "'{path}' begins at byte {}, which is no multiple of {alignment}",
-                bound.offset
-            ),
-        });
-    }
-    Ok(())
-}
-
-fn bind(
-    context: &GpuContext,
-    kernel: &Kernel,
-    params: &GpuBuffer,
-    bound: &[Bound<'_>],
-    count: u32,
-) -> Result<wgpu::BindGroup, GpuError> {
-    let mut entries = vec![wgpu::BindGroupEntry {
-        binding: 0,
-        resource: params.raw.as_entire_binding(),
-    }];
-    entries.extend(bound.iter().map(|bound| wgpu::BindGroupEntry {
-        binding: bound.slot.binding,
-        resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
-            buffer: &bound.buffer.raw,
-            offset: bound.offset,
-            size: wgpu::BufferSize::new(bound_bytes(bound, count)),
-        }),
-    }));
-    context.guarded(
-        || format!("the arguments of {}", kernel.entry.name),
-        || {
-            context
-                .device
-                .create_bind_group(&wgpu::BindGroupDescriptor {
-                    label: Some(kernel.entry.name),
-                    layout: &kernel.layout,
-                    entries: &entries,
-                })
-        },
-    )
+    let alignment = context.limits.min_storage_buffer_offset_alignment;
+    bound.check_alignment(entry, alignment.into())
 }

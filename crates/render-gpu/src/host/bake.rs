@@ -47,6 +47,8 @@ impl Default for BakeSettings {
 pub struct Baked {
     /// The coefficients.
     pub transfer: Transfer,
+    /// The vertices that they are of.
+    pub vertices: Vec<SurfaceVertex>,
     /// How many rays were traced.
     pub rays: u64,
 }
@@ -197,6 +199,7 @@ pub fn bake(
         });
     Ok(Baked {
         transfer: made,
+        vertices,
         rays: rays.into_inner(),
     })
 }

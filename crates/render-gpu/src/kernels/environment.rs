@@ -96,7 +96,7 @@ impl<'a> Environment<'a> {
     #[inline]
     #[must_use]
     pub fn background(&self, direction: Vec3) -> Vec3 {
-        bilinear(self.texels, self.cdf.size, self.to_map(direction))
+        self.map().background(direction)
     }
 }
 

@@ -100,7 +100,6 @@ impl FrameParams {
     #[inline]
     #[must_use]
     pub fn camera_ray(&self, pattern: &PixelPattern) -> Ray {
-        let corner = UVec2::new(pattern.pixel % self.width, pattern.pixel / self.width).as_vec2();
         let place = if self.filter == FILTER_CENTRE {
             Vec2::splat(0.5)
         } else {
@@ -110,16 +109,21 @@ impl FrameParams {
             };
             unit_vec2(film.pair(FILM, 0, 1))
         };
+        Ray::new(self.eye, self.direction(pattern.pixel, place))
+    }
+
+    /// Unit direction from the eye through pixel `pixel` of the image, at `place` in it: (0, 0) is its upper left corner.
+    #[inline]
+    #[must_use]
+    pub fn direction(&self, pixel: u32, place: Vec2) -> Vec3 {
+        let corner = UVec2::new(pixel % self.width, pixel / self.width).as_vec2();
         let view = CameraView {
             eye: self.eye,
             forward: self.forward,
             right: self.right,
             up: self.up,
         };
-        Ray::new(
-            self.eye,
-            view.direction(corner + place, UVec2::new(self.width, self.height)),
-        )
+        view.direction(corner + place, UVec2::new(self.width, self.height))
     }
 }
 

@@ -6,7 +6,6 @@
 
 use glam::{UVec2, Vec2, Vec3, Vec4};
 
-use super::camera::CameraView;
 use super::environment::RadianceMap;
 use super::frame::{BACKGROUND_ENVIRONMENT, FrameParams};
 use super::layers::{LayerSample, PixelLayers};
@@ -177,7 +176,8 @@ pub fn unpack_layers(
             size: layout.map_size,
             rotation: map_rotation,
         };
-        behind = map.background(centre_direction(frame, frame.first_pixel + pixel));
+        let centre = frame.direction(frame.first_pixel + pixel, Vec2::splat(0.5));
+        behind = map.background(centre);
     }
     PixelLayers {
         object,
@@ -188,22 +188,6 @@ pub fn unpack_layers(
         behind,
         unused_b: 0,
     }
-}
-
-/// Direction of the centre of the image's pixel `pixel`.
-#[inline]
-fn centre_direction(frame: &FrameParams, pixel: u32) -> Vec3 {
-    let view = CameraView {
-        eye: frame.eye,
-        forward: frame.forward,
-        right: frame.right,
-        up: frame.up,
-    };
-    let corner = UVec2::new(pixel % frame.width, pixel / frame.width).as_vec2();
-    view.direction(
-        corner + Vec2::splat(0.5),
-        UVec2::new(frame.width, frame.height),
-    )
 }
 
 /// Radiance of three numbers of 16 bits that were multiplied by `scale`, and the fourth as it is.
