@@ -373,8 +373,10 @@ mod tests {
     use crate::compare::contestants::{Field, gather};
     use crate::shot::{Filter, Method};
 
-    fn contestant() -> Contestant {
-        let folder = std::env::temp_dir().join(format!("glimt-trials-{}", std::process::id()));
+    /// Each test has a folder of its own: tests of one process run side by side.
+    fn contestant(test: &str) -> Contestant {
+        let folder = format!("glimt-trials-{test}-{}", std::process::id());
+        let folder = std::env::temp_dir().join(folder);
         std::fs::create_dir_all(&folder).unwrap();
         let file = folder.join("shot.toml");
         let text = "[probe]\nframes = \"l.####.exr\"\n[[object]]\nmesh = \"sphere\"\n";
@@ -405,7 +407,7 @@ mod tests {
     /// One that goes on from the frame before renders all frames from the first to the last that is measured.
     #[test]
     fn frames_are_rendered_in_order() {
-        let mut contestant = contestant();
+        let mut contestant = contestant("order");
         let plan = plan();
         assert_eq!(plan.needed(), [3, 4, 5, 9, 10]);
         assert_eq!(plan.before(3), None);
@@ -417,7 +419,7 @@ mod tests {
     /// What images are made of is their identity: for one that goes on, all frames before.
     #[test]
     fn identities_tell_inputs_apart() {
-        let mut contestant = contestant();
+        let mut contestant = contestant("identities");
         let of = |change: Option<u32>, contestant: &Contestant, frame| {
             let mut plan = plan();
             for f in plan.frames.iter_mut().filter(|f| Some(f.0) == change) {
