@@ -100,18 +100,18 @@ fn sum<const K: usize, const T: usize, const P: usize>(
     let table = table.as_chunks::<P>().0;
     let blocks = a.chunks(BLOCK).zip(b.chunks(BLOCK)).zip(c.chunks(BLOCK));
     let blocks = blocks.zip(d.chunks(BLOCK)).zip(table.chunks(BLOCK));
-    // The row below, most likely the next to be summed, is asked for meanwhile, from its beginning to its end: four streams
-    // of a few kilobytes each are too short for the processor to foresee.
+    // The row below, most likely the next to be summed, is asked for meanwhile, from its beginning to its end, as many bytes
+    // a step as the step reads: four streams of a few kilobytes each are too short for the processor to foresee, and many
+    // lines asked for at once wait for each other.
     let mut ahead = row.as_ptr_range().end.cast::<i8>();
     for ((((a, b), c), d), table) in blocks {
         for p in 0..P {
-            let lines = (4 * a.len() * LANES * size_of::<f32>()).div_ceil(LINE);
-            for _ in 0..lines {
-                _mm_prefetch::<_MM_HINT_T0>(ahead);
-                ahead = ahead.wrapping_add(LINE);
-            }
             let mut sums = [_mm256_setzero_ps(); K];
             for ((((a, b), c), d), table) in a.iter().zip(b).zip(c).zip(d).zip(table) {
+                for line in 0..4 * LANES * size_of::<f32>() / LINE {
+                    _mm_prefetch::<_MM_HINT_T0>(ahead.wrapping_add(line * LINE));
+                }
+                ahead = ahead.wrapping_add(4 * LANES * size_of::<f32>());
                 let (a, b, c, d) = (load(&a[p]), load(&b[p]), load(&c[p]), load(&d[p]));
                 let (even, odd) = (_mm256_add_ps(a, c), _mm256_add_ps(b, d));
                 let all = _mm256_add_ps(even, odd);
