@@ -8,6 +8,7 @@
 //! difference is a jump that the ray stands at, not an error.
 
 use std::path::Path;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use glam::{Vec3, Vec4};
 use glimt::cli::{RenderFlags, Talk};
@@ -82,8 +83,10 @@ fn shot(model: &str, map: &str, set: &[&str]) -> Shot {
         data("hdri").join(map),
         data("models").join(model),
     );
-    let file =
-        Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{model}.{map}.{}.toml", set.len()));
+    // Tests run side by side, and one reads what the other writes where both have the same name.
+    static SHOTS: AtomicU32 = AtomicU32::new(0);
+    let number = SHOTS.fetch_add(1, Ordering::Relaxed);
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{model}.{map}.{number}.toml"));
     std::fs::write(&file, text).unwrap();
     let flags = RenderFlags {
         set: set.iter().map(|&s| s.to_owned()).collect(),
