@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Ran, Scratch, glb};
+use common::{Ran, Scratch, glb, glb_mesh};
 use glimt::bake;
 use glimt::bake::identity::Header;
 use glimt::cli::RenderFlags;
@@ -227,6 +227,65 @@ fn what_is_of_something_else_is_refused() {
     refused(load(&shot, &[]), name, &["object 0", "_SH_1 is missing"]);
     std::fs::write(&file, &whole).expect("a file");
     load(&shot, &[]).expect("the transfer");
+}
+
+/// Nothing is written over but transfer.
+#[test]
+fn what_others_made_stays() {
+    let scratch = Scratch::new("bake-over");
+    scratch.lights(1);
+    let triangle = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let model = glb_mesh(&triangle, &[0, 1, 2]);
+    scratch.put("model.glb", &model);
+    scratch.put("other.glb", &model);
+    scratch.put("half.glb", &model[..100]);
+    scratch.put("folder/inside", "kept");
+    let model = "[[object]]\nmesh = \"model.glb\"\n[render.prt]\nbands = 1\ndirections = 1\n";
+    scratch.shot("light.0001.exr", model);
+    let files = [
+        "half.glb",
+        "light.0001.exr",
+        "model.glb",
+        "other.glb",
+        "shot.toml",
+    ];
+    let contents = || files.map(|name| std::fs::read(scratch.file(name)).expect("a file"));
+    let before = contents();
+    for (name, what) in [
+        ("model.glb", "the mesh of object.1"),
+        ("folder/../model.glb", "the mesh of object.1"),
+        ("shot.toml", "the shot itself"),
+        ("light.0001.exr", "no file of transfer"),
+        ("other.glb", "no file of transfer"),
+        ("half.glb", "no file of transfer"),
+        ("folder", "a folder"),
+    ] {
+        let words = [name, what, "another file", "--out", "render.prt.bake"];
+        baked(&scratch, &["-o", name]).fails(2, &words);
+        let set = format!("render.prt.bake={name}");
+        baked(&scratch, &["--set", &set]).fails(2, &words);
+    }
+    let render = [
+        "render",
+        "shot.toml",
+        "--method",
+        "prt",
+        "--set",
+        "render.prt.bake=other.glb",
+    ];
+    let words = ["other.glb", "remove it", "then run `glimt bake"];
+    scratch.run(&render).fails(3, &words);
+    assert_eq!(contents(), before);
+    assert_eq!(scratch.list("folder"), ["inside"]);
+
+    // Transfer may be a mesh, too.
+    baked(&scratch, &["-o", "first.glb"]).ok();
+    let set = ["--set", "object.1.mesh=first.glb", "-o", "first.glb"];
+    baked(&scratch, &set).fails(2, &["first.glb", "the mesh of object.1"]);
+    // Nothing is lost with these.
+    scratch.put("empty.glb", "");
+    baked(&scratch, &["-o", "empty.glb"]).ok();
+    baked(&scratch, &["-o", "first.glb", "--bands", "2"]).ok();
 }
 
 #[test]

@@ -34,6 +34,31 @@ impl From<std::io::Error> for Broken {
 /// # Errors
 /// It is no binary glTF file, or not whole.
 pub fn read_document(file: &mut (impl Read + Seek)) -> Result<Value, Broken> {
+    let (there, said) = lengths(file)?;
+    if there < said {
+        return Err(Broken::Short(there, said));
+    }
+    read_any_document(file)
+}
+
+/// The same, whether or not the bytes behind the document are all there.
+///
+/// # Errors
+/// It is no binary glTF file, or its document is not whole.
+pub fn read_any_document(file: &mut (impl Read + Seek)) -> Result<Value, Broken> {
+    let (there, said) = lengths(file)?;
+    file.seek(SeekFrom::Start(12))?;
+    let [json_length, _] = words(file)?;
+    if there < 20 + u64::from(json_length) {
+        return Err(Broken::Short(there, said));
+    }
+    let mut json = vec![0; json_length as usize];
+    file.read_exact(&mut json)?;
+    serde_json::from_slice(&json).map_err(|_| Broken::NotGlb)
+}
+
+/// How long a file is, and how long it says it is.
+fn lengths(file: &mut (impl Read + Seek)) -> Result<(u64, u64), Broken> {
     let there = file.seek(SeekFrom::End(0))?;
     file.seek(SeekFrom::Start(0))?;
     if there < 20 {
@@ -43,13 +68,7 @@ pub fn read_document(file: &mut (impl Read + Seek)) -> Result<Value, Broken> {
     if magic != MAGIC || version != 2 || kind != JSON {
         return Err(Broken::NotGlb);
     }
-    let said = u64::from(length).max(20 + u64::from(json_length));
-    if there < said {
-        return Err(Broken::Short(there, said));
-    }
-    let mut json = vec![0; json_length as usize];
-    file.read_exact(&mut json)?;
-    serde_json::from_slice(&json).map_err(|_| Broken::NotGlb)
+    Ok((there, u64::from(length).max(20 + u64::from(json_length))))
 }
 
 /// The bytes behind the document, where the reader stands.
@@ -146,6 +165,10 @@ mod tests {
             assert!(matches!(error, Broken::Short(there, said)
                 if there == length as u64 && said == whole.len() as u64));
         }
+        // The document may be whole where the file is not.
+        let short = |length: usize| read_any_document(&mut Cursor::new(&whole[..length]));
+        assert_eq!(short(whole.len() - 8).expect("a document"), document);
+        assert!(matches!(short(40), Err(Broken::Short(40, _))));
         assert!(matches!(
             read_document(&mut Cursor::new(&whole[..19])),
             Err(Broken::NotGlb)

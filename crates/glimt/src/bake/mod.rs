@@ -3,6 +3,7 @@
 pub mod file;
 pub mod glb;
 pub mod identity;
+mod target;
 
 use crate::cli::{BakeFlags, RenderFlags};
 use crate::device;
@@ -51,7 +52,15 @@ pub fn settings_of(shot: &Shot) -> BakeSettings {
 /// the command that makes it anew.
 pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Result<Transfer> {
     let anew = anew(setup);
-    let (header, transfer) = file::read(file).map_err(|e| e.fix(&anew))?;
+    let (header, transfer) = file::read(file).map_err(|e| {
+        // What is something else is not written over.
+        match target::refuse_other(file, shot, &setup.source) {
+            Ok(()) => e.fix(&anew),
+            Err(_) => e.fix(format!(
+                "remove it, or name another file by render.prt.bake; then {anew}"
+            )),
+        }
+    })?;
     let settings = settings_of(shot);
     let now = Header::new(scene, &settings);
     if let Some(difference) = now.differs(&header) {
@@ -151,11 +160,12 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     reporter.notes(notes.take());
     let setup = setup?;
     refuse_motion(&setup)?;
+    let out = flags.output.clone();
+    let out = out.unwrap_or_else(|| file_of(&setup.shot, &setup.source));
+    target::refuse_other(&out, &setup.shot, &setup.source)?;
     let scene =
         SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
     let settings = settings_of(&setup.shot);
-    let out = flags.output.clone();
-    let out = out.unwrap_or_else(|| file_of(&setup.shot, &setup.source));
     let header = Header::new(&scene, &settings);
 
     let vertices: u64 = header.objects.iter().map(|o| o.vertices).sum();
