@@ -271,8 +271,8 @@ pub struct BakeFlags {
     #[arg(long, value_name = "n", allow_hyphen_values = true)]
     pub bands: Option<String>,
     /// Where to write it, instead of the shot's render.prt.bake
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
+    #[arg(long, short, alias = "output", value_name = "FILE")]
+    pub out: Option<PathBuf>,
     /// Refuse meshes with defects rather than work around them
     #[arg(long)]
     pub strict: bool,

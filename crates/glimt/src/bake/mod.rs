@@ -15,6 +15,7 @@ use crate::shot::digest;
 use crate::shot::parse::Source;
 use crate::shot::{Method, Shot, check, parse, range};
 use crate::synth::Processor;
+use file::Plan;
 use glimt_render_gpu::gpu;
 use glimt_render_gpu::host::bake::{self, BakeError, BakeSettings, Baked, required_bytes};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
@@ -160,7 +161,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     reporter.notes(notes.take());
     let setup = setup?;
     refuse_motion(&setup)?;
-    let out = flags.output.clone();
+    let out = flags.out.clone();
     let out = out.unwrap_or_else(|| file_of(&setup.shot, &setup.source));
     target::refuse_other(&out, &setup.shot, &setup.source)?;
     let scene =
@@ -173,7 +174,6 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         .map(|i| scene.mesh(i).indices.len() as u64)
         .sum();
     let memory = required_bytes(vertices, settings.bands);
-    let size = file::size(vertices, triangles, settings.bands);
     if file::read_header(&out).is_ok_and(|there| there == header) {
         let summary = json!({
             "skipped": true, "vertices": vertices, "triangles": triangles, "file": out,
@@ -185,10 +185,11 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         reporter.finish(summary, &text);
         return Ok(());
     }
-    if size > u64::from(u32::MAX) {
-        return Err(file::too_long(&out, size));
-    }
+    let plan = Plan::new(&out, &scene, &header)?;
     let processor = device::open_processor(flags.device)?;
+    // What cannot be written is not computed.
+    let pending = plan.begin(&out)?;
+    let size = plan.size();
     reporter.step(&format!(
         "{vertices} vertices of {triangles} triangles, {} in {}, on {}: {} of memory, a file of {}",
         count(settings.directions as usize, "direction"),
@@ -206,7 +207,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         vertices: at,
         rays,
     } = baked;
-    let size = file::write(&out, &scene, &at, &header, &transfer)?;
+    plan.write(pending, &scene, &at, &transfer)?;
     let rate = rays as f64 / seconds.max(1e-9);
     let summary = json!({
         "skipped": false, "vertices": vertices, "triangles": triangles, "rays": rays, "seconds": seconds,
