@@ -221,6 +221,9 @@ fn what_is_of_something_else_is_refused() {
     std::fs::write(&file, &broken).expect("a file");
     let what = ["object.1 (`plane`)", "vertex 2 is not a finite number"];
     refused(load(&shot, &[]), name, &what);
+    // The command that is named mends it.
+    baked(&scratch, &[]).ok();
+    assert_eq!(std::fs::read(&file).expect("the file"), whole);
     let mut broken = whole.clone();
     let place = whole
         .windows(8)
@@ -229,8 +232,37 @@ fn what_is_of_something_else_is_refused() {
     broken[place + 5] = b'9';
     std::fs::write(&file, &broken).expect("a file");
     refused(load(&shot, &[]), name, &["object 0", "_SH_1 is missing"]);
+    baked(&scratch, &[]).ok();
+    assert_eq!(std::fs::read(&file).expect("the file"), whole);
     std::fs::write(&file, &whole).expect("a file");
     load(&shot, &[]).expect("the transfer");
+}
+
+/// What an error says to run makes the transfer that was asked for.
+#[test]
+fn the_command_that_is_named_helps() {
+    let scratch = Scratch::new("bake-named");
+    let shot = scratch.shot("none.exr", PLACED);
+    baked(&scratch, &[]).ok();
+    let set = [
+        "object.1.translate=[0, 0, -1]",
+        "camera.fov_x_deg=20",
+        "render.prt.bands=2",
+        "render.prt.bake=it's.glb",
+    ];
+    let text = load(&shot, &set).expect_err("no such file").to_string();
+    let command = text.split('`').nth(1).expect("a command");
+    let more = "--set 'object.1.translate=[0, 0, -1]' --set render.prt.bands=2 \
+                --set 'render.prt.bake=it'\\''s.glb'";
+    assert!(command.starts_with("glimt bake /"), "{command}");
+    assert!(command.ends_with(more), "{command}");
+    let program = env!("CARGO_BIN_EXE_glimt");
+    let command = command.replacen("glimt", program, 1);
+    let status = std::process::Command::new("sh")
+        .args(["-c", &format!("{command} --device cpu -q")])
+        .status();
+    assert!(status.expect("a shell").success(), "{command}");
+    load(&shot, &set).expect("the transfer");
 }
 
 /// Nothing is written over but transfer.

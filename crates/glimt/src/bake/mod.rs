@@ -52,7 +52,7 @@ pub fn settings_of(shot: &Shot) -> BakeSettings {
 /// The file is not there, not whole, of something else, of other bands, or holds what is no number. Each error names it, and
 /// the command that makes it anew.
 pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Result<Transfer> {
-    let anew = anew(setup);
+    let anew = anew(setup, shot);
     let (header, transfer) = file::read(file).map_err(|e| {
         // What is something else is not written over.
         match target::refuse_other(file, shot, &setup.source) {
@@ -101,7 +101,7 @@ pub fn expect(setup: &mut Setup) -> Result<()> {
     }
     refuse_motion(setup)?;
     let file = file_of(&setup.shot, &setup.source);
-    let hash = digest::of_file(&file).map_err(|e| e.fix(anew(setup)))?;
+    let hash = digest::of_file(&file).map_err(|e| e.fix(anew(setup, &setup.shot)))?;
     setup.digest = digest::join([&setup.digest, &hash]);
     Ok(())
 }
@@ -122,12 +122,33 @@ pub fn give(setup: &Setup, shot: &Shot, scene: &mut SceneBuffers) -> Result<()> 
     let reflections: Vec<f32> = owners.map(|&of_shot| objects[of_shot].reflection).collect();
     scene
         .set_transfer(transfer, &reflections)
-        .map_err(|e| Error::input(&file, e).fix(anew(setup)))
+        .map_err(|e| Error::input(&file, e).fix(anew(setup, shot)))
 }
 
-/// What makes a transfer that can be used.
-fn anew(setup: &Setup) -> String {
-    format!("run `glimt bake {}`", setup.source.file.display())
+/// What makes a transfer that can be used: a command with what was set on the command line and changes its result.
+fn anew(setup: &Setup, shot: &Shot) -> String {
+    let set = setup.source.overrides_of(&["object", "render.prt"]);
+    let mut set: Vec<String> = set.map(str::to_owned).collect();
+    // A comparison's contestants have keys of their own.
+    let (own, common) = (&shot.render.prt, &setup.shot.render.prt);
+    if own.bands != common.bands {
+        set.push(format!("render.prt.bands={}", own.bands));
+    }
+    if own.bake != common.bake {
+        set.push(format!("render.prt.bake={}", own.bake));
+    }
+    let set = set.iter().map(|item| format!(" --set {}", quoted(item)));
+    let file = quoted(&setup.source.file.display().to_string());
+    format!("run `glimt bake {file}{}`", set.collect::<String>())
+}
+
+/// A word as a shell takes it.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "._-/=,:+@%".contains(c);
+    match !word.is_empty() && word.chars().all(is_plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', "'\\''")),
+    }
 }
 
 /// The object that a vertex of the scene belongs to, and its number there.
@@ -174,7 +195,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         .map(|i| scene.mesh(i).indices.len() as u64)
         .sum();
     let memory = required_bytes(vertices, settings.bands);
-    if file::read_header(&out).is_ok_and(|there| there == header) {
+    if is_there(&out, &header) {
         let summary = json!({
             "skipped": true, "vertices": vertices, "triangles": triangles, "file": out,
         });
@@ -221,6 +242,13 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     );
     reporter.finish(summary, &text);
     Ok(())
+}
+
+/// Whether a file holds the transfer that a header tells of, whole and in finite numbers.
+fn is_there(file: &Path, header: &Header) -> bool {
+    let vertices: u64 = header.objects.iter().map(|o| o.vertices).sum();
+    file::read_header(file).is_ok_and(|there| there == *header)
+        && file::read(file).is_ok_and(|(_, transfer)| transfer.check(vertices as usize).is_ok())
 }
 
 /// The shot with its meshes; neither light nor footage is looked at.
