@@ -210,9 +210,20 @@ fn what_is_of_something_else_is_refused() {
         refused(load(&shot, &[]), name, &[what]);
     }
 
-    // A coefficient that is no number; an attribute that is not there.
+    // Another kernel than this program's.
     let text_end = 20 + u32::from_le_bytes(whole[12..16].try_into().expect("a word")) as usize;
     let document: Value = serde_json::from_slice(&whole[20..text_end]).expect("JSON");
+    let kernel = &document["asset"]["extras"]["glimt_bake"]["kernel"];
+    let kernel = kernel.as_str().expect("a hash").as_bytes();
+    let mut old = whole.clone();
+    let place = whole.windows(64).position(|w| w == kernel);
+    old[place.expect("the hash")..][..64].fill(b'0');
+    std::fs::write(&file, &old).expect("a file");
+    refused(load(&shot, &[]), name, &["it is stale", "kernel"]);
+    baked(&scratch, &[]).ok();
+    assert_eq!(std::fs::read(&file).expect("the file"), whole);
+
+    // A coefficient that is no number; an attribute that is not there.
     let accessor = &document["meshes"][1]["primitives"][0]["attributes"]["_SH_BLOCKED_1"];
     let view = &document["bufferViews"][accessor.as_u64().expect("a number") as usize];
     let offset = text_end + 8 + view["byteOffset"].as_u64().expect("a number") as usize;
