@@ -3,8 +3,8 @@
 mod common;
 
 use common::{Ran, Scratch, glb, glb_mesh};
+use glam::Vec3;
 use glimt::bake;
-use glimt::bake::identity::Header;
 use glimt::cli::RenderFlags;
 use glimt::error::Result;
 use glimt::notes::Notes;
@@ -76,13 +76,13 @@ fn a_transfer_comes_back_as_it_was_computed() {
         let reader = primitive.reader(|buffer| Some(&buffers[buffer.index()]));
         let normals = reader.read_normals().expect("normals");
         let positions = reader.read_positions().expect("positions");
-        let low = positions.map(glam::Vec3::from).reduce(glam::Vec3::min);
+        let low = positions.map(Vec3::from).reduce(Vec3::min);
         let said: [f32; 3] = primitive.bounding_box().min;
         assert_eq!(low.expect("a vertex").to_array(), said);
         assert!(
             normals
                 .into_iter()
-                .all(|n| (glam::Vec3::from(n).length() - 1.0).abs() < 1e-5)
+                .all(|n| (Vec3::from(n).length() - 1.0).abs() < 1e-5)
         );
         let custom = primitive.attributes().filter(|(name, accessor)| {
             matches!(name, gltf::Semantic::Extras(name) if name.starts_with("SH_"))
@@ -413,17 +413,38 @@ fn meshes_as_they_come_are_computed() {
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
          element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
     );
-    for mesh in ["odd.obj", "plain.ply"] {
-        let more =
-            format!("[[object]]\nmesh = \"{mesh}\"\n[render.prt]\nbands = 6\ndirections = 9\n");
+    let unused = Vec3::new(9.0, 9.0, 9.0);
+    for (mesh, is_open) in [("odd.obj", false), ("plain.ply", true)] {
+        let more = format!(
+            "[[object]]\nmesh = \"{mesh}\"\nup = \"z\"\ntranslate = [20, 0, 0]\n\
+             [render.prt]\nbands = 6\ndirections = 400\n"
+        );
         let shot = scratch.shot("none.exr", &more);
         baked(&scratch, &[]).ok();
         let read = load(&shot, &[]).expect("the transfer");
-        let (setup, scene) = setup(&shot, &[]);
-        read.check(scene.vertex_counts().iter().sum())
-            .expect("numbers");
-        let header = Header::new(&scene, &bake::settings_of(&setup.shot));
-        assert_eq!(header.objects.len(), 2);
+        let (_, scene) = setup(&shot, &[]);
+        let vertices = scene.vertices().expect("vertices");
+        let pairs = read.lit.chunks(36).zip(read.blocked.chunks(36));
+        let mut lit_vertices = 0;
+        for (vertex, (lit, blocked)) in vertices.iter().zip(pairs) {
+            if vertex.position == unused + Vec3::new(20.0, 0.0, 0.0) {
+                assert_eq!(vertex.normal, Vec3::ZERO);
+                assert!(lit.iter().chain(blocked).all(|c| *c == 0.0));
+                continue;
+            }
+            // Without shadows: π Y of band 0, and 2π/3 Y of band 1 along the normal.
+            let all = |k: usize| lit[k] + blocked[k];
+            assert!((all(0) - 0.8862).abs() < 0.05, "{}", all(0));
+            let along = Vec3::new(all(3), all(1), all(2));
+            let expected = 1.0233 * vertex.normal;
+            assert!((along - expected).length() < 0.1, "{along} {expected}");
+            lit_vertices += usize::from(lit[0] > 0.8);
+            if is_open && vertex.object == 1 {
+                assert!(blocked[0] < 0.02, "{}", blocked[0]);
+            }
+        }
+        // Far from each other, the ball and the face are in full light.
+        assert!(lit_vertices > vertices.len() * 9 / 10, "{lit_vertices}");
         gltf::import(scratch.file("shot.prt.glb")).expect("glTF");
     }
 }
