@@ -269,17 +269,17 @@ fn read_shot(file: &Path, flags: &BakeFlags, notes: &mut Notes) -> Result<Setup>
     Setup::load(shot, source, base, first, &RenderFlags::default(), notes)
 }
 
-/// Transfer is of objects that stand still.
+/// Transfer is of objects that stand still; cameras may move, those of mesh files among them.
 ///
 /// # Errors
 /// One moves; the error names the key by which it does.
 pub fn refuse_motion(setup: &Setup) -> Result<()> {
-    let Some((object, what)) = setup.motions().into_iter().next() else {
+    let Some((object, key, what)) = setup.moving_object() else {
         return Ok(());
     };
-    let (key, fix) = match setup.shot.objects[object].spins.is_empty() {
-        true => ("animation", "set it to \"off\""),
-        false => ("spin", "remove it"),
+    let fix = match key {
+        "animation" => "set it to \"off\"",
+        _ => "remove it",
     };
     let what =
         format!("the object moves ({what}), and precomputed transfer is of what stands still");
