@@ -123,6 +123,7 @@ fn a_transfer_comes_back_as_it_was_computed() {
 /// Loading fails with one line that names the file, what to do, and all of these.
 fn refused(result: Result<Transfer>, file: &str, words: &[&str]) {
     let text = result
+        .map(drop)
         .expect_err("a transfer that must not be taken")
         .to_string();
     assert_eq!(text.lines().count(), 1);
@@ -243,6 +244,13 @@ fn what_is_of_something_else_is_refused() {
     broken[place + 5] = b'9';
     std::fs::write(&file, &broken).expect("a file");
     refused(load(&shot, &[]), name, &["object 0", "_SH_1 is missing"]);
+    // Of another scene, it is not looked at.
+    let moved = ["object.1.translate=[0,0,-1]"];
+    refused(
+        load(&shot, &moved),
+        name,
+        &["it is stale", "stands elsewhere"],
+    );
     baked(&scratch, &[]).ok();
     assert_eq!(std::fs::read(&file).expect("the file"), whole);
     std::fs::write(&file, &whole).expect("a file");

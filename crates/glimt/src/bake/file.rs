@@ -3,22 +3,20 @@
 //! `_SH_0`, `_SH_1`, … hold four coefficients of the light that arrives each, `_SH_BLOCKED_0`, … of the light that is blocked;
 //! the last is filled up with zeros. `asset.extras.glimt_bake` holds a [`Header`].
 
-use super::glb::{self, Broken, FLOAT, UNSIGNED_INT};
+use super::glb::{self, FLOAT, UNSIGNED_INT};
 use super::identity::Header;
 use crate::error::{Error, Result};
 use crate::output::atomic::Pending;
 use glam::{Mat4, Vec3};
-use glimt_render_gpu::host::bake::MAX_BANDS;
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer};
 use serde_json::{Value, json};
-use std::fs::File;
-use std::io::{self, BufReader, Read, Seek, Write};
+use std::io::{self, Read, Seek, Write};
 use std::path::Path;
 
 /// The names of the attributes, without their numbers.
-const LIT: &str = "_SH_";
-const BLOCKED: &str = "_SH_BLOCKED_";
+pub(super) const LIT: &str = "_SH_";
+pub(super) const BLOCKED: &str = "_SH_BLOCKED_";
 
 /// Bytes that the file of a scene will have, but for its document of some kilobytes.
 #[must_use]
@@ -236,111 +234,6 @@ fn write_parts(
         first += count;
     }
     Ok(())
-}
-
-/// The header of a file, which is as long as it says.
-///
-/// # Errors
-/// It cannot be read, or is no file of transfer that is whole; the error has no fix yet where a new one would do.
-pub fn read_header(file: &Path) -> Result<Header> {
-    let mut reader = open(file)?;
-    let document = glb::read_document(&mut reader).map_err(|e| broken(file, e))?;
-    header(file, &document)
-}
-
-/// A file's header and transfer.
-///
-/// # Errors
-/// As [`read_header`]; or attributes are missing, or of other lengths than the header says.
-pub fn read(file: &Path) -> Result<(Header, Transfer)> {
-    let mut reader = open(file)?;
-    let document = glb::read_document(&mut reader).map_err(|e| broken(file, e))?;
-    let header = header(file, &document)?;
-    let bytes = glb::read_bytes(&mut reader).map_err(|e| broken(file, e))?;
-    let n = (header.bands * header.bands) as usize;
-    let mut transfer = Transfer {
-        bands: header.bands,
-        ..Transfer::default()
-    };
-    let meshes = document["meshes"].as_array().map_or(&[][..], Vec::as_slice);
-    for (object, identity) in header.objects.iter().enumerate() {
-        let count = identity.vertices as usize;
-        if count == 0 {
-            continue;
-        }
-        let mesh = meshes
-            .iter()
-            .find(|mesh| mesh["extras"]["glimt_object"] == object)
-            .ok_or_else(|| Error::input(file, format!("it has no mesh for object {object}")))?;
-        let attributes = &mesh["primitives"][0]["attributes"];
-        for (prefix, list) in [(LIT, &mut transfer.lit), (BLOCKED, &mut transfer.blocked)] {
-            // What the header says is believed only as far as there are bytes for it.
-            if count > bytes.len() {
-                return Err(Error::input(file, "it has fewer vertices than it says"));
-            }
-            let begin = list.len();
-            list.resize(begin + count * n, 0.0);
-            for i in 0..n.div_ceil(4) {
-                let name = format!("{prefix}{i}");
-                let vectors = attributes[&name]
-                    .as_u64()
-                    .and_then(|accessor| glb::vectors(&document, accessor, &bytes))
-                    .filter(|vectors| vectors.len() == count)
-                    .ok_or_else(|| {
-                        let what = format!("its attribute {name} is missing or of another length");
-                        Error::input(file, what).at(format!("object {object}"))
-                    })?;
-                for (own, four) in list[begin..].chunks_mut(n).zip(&vectors) {
-                    let own = &mut own[4 * i..n.min(4 * i + 4)];
-                    own.copy_from_slice(&four[..own.len()]);
-                }
-            }
-        }
-    }
-    Ok((header, transfer))
-}
-
-/// Whether a file is one of transfer, of whatever version; its document must be whole, what comes behind need not.
-///
-/// # Errors
-/// It cannot be read.
-pub fn is_transfer(file: &Path) -> Result<bool> {
-    match glb::read_any_document(&mut open(file)?) {
-        Ok(document) => Ok(!document["asset"]["extras"]["glimt_bake"].is_null()),
-        Err(Broken::Io(e)) => Err(Error::reading(file, &e)),
-        Err(Broken::NotGlb | Broken::Short(..)) => Ok(false),
-    }
-}
-
-fn open(file: &Path) -> Result<BufReader<File>> {
-    let reader = File::open(file).map_err(|e| match e.kind() {
-        io::ErrorKind::NotFound => Error::input(file, "there is no such file"),
-        _ => Error::reading(file, &e),
-    })?;
-    Ok(BufReader::new(reader))
-}
-
-fn broken(file: &Path, broken: Broken) -> Error {
-    match broken {
-        Broken::Io(e) => Error::reading(file, &e),
-        Broken::NotGlb => Error::input(file, "it is no file of transfer"),
-        Broken::Short(there, said) => Error::input(
-            file,
-            format!("the file ends too early: {there} of {said} bytes are there"),
-        ),
-    }
-}
-
-fn header(file: &Path, document: &Value) -> Result<Header> {
-    let header = &document["asset"]["extras"]["glimt_bake"];
-    if header.is_null() {
-        return Err(Error::input(file, "it is no file of transfer"));
-    }
-    let known: Option<Header> = serde_json::from_value(header.clone()).ok();
-    known
-        .filter(|header| header.version == super::identity::VERSION && header.shadowed)
-        .filter(|header| (1..=MAX_BANDS).contains(&header.bands))
-        .ok_or_else(|| Error::input(file, "its transfer is of a version that is not known"))
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! Host file: a binary glTF file as a document of JSON and a run of bytes, and the numbers of its accessors.
 
 use serde_json::Value;
-use std::io::{Read, Seek, SeekFrom};
+use std::io::{self, Read, Seek, SeekFrom};
+use std::ops::Range;
 
 const MAGIC: u32 = 0x4654_6c67;
 const JSON: u32 = 0x4e4f_534a;
@@ -11,6 +12,9 @@ const BIN: u32 = 0x004e_4942;
 pub const FLOAT: u64 = 5126;
 /// The component type of a word.
 pub const UNSIGNED_INT: u64 = 5125;
+
+/// Bytes of a vector of four floats.
+const VECTOR: u64 = 16;
 
 /// Why a file is none.
 #[derive(Debug)]
@@ -71,21 +75,20 @@ fn lengths(file: &mut (impl Read + Seek)) -> Result<(u64, u64), Broken> {
     Ok((there, u64::from(length).max(20 + u64::from(json_length))))
 }
 
-/// The bytes behind the document, where the reader stands.
+/// Where in the file the bytes behind the document stand, at whose chunk the reader stands.
 ///
 /// # Errors
 /// There are none, or less than the file says.
-pub fn read_bytes(file: &mut impl Read) -> Result<Vec<u8>, Broken> {
+pub fn bytes(file: &mut (impl Read + Seek)) -> Result<Range<u64>, Broken> {
     let [length, kind] = words(file)?;
     if kind != BIN {
         return Err(Broken::NotGlb);
     }
-    let mut bytes = Vec::new();
-    let said = u64::from(length);
-    let there = file.take(said).read_to_end(&mut bytes)? as u64;
-    match there == said {
-        true => Ok(bytes),
-        false => Err(Broken::Short(there, said)),
+    let start = file.stream_position()?;
+    let (there, end) = (file.seek(SeekFrom::End(0))?, start + u64::from(length));
+    match there < end {
+        true => Err(Broken::Short(there, end)),
+        false => Ok(start..end),
     }
 }
 
@@ -118,30 +121,84 @@ pub fn head(document: &Value, bytes: u64) -> Option<Vec<u8>> {
     Some(head)
 }
 
-/// The floats of an accessor of vectors with four components, however its values lie; `None` where they are not that, or not
-/// there.
-#[must_use]
-pub fn vectors(document: &Value, accessor: u64, bytes: &[u8]) -> Option<Vec<[f32; 4]>> {
-    let accessor = document["accessors"].get(accessor as usize)?;
-    if accessor["type"] != "VEC4" || accessor["componentType"] != FLOAT {
-        return None;
+/// Where the values of an accessor of vectors with four floats lie among the bytes of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Vectors {
+    first: u64,
+    stride: u64,
+    count: u64,
+}
+
+impl Vectors {
+    /// The values of an accessor of a file with `length` bytes, however they lie; `None` where they are not such vectors, or not
+    /// all there, each in a place of its own.
+    #[must_use]
+    pub fn find(document: &Value, accessor: u64, length: u64) -> Option<Self> {
+        let item = |list: &str, index: u64| document[list].get(usize::try_from(index).ok()?);
+        let accessor = item("accessors", accessor)?;
+        if accessor["type"] != "VEC4" || accessor["componentType"] != FLOAT {
+            return None;
+        }
+        let number = |value: &Value, or: u64| value.as_u64().unwrap_or(or);
+        let view = item("bufferViews", accessor["bufferView"].as_u64()?)?;
+        if number(&view["buffer"], 0) != 0 || !accessor["sparse"].is_null() {
+            return None;
+        }
+        let (start, view_length) = (
+            number(&view["byteOffset"], 0),
+            number(&view["byteLength"], 0),
+        );
+        let offset = number(&accessor["byteOffset"], 0);
+        let (stride, count) = (
+            number(&view["byteStride"], VECTOR),
+            number(&accessor["count"], 0),
+        );
+        if start.checked_add(view_length)? > length {
+            return None;
+        }
+        let end = match count {
+            0 => offset,
+            _ => (count - 1)
+                .checked_mul(stride)?
+                .checked_add(offset)?
+                .checked_add(VECTOR)?,
+        };
+        (end <= view_length).then_some(Self {
+            first: start + offset,
+            stride,
+            count,
+        })
     }
-    let number = |value: &Value, or: u64| value.as_u64().unwrap_or(or) as usize;
-    let view = document["bufferViews"].get(accessor["bufferView"].as_u64()? as usize)?;
-    if number(&view["buffer"], 0) != 0 || !accessor["sparse"].is_null() {
-        return None;
+
+    /// How many there are.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.count
     }
-    let start = number(&view["byteOffset"], 0);
-    let view_bytes = bytes.get(start..start.checked_add(number(&view["byteLength"], 0))?)?;
-    let stride = number(&view["byteStride"], 16);
-    let first = number(&accessor["byteOffset"], 0);
-    let vector = |i: usize| {
-        let from = first.checked_add(i.checked_mul(stride)?)?;
-        let four = view_bytes.get(from..from.checked_add(16)?)?;
-        let float = |k: usize| f32::from_le_bytes([four[k], four[k + 1], four[k + 2], four[k + 3]]);
-        Some([float(0), float(4), float(8), float(12)])
-    };
-    (0..number(&accessor["count"], 0)).map(vector).collect()
+
+    /// Reads them, where the bytes of the file begin at `start`, and hands out one after the other.
+    ///
+    /// # Errors
+    /// The file cannot be read.
+    pub fn read(
+        &self,
+        file: &mut (impl Read + Seek),
+        start: u64,
+        mut take: impl FnMut([f32; 4]),
+    ) -> io::Result<()> {
+        file.seek(SeekFrom::Start(start + self.first))?;
+        for i in 0..self.count {
+            let mut bytes = [0; VECTOR as usize];
+            if i > 0 && self.stride > VECTOR {
+                file.seek_relative((self.stride - VECTOR) as i64)?;
+            }
+            file.read_exact(&mut bytes)?;
+            let float =
+                |k: usize| f32::from_le_bytes([bytes[k], bytes[k + 1], bytes[k + 2], bytes[k + 3]]);
+            take([float(0), float(4), float(8), float(12)]);
+        }
+        Ok(())
+    }
 }
 
 #[cfg(test)]
@@ -158,7 +215,8 @@ mod tests {
         whole.extend(bytes);
         let mut file = Cursor::new(&whole);
         assert_eq!(read_document(&mut file).expect("a document"), document);
-        assert_eq!(read_bytes(&mut file).expect("bytes"), bytes);
+        let range = self::bytes(&mut file).expect("bytes");
+        assert_eq!(range, whole.len() as u64 - 8..whole.len() as u64);
         for length in [20, 40, whole.len() - 1] {
             let mut file = Cursor::new(&whole[..length]);
             let error = read_document(&mut file).expect_err("too short");
@@ -187,11 +245,17 @@ mod tests {
                 "bufferViews": [{"buffer": 0, "byteOffset": 4, "byteLength": 92, "byteStride": stride}],
             })
         };
-        let found = vectors(&document(28), 0, bytemuck::cast_slice(&floats)).expect("vectors");
+        let bytes: &[u8] = bytemuck::cast_slice(&floats);
+        let find = |document: &Value, accessor| Vectors::find(document, accessor, 96);
+        let mut found = Vec::new();
+        let vectors = find(&document(28), 0).expect("vectors");
+        let read = vectors.read(&mut Cursor::new(bytes), 0, |four| found.push(four));
+        read.expect("floats");
         assert_eq!(found[0], [3.0, 4.0, 5.0, 6.0]);
         assert_eq!(found[2], [17.0, 18.0, 19.0, 20.0]);
+        assert_eq!(found.len(), 3);
         // Beyond the end, or not there.
-        assert!(vectors(&document(40), 0, bytemuck::cast_slice(&floats)).is_none());
-        assert!(vectors(&document(28), 1, bytemuck::cast_slice(&floats)).is_none());
+        assert!(find(&document(40), 0).is_none());
+        assert!(find(&document(28), 1).is_none());
     }
 }

@@ -3,11 +3,12 @@
 pub mod file;
 pub mod glb;
 pub mod identity;
+pub mod stored;
 mod target;
 
 use crate::cli::{BakeFlags, RenderFlags};
 use crate::device;
-use crate::error::{Error, Result};
+use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
 use crate::report::{Reporter, count};
 use crate::setup::Setup;
@@ -25,6 +26,7 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
+use stored::Stored;
 
 /// The file of a shot's transfer: as `render.prt.bake` says, else beside the shot, `SHOT.prt.glb`.
 #[must_use]
@@ -53,7 +55,7 @@ pub fn settings_of(shot: &Shot) -> BakeSettings {
 /// the command that makes it anew.
 pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Result<Transfer> {
     let anew = anew(setup, shot);
-    let (header, transfer) = file::read(file).map_err(|e| {
+    let stored = Stored::open(file).map_err(|e| {
         // What is something else is not written over.
         match target::refuse_other(file, shot, &setup.source) {
             Ok(()) => e.fix(&anew),
@@ -64,20 +66,24 @@ pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Re
     })?;
     let settings = settings_of(shot);
     let now = Header::new(scene, &settings);
-    if let Some(difference) = now.differs(&header) {
+    if let Some(difference) = now.differs(stored.header()) {
         let error = Error::input(file, format!("it is stale: {}", difference.what)).fix(&anew);
         return Err(match difference.object {
             Some(object) => error.at(named(setup, &now, object)),
             None => error,
         });
     }
-    if header.bands != settings.bands {
-        let (found, wanted) = (header.bands, settings.bands);
+    let (found, wanted) = (stored.header().bands, settings.bands);
+    if found != wanted {
         let what = format!("it has {found} bands, and render.prt.bands is {wanted}");
         return Err(
             Error::input(file, what).fix(format!("{anew}, or set render.prt.bands={found}"))
         );
     }
+    let transfer = stored.transfer().map_err(|e| match e.kind {
+        Kind::Input => e.fix(&anew),
+        _ => e,
+    })?;
     match transfer.check(scene.vertex_counts().iter().sum()) {
         Ok(()) => Ok(transfer),
         Err(TransferError::NotFinite(vertex)) => {
@@ -247,8 +253,11 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
 /// Whether a file holds the transfer that a header tells of, whole and in finite numbers.
 fn is_there(file: &Path, header: &Header) -> bool {
     let vertices: u64 = header.objects.iter().map(|o| o.vertices).sum();
-    file::read_header(file).is_ok_and(|there| there == *header)
-        && file::read(file).is_ok_and(|(_, transfer)| transfer.check(vertices as usize).is_ok())
+    Stored::open(file)
+        .ok()
+        .filter(|stored| stored.header() == header)
+        .and_then(|stored| stored.transfer().ok())
+        .is_some_and(|transfer| transfer.check(vertices as usize).is_ok())
 }
 
 /// The shot with its meshes; neither light nor footage is looked at.

@@ -1,6 +1,6 @@
 //! Host file: where transfer is written to: over an older one, or where nothing is, and nowhere else.
 
-use super::file;
+use super::stored::is_transfer;
 use crate::error::{Error, Result};
 use crate::shot::Shot;
 use crate::shot::parse::Source;
@@ -38,7 +38,7 @@ pub(super) fn refuse_other(out: &Path, shot: &Shot, source: &Source) -> Result<(
     if let Some((i, _)) = objects.find(|(_, object)| is_out(&base.join(&object.mesh))) {
         return refused(&format!("this is the mesh of object.{i}"));
     }
-    match there.len() == 0 || file::is_transfer(out)? {
+    match there.len() == 0 || is_transfer(out)? {
         true => Ok(()),
         false => {
             let error = Error::usage("this is there already, and it is no file of transfer");
