@@ -253,6 +253,17 @@ fn what_is_of_something_else_is_refused() {
     );
     baked(&scratch, &[]).ok();
     assert_eq!(std::fs::read(&file).expect("the file"), whole);
+    // More vertices than there are bytes for; values on top of each other.
+    let mut forged = document.clone();
+    forged["asset"]["extras"]["glimt_bake"]["objects"][0]["vertices"] = 1_000_000.into();
+    std::fs::write(&file, glb(&forged.to_string(), &whole[text_end + 8..])).expect("a file");
+    refused(load(&shot, &[]), name, &["fewer vertices than it says"]);
+    let mut forged = document.clone();
+    for view in forged["bufferViews"].as_array_mut().expect("a list") {
+        view["byteStride"] = 0.into();
+    }
+    std::fs::write(&file, glb(&forged.to_string(), &whole[text_end + 8..])).expect("a file");
+    refused(load(&shot, &[]), name, &["object 0", "_SH_0 is missing"]);
     std::fs::write(&file, &whole).expect("a file");
     load(&shot, &[]).expect("the transfer");
 }

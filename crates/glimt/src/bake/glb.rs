@@ -153,7 +153,7 @@ impl Vectors {
             number(&view["byteStride"], VECTOR),
             number(&accessor["count"], 0),
         );
-        if start.checked_add(view_length)? > length {
+        if stride < VECTOR || start.checked_add(view_length)? > length {
             return None;
         }
         let end = match count {
@@ -257,5 +257,28 @@ mod tests {
         // Beyond the end, or not there.
         assert!(find(&document(40), 0).is_none());
         assert!(find(&document(28), 1).is_none());
+    }
+
+    #[test]
+    fn forged_counts_are_refused_unread() {
+        let document = |count: u64, stride: Value| {
+            json!({
+                "accessors": [{
+                    "bufferView": 0, "componentType": 5126, "count": count, "type": "VEC4",
+                }],
+                "bufferViews": [{"buffer": 0, "byteLength": 96, "byteStride": stride}],
+            })
+        };
+        let find = |count, stride| Vectors::find(&document(count, stride), 0, 96);
+        assert_eq!(find(6, Value::Null).map(|v| v.count()), Some(6));
+        // Values on top of each other would be there however many there are.
+        for stride in [0, 15] {
+            assert!(find(6, json!(stride)).is_none());
+            assert!(find(4_000_000_000, json!(stride)).is_none());
+        }
+        for count in [7, 4_000_000_000, u64::MAX] {
+            assert!(find(count, Value::Null).is_none());
+            assert!(find(count, json!(u64::MAX)).is_none());
+        }
     }
 }
