@@ -360,7 +360,7 @@ fn what_cannot_be_written_is_not_computed() {
     let scratch = Scratch::new("bake-unwritten");
     scratch.shot("none.exr", PLACED);
     let at_once = |ran: Ran, words: &[&str]| {
-        assert!(!ran.err.contains("vertices of"), "{ran:?}");
+        assert!(!ran.err.contains("directions in"), "{ran:?}");
         ran.fails(4, words);
         assert_eq!(scratch.list(""), ["shot.toml"]);
     };
@@ -385,7 +385,7 @@ fn what_cannot_be_written_is_not_computed() {
     // The long name of -o that other commands have, and the one it had.
     baked(&scratch, &["--out", "a.glb"])
         .ok()
-        .says(&["vertices of"]);
+        .says(&["directions in"]);
     baked(&scratch, &["--output", "a.glb"])
         .ok()
         .says(&["there already"]);

@@ -3,6 +3,7 @@
 pub mod file;
 pub mod glb;
 pub mod identity;
+pub mod memory;
 pub mod stored;
 mod target;
 
@@ -18,10 +19,11 @@ use crate::shot::{Method, Shot, check, parse, range};
 use crate::synth::Processor;
 use file::Plan;
 use glimt_render_gpu::gpu;
-use glimt_render_gpu::host::bake::{self, BakeError, BakeSettings, Baked, required_bytes};
+use glimt_render_gpu::host::bake::{self, BakeError, BakeSettings, Baked};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::host::transfer::{Transfer, TransferError};
 use identity::Header;
+use memory::{Need, mebibytes};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -191,16 +193,22 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     let out = flags.out.clone();
     let out = out.unwrap_or_else(|| file_of(&setup.shot, &setup.source));
     target::refuse_other(&out, &setup.shot, &setup.source)?;
+    let settings = settings_of(&setup.shot);
+    let need = Need::of(&setup.scene, settings.bands);
+    let (vertices, triangles, memory) = (need.vertices, need.triangles, need.bytes);
+    let size = file::size(vertices, triangles, settings.bands);
+    reporter.step(&format!(
+        "{vertices} vertices of {triangles} triangles: {} of memory, a file of {}",
+        mebibytes(memory),
+        mebibytes(size),
+    ));
+    if size > u64::from(u32::MAX) {
+        return Err(file::too_long(&out, size));
+    }
+    need.check()?;
     let scene =
         SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
-    let settings = settings_of(&setup.shot);
     let header = Header::new(&scene, &settings);
-
-    let vertices: u64 = header.objects.iter().map(|o| o.vertices).sum();
-    let triangles: u64 = (0..header.objects.len())
-        .map(|i| scene.mesh(i).indices.len() as u64)
-        .sum();
-    let memory = required_bytes(vertices, settings.bands);
     if is_there(&out, &header) {
         let summary = json!({
             "skipped": true, "vertices": vertices, "triangles": triangles, "file": out,
@@ -216,14 +224,11 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     let processor = device::open_processor(flags.device)?;
     // What cannot be written is not computed.
     let pending = plan.begin(&out)?;
-    let size = plan.size();
     reporter.step(&format!(
-        "{vertices} vertices of {triangles} triangles, {} in {}, on {}: {} of memory, a file of {}",
+        "{} in {}, on {}",
         count(settings.directions as usize, "direction"),
         count(settings.bands as usize, "band"),
         processor.name(),
-        mebibytes(memory),
-        mebibytes(size),
     ));
     reporter.start_bar();
     let began = Instant::now();
@@ -235,6 +240,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         rays,
     } = baked;
     plan.write(pending, &scene, &at, &transfer)?;
+    let size = plan.size();
     let rate = rays as f64 / seconds.max(1e-9);
     let summary = json!({
         "skipped": false, "vertices": vertices, "triangles": triangles, "rays": rays, "seconds": seconds,
@@ -354,13 +360,5 @@ impl Clock {
         self.share = share;
         let left = self.began.elapsed().as_secs_f64() * (1.0 - share) / share;
         reporter.progress("transfer", share, Some(left));
-    }
-}
-
-/// Bytes in words.
-fn mebibytes(bytes: u64) -> String {
-    match bytes as f64 / (1u64 << 20) as f64 {
-        small if small < 1024.0 => format!("{small:.1} MiB"),
-        large => format!("{:.1} GiB", large / 1024.0),
     }
 }
