@@ -55,6 +55,8 @@ impl Need {
     /// # Errors
     /// There is less.
     pub fn check(&self) -> Result<()> {
+        // Threads have heaps of their own, which begin with the first thing that each asks for.
+        rayon::broadcast(|_| drop(black_box(Vec::<u8>::with_capacity(1))));
         let there = usize::try_from(self.bytes).is_ok_and(|bytes| {
             let mut room: Vec<u8> = Vec::new();
             let there = room.try_reserve_exact(bytes).is_ok();
