@@ -176,7 +176,7 @@ pub struct RenderFlags {
 /// Flags of the method "smc", whose frames go on from one another.
 #[derive(Clone, Debug, Default, Args)]
 pub struct PastFlags {
-    /// With the method smc: render so many frames before the first, without writing them
+    /// With the method smc, or prt with `render.prt.temporal`: render so many frames before the first, without writing them
     #[arg(
         long,
         value_name = "W",

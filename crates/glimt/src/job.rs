@@ -195,10 +195,17 @@ fn check_past(flags: &PastFlags, render: &Render) -> Result<()> {
         ("--preroll", flags.preroll > 0),
     ];
     match given.iter().find(|(_, given)| *given) {
-        Some((flag, _)) if !render.goes_on() => Err(Error::usage(format!(
-            "{flag} is for the method \"smc\": with others each frame stands alone"
-        ))
-        .fix("leave it out, or add --method smc")),
+        Some((flag, _)) if !render.goes_on() => {
+            let prt = render.method == Method::Prt && *flag == "--preroll";
+            let fix = match prt {
+                true => "leave it out, or set render.prt.temporal above 0",
+                false => "leave it out, or add --method smc",
+            };
+            Err(Error::usage(format!(
+                "{flag} is for methods that go on from frame to frame: here each stands alone"
+            ))
+            .fix(fix))
+        }
         Some((flag, _)) if *flag != "--preroll" && render.method != Method::Smc => {
             Err(Error::usage(format!(
                 "{flag} is for the method \"smc\" alone: what \"prt\" keeps of earlier frames fades fast"

@@ -50,7 +50,7 @@ pub fn settings_of(shot: &Shot) -> BakeSettings {
 /// The file is not there, not whole, of something else, of other bands, or holds what is no number. Each error names it, and
 /// the command that makes it anew.
 pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Result<Transfer> {
-    let anew = anew(setup);
+    let anew = anew(&setup.source);
     let (header, transfer) = file::read(file).map_err(|e| e.fix(&anew))?;
     let settings = settings_of(shot);
     let now = Header::new(scene, &settings);
@@ -90,10 +90,17 @@ pub fn expect(setup: &mut Setup) -> Result<()> {
         return Ok(());
     }
     refuse_motion(setup)?;
-    let file = file_of(&setup.shot, &setup.source);
-    let hash = digest::of_file(&file).map_err(|e| e.fix(anew(setup)))?;
+    let hash = hash_of(&setup.shot, &setup.source)?;
     setup.digest = digest::join([&setup.digest, &hash]);
     Ok(())
+}
+
+/// The hash of a shot's transfer: no other key says what it is.
+///
+/// # Errors
+/// The file is not there.
+pub fn hash_of(shot: &Shot, source: &Source) -> Result<digest::Hash> {
+    digest::of_file(&file_of(shot, source)).map_err(|e| e.fix(anew(source)))
 }
 
 /// Gives a scene, built of the setup's, the transfer that it is rendered by, where it is: as the keys of `shot` say, which may differ
@@ -112,12 +119,12 @@ pub fn give(setup: &Setup, shot: &Shot, scene: &mut SceneBuffers) -> Result<()> 
     let reflections: Vec<f32> = owners.map(|&of_shot| objects[of_shot].reflection).collect();
     scene
         .set_transfer(transfer, &reflections)
-        .map_err(|e| Error::input(&file, e).fix(anew(setup)))
+        .map_err(|e| Error::input(&file, e).fix(anew(&setup.source)))
 }
 
 /// What makes a transfer that can be used.
-fn anew(setup: &Setup) -> String {
-    format!("run `glimt bake {}`", setup.source.file.display())
+fn anew(source: &Source) -> String {
+    format!("run `glimt bake {}`", source.file.display())
 }
 
 /// The object that a vertex of the scene belongs to, and its number there.

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use glam::{DMat3, Mat3, Mat4, Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 
-use super::attributes::{area_weighted_normals, uv_tangents};
 use super::scene::{Mesh, SceneDescription};
 use super::scene_build::MAX_COORDINATE;
 use super::scene_error::SceneError;
@@ -69,7 +68,9 @@ impl Geometry {
                 Some(known) => known,
                 None => {
                     check_mesh(mesh)?;
-                    let complete = Arc::new(completed(mesh));
+                    let mut complete = mesh.clone();
+                    complete.complete();
+                    let complete = Arc::new(complete);
                     meshes.insert(object.mesh, Arc::clone(&complete));
                     complete
                 }
@@ -216,18 +217,6 @@ impl Geometry {
         }
         Ok(flat)
     }
-}
-
-/// A mesh with normals; with tangents, where it has texture coordinates.
-fn completed(mesh: &Mesh) -> Mesh {
-    let mut mesh = mesh.clone();
-    if mesh.normals.is_empty() {
-        mesh.normals = area_weighted_normals(&mesh);
-    }
-    if mesh.tangents.is_empty() && !mesh.uvs.is_empty() {
-        mesh.tangents = uv_tangents(&mesh);
-    }
-    mesh
 }
 
 /// The materials that a mesh names itself.
