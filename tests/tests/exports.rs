@@ -11,6 +11,7 @@ use glimt_sampling::ris::{RisPicks, RisSum};
 use glimt_sampling::{OwenSobol, UniformSource, Xoshiro128PlusPlus, unit_vec2};
 use glimt_smc::{Bridge, Endpoints, Particle};
 use glimt_tests::gpu::{OwnedEntry, adapter_or_skip};
+use glimt_tests::worst::worst;
 
 const COUNT: u32 = 10_000;
 
@@ -74,17 +75,20 @@ fn run(
     words.into_iter().map(Vec4::from_array).collect()
 }
 
-/// The largest difference between a shader's values and Rust's, relative to the largest value.
-fn difference(gpu: &[Vec4], cpu: impl Fn(u32) -> Vec4) -> f32 {
-    let largest = (0..COUNT)
-        .map(|id| cpu(id).abs().max_element())
-        .fold(0.0, f32::max);
+/// The largest difference between a shader's values and Rust's, relative to the largest value; NaN where there is one.
+fn difference(gpu: &[Vec4], cpu: impl Fn(u32) -> Vec4) -> f64 {
+    let largest = worst((0..COUNT).flat_map(|id| cpu(id).abs().to_array()));
     assert!(largest > 0.0);
-    let worst = (0..COUNT)
-        .zip(gpu)
-        .map(|(id, g)| (cpu(id) - *g).abs().max_element())
-        .fold(0.0, f32::max);
-    worst / largest
+    let differences = (0..COUNT).zip(gpu);
+    worst(differences.flat_map(|(id, g)| (cpu(id) - *g).abs().to_array())) / largest
+}
+
+#[test]
+fn a_nan_is_a_difference() {
+    let mut gpu = vec![Vec4::ONE; COUNT as usize];
+    assert_eq!(difference(&gpu, |_| Vec4::ONE), 0.0);
+    gpu[7].y = f32::NAN;
+    assert!(difference(&gpu, |_| Vec4::ONE).is_nan());
 }
 
 /// The uniforms of element `id`, as `value` draws them too.
