@@ -201,6 +201,24 @@ fn the_light_of_a_shot() {
     assert!(of_shot[3].1[0].abs() < 1e-3);
 }
 
+/// Not the shot, not a frame that --frames leaves out, not by another path.
+fn nothing_is_written_over(t: &Scratch) {
+    t.lights(3);
+    t.shot("light.####.exr", "");
+    let before = |name: &str| fs::read(t.file(name)).unwrap();
+    let (shot, third) = (before("shot.toml"), before("light.0003.exr"));
+    t.run(&["sh", "shot.toml", "-o", "shot.toml"])
+        .fails(2, &["shot.toml", "the shot that is read"]);
+    let sequence = ["sh", "light.####.exr", "--frames", "1-2", "-o"];
+    for out in ["light.0003.exr", "./light.0003.exr"] {
+        t.run(&[&sequence[..], &[out]].concat())
+            .fails(2, &[out, "one of the lights"]);
+        t.run(&["sh", "shot.toml", "--frames", "1", "-o", out])
+            .fails(2, &[out, "one of the lights"]);
+    }
+    assert!(before("shot.toml") == shot && before("light.0003.exr") == third);
+}
+
 #[test]
 fn what_cannot_be_is_said() {
     let t = Scratch::new("sh-errors");
@@ -215,6 +233,7 @@ fn what_cannot_be_is_said() {
         .fails(2, &["--frames", "light.####.exr"]);
     t.run(&["sh", "light.exr", "-o", "light.exr"])
         .fails(2, &["light.exr", "one of the lights"]);
+    nothing_is_written_over(&t);
     t.run(&["sh", "light.exr", "-o", "no/folder/c.csv"])
         .fails(4, &["no/folder/c.csv"]);
     assert_eq!(t.run(&["--json", "sh", "light.exr"]).status, 2);

@@ -12,7 +12,7 @@ use glam::UVec2;
 use glimt_render_gpu::host::env::EnvMap;
 use glimt_render_gpu::host::projection::Projector;
 use glimt_sh::{LightCoefficients, Z_UP_TO_Y_UP, rotated, temporally_filtered, windowed};
-use lights::Lights;
+use lights::Found;
 use serde_json::json;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -39,13 +39,16 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
         );
     }
     let mut notes = Notes::new(flags.strict);
-    let found = |done, all| reporter.stage("looking for the ball", done, all);
-    let lights = Lights::open(inputs, flags, &mut notes, &found);
+    let found = Found::find(inputs, flags, &mut notes);
+    reporter.notes(notes.take());
+    let found = found?;
+    if let Some(out) = &flags.out {
+        refuse_input(out, inputs, &found)?;
+    }
+    let looked = |done, all| reporter.stage("looking for the ball", done, all);
+    let lights = found.open(&mut notes, &looked);
     reporter.notes(notes.take());
     let lights = lights?;
-    if let Some(out) = &flags.out {
-        refuse_input(out, &lights)?;
-    }
     let shown = flags.out.as_deref().unwrap_or(Path::new("standard output"));
     reporter.start_filming(lights.len(), shown, "the CPU");
 
@@ -116,23 +119,22 @@ fn project(kept: &mut Option<Projector>, map: &EnvMap, bands: u32) -> Result<Lig
     light.map_err(|e| Error::new(Kind::Internal, e))
 }
 
-/// Sees that no light is written over.
-fn refuse_input(out: &Path, lights: &Lights) -> Result<()> {
+/// Sees that nothing that is read is written over, nor another frame of a sequence of which a part is read.
+fn refuse_input(out: &Path, inputs: &[PathBuf], found: &Found) -> Result<()> {
     let Ok(out_path) = out.canonicalize() else {
         return Ok(());
     };
-    let same = |i: usize| {
-        lights
-            .file(i)
-            .canonicalize()
-            .is_ok_and(|path| path == out_path)
+    let same = |path: &Path| path.canonicalize().is_ok_and(|path| path == out_path);
+    let what = if found.has(same) {
+        "this is one of the lights"
+    } else if inputs.iter().any(|input| same(input)) {
+        "this is the shot that is read"
+    } else {
+        return Ok(());
     };
-    if (0..lights.len()).any(same) {
-        return Err(Error::usage("this is one of the lights that are read")
-            .file(out)
-            .fix("name another file with -o"));
-    }
-    Ok(())
+    Err(Error::usage(format!("{what}, and would be written over"))
+        .file(out)
+        .fix("name another file with -o"))
 }
 
 fn print(text: &str) -> Result<()> {
