@@ -236,6 +236,16 @@ fn what_cannot_be_is_said() {
     nothing_is_written_over(&t);
     t.run(&["sh", "light.exr", "-o", "no/folder/c.csv"])
         .fails(4, &["no/folder/c.csv"]);
+    t.run(&["sh", "light.exr", "-o", "."])
+        .fails(2, &["this is a folder", "-o"]);
+    // Before the work: a file whose texels are missing is not even come to.
+    let whole = fs::read(t.file("light.exr")).unwrap();
+    t.put("cut.exr", &whole[..whole.len() / 2]);
+    t.run(&["sh", "cut.exr"]).fails(3, &["cut.exr"]);
+    let ran = t
+        .run(&["sh", "cut.exr", "-o", "no/folder/c.csv"])
+        .fails(4, &["no/folder/c.csv"]);
+    assert!(!ran.err.contains("cut.exr"), "{}", ran.err);
     assert_eq!(t.run(&["--json", "sh", "light.exr"]).status, 2);
     for bad in [
         ["--bands", "0"],

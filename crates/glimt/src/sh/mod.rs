@@ -6,7 +6,7 @@ mod text;
 use crate::cli::{ShFlags, ShFormat, Up};
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
-use crate::output::write_text;
+use crate::output::atomic::Pending;
 use crate::report::{FrameStatus, Reporter, count};
 use glam::UVec2;
 use glimt_render_gpu::host::env::EnvMap;
@@ -42,9 +42,11 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
     let found = Found::find(inputs, flags, &mut notes);
     reporter.notes(notes.take());
     let found = found?;
-    if let Some(out) = &flags.out {
-        refuse_input(out, inputs, &found)?;
-    }
+    // Before the work, so that it is not in vain.
+    let mut pending = match &flags.out {
+        Some(out) => Some(begin(out, inputs, &found)?),
+        None => None,
+    };
     let looked = |done, all| reporter.stage("looking for the ball", done, all);
     let lights = found.open(&mut notes, &looked);
     reporter.notes(notes.take());
@@ -90,8 +92,12 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
         ShFormat::Json => text::json(&projected, flags),
         ShFormat::Engine => text::engine(&projected, flags),
     };
-    match &flags.out {
-        Some(file) => write_text(file, &written)?,
+    match &mut pending {
+        Some(pending) => {
+            let text = pending.write_all(written.as_bytes());
+            text.map_err(|e| pending.error(&e))?;
+            pending.commit()?;
+        }
         None => print(&written)?,
     }
     let seconds = began.elapsed().as_secs_f64();
@@ -119,22 +125,25 @@ fn project(kept: &mut Option<Projector>, map: &EnvMap, bands: u32) -> Result<Lig
     light.map_err(|e| Error::new(Kind::Internal, e))
 }
 
-/// Sees that nothing that is read is written over, nor another frame of a sequence of which a part is read.
-fn refuse_input(out: &Path, inputs: &[PathBuf], found: &Found) -> Result<()> {
-    let Ok(out_path) = out.canonicalize() else {
-        return Ok(());
+/// Begins to write the file, which must be nothing that is read, nor another frame of a sequence of which a part is read.
+fn begin(out: &Path, inputs: &[PathBuf], found: &Found) -> Result<Pending> {
+    let refused = |what: &str| {
+        let error = Error::usage(what).file(out);
+        Err(error.fix("name another file with -o"))
     };
-    let same = |path: &Path| path.canonicalize().is_ok_and(|path| path == out_path);
-    let what = if found.has(same) {
-        "this is one of the lights"
-    } else if inputs.iter().any(|input| same(input)) {
-        "this is the shot that is read"
-    } else {
-        return Ok(());
-    };
-    Err(Error::usage(format!("{what}, and would be written over"))
-        .file(out)
-        .fix("name another file with -o"))
+    if out.is_dir() {
+        return refused("this is a folder");
+    }
+    if let Ok(out_path) = out.canonicalize() {
+        let same = |path: &Path| path.canonicalize().is_ok_and(|path| path == out_path);
+        if found.has(same) {
+            return refused("this is one of the lights, and would be written over");
+        }
+        if inputs.iter().any(|input| same(input)) {
+            return refused("this is the shot that is read, and would be written over");
+        }
+    }
+    Pending::create(out)
 }
 
 fn print(text: &str) -> Result<()> {
