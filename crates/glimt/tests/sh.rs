@@ -265,6 +265,59 @@ fn what_cannot_be_is_said() {
         .fails(2, &["shot.toml", "scael"]);
 }
 
+/// Folders, lights and outputs may have names of any bytes; what is said of them is readable all the same.
+#[cfg(target_os = "linux")]
+#[test]
+fn names_need_not_be_text() {
+    use std::ffi::{OsStr, OsString};
+    use std::os::unix::ffi::OsStrExt;
+    let t = Scratch::new("sh-bytes");
+    lobes(&t, "light.exr", 1.0);
+    let name = |bytes: &[u8]| OsStr::from_bytes(bytes).to_owned();
+    let (light, out, folder) = (name(b"l\xff.exr"), name(b"o\xff.json"), name(b"f\xff"));
+    let bytes = fs::read(t.file("light.exr")).unwrap();
+    fs::write(t.path.join(&light), &bytes).unwrap();
+    fs::create_dir(t.path.join(&folder)).unwrap();
+    fs::write(t.path.join(&folder).join("light.0007.exr"), &bytes).unwrap();
+    let run = |args: &[&OsStr]| {
+        let output = t.command(&["sh"]).args(args).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), said)
+    };
+    let json = [
+        OsStr::new("--format"),
+        OsStr::new("json"),
+        OsStr::new("-o"),
+        &out,
+    ];
+    let mut sequence: OsString = folder.clone();
+    sequence.push("/light.####.exr");
+    for (input, frame) in [(&light, 1), (&sequence, 7)] {
+        for more in [&[][..], &[OsStr::new("--json")]] {
+            let (status, said) = run(&[&[input.as_os_str()], &json[..], more].concat());
+            assert_eq!(status, Some(0), "{said}");
+            let value = parsed(&fs::read_to_string(t.path.join(&out)).unwrap());
+            assert_eq!(value["frames"][0]["frame"], frame);
+            assert!(
+                value["frames"][0]["file"]
+                    .as_str()
+                    .unwrap()
+                    .contains('\u{fffd}')
+            );
+        }
+    }
+    for more in ["--quiet", "--json"] {
+        let (status, said) = run(&[
+            &name(b"none\xff.exr"),
+            OsStr::new(more),
+            OsStr::new("-o"),
+            &out,
+        ]);
+        assert_eq!(status, Some(3), "{said}");
+        assert!(said.contains("there is no such file"), "{said}");
+    }
+}
+
 #[test]
 fn texels_that_are_no_light_are_counted() {
     let t = Scratch::new("sh-bad");

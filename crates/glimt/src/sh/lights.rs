@@ -38,7 +38,7 @@ impl Found {
         let keys = shot::Probe::default();
         let files = inputs
             .iter()
-            .map(|input| FrameFiles::new(Path::new(""), &input.to_string_lossy()))
+            .map(|input| files_of(input))
             .collect::<Result<Vec<_>>>()?;
         if let [sequence] = &files[..]
             && !sequence.is_still()
@@ -196,6 +196,15 @@ impl Lights {
     /// How they are turned in the world.
     pub(super) fn turn(&self) -> Option<Mat3> {
         self.turn
+    }
+}
+
+/// The files that an argument names. Its folder is taken as it is, whatever bytes it is made of, and so is a name without #.
+fn files_of(input: &Path) -> Result<FrameFiles> {
+    let name = input.file_name().unwrap_or_default().to_string_lossy();
+    match input.parent() {
+        Some(folder) if name.contains('#') => FrameFiles::new(folder, &name),
+        _ => Ok(FrameFiles::Still(input.to_owned())),
     }
 }
 

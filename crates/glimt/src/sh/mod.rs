@@ -101,8 +101,9 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
         None => print(&written)?,
     }
     let seconds = began.elapsed().as_secs_f64();
+    let out = flags.out.as_ref().map(|out| out.display().to_string());
     let summary = json!({
-        "projected": projected.len(), "bands": flags.bands, "seconds": seconds, "out": flags.out,
+        "projected": projected.len(), "bands": flags.bands, "seconds": seconds, "out": out,
     });
     let text = format!(
         "{} in {seconds:.1} s: {}",

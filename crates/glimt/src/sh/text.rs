@@ -121,7 +121,8 @@ fn with_frames(value: &Value, frames: impl Iterator<Item = Value>) -> String {
 
 fn entry(frame: &Projected, name: &str, coefficients: &[Vec3]) -> Value {
     let list: Vec<Value> = coefficients.iter().map(|c| numbers(*c)).collect();
-    json!({"frame": frame.frame, "file": frame.file, "size": frame.size.to_array(), name: list})
+    let file = frame.file.display().to_string();
+    json!({"frame": frame.frame, "file": file, "size": frame.size.to_array(), name: list})
 }
 
 /// With the digits of an f32: what it is as a double would show more than there are.
