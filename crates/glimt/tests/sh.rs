@@ -199,6 +199,11 @@ fn the_light_of_a_shot() {
         "{of_shot:?}"
     );
     assert!(of_shot[3].1[0].abs() < 1e-3);
+    // No image is made, so no backplate is looked for to give it its size.
+    let plate = "[backplate]\nframes = \"gone.####.png\"\n[probe]\nframes = \"light.exr\"\n[[object]]\nmesh = \"sphere\"\n";
+    t.put("plate.toml", plate);
+    let out = t.run(&["sh", "plate.toml", "--bands", "2"]).ok().out;
+    assert_eq!(rows(&out), own);
 }
 
 /// Not the shot, not a frame that --frames leaves out, not by another path.

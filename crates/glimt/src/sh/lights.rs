@@ -2,7 +2,6 @@
 
 use crate::cli::ShFlags;
 use crate::error::{Error, Result};
-use crate::input::footage;
 use crate::input::frames::FrameFiles;
 use crate::input::probe::Probe;
 use crate::job::probe_files;
@@ -76,9 +75,8 @@ impl Found {
 
     /// The light of a shot, as its keys say: mapping, scale and turn. Its colours stay the probe's.
     fn of_shot(file: &Path, flags: &ShFlags, notes: &mut Notes) -> Result<Self> {
-        let (mut shot, source): (Shot, _) = parse::read(file, &[])?;
+        let (shot, source): (Shot, _) = parse::read(file, &[])?;
         let base = file.parent().unwrap_or(Path::new(""));
-        footage::adopt_size(&mut shot, &source, base)?;
         check::check(&shot, &source)?;
         let files = probe_files(&shot, &source, base)?;
         if shot.probe.colour.is_some() {
