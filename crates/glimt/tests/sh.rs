@@ -200,7 +200,8 @@ fn the_light_of_a_shot() {
     );
     assert!(of_shot[3].1[0].abs() < 1e-3);
     // No image is made, so no backplate is looked for to give it its size.
-    let plate = "[backplate]\nframes = \"gone.####.png\"\n[probe]\nframes = \"light.exr\"\n[[object]]\nmesh = \"sphere\"\n";
+    let plate = "[backplate]\nframes = \"gone.####.png\"\n[probe]\nframes = \"light.exr\"\n\
+                 [[object]]\nmesh = \"sphere\"\n";
     t.put("plate.toml", plate);
     let out = t.run(&["sh", "plate.toml", "--bands", "2"]).ok().out;
     assert_eq!(rows(&out), own);
@@ -230,8 +231,21 @@ fn what_cannot_be_is_said() {
     lobes(&t, "light.exr", 1.0);
     t.run(&["sh", "light.exr", "gone.exr"])
         .fails(3, &["gone.exr", "no such file"]);
-    t.run(&["sh", "light.####.exr"])
-        .fails(3, &["no file is named light.####.exr", "#"]);
+    // Where a name is to be corrected: on the command line, or in the shot.
+    t.put(
+        "none.toml",
+        "[probe]\nframes = \"nope.####.exr\"\n[[object]]\nmesh = \"sphere\"\n",
+    );
+    for frames in [&[][..], &["--frames", "1-2"]] {
+        let run = |input| t.run(&[&["sh", input], frames].concat());
+        let words = ["no file is named nope.####.exr", "check the path: each #"];
+        run("nope.####.exr").fails(3, &words);
+        let words = [
+            "no file is named nope.####.exr",
+            "check probe.frames: each #",
+        ];
+        run("none.toml").fails(3, &words);
+    }
     t.run(&["sh", "light.exr", "light.####.exr"])
         .fails(2, &["is a sequence", "one sequence"]);
     t.run(&["sh", "light.exr", "--frames", "1-2"])

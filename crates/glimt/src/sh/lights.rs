@@ -42,7 +42,7 @@ impl Found {
         if let [sequence] = &files[..]
             && !sequence.is_still()
         {
-            let frames = frames_of(sequence, flags.frames.as_deref())?;
+            let frames = frames_of(sequence, flags.frames.as_deref(), "check the path")?;
             sequence.tell_gaps(&frames, NOT_THERE, notes);
             return Ok(Self {
                 range: frames[0]..=frames[frames.len() - 1],
@@ -89,7 +89,8 @@ impl Found {
             "" => None,
             text => Some(text),
         };
-        let frames = frames_of(&files, flags.frames.as_deref().or(of_shot))?;
+        let asked = flags.frames.as_deref().or(of_shot);
+        let frames = frames_of(&files, asked, "check probe.frames")?;
         files.tell_gaps(&frames, NOT_THERE, notes);
         let range = match of_shot {
             Some(text) => range::parse(text)?,
@@ -206,16 +207,21 @@ fn files_of(input: &Path) -> Result<FrameFiles> {
     }
 }
 
-/// The frames that are asked for, or all that there are.
-fn frames_of(files: &FrameFiles, asked: Option<&str>) -> Result<Vec<u32>> {
+/// The frames that are asked for, or all that there are. `fix` says where the files' name is to be looked at if there are none.
+fn frames_of(files: &FrameFiles, asked: Option<&str>, fix: &str) -> Result<Vec<u32>> {
+    if files.is_still() && asked.is_none() {
+        return files.require(1, 1);
+    }
+    let there = files.existing().map_err(|e| {
+        e.fix(format!(
+            "{fix}: each # stands for a digit of the frame's number"
+        ))
+    })?;
     match asked {
         Some(text) => {
             let asked = range::parse(text).map_err(|e| e.at("--frames"))?;
             files.require(*asked.start(), *asked.end())
         }
-        None if files.is_still() => files.require(1, 1),
-        None => files
-            .existing()
-            .map_err(|e| e.fix("check the path: each # stands for a digit of the frame's number")),
+        None => Ok(there),
     }
 }
