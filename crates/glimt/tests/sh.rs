@@ -142,6 +142,51 @@ fn what_engines_take() {
     );
 }
 
+/// Turned as the help says, the light lies as Filament's cmgen lays the same map: column `atan2(x, z)`, row `asin y`, and the
+/// whole mirrored in x. What is written says where the map's centre and left are.
+#[test]
+fn light_lies_as_engines_lay_it() {
+    let t = Scratch::new("sh-axes");
+    lobes(&t, "light.exr", 1.0);
+    let run = |more: &[&str]| {
+        let args = [&["sh", "light.exr", "--format", "engine"], more].concat();
+        parsed(&t.run(&args).ok().out)
+    };
+    let (n, s) = ([0.48, -0.6, 0.64f64], [0.28, 0.0, -0.96]);
+    let far = |value: &Value| {
+        let e = list(&value["frames"][0]["sh"]);
+        let error = |[x, y, z]: [f64; 3]| {
+            let phi = -(-x).atan2(z);
+            let d = [phi.cos(), phi.sin()].map(|c| (1.0 - y * y).sqrt() * c);
+            let exact = [d[0], d[1], y].map(|d| 1.0 + 2.0 / 3.0 * d);
+            let found = |c: usize| e[0][c] + e[1][c] * y + e[2][c] * z + e[3][c] * x;
+            (0..3).fold(0.0, |sum, c| sum + (found(c) - exact[c]).abs())
+        };
+        error(n) + error(s)
+    };
+    let meaning = |value: &Value| value["meaning"].as_str().unwrap().to_owned();
+    let turned = run(&["--up", "y", "--rotate-z-deg", "-90"]);
+    assert!(far(&turned) < 1e-2, "{}", far(&turned));
+    let said = "centre lies along (0, 0, 1), its left along (1, 0, 0), its top along (0, 1, 0)";
+    assert!(meaning(&turned).contains(said), "{}", meaning(&turned));
+    let plain = run(&["--up", "y"]);
+    assert!(!(far(&plain) < 0.5), "another turn passes");
+    let said = "right-handed axes, in which a light map's centre lies along (1, 0, 0), its left along (0, 0, -1)";
+    assert!(meaning(&plain).contains(said), "{}", meaning(&plain));
+    let csv = [
+        "sh",
+        "light.exr",
+        "--convention",
+        "directx",
+        "--rotate-z-deg=60",
+    ];
+    let csv = t.run(&csv).ok().out;
+    let said = "right-handed axes, in which a light map's centre lies along (0.5, 0.866, 0)";
+    assert!(csv.contains(said), "{csv}");
+    t.run(&["sh", "light.exr", "--rotate-z-deg", "inf"])
+        .fails(2, &["-90"]);
+}
+
 #[test]
 fn a_sequence_is_filtered_over_time() {
     let t = Scratch::new("sh-sequence");
@@ -199,6 +244,14 @@ fn the_light_of_a_shot() {
         "{of_shot:?}"
     );
     assert!(of_shot[3].1[0].abs() < 1e-3);
+    // The flag turns further: here back.
+    let back = ["sh", "shot.toml", "--bands", "2", "--rotate-z-deg", "-90"];
+    let back = rows(&t.run(&back).ok().out);
+    for ((_, back), (_, own)) in back.iter().zip(&own) {
+        for (back, own) in back.iter().zip(own) {
+            assert!((back - 2.0 * own).abs() < 1e-4, "{back} {own}");
+        }
+    }
     // No image is made, so no backplate is looked for to give it its size.
     let plate = "[backplate]\nframes = \"gone.####.png\"\n[probe]\nframes = \"light.exr\"\n\
                  [[object]]\nmesh = \"sphere\"\n";

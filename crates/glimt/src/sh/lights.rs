@@ -23,6 +23,8 @@ pub(super) struct Found {
     range: RangeInclusive<u32>,
     /// How they are read.
     keys: shot::Probe,
+    /// How far they are turned, in degrees about +z.
+    turn: f32,
 }
 
 impl Found {
@@ -48,6 +50,7 @@ impl Found {
                 range: frames[0]..=frames[frames.len() - 1],
                 sources: vec![(sequence.clone(), frames)],
                 keys,
+                turn: flags.rotate_z_deg,
             });
         }
         if let Some(sequence) = files.iter().find(|files| !files.is_still()) {
@@ -70,6 +73,7 @@ impl Found {
             sources: files.into_iter().map(|file| (file, vec![1])).collect(),
             range: 1..=1,
             keys,
+            turn: flags.rotate_z_deg,
         })
     }
 
@@ -99,6 +103,7 @@ impl Found {
         Ok(Self {
             sources: vec![(files, frames)],
             range,
+            turn: shot.probe.rotate_z_deg + flags.rotate_z_deg,
             keys: shot.probe,
         })
     }
@@ -143,11 +148,10 @@ impl Found {
             frames.extend(numbers.into_iter().map(place));
             probes.push(probe);
         }
-        let turn = self.keys.rotate_z_deg;
         Ok(Lights {
             frames,
             probes,
-            turn: (turn != 0.0).then(|| Mat3::from_rotation_z(turn.to_radians())),
+            turn: Mat3::from_rotation_z(self.turn.to_radians()),
         })
     }
 }
@@ -156,7 +160,7 @@ impl Found {
 pub(super) struct Lights {
     frames: Vec<Place>,
     probes: Vec<Probe>,
-    turn: Option<Mat3>,
+    turn: Mat3,
 }
 
 /// A light among others.
@@ -193,7 +197,7 @@ impl Lights {
     }
 
     /// How they are turned in the world.
-    pub(super) fn turn(&self) -> Option<Mat3> {
+    pub(super) fn turn(&self) -> Mat3 {
         self.turn
     }
 }

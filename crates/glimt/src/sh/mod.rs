@@ -8,7 +8,7 @@ use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
 use crate::output::atomic::Pending;
 use crate::report::{FrameStatus, Reporter, count};
-use glam::UVec2;
+use glam::{Mat3, UVec2};
 use glimt_render_gpu::host::env::EnvMap;
 use glimt_render_gpu::host::projection::Projector;
 use glimt_sh::{LightCoefficients, Z_UP_TO_Y_UP, rotated, temporally_filtered, windowed};
@@ -54,6 +54,11 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
     let shown = flags.out.as_deref().unwrap_or(Path::new("standard output"));
     reporter.start_filming(lights.len(), shown, "the CPU");
 
+    // From a map's own directions to those of what is written.
+    let axes = match flags.up {
+        Up::Z => lights.turn(),
+        Up::Y => Z_UP_TO_Y_UP * lights.turn(),
+    };
     let mut projector = None;
     let mut projected: Vec<Projected> = Vec::new();
     let mut before: Option<LightCoefficients> = None;
@@ -64,11 +69,7 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
         let map = map?;
         let raw =
             project(&mut projector, &map, flags.bands).map_err(|e| e.file(&lights.file(i)))?;
-        let light = match lights.turn() {
-            Some(turn) => rotated(&raw, &turn),
-            None => raw,
-        };
-        let light = windowed(&light, flags.window);
+        let light = windowed(&raw, flags.window);
         // The filter goes on from what it gave, not from what is written: turned or in another convention.
         let light = match &before {
             Some(before) => temporally_filtered(&light, before, flags.temporal),
@@ -79,18 +80,19 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
             frame: lights.frame(i),
             file: lights.file(i),
             size: map.size(),
-            coefficients: match flags.up {
-                Up::Z => light,
-                Up::Y => rotated(&light, &Z_UP_TO_Y_UP),
+            coefficients: if axes == Mat3::IDENTITY {
+                light
+            } else {
+                rotated(&light, &axes)
             },
         });
         let status = FrameStatus::Rendered(started.elapsed().as_secs_f64());
         reporter.frame(lights.frame(i), status, i + 1, lights.len());
     }
     let written = match flags.format {
-        ShFormat::Csv => text::csv(&projected, flags),
-        ShFormat::Json => text::json(&projected, flags),
-        ShFormat::Engine => text::engine(&projected, flags),
+        ShFormat::Csv => text::csv(&projected, flags, &axes),
+        ShFormat::Json => text::json(&projected, flags, &axes),
+        ShFormat::Engine => text::engine(&projected, flags, &axes),
     };
     match &mut pending {
         Some(pending) => {
