@@ -387,7 +387,7 @@ pub enum ShConvention {
     CondonShortley,
     /// As DirectXMath's spherical harmonics; the axes stay right-handed
     Directx,
-    /// Nine coefficients of irradiance over π, the constants folded in
+    /// Nine coefficients of irradiance over π, the constants folded in: three bands, whatever --bands says above that
     Filament,
 }
 

@@ -95,6 +95,20 @@ fn conventions_and_up() {
     );
     // What was along y, green, is now along −z.
     assert!((up[2][1] + ours[1][1]).abs() < 1e-5, "{up:?}");
+    let args = [
+        "sh",
+        "light.exr",
+        "--format",
+        "json",
+        "--convention",
+        "filament",
+    ];
+    let five = parsed(&t.run(&args).ok().out);
+    assert_eq!(five["bands"], 3);
+    for flags in [["--format", "engine"], ["--convention", "filament"]] {
+        let args = [&["sh", "light.exr", "--bands", "2"], &flags[..]].concat();
+        t.run(&args).fails(2, &["nine coefficients", "--bands"]);
+    }
     let engine = run(&["--convention", "filament"]);
     assert_eq!(engine.len(), 9);
     let exact = ours[3][0] * 0.325_735;

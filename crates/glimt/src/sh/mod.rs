@@ -3,7 +3,7 @@
 mod lights;
 mod text;
 
-use crate::cli::{ShFlags, ShFormat, Up};
+use crate::cli::{ShConvention, ShFlags, ShFormat, Up};
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
 use crate::output::atomic::Pending;
@@ -38,6 +38,7 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
                 .fix("name a file for the coefficients, with -o"),
         );
     }
+    let bands = bands_written(flags)?;
     let mut notes = Notes::new(flags.strict);
     let found = Found::find(inputs, flags, &mut notes);
     reporter.notes(notes.take());
@@ -67,8 +68,7 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
         let map = lights.load(i, &mut notes);
         reporter.notes(notes.take());
         let map = map?;
-        let raw =
-            project(&mut projector, &map, flags.bands).map_err(|e| e.file(&lights.file(i)))?;
+        let raw = project(&mut projector, &map, bands).map_err(|e| e.file(&lights.file(i)))?;
         let light = windowed(&raw, flags.window);
         // The filter goes on from what it gave, not from what is written: turned or in another convention.
         let light = match &before {
@@ -91,7 +91,7 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
     }
     let written = match flags.format {
         ShFormat::Csv => text::csv(&projected, flags, &axes),
-        ShFormat::Json => text::json(&projected, flags, &axes),
+        ShFormat::Json => text::json(&projected, flags, bands, &axes),
         ShFormat::Engine => text::engine(&projected, flags, &axes),
     };
     match &mut pending {
@@ -105,7 +105,7 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
     let seconds = began.elapsed().as_secs_f64();
     let out = flags.out.as_ref().map(|out| out.display().to_string());
     let summary = json!({
-        "projected": projected.len(), "bands": flags.bands, "seconds": seconds, "out": out,
+        "projected": projected.len(), "bands": bands, "seconds": seconds, "out": out,
     });
     let text = format!(
         "{} in {seconds:.1} s: {}",
@@ -114,6 +114,23 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
     );
     reporter.finish(summary, &text);
     Ok(())
+}
+
+/// The bands that are written: the nine coefficients that engines take are those of three.
+fn bands_written(flags: &ShFlags) -> Result<u32> {
+    if flags.format != ShFormat::Engine && flags.convention != ShConvention::Filament {
+        return Ok(flags.bands);
+    }
+    if flags.bands < 3 {
+        let what = format!(
+            "engines take nine coefficients, and --bands {} has fewer",
+            flags.bands
+        );
+        return Err(
+            Error::usage(what).fix("leave --bands out, or choose another format and convention")
+        );
+    }
+    Ok(3)
 }
 
 /// The coefficients of a map, by a projector that is kept while the size stays.

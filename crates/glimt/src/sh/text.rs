@@ -93,7 +93,7 @@ pub(super) fn csv(frames: &[Projected], flags: &ShFlags, axes: &Mat3) -> String 
 }
 
 /// One object, with a list of frames.
-pub(super) fn json(frames: &[Projected], flags: &ShFlags, axes: &Mat3) -> String {
+pub(super) fn json(frames: &[Projected], flags: &ShFlags, bands: u32, axes: &Mat3) -> String {
     let list = frames
         .iter()
         .map(|frame| entry(frame, "coefficients", &converted(frame, flags)));
@@ -104,7 +104,7 @@ pub(super) fn json(frames: &[Projected], flags: &ShFlags, axes: &Mat3) -> String
         ShConvention::Filament => "filament",
     };
     let value = json!({
-        "software": SOFTWARE, "convention": convention, "meaning": meaning(flags.convention, axes), "bands": flags.bands,
+        "software": SOFTWARE, "convention": convention, "meaning": meaning(flags.convention, axes), "bands": bands,
         "up": up(flags), "window": width(flags), "temporal": flags.temporal,
     });
     with_frames(&value, list)
