@@ -232,6 +232,13 @@ fn a_sequence_is_filtered_over_time() {
         .out;
     let values: Vec<f64> = rows(&out).iter().map(|row| row.1[0]).collect();
     assert!((values[0] / values[1] - 3.0).abs() < 1e-5, "{values:?}");
+    // Which is which.
+    assert!(
+        out.contains("\n# frame 1: light.0003.exr\n# frame 2: light.0001.exr\n"),
+        "{out}"
+    );
+    let sequence = t.run(&["sh", "light.####.exr"]).ok().out;
+    assert!(!sequence.contains("# frame"), "{sequence}");
 
     fs::remove_file(t.file("light.0002.exr")).unwrap();
     t.run(&["sh", "light.####.exr"])

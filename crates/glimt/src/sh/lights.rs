@@ -184,6 +184,11 @@ impl Lights {
         self.frames[i].number
     }
 
+    /// Whether one is a file, and no frame of a sequence.
+    pub(super) fn is_still(&self, i: usize) -> bool {
+        self.probes[self.frames[i].probe].is_still()
+    }
+
     /// One's file.
     pub(super) fn file(&self, i: usize) -> PathBuf {
         let Place { frame, probe, .. } = self.frames[i];

@@ -21,6 +21,8 @@ use std::time::Instant;
 /// A frame's coefficients, as they are written.
 struct Projected {
     frame: u32,
+    /// Whether the number is no frame's, but says which file it is.
+    still: bool,
     file: PathBuf,
     size: UVec2,
     coefficients: LightCoefficients,
@@ -78,6 +80,7 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
         before = Some(light);
         projected.push(Projected {
             frame: lights.frame(i),
+            still: lights.is_still(i),
             file: lights.file(i),
             size: map.size(),
             coefficients: if axes == Mat3::IDENTITY {

@@ -82,6 +82,11 @@ fn filters(flags: &ShFlags) -> String {
 pub(super) fn csv(frames: &[Projected], flags: &ShFlags, axes: &Mat3) -> String {
     let mut out = format!("# {SOFTWARE} sh, {}\n", filters(flags));
     let _ = writeln!(out, "# {}", meaning(flags.convention, axes));
+    for frame in frames.iter().filter(|frame| frame.still) {
+        let file = frame.file.display().to_string();
+        let file = file.replace(char::is_control, " ");
+        let _ = writeln!(out, "# frame {}: {file}", frame.frame);
+    }
     out.push_str("frame,l,m,r,g,b\n");
     for frame in frames {
         for (k, c) in (0..).zip(converted(frame, flags)) {
