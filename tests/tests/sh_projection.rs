@@ -376,11 +376,35 @@ fn what_cannot_be_is_an_error() {
         Err(ShError::Row { row: 2, height: 2 })
     );
     assert!(projection.add_rows(&table, 1, &[0.0; 48]).is_err());
+    // Fewer bands would lose coefficients; more are as good.
+    let mut four = Projection::new(4, UVec2::new(8, 2)).unwrap();
+    let (expected, found) = (4, 3);
+    let few = Err(ShError::FewBands { expected, found });
+    assert_eq!(four.add_row(0, &sums), few);
+    assert_eq!(four.add_rows(&table, 0, &[1.0; 24]), few);
+    assert_eq!(four.coefficients(), [Vec3::ZERO; 36]);
+    let mut two = Projection::new(2, UVec2::new(8, 2)).unwrap();
+    assert_eq!(two.add_rows(&table, 0, &[1.0; 48]), Ok(()));
+    assert!(two.coefficients()[0].x > 0.0);
+    // Another map's sums are no part of this one's.
+    for other in [
+        (3, UVec2::new(8, 2)),
+        (2, UVec2::new(8, 3)),
+        (2, UVec2::new(4, 2)),
+    ] {
+        let other = Projection::new(other.0, other.1).unwrap();
+        assert_eq!(two.merge(&other), Err(ShError::Another));
+    }
+    let before = two.coefficients();
+    assert_eq!(two.merge(&two.clone()), Ok(()));
+    assert_eq!(two.coefficients()[0], 2.0 * before[0]);
     assert!(Projection::new(3, UVec2::new(8, 0)).is_err());
     for error in [
         ShError::Bands(9),
         ShError::Size(UVec2::ZERO),
         ShError::Channels(2),
+        ShError::FewBands { expected, found },
+        ShError::Another,
     ] {
         assert!(!error.to_string().is_empty());
     }

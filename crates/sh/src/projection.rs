@@ -54,11 +54,15 @@ impl Projection {
         })
     }
 
-    /// Adds a row from what [`RingTable::row_sums`] makes of it, `row` counted from +z.
+    /// Adds a row from what [`RingTable::row_sums`] makes of it, `row` counted from +z. Sums of more bands serve too.
     ///
     /// # Errors
-    /// [`ShError::Row`].
+    /// [`ShError::Row`]; [`ShError::FewBands`] where the sums are of fewer bands than this projects onto.
     pub fn add_row(&mut self, row: u32, ring: &RingSums) -> Result<(), ShError> {
+        let (expected, found) = (self.bands, ring.bands);
+        if found < expected {
+            return Err(ShError::FewBands { expected, found });
+        }
         if row >= self.size.y {
             let height = self.size.y;
             return Err(ShError::Row { row, height });
@@ -80,8 +84,8 @@ impl Projection {
     /// Adds the rows from `first` on that `texels` holds, as floats: see [`RingTable::row_sums`].
     ///
     /// # Errors
-    /// [`ShError::Row`], and [`ShError::Length`] where the table is another width's or a row is not whole. Rows before
-    /// that are added.
+    /// Those of [`Projection::add_row`], and [`ShError::Length`] where the table is another width's or a row is not whole.
+    /// Rows before that are added.
     pub fn add_rows(
         &mut self,
         table: &RingTable<'_>,
@@ -96,12 +100,19 @@ impl Projection {
     }
 
     /// Adds what another projection of the same map has summed: of other rows, for instance.
-    pub fn merge(&mut self, other: &Self) {
+    ///
+    /// # Errors
+    /// [`ShError::Another`] where that has another size or another number of bands; nothing is added then.
+    pub fn merge(&mut self, other: &Self) -> Result<(), ShError> {
+        if (self.size, self.bands) != (other.size, other.bands) {
+            return Err(ShError::Another);
+        }
         for (own, other) in self.sums.iter_mut().zip(&other.sums) {
             for (own, other) in own.iter_mut().zip(other) {
                 *own += other;
             }
         }
+        Ok(())
     }
 
     /// The coefficients, at [`coefficient_index`]; 0 beyond the bands.

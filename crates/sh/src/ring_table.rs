@@ -115,6 +115,8 @@ pub fn build_ring_table_into(
 /// [`ring_index`](crate::separable::ring_index); 0 beyond the bands.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RingSums {
+    /// The number of bands n, whose 2n − 1 sums are known.
+    pub bands: u32,
     /// The sums of each factor.
     pub sums: [[f64; 3]; RING_LEN],
 }

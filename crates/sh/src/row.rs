@@ -164,6 +164,7 @@ pub(crate) fn add_tail(
     tail: &[f32],
     mut out: RingSums,
 ) -> RingSums {
+    out.bands = bands;
     if bands == 1 {
         out.sums[1..].fill([0.0; 3]);
     }
