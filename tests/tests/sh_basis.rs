@@ -296,13 +296,18 @@ fn a_step_of_light_is_followed() {
             assert_eq!(all, [Vec3::splat(one); 36]);
         }
     }
-    assert_eq!(
-        [
-            temporal_filter(2.0, 7.0, -1.0),
-            temporal_filter(2.0, 7.0, f32::NAN)
-        ],
-        [2.0; 2]
-    );
+    for none in [-1.0, 0.0, f32::NAN] {
+        assert_eq!(temporal_filter(2.0, 7.0, none), 2.0);
+    }
+    // However large, and whatever it is multiplied by.
+    for all in [1e37, f32::MAX, f32::INFINITY] {
+        assert_eq!(temporal_filter(1.0, 100.0, all), 100.0);
+        assert!(temporal_filter(1.0, 0.0, all) <= 1e-37);
+    }
+    // Steady light stays as it is.
+    for alpha in [0.3, 7.0, 1e6] {
+        assert_eq!(temporal_filter(0.1, 0.1, alpha), 0.1);
+    }
 }
 
 fn rotations() -> Vec<Mat3> {

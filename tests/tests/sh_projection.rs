@@ -376,6 +376,14 @@ fn what_cannot_be_is_an_error() {
         Err(ShError::Row { row: 2, height: 2 })
     );
     assert!(projection.add_rows(&table, 1, &[0.0; 48]).is_err());
+    // Nor is there a row behind the largest number.
+    let mut last = projection;
+    for first in [u32::MAX, u32::MAX - 1] {
+        let (row, height) = (first, 2);
+        let error = Err(ShError::Row { row, height });
+        assert_eq!(last.add_rows(&table, first, &[1.0; 72]), error);
+    }
+    assert_eq!(last, projection);
     // Fewer bands would lose coefficients; more are as good.
     let mut four = Projection::new(4, UVec2::new(8, 2)).unwrap();
     let (expected, found) = (4, 3);

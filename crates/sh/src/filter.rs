@@ -32,14 +32,17 @@ pub fn coefficient_order(k: u32) -> i32 {
 }
 
 /// `(c + α c_before)/(1 + α)`, the filter over time (Hajisharif 2012, Eq. 13), with `c_before` the last frame's
-/// *filtered* coefficient. α = 0 filters nothing; an α that is not above 0 counts as that.
+/// *filtered* coefficient. α = 0 filters nothing; an α that is not above 0 counts as that. An infinite one keeps
+/// what was before.
 ///
-/// After a step of the light what is left of the difference shrinks by `α/(1 + α)` a frame.
+/// After a step of the light what is left of the difference shrinks by `α/(1 + α)` a frame. The difference is what is
+/// computed with: so light that stays the same stays so to the bit, and no α is too large for the product.
 ///
 /// ```
 /// use glimt_sh::temporal_filter;
 /// assert_eq!(temporal_filter(1.0, 0.0, 3.0), 0.25);
 /// assert_eq!(temporal_filter(1.0, 0.5, 0.0), 1.0);
+/// assert_eq!(temporal_filter(1.0, 0.5, f32::INFINITY), 0.5);
 /// ```
 #[inline]
 #[must_use]
@@ -47,7 +50,7 @@ pub fn temporal_filter(current: f32, before: f32, alpha: f32) -> f32 {
     if !(alpha > 0.0) {
         return current;
     }
-    (current + alpha * before) / (1.0 + alpha)
+    before + (current - before) / (1.0 + alpha)
 }
 
 /// A coefficient of order `m` of a light that has been turned about +z by an angle, counter-clockwise from above. `own`

@@ -93,7 +93,9 @@ impl Projection {
         texels: &[f32],
     ) -> Result<(), ShError> {
         check_len(table.width() as usize, self.size.x as usize)?;
-        for (row, texels) in (first..).zip(texels.chunks(table.row_len())) {
+        for (i, texels) in texels.chunks(table.row_len()).enumerate() {
+            // No map has a row of the largest number.
+            let row = first.saturating_add(u32::try_from(i).unwrap_or(u32::MAX));
             self.add_row(row, &table.row_sums(texels)?)?;
         }
         Ok(())

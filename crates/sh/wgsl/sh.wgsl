@@ -457,34 +457,34 @@ fn sh_coefficient_order(k_1: u32) -> i32 {
     return (i32(k_1) - i32((_e3 * (_e3 + 1u))));
 }
 
-// glimt_sh/src/filter.rs:46
+// glimt_sh/src/filter.rs:49
 fn sh_temporal_filter(current: f32, before: f32, alpha: f32) -> f32 {
 
-    // glimt_sh/src/filter.rs:47
+    // glimt_sh/src/filter.rs:50
     if !((alpha > 0f)) {
-        // glimt_sh/src/filter.rs:48
+        // glimt_sh/src/filter.rs:51
         return current;
     }
-    // glimt_sh/src/filter.rs:50
-    return ((current + (alpha * before)) / (1f + alpha));
+    // glimt_sh/src/filter.rs:53
+    return (before + ((current - before) / (1f + alpha)));
 }
 
-// glimt_sh/src/filter.rs:66
+// glimt_sh/src/filter.rs:69
 fn sh_rotate_z(m: i32, own: f32, opposite: f32, angle: vec2<f32>) -> f32 {
     var turn_1: vec2<f32>;
     var counter: i32;
     var chosen_3: f32;
 
-    // glimt_sh/src/filter.rs:67
+    // glimt_sh/src/filter.rs:70
     turn_1 = vec2<f32>(1f, 0f);
-    // glimt_sh/src/filter.rs:68
+    // glimt_sh/src/filter.rs:71
     counter = 0i;
     loop {
         let _e14 = counter;
         if (_e14 >= abs(m)) {
             break;
         }
-        // glimt_sh/src/filter.rs:69
+        // glimt_sh/src/filter.rs:72
         let _e18 = turn_1.x;
         let _e22 = turn_1.y;
         let _e27 = turn_1.x;
@@ -495,14 +495,14 @@ fn sh_rotate_z(m: i32, own: f32, opposite: f32, angle: vec2<f32>) -> f32 {
             counter = (_e36 + 1i);
         }
     }
-    // glimt_sh/src/filter.rs:74
+    // glimt_sh/src/filter.rs:77
     if (m > 0i) {
-        // glimt_sh/src/filter.rs:75
+        // glimt_sh/src/filter.rs:78
         let _e45 = turn_1.x;
         let _e48 = turn_1.y;
         chosen_3 = ((own * _e45) - (opposite * _e48));
     } else {
-        // glimt_sh/src/filter.rs:77
+        // glimt_sh/src/filter.rs:80
         let _e53 = turn_1.x;
         let _e56 = turn_1.y;
         chosen_3 = ((own * _e53) + (opposite * _e56));

@@ -70,22 +70,22 @@ fn coefficient_index(l_1: u32, m: i32) -> u32 {
     return u32((i32((l_1 * (l_1 + 1u))) + m));
 }
 
-// glimt_sh/src/filter.rs:66
+// glimt_sh/src/filter.rs:69
 fn rotate_z(m_1: i32, own: f32, opposite: f32, angle: vec2<f32>) -> f32 {
     var turn: vec2<f32>;
     var counter: i32;
     var chosen: f32;
 
-    // glimt_sh/src/filter.rs:67
+    // glimt_sh/src/filter.rs:70
     turn = vec2<f32>(1f, 0f);
-    // glimt_sh/src/filter.rs:68
+    // glimt_sh/src/filter.rs:71
     counter = 0i;
     loop {
         let _e14 = counter;
         if (_e14 >= abs(m_1)) {
             break;
         }
-        // glimt_sh/src/filter.rs:69
+        // glimt_sh/src/filter.rs:72
         let _e18 = turn.x;
         let _e22 = turn.y;
         let _e27 = turn.x;
@@ -96,14 +96,14 @@ fn rotate_z(m_1: i32, own: f32, opposite: f32, angle: vec2<f32>) -> f32 {
             counter = (_e36 + 1i);
         }
     }
-    // glimt_sh/src/filter.rs:74
+    // glimt_sh/src/filter.rs:77
     if (m_1 > 0i) {
-        // glimt_sh/src/filter.rs:75
+        // glimt_sh/src/filter.rs:78
         let _e45 = turn.x;
         let _e48 = turn.y;
         chosen = ((own * _e45) - (opposite * _e48));
     } else {
-        // glimt_sh/src/filter.rs:77
+        // glimt_sh/src/filter.rs:80
         let _e53 = turn.x;
         let _e56 = turn.y;
         chosen = ((own * _e53) + (opposite * _e56));
@@ -138,16 +138,16 @@ fn hann(l_2: u32, window: f32) -> f32 {
     return _e26;
 }
 
-// glimt_sh/src/filter.rs:46
+// glimt_sh/src/filter.rs:49
 fn temporal_filter(current: f32, before: f32, alpha: f32) -> f32 {
 
-    // glimt_sh/src/filter.rs:47
+    // glimt_sh/src/filter.rs:50
     if !((alpha > 0f)) {
-        // glimt_sh/src/filter.rs:48
+        // glimt_sh/src/filter.rs:51
         return current;
     }
-    // glimt_sh/src/filter.rs:50
-    return ((current + (alpha * before)) / (1f + alpha));
+    // glimt_sh/src/filter.rs:53
+    return (before + ((current - before) / (1f + alpha)));
 }
 
 // glimt_render_gpu/src/kernels/light_sh.rs:58
