@@ -6,6 +6,7 @@ use std::f32::consts::{PI, TAU};
 use glam::{UVec2, Vec3};
 use glimt_benches::{Contest, claim};
 use glimt_render_gpu::host::projection::Projector;
+use glimt_sh::separable::{meridian_index, ring_index};
 use glimt_sh::{LightCoefficients, coefficient_index};
 use rayon::prelude::*;
 
@@ -141,9 +142,9 @@ impl Plain {
         let meridian = glimt_sh::meridian(theta.cos(), theta.sin());
         for l in 0..BANDS {
             for m in -(l as i32)..=l as i32 {
-                let ring = if m > 0 { 2 * m - 1 } else { -2 * m } as usize;
-                let factor = area * meridian[(l * (l + 1) / 2 + m.unsigned_abs()) as usize];
-                out[coefficient_index(l, m) as usize] += factor * Vec3::from_array(sums[ring]);
+                let ring = Vec3::from_array(sums[ring_index(m) as usize]);
+                let factor = area * meridian[meridian_index(l, m.unsigned_abs()) as usize];
+                out[coefficient_index(l, m) as usize] += factor * ring;
             }
         }
     }

@@ -2,6 +2,8 @@
 
 use glam::Vec2;
 
+use crate::basis::turn;
+
 /// The band l that coefficient `k` belongs to, `k < 36`; more count as the last band.
 ///
 /// ```
@@ -67,16 +69,13 @@ pub fn temporal_filter(current: f32, before: f32, alpha: f32) -> f32 {
 #[inline]
 #[must_use]
 pub fn rotate_z(m: i32, own: f32, opposite: f32, angle: Vec2) -> f32 {
-    let mut turn = Vec2::new(1.0, 0.0);
+    let mut whole = Vec2::new(1.0, 0.0);
     for _ in 0..m.abs() {
-        turn = Vec2::new(
-            turn.x * angle.x - turn.y * angle.y,
-            turn.x * angle.y + turn.y * angle.x,
-        );
+        whole = turn(whole, angle.x, angle.y);
     }
     if m > 0 {
-        own * turn.x - opposite * turn.y
+        own * whole.x - opposite * whole.y
     } else {
-        own * turn.x + opposite * turn.y
+        own * whole.x + opposite * whole.y
     }
 }

@@ -2,11 +2,10 @@
 
 use glam::{UVec2, Vec3};
 use glimt_probe::latlong::texel_solid_angle_sr;
-use glimt_probe::trig::cos_sin_pi;
 
 use crate::error::{ShError, check_bands, check_len, check_size};
 use crate::ring_table::{RingSums, RingTable};
-use crate::separable::{MERIDIAN_LEN, meridian, meridian_index, ring_index};
+use crate::separable::{MERIDIAN_LEN, meridian_index, ring_index, row_meridian};
 use crate::{LightCoefficients, MAX_COEFFICIENTS, basis, coefficient_index};
 
 /// The coefficients of a lat-long map, row by row: `c_lm = Σ L y_lm ΔΩ` over its texels (Hajisharif 2012, Eq. 11), with
@@ -67,8 +66,7 @@ impl Projection {
             let height = self.size.y;
             return Err(ShError::Row { row, height });
         }
-        let theta = cos_sin_pi((2 * row + 1) as f32 / (2 * self.size.y) as f32);
-        let meridian = meridian(theta.x, theta.y);
+        let meridian = row_meridian(row, self.size);
         let area = f64::from(texel_solid_angle_sr(row, self.size));
         match self.bands {
             1 => add_bands::<1>(&meridian, area, ring, &mut self.sums),

@@ -301,51 +301,51 @@ fn sh_add_basis(bands: u32, d_1: vec3<f32>, weight: f32, sums: ptr<function, arr
     return;
 }
 
-// glimt_sh/src/separable.rs:56
+// glimt_sh/src/separable.rs:57
 fn sh_ring(x_1: f32, y_1: f32) -> array<f32, 11> {
 
-    // glimt_sh/src/separable.rs:57
-    let p1_2 = vec2<f32>(x_1, y_1);
     // glimt_sh/src/separable.rs:58
-    let _e6 = turn(p1_2, x_1, y_1);
+    let p1_2 = vec2<f32>(x_1, y_1);
     // glimt_sh/src/separable.rs:59
-    let _e8 = turn(_e6, x_1, y_1);
+    let _e6 = turn(p1_2, x_1, y_1);
     // glimt_sh/src/separable.rs:60
-    let _e10 = turn(_e8, x_1, y_1);
+    let _e8 = turn(_e6, x_1, y_1);
     // glimt_sh/src/separable.rs:61
-    let _e12 = turn(_e10, x_1, y_1);
+    let _e10 = turn(_e8, x_1, y_1);
     // glimt_sh/src/separable.rs:62
+    let _e12 = turn(_e10, x_1, y_1);
+    // glimt_sh/src/separable.rs:63
     return array<f32, 11>(1f, x_1, y_1, _e6.x, _e6.y, _e8.x, _e8.y, _e10.x, _e10.y, _e12.x, _e12.y);
 }
 
-// glimt_sh/src/separable.rs:78
+// glimt_sh/src/separable.rs:79
 fn sh_meridian(z_4: f32, s: f32) -> array<f32, 21> {
     var q2_2: array<f32, 3>;
     var q3_2: array<f32, 4>;
     var q4_2: array<f32, 5>;
     var q5_2: array<f32, 6>;
 
-    // glimt_sh/src/separable.rs:79
-    let s2_ = (s * s);
     // glimt_sh/src/separable.rs:80
-    let s3_ = (s2_ * s);
+    let s2_ = (s * s);
     // glimt_sh/src/separable.rs:81
-    let s4_ = (s2_ * s2_);
+    let s3_ = (s2_ * s);
     // glimt_sh/src/separable.rs:82
-    let s5_ = (s4_ * s);
+    let s4_ = (s2_ * s2_);
     // glimt_sh/src/separable.rs:83
+    let s5_ = (s4_ * s);
+    // glimt_sh/src/separable.rs:84
     let _e12 = zonal_2_(z_4);
     q2_2 = _e12;
-    // glimt_sh/src/separable.rs:84
+    // glimt_sh/src/separable.rs:85
     let _e15 = zonal_3_(z_4);
     q3_2 = _e15;
-    // glimt_sh/src/separable.rs:85
+    // glimt_sh/src/separable.rs:86
     let _e18 = zonal_4_(z_4);
     q4_2 = _e18;
-    // glimt_sh/src/separable.rs:86
+    // glimt_sh/src/separable.rs:87
     let _e21 = zonal_5_(z_4);
     q5_2 = _e21;
-    // glimt_sh/src/separable.rs:87
+    // glimt_sh/src/separable.rs:88
     let _e30 = q2_2[0];
     let _e32 = q2_2[1];
     let _e35 = q2_2[2];
@@ -424,91 +424,89 @@ fn sh_cosine_lobe(l_1: u32) -> f32 {
     return _e30;
 }
 
-// glimt_sh/src/filter.rs:13
+// glimt_sh/src/filter.rs:15
 fn sh_coefficient_band(k: u32) -> u32 {
     var l_2: u32;
 
-    // glimt_sh/src/filter.rs:14
+    // glimt_sh/src/filter.rs:16
     l_2 = 0u;
-    // glimt_sh/src/filter.rs:15
+    // glimt_sh/src/filter.rs:17
     loop {
         let _e6 = l_2;
         let _e9 = l_2;
         let _e12 = l_2;
         if ((_e6 < 5u) && (k >= ((_e9 + 1u) * (_e12 + 1u)))) {
-            // glimt_sh/src/filter.rs:16
+            // glimt_sh/src/filter.rs:18
             let _e20 = l_2;
             l_2 = (_e20 + 1u);
         } else {
             break;
         }
     }
-    // glimt_sh/src/filter.rs:18
+    // glimt_sh/src/filter.rs:20
     let _e23 = l_2;
     return _e23;
 }
 
-// glimt_sh/src/filter.rs:29
+// glimt_sh/src/filter.rs:31
 fn sh_coefficient_order(k_1: u32) -> i32 {
 
-    // glimt_sh/src/filter.rs:30
+    // glimt_sh/src/filter.rs:32
     let _e3 = sh_coefficient_band(k_1);
-    // glimt_sh/src/filter.rs:31
+    // glimt_sh/src/filter.rs:33
     return (i32(k_1) - i32((_e3 * (_e3 + 1u))));
 }
 
-// glimt_sh/src/filter.rs:49
+// glimt_sh/src/filter.rs:51
 fn sh_temporal_filter(current: f32, before: f32, alpha: f32) -> f32 {
 
-    // glimt_sh/src/filter.rs:50
+    // glimt_sh/src/filter.rs:52
     if !((alpha > 0f)) {
-        // glimt_sh/src/filter.rs:51
+        // glimt_sh/src/filter.rs:53
         return current;
     }
-    // glimt_sh/src/filter.rs:53
+    // glimt_sh/src/filter.rs:55
     return (before + ((current - before) / (1f + alpha)));
 }
 
-// glimt_sh/src/filter.rs:69
+// glimt_sh/src/filter.rs:71
 fn sh_rotate_z(m: i32, own: f32, opposite: f32, angle: vec2<f32>) -> f32 {
-    var turn_1: vec2<f32>;
+    var whole: vec2<f32>;
     var counter: i32;
     var chosen_3: f32;
 
-    // glimt_sh/src/filter.rs:70
-    turn_1 = vec2<f32>(1f, 0f);
-    // glimt_sh/src/filter.rs:71
+    // glimt_sh/src/filter.rs:72
+    whole = vec2<f32>(1f, 0f);
+    // glimt_sh/src/filter.rs:73
     counter = 0i;
     loop {
         let _e14 = counter;
         if (_e14 >= abs(m)) {
             break;
         }
-        // glimt_sh/src/filter.rs:72
-        let _e18 = turn_1.x;
-        let _e22 = turn_1.y;
-        let _e27 = turn_1.x;
-        let _e31 = turn_1.y;
-        turn_1 = vec2<f32>(((_e18 * angle.x) - (_e22 * angle.y)), ((_e27 * angle.y) + (_e31 * angle.x)));
+        // glimt_sh/src/filter.rs:74
+        let _e17 = whole;
+        let _e20 = turn(_e17, angle.x, angle.y);
+        whole = _e20;
         continuing {
-            let _e36 = counter;
-            counter = (_e36 + 1i);
+            let _e21 = counter;
+            counter = (_e21 + 1i);
         }
     }
-    // glimt_sh/src/filter.rs:77
+    // glimt_sh/src/filter.rs:76
     if (m > 0i) {
-        // glimt_sh/src/filter.rs:78
-        let _e45 = turn_1.x;
-        let _e48 = turn_1.y;
-        chosen_3 = ((own * _e45) - (opposite * _e48));
+        // glimt_sh/src/filter.rs:77
+        let _e30 = whole.x;
+        let _e33 = whole.y;
+        chosen_3 = ((own * _e30) - (opposite * _e33));
     } else {
-        // glimt_sh/src/filter.rs:80
-        let _e53 = turn_1.x;
-        let _e56 = turn_1.y;
-        chosen_3 = ((own * _e53) + (opposite * _e56));
+        // glimt_sh/src/filter.rs:79
+        let _e38 = whole.x;
+        let _e41 = whole.y;
+        chosen_3 = ((own * _e38) + (opposite * _e41));
     }
-    let _e59 = chosen_3;
-    return _e59;
+    let _e44 = chosen_3;
+    return _e44;
 }
 
 // glimt_sampling/src/warp.rs:182
