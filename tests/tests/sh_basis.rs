@@ -7,7 +7,7 @@ use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_f32, unit_vec2, war
 use glimt_sh::separable::{meridian_index, ring_index};
 use glimt_sh::{
     LightCoefficients, SampledProjection, Z_UP_TO_Y_UP, add_basis, basis, coefficient_band,
-    coefficient_index, coefficient_order, condon_shortley, cosine_lobe, directx, evaluate,
+    coefficient_index, coefficient_order, condon_shortley, cosine_lobe, evaluate,
     filament_irradiance, from_filament_irradiance, hann, irradiance, meridian, ring, rotate_z,
     rotated, stratified_direction, temporal_filter, temporally_filtered, windowed,
 };
@@ -405,7 +405,7 @@ fn turning_about_the_vertical_is_cheap() {
 #[test]
 fn conventions_describe_the_same_light() {
     let c = light(6);
-    let theirs = directx(&c);
+    let theirs = condon_shortley(&c);
     assert_eq!(condon_shortley(&theirs), c);
     for d in directions().into_iter().take(200) {
         let Vec3 { x, y, z } = d;

@@ -29,13 +29,14 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`mod@basis`] | the basis, written out; the Hann window; the clamped cosine |
+//! | [`mod@basis`] | the basis, written out, and the order of its coefficients |
 //! | [`separable`] | a basis function as a factor of φ times one of θ |
+//! | [`hann`], [`cosine_lobe`], [`temporal_filter`], [`rotate_z`] | what is done to one coefficient, on both processors |
 //! | [`RingTable`], [`Projection`] | a lat-long map's coefficients, a row at a time |
 //! | [`SampledProjection`], [`stratified_direction`] | any function's coefficients, from samples |
 //! | [`evaluate`], [`dot`](fn@dot), [`windowed`], [`irradiance`], [`temporally_filtered`] | what is done with a light's coefficients |
-//! | [`rotated`], [`rotate_z`] | turning a light: any way, and about the vertical |
-//! | [`condon_shortley`], [`directx`], [`filament_irradiance`] | the same coefficients as others write them |
+//! | [`rotated`] | turning a light any way |
+//! | [`condon_shortley`], [`filament_irradiance`] | the same coefficients as others write them |
 //!
 //! # Conventions
 //!
@@ -49,7 +50,7 @@
 //!
 //! # One source, two processors
 //!
-//! [`mod@basis`], [`separable`], and the modules of [`stratified_direction`] and [`rotate_z`] are *shared files*: plain
+//! [`mod@basis`], [`separable`], and the modules of [`stratified_direction`] and [`hann`] are *shared files*: plain
 //! Rust that also lowers to WGSL. With the feature `shader-source` their text is at hand as `SHADER_SOURCE`, and `WGSL`
 //! holds their functions.
 //!
@@ -86,15 +87,15 @@ pub mod separable;
 mod wide;
 
 pub use basis::{
-    MAX_BANDS, MAX_COEFFICIENTS, add_basis, basis, coefficient_count, coefficient_index,
-    cosine_lobe, hann,
+    MAX_BANDS, MAX_COEFFICIENTS, add_basis, basis, coefficient_band, coefficient_count,
+    coefficient_index, coefficient_order,
 };
 pub use convention::{
-    Z_UP_TO_Y_UP, condon_shortley, directx, filament_irradiance, from_filament_irradiance,
+    Z_UP_TO_Y_UP, condon_shortley, filament_irradiance, from_filament_irradiance,
 };
 pub use directions::stratified_direction;
 pub use error::ShError;
-pub use filter::{coefficient_band, coefficient_order, rotate_z, temporal_filter};
+pub use filter::{cosine_lobe, hann, rotate_z, temporal_filter};
 pub use light::{LightCoefficients, dot, evaluate, irradiance, temporally_filtered, windowed};
 pub use projection::{Projection, SampledProjection};
 pub use ring_table::{RingSums, RingTable, build_ring_table_into, ring_table_len};

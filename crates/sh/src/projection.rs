@@ -5,7 +5,7 @@ use glimt_probe::latlong::texel_solid_angle_sr;
 
 use crate::error::{ShError, check_bands, check_len, check_size};
 use crate::ring_table::{RingSums, RingTable};
-use crate::separable::{MERIDIAN_LEN, meridian_index, ring_index, row_meridian};
+use crate::separable::{meridian_index, ring_index, row_meridian};
 use crate::{LightCoefficients, MAX_COEFFICIENTS, basis, coefficient_index};
 
 /// The coefficients of a lat-long map, row by row: `c_lm = Σ L y_lm ΔΩ` over its texels (Hajisharif 2012, Eq. 11), with
@@ -125,7 +125,7 @@ impl Projection {
 
 /// Adds a row's products; the number of bands is a constant, so that no index has to be computed.
 fn add_bands<const N: u32>(
-    meridian: &[f32; MERIDIAN_LEN],
+    meridian: &[f32; 21],
     area: f64,
     ring: &RingSums,
     sums: &mut [[f64; 3]; MAX_COEFFICIENTS],

@@ -8,7 +8,7 @@ use glam::UVec2;
 
 use crate::error::{ShError, check_bands, check_len, check_size};
 use crate::row;
-use crate::separable::{RING_LEN, column_ring};
+use crate::separable::column_ring;
 
 /// The numbers that stand side by side in the table.
 pub(crate) const LANES: usize = 8;
@@ -114,7 +114,7 @@ pub struct RingSums {
     /// The number of bands n, whose 2n − 1 sums are known.
     pub bands: u32,
     /// The sums of each factor.
-    pub sums: [[f64; 3]; RING_LEN],
+    pub sums: [[f64; 3]; 11],
 }
 
 /// A table, with the map's width and the bands that it is for. One serves all rows, on any thread.

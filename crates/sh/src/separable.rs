@@ -8,12 +8,6 @@ use glimt_probe::trig::cos_sin_pi;
 
 use crate::basis::{Y_00, Y_1, turn, zonal_2, zonal_3, zonal_4, zonal_5};
 
-/// The length of what [`ring`] gives: 2n − 1 of six bands.
-pub const RING_LEN: usize = 11;
-
-/// The length of what [`meridian`] gives: n(n + 1)/2 of six bands.
-pub const MERIDIAN_LEN: usize = 21;
-
 /// Where `cos mφ` (m ≥ 0) or `sin |m|φ` (m < 0) stands in [`ring`]: 0, then 2m − 1 and 2|m|.
 ///
 /// ```
@@ -42,7 +36,7 @@ pub fn meridian_index(l: u32, m: u32) -> u32 {
     l * (l + 1) / 2 + m
 }
 
-/// `(1, cos φ, sin φ, cos 2φ, sin 2φ, …, sin 5φ)` for `x = cos φ`, `y = sin φ`.
+/// `(1, cos φ, sin φ, cos 2φ, sin 2φ, …, sin 5φ)` for `x = cos φ`, `y = sin φ`: 2n − 1 factors of six bands.
 ///
 /// Of another point of the plane, at distance ρ from the origin, the pair of m comes out times ρ^m.
 ///
@@ -64,7 +58,7 @@ pub fn ring(x: f32, y: f32) -> [f32; 11] {
 }
 
 /// `K_lm P_l^|m|(cos θ)`, with √2 where m ≠ 0 and without the Condon–Shortley sign, for `z = cos θ`, `s = sin θ ≥ 0`, at
-/// [`meridian_index`]: (0,0), (1,0), (1,1), (2,0), …, (5,5).
+/// [`meridian_index`]: (0,0), (1,0), (1,1), (2,0), …, (5,5), n(n + 1)/2 factors of six bands.
 ///
 /// ```
 /// use glam::Vec3;

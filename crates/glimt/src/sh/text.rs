@@ -5,8 +5,7 @@ use crate::cli::{ShConvention, ShFlags, Up};
 use crate::output::SOFTWARE;
 use glam::{Mat3, Vec3};
 use glimt_sh::{
-    coefficient_band, coefficient_count, coefficient_order, condon_shortley, directx,
-    filament_irradiance,
+    coefficient_band, coefficient_count, coefficient_order, condon_shortley, filament_irradiance,
 };
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -53,8 +52,9 @@ fn converted(frame: &Projected, flags: &ShFlags) -> Vec<Vec3> {
     let count = coefficient_count(flags.bands) as usize;
     match flags.convention {
         ShConvention::Glimt => light[..count].to_vec(),
-        ShConvention::CondonShortley => condon_shortley(light)[..count].to_vec(),
-        ShConvention::Directx => directx(light)[..count].to_vec(),
+        ShConvention::CondonShortley | ShConvention::Directx => {
+            condon_shortley(light)[..count].to_vec()
+        }
         ShConvention::Filament => filament_irradiance(light).to_vec(),
     }
 }

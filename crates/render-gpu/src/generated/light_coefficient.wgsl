@@ -30,69 +30,69 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_sh/src/filter.rs:15
+// glimt_sh/src/basis.rs:50
 fn coefficient_band(k: u32) -> u32 {
     var l: u32;
 
-    // glimt_sh/src/filter.rs:16
+    // glimt_sh/src/basis.rs:51
     l = 0u;
-    // glimt_sh/src/filter.rs:17
+    // glimt_sh/src/basis.rs:52
     loop {
         let _e6 = l;
         let _e9 = l;
         let _e12 = l;
         if ((_e6 < 5u) && (k >= ((_e9 + 1u) * (_e12 + 1u)))) {
-            // glimt_sh/src/filter.rs:18
+            // glimt_sh/src/basis.rs:53
             let _e20 = l;
             l = (_e20 + 1u);
         } else {
             break;
         }
     }
-    // glimt_sh/src/filter.rs:20
+    // glimt_sh/src/basis.rs:55
     let _e23 = l;
     return _e23;
 }
 
-// glimt_sh/src/filter.rs:31
+// glimt_sh/src/basis.rs:66
 fn coefficient_order(k_1: u32) -> i32 {
 
-    // glimt_sh/src/filter.rs:32
+    // glimt_sh/src/basis.rs:67
     let _e3 = coefficient_band(k_1);
-    // glimt_sh/src/filter.rs:33
+    // glimt_sh/src/basis.rs:68
     return (i32(k_1) - i32((_e3 * (_e3 + 1u))));
 }
 
-// glimt_sh/src/basis.rs:40
+// glimt_sh/src/basis.rs:38
 fn coefficient_index(l_1: u32, m: i32) -> u32 {
 
-    // glimt_sh/src/basis.rs:41
+    // glimt_sh/src/basis.rs:39
     return u32((i32((l_1 * (l_1 + 1u))) + m));
 }
 
-// glimt_sh/src/basis.rs:105
+// glimt_sh/src/basis.rs:132
 fn turn(p: vec2<f32>, x: f32, y: f32) -> vec2<f32> {
 
-    // glimt_sh/src/basis.rs:106
+    // glimt_sh/src/basis.rs:133
     return vec2<f32>(((p.x * x) - (p.y * y)), ((p.x * y) + (p.y * x)));
 }
 
-// glimt_sh/src/filter.rs:71
+// glimt_sh/src/filter.rs:88
 fn rotate_z(m_1: i32, own: f32, opposite: f32, angle: vec2<f32>) -> f32 {
     var whole: vec2<f32>;
     var counter: i32;
     var chosen: f32;
 
-    // glimt_sh/src/filter.rs:72
+    // glimt_sh/src/filter.rs:89
     whole = vec2<f32>(1f, 0f);
-    // glimt_sh/src/filter.rs:73
+    // glimt_sh/src/filter.rs:90
     counter = 0i;
     loop {
         let _e14 = counter;
         if (_e14 >= abs(m_1)) {
             break;
         }
-        // glimt_sh/src/filter.rs:74
+        // glimt_sh/src/filter.rs:91
         let _e17 = whole;
         let _e20 = turn(_e17, angle.x, angle.y);
         whole = _e20;
@@ -101,14 +101,14 @@ fn rotate_z(m_1: i32, own: f32, opposite: f32, angle: vec2<f32>) -> f32 {
             counter = (_e21 + 1i);
         }
     }
-    // glimt_sh/src/filter.rs:76
+    // glimt_sh/src/filter.rs:93
     if (m_1 > 0i) {
-        // glimt_sh/src/filter.rs:77
+        // glimt_sh/src/filter.rs:94
         let _e30 = whole.x;
         let _e33 = whole.y;
         chosen = ((own * _e30) - (opposite * _e33));
     } else {
-        // glimt_sh/src/filter.rs:79
+        // glimt_sh/src/filter.rs:96
         let _e38 = whole.x;
         let _e41 = whole.y;
         chosen = ((own * _e38) + (opposite * _e41));
@@ -117,23 +117,23 @@ fn rotate_z(m_1: i32, own: f32, opposite: f32, angle: vec2<f32>) -> f32 {
     return _e44;
 }
 
-// glimt_sh/src/basis.rs:267
+// glimt_sh/src/filter.rs:19
 fn hann(l_2: u32, window: f32) -> f32 {
     var chosen_1: f32;
     var chosen_2: f32;
 
-    // glimt_sh/src/basis.rs:268
+    // glimt_sh/src/filter.rs:20
     let l_3 = f32(l_2);
-    // glimt_sh/src/basis.rs:269
+    // glimt_sh/src/filter.rs:21
     if !((window > 0f)) {
-        // glimt_sh/src/basis.rs:270
+        // glimt_sh/src/filter.rs:22
         chosen_1 = 1f;
     } else {
         if (l_3 < window) {
-            // glimt_sh/src/basis.rs:272
+            // glimt_sh/src/filter.rs:24
             chosen_2 = (0.5f + (0.5f * cos(((3.1415927f * l_3) / window))));
         } else {
-            // glimt_sh/src/basis.rs:274
+            // glimt_sh/src/filter.rs:26
             chosen_2 = 0f;
         }
         let _e25 = chosen_2;
@@ -143,15 +143,15 @@ fn hann(l_2: u32, window: f32) -> f32 {
     return _e26;
 }
 
-// glimt_sh/src/filter.rs:51
+// glimt_sh/src/filter.rs:68
 fn temporal_filter(current: f32, before: f32, alpha: f32) -> f32 {
 
-    // glimt_sh/src/filter.rs:52
+    // glimt_sh/src/filter.rs:69
     if !((alpha > 0f)) {
-        // glimt_sh/src/filter.rs:53
+        // glimt_sh/src/filter.rs:70
         return current;
     }
-    // glimt_sh/src/filter.rs:55
+    // glimt_sh/src/filter.rs:72
     return (before + ((current - before) / (1f + alpha)));
 }
 
