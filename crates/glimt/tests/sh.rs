@@ -273,6 +273,20 @@ fn the_light_of_a_shot() {
             assert!((back - 2.0 * own).abs() < 1e-4, "{back} {own}");
         }
     }
+    // Its colours, as they light objects: red twice as bright; and matched to a backplate's, by the mean of two patches.
+    t.exr("plate.exr", 2, 2, |_, _, c| [8.0, 2.0, 1.0][c]);
+    let shot = "[probe]\nframes = \"light.exr\"\n[[object]]\nmesh = \"sphere\"\n[probe.colour]\n";
+    t.put("gains.toml", format!("{shot}gains = [2, 1, 1]\n"));
+    let patch = "{ probe = [0, 0, 64, 32], plate = [0, 0, 2, 2] }";
+    let plate = "[backplate]\nframes = \"plate.exr\"\n";
+    t.put("match.toml", format!("{shot}patches = [{patch}]\n{plate}"));
+    let mean = |name: &str| rows(&t.run(&["sh", name, "--bands", "1"]).ok().out)[0].1;
+    let (plain, gains, matched) = (mean("light.exr"), mean("gains.toml"), mean("match.toml"));
+    assert!(
+        (gains[0] / plain[0] - 2.0).abs() < 1e-5 && gains[1] == plain[1],
+        "{gains:?}"
+    );
+    assert!((matched[0] / matched[1] - 4.0).abs() < 0.1, "{matched:?}");
     // No image is made, so no backplate is looked for to give it its size.
     let plate = "[backplate]\nframes = \"gone.####.png\"\n[probe]\nframes = \"light.exr\"\n\
                  [[object]]\nmesh = \"sphere\"\n";

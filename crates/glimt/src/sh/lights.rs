@@ -1,11 +1,14 @@
 //! Host file: the lights that `glimt sh` projects: a sequence, files, or what lights a shot.
 
+use crate::capture::colour;
 use crate::cli::ShFlags;
 use crate::error::{Error, Result};
+use crate::input::footage::Footage;
 use crate::input::frames::FrameFiles;
 use crate::input::probe::Probe;
 use crate::job::probe_files;
 use crate::notes::Notes;
+use crate::shot::parse::Source;
 use crate::shot::{self, Shot, check, parse, range};
 use glam::Mat3;
 use glimt_render_gpu::host::env::EnvMap;
@@ -25,6 +28,8 @@ pub(super) struct Found {
     keys: shot::Probe,
     /// How far they are turned, in degrees about +z.
     turn: f32,
+    /// What says how their colours are changed.
+    shot: Option<(Shot, Source, Option<Footage>)>,
 }
 
 impl Found {
@@ -50,6 +55,7 @@ impl Found {
                 range: frames[0]..=frames[frames.len() - 1],
                 sources: vec![(sequence.clone(), frames)],
                 keys,
+                shot: None,
                 turn: flags.rotate_z_deg,
             });
         }
@@ -73,22 +79,23 @@ impl Found {
             sources: files.into_iter().map(|file| (file, vec![1])).collect(),
             range: 1..=1,
             keys,
+            shot: None,
             turn: flags.rotate_z_deg,
         })
     }
 
-    /// The light of a shot, as its keys say: mapping, scale and turn. Its colours stay the probe's.
+    /// The light of a shot, as its `[probe]` says: mapping, scale, turn and colours.
     fn of_shot(file: &Path, flags: &ShFlags, notes: &mut Notes) -> Result<Self> {
         let (shot, source): (Shot, _) = parse::read(file, &[])?;
         let base = file.parent().unwrap_or(Path::new(""));
         check::check(&shot, &source)?;
         let files = probe_files(&shot, &source, base)?;
-        if shot.probe.colour.is_some() {
-            notes.warn(
-                file,
-                "[probe.colour] is left out: coefficients are in the probe's colours",
-            );
-        }
+        // A backplate is looked at where colours are matched to it, and nowhere else.
+        let matched = |keys: &shot::Colour| !keys.patches.is_empty();
+        let footage = match shot.probe.colour.as_ref().is_some_and(matched) {
+            true => Footage::find(&shot, &source, base, &files, notes)?,
+            false => None,
+        };
         let of_shot = match shot.render.frames.as_str() {
             "" => None,
             text => Some(text),
@@ -104,7 +111,8 @@ impl Found {
             sources: vec![(files, frames)],
             range,
             turn: shot.probe.rotate_z_deg + flags.rotate_z_deg,
-            keys: shot.probe,
+            keys: shot.probe.clone(),
+            shot: Some((shot, source, footage)),
         })
     }
 
@@ -128,7 +136,17 @@ impl Found {
         let are_files = self.sources.len() > 1;
         for (files, mut numbers) in self.sources {
             let range = self.range.clone();
-            let probe = Probe::open(files, &numbers, range, &self.keys, notes, progress)?;
+            let mut probe = Probe::open(files, &numbers, range, &self.keys, notes, progress)?;
+            if let Some((shot, source, footage)) = &self.shot {
+                colour::correct(
+                    &mut probe,
+                    shot,
+                    source,
+                    footage.as_ref(),
+                    numbers[0],
+                    notes,
+                )?;
+            }
             // One light all the time is one light.
             if probe.is_still() {
                 numbers.truncate(1);
