@@ -44,8 +44,8 @@
 //!   `φ = π − 2πu`.
 //! - The basis is real and orthonormal, **without the Condon–Shortley sign**: band 1 is `√(3/4π) (y, z, x)`. The
 //!   coefficient of (l, m) stands at l(l + 1) + m.
-//! - n bands are l = 0, …, n − 1. Coefficients are in radiance times steradian: those of a light of radiance 1 all around
-//!   are (√4π, 0, 0, …).
+//! - n bands are l = 0, …, n − 1. Coefficients are in radiance times √sr: those of a light of radiance 1 all around are
+//!   (√4π, 0, 0, …).
 //! - A texel is a bin: the basis at its centre times its exact area. Projection is linear: it looks at no texel's value.
 //!
 //! # One source, two processors
@@ -54,7 +54,8 @@
 //! Rust that also lowers to WGSL. With the feature `shader-source` their text is at hand as `SHADER_SOURCE`, and `WGSL`
 //! holds their functions.
 //!
-//! With the feature `std`, [`RingTable::row_sums`] looks at run time whether the processor has AVX2 and FMA.
+//! With the feature `std`, which is off unless asked for, [`RingTable::row_sums`] looks at run time whether the processor has
+//! AVX2 and FMA. Without them, rows are projected at about half that pace.
 //!
 //! # Bibliography
 //!
