@@ -122,8 +122,9 @@ pub enum Command {
     /// Project light maps onto spherical harmonics: the coefficients of each frame, for engines and programs of one's own
     ///
     /// FRAMES is a sequence with #### for the frames' numbers, one or several lat-long maps (EXR, HDR), or a shot, whose
-    /// light is taken as its [probe] says (mirror balls too; scale, turn, colours). Its [render.prt] is not: bands, window and
-    /// temporal are flags here, and no map is halved. The world has z up: row 0 is +z, the image's centre +x, its left half +y.
+    /// light is taken as its keys under probe say (mirror balls too; scale, turn, colours). Those under render.prt are not looked
+    /// at: bands, window and temporal are flags here, and no map is halved. The world has z up: row 0 is +z, the image's centre +x,
+    /// its left half +y.
     #[command(after_help = SH_EXAMPLES)]
     Sh {
         /// A sequence, light maps, or a shot
