@@ -720,226 +720,226 @@ fn any_hit(ray_5: Ray, t_max_2: f32) -> bool {
     return (_e7 != 4294967295u);
 }
 
-// glimt_sh/src/basis.rs:105
+// glimt_sh/src/basis.rs:132
 fn turn(p: vec2<f32>, x_4: f32, y_1: f32) -> vec2<f32> {
 
-    // glimt_sh/src/basis.rs:106
+    // glimt_sh/src/basis.rs:133
     return vec2<f32>(((p.x * x_4) - (p.y * y_1)), ((p.x * y_1) + (p.y * x_4)));
 }
 
-// glimt_sh/src/basis.rs:52
+// glimt_sh/src/basis.rs:79
 fn zonal_2_(z_1: f32) -> array<f32, 3> {
 
-    // glimt_sh/src/basis.rs:53
+    // glimt_sh/src/basis.rs:80
     return array<f32, 3>((0.31539157f * (((3f * z_1) * z_1) - 1f)), (1.0925485f * z_1), 0.54627424f);
 }
 
-// glimt_sh/src/basis.rs:63
+// glimt_sh/src/basis.rs:90
 fn zonal_3_(z_2: f32) -> array<f32, 4> {
 
-    // glimt_sh/src/basis.rs:64
+    // glimt_sh/src/basis.rs:91
     let t_3 = (z_2 * z_2);
-    // glimt_sh/src/basis.rs:65
+    // glimt_sh/src/basis.rs:92
     return array<f32, 4>(((0.37317634f * z_2) * ((5f * t_3) - 3f)), (0.4570458f * ((5f * t_3) - 1f)), (1.4453057f * z_2), 0.5900436f);
 }
 
-// glimt_sh/src/basis.rs:76
+// glimt_sh/src/basis.rs:103
 fn zonal_4_(z_3: f32) -> array<f32, 5> {
 
-    // glimt_sh/src/basis.rs:77
+    // glimt_sh/src/basis.rs:104
     let t_4 = (z_3 * z_3);
-    // glimt_sh/src/basis.rs:78
+    // glimt_sh/src/basis.rs:105
     return array<f32, 5>((0.10578555f * ((((35f * t_4) - 30f) * t_4) + 3f)), ((0.6690465f * z_3) * ((7f * t_4) - 3f)), (0.47308734f * ((7f * t_4) - 1f)), (1.7701308f * z_3), 0.6258357f);
 }
 
-// glimt_sh/src/basis.rs:90
+// glimt_sh/src/basis.rs:117
 fn zonal_5_(z_4: f32) -> array<f32, 6> {
 
-    // glimt_sh/src/basis.rs:91
+    // glimt_sh/src/basis.rs:118
     let t_5 = (z_4 * z_4);
-    // glimt_sh/src/basis.rs:92
+    // glimt_sh/src/basis.rs:119
     return array<f32, 6>(((0.116950326f * z_4) * ((((63f * t_5) - 70f) * t_5) + 15f)), (0.45294666f * ((((21f * t_5) - 14f) * t_5) + 1f)), ((2.3967683f * z_4) * ((3f * t_5) - 1f)), (0.4892383f * ((9f * t_5) - 1f)), (2.0756624f * z_4), 0.6563821f);
 }
 
-// glimt_sh/src/basis.rs:197
+// glimt_sh/src/basis.rs:224
 fn add_basis(bands: u32, d: vec3<f32>, weight: f32, sums: ptr<function, array<f32, 36>>) {
     var q2_: array<f32, 3>;
     var q3_: array<f32, 4>;
     var q4_: array<f32, 5>;
     var q5_: array<f32, 6>;
 
-    // glimt_sh/src/basis.rs:198
+    // glimt_sh/src/basis.rs:225
     if (bands > 0u) {
-        // glimt_sh/src/basis.rs:199
+        // glimt_sh/src/basis.rs:226
         let _e12 = (*sums)[0];
         (*sums)[0] = (_e12 + (weight * 0.2820948f));
     }
-    // glimt_sh/src/basis.rs:201
+    // glimt_sh/src/basis.rs:228
     if (bands > 1u) {
-        // glimt_sh/src/basis.rs:202
+        // glimt_sh/src/basis.rs:229
         let p1_ = vec2<f32>(d.x, d.y);
-        // glimt_sh/src/basis.rs:203
+        // glimt_sh/src/basis.rs:230
         let _e27 = (*sums)[1];
         (*sums)[1] = (_e27 + (weight * (0.48860252f * p1_.y)));
-        // glimt_sh/src/basis.rs:204
+        // glimt_sh/src/basis.rs:231
         let _e35 = (*sums)[2];
         (*sums)[2] = (_e35 + (weight * (0.48860252f * d.z)));
-        // glimt_sh/src/basis.rs:205
+        // glimt_sh/src/basis.rs:232
         let _e43 = (*sums)[3];
         (*sums)[3] = (_e43 + (weight * (0.48860252f * p1_.x)));
-        // glimt_sh/src/basis.rs:206
+        // glimt_sh/src/basis.rs:233
         if (bands > 2u) {
-            // glimt_sh/src/basis.rs:207
+            // glimt_sh/src/basis.rs:234
             let _e51 = turn(p1_, d.x, d.y);
-            // glimt_sh/src/basis.rs:208
+            // glimt_sh/src/basis.rs:235
             let _e54 = zonal_2_(d.z);
             q2_ = _e54;
-            // glimt_sh/src/basis.rs:209
+            // glimt_sh/src/basis.rs:236
             let _e58 = q2_[2];
             let _e63 = (*sums)[4];
             (*sums)[4] = (_e63 + (weight * (_e58 * _e51.y)));
-            // glimt_sh/src/basis.rs:210
+            // glimt_sh/src/basis.rs:237
             let _e67 = q2_[1];
             let _e72 = (*sums)[5];
             (*sums)[5] = (_e72 + (weight * (_e67 * p1_.y)));
-            // glimt_sh/src/basis.rs:211
+            // glimt_sh/src/basis.rs:238
             let _e76 = q2_[0];
             let _e79 = (*sums)[6];
             (*sums)[6] = (_e79 + (weight * _e76));
-            // glimt_sh/src/basis.rs:212
+            // glimt_sh/src/basis.rs:239
             let _e83 = q2_[1];
             let _e88 = (*sums)[7];
             (*sums)[7] = (_e88 + (weight * (_e83 * p1_.x)));
-            // glimt_sh/src/basis.rs:213
+            // glimt_sh/src/basis.rs:240
             let _e92 = q2_[2];
             let _e97 = (*sums)[8];
             (*sums)[8] = (_e97 + (weight * (_e92 * _e51.x)));
-            // glimt_sh/src/basis.rs:214
+            // glimt_sh/src/basis.rs:241
             if (bands > 3u) {
-                // glimt_sh/src/basis.rs:215
+                // glimt_sh/src/basis.rs:242
                 let _e105 = turn(_e51, d.x, d.y);
-                // glimt_sh/src/basis.rs:216
+                // glimt_sh/src/basis.rs:243
                 let _e108 = zonal_3_(d.z);
                 q3_ = _e108;
-                // glimt_sh/src/basis.rs:217
+                // glimt_sh/src/basis.rs:244
                 let _e112 = q3_[3];
                 let _e117 = (*sums)[9];
                 (*sums)[9] = (_e117 + (weight * (_e112 * _e105.y)));
-                // glimt_sh/src/basis.rs:218
+                // glimt_sh/src/basis.rs:245
                 let _e121 = q3_[2];
                 let _e126 = (*sums)[10];
                 (*sums)[10] = (_e126 + (weight * (_e121 * _e51.y)));
-                // glimt_sh/src/basis.rs:219
+                // glimt_sh/src/basis.rs:246
                 let _e130 = q3_[1];
                 let _e135 = (*sums)[11];
                 (*sums)[11] = (_e135 + (weight * (_e130 * p1_.y)));
-                // glimt_sh/src/basis.rs:220
+                // glimt_sh/src/basis.rs:247
                 let _e139 = q3_[0];
                 let _e142 = (*sums)[12];
                 (*sums)[12] = (_e142 + (weight * _e139));
-                // glimt_sh/src/basis.rs:221
+                // glimt_sh/src/basis.rs:248
                 let _e146 = q3_[1];
                 let _e151 = (*sums)[13];
                 (*sums)[13] = (_e151 + (weight * (_e146 * p1_.x)));
-                // glimt_sh/src/basis.rs:222
+                // glimt_sh/src/basis.rs:249
                 let _e155 = q3_[2];
                 let _e160 = (*sums)[14];
                 (*sums)[14] = (_e160 + (weight * (_e155 * _e51.x)));
-                // glimt_sh/src/basis.rs:223
+                // glimt_sh/src/basis.rs:250
                 let _e164 = q3_[3];
                 let _e169 = (*sums)[15];
                 (*sums)[15] = (_e169 + (weight * (_e164 * _e105.x)));
-                // glimt_sh/src/basis.rs:224
+                // glimt_sh/src/basis.rs:251
                 if (bands > 4u) {
-                    // glimt_sh/src/basis.rs:225
+                    // glimt_sh/src/basis.rs:252
                     let _e177 = turn(_e105, d.x, d.y);
-                    // glimt_sh/src/basis.rs:226
+                    // glimt_sh/src/basis.rs:253
                     let _e180 = zonal_4_(d.z);
                     q4_ = _e180;
-                    // glimt_sh/src/basis.rs:227
+                    // glimt_sh/src/basis.rs:254
                     let _e184 = q4_[4];
                     let _e189 = (*sums)[16];
                     (*sums)[16] = (_e189 + (weight * (_e184 * _e177.y)));
-                    // glimt_sh/src/basis.rs:228
+                    // glimt_sh/src/basis.rs:255
                     let _e193 = q4_[3];
                     let _e198 = (*sums)[17];
                     (*sums)[17] = (_e198 + (weight * (_e193 * _e105.y)));
-                    // glimt_sh/src/basis.rs:229
+                    // glimt_sh/src/basis.rs:256
                     let _e202 = q4_[2];
                     let _e207 = (*sums)[18];
                     (*sums)[18] = (_e207 + (weight * (_e202 * _e51.y)));
-                    // glimt_sh/src/basis.rs:230
+                    // glimt_sh/src/basis.rs:257
                     let _e211 = q4_[1];
                     let _e216 = (*sums)[19];
                     (*sums)[19] = (_e216 + (weight * (_e211 * p1_.y)));
-                    // glimt_sh/src/basis.rs:231
+                    // glimt_sh/src/basis.rs:258
                     let _e220 = q4_[0];
                     let _e223 = (*sums)[20];
                     (*sums)[20] = (_e223 + (weight * _e220));
-                    // glimt_sh/src/basis.rs:232
+                    // glimt_sh/src/basis.rs:259
                     let _e227 = q4_[1];
                     let _e232 = (*sums)[21];
                     (*sums)[21] = (_e232 + (weight * (_e227 * p1_.x)));
-                    // glimt_sh/src/basis.rs:233
+                    // glimt_sh/src/basis.rs:260
                     let _e236 = q4_[2];
                     let _e241 = (*sums)[22];
                     (*sums)[22] = (_e241 + (weight * (_e236 * _e51.x)));
-                    // glimt_sh/src/basis.rs:234
+                    // glimt_sh/src/basis.rs:261
                     let _e245 = q4_[3];
                     let _e250 = (*sums)[23];
                     (*sums)[23] = (_e250 + (weight * (_e245 * _e105.x)));
-                    // glimt_sh/src/basis.rs:235
+                    // glimt_sh/src/basis.rs:262
                     let _e254 = q4_[4];
                     let _e259 = (*sums)[24];
                     (*sums)[24] = (_e259 + (weight * (_e254 * _e177.x)));
-                    // glimt_sh/src/basis.rs:236
+                    // glimt_sh/src/basis.rs:263
                     if (bands > 5u) {
-                        // glimt_sh/src/basis.rs:237
+                        // glimt_sh/src/basis.rs:264
                         let _e267 = turn(_e177, d.x, d.y);
-                        // glimt_sh/src/basis.rs:238
+                        // glimt_sh/src/basis.rs:265
                         let _e270 = zonal_5_(d.z);
                         q5_ = _e270;
-                        // glimt_sh/src/basis.rs:239
+                        // glimt_sh/src/basis.rs:266
                         let _e274 = q5_[5];
                         let _e279 = (*sums)[25];
                         (*sums)[25] = (_e279 + (weight * (_e274 * _e267.y)));
-                        // glimt_sh/src/basis.rs:240
+                        // glimt_sh/src/basis.rs:267
                         let _e283 = q5_[4];
                         let _e288 = (*sums)[26];
                         (*sums)[26] = (_e288 + (weight * (_e283 * _e177.y)));
-                        // glimt_sh/src/basis.rs:241
+                        // glimt_sh/src/basis.rs:268
                         let _e292 = q5_[3];
                         let _e297 = (*sums)[27];
                         (*sums)[27] = (_e297 + (weight * (_e292 * _e105.y)));
-                        // glimt_sh/src/basis.rs:242
+                        // glimt_sh/src/basis.rs:269
                         let _e301 = q5_[2];
                         let _e306 = (*sums)[28];
                         (*sums)[28] = (_e306 + (weight * (_e301 * _e51.y)));
-                        // glimt_sh/src/basis.rs:243
+                        // glimt_sh/src/basis.rs:270
                         let _e310 = q5_[1];
                         let _e315 = (*sums)[29];
                         (*sums)[29] = (_e315 + (weight * (_e310 * p1_.y)));
-                        // glimt_sh/src/basis.rs:244
+                        // glimt_sh/src/basis.rs:271
                         let _e319 = q5_[0];
                         let _e322 = (*sums)[30];
                         (*sums)[30] = (_e322 + (weight * _e319));
-                        // glimt_sh/src/basis.rs:245
+                        // glimt_sh/src/basis.rs:272
                         let _e326 = q5_[1];
                         let _e331 = (*sums)[31];
                         (*sums)[31] = (_e331 + (weight * (_e326 * p1_.x)));
-                        // glimt_sh/src/basis.rs:246
+                        // glimt_sh/src/basis.rs:273
                         let _e335 = q5_[2];
                         let _e340 = (*sums)[32];
                         (*sums)[32] = (_e340 + (weight * (_e335 * _e51.x)));
-                        // glimt_sh/src/basis.rs:247
+                        // glimt_sh/src/basis.rs:274
                         let _e344 = q5_[3];
                         let _e349 = (*sums)[33];
                         (*sums)[33] = (_e349 + (weight * (_e344 * _e105.x)));
-                        // glimt_sh/src/basis.rs:248
+                        // glimt_sh/src/basis.rs:275
                         let _e353 = q5_[4];
                         let _e358 = (*sums)[34];
                         (*sums)[34] = (_e358 + (weight * (_e353 * _e177.x)));
-                        // glimt_sh/src/basis.rs:249
+                        // glimt_sh/src/basis.rs:276
                         let _e362 = q5_[5];
                         let _e367 = (*sums)[35];
                         (*sums)[35] = (_e367 + (weight * (_e362 * _e267.x)));
