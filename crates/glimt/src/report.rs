@@ -38,7 +38,8 @@ pub fn duration(seconds: f64) -> String {
 }
 
 /// A path as text: `json!` panics at one that is no UTF-8.
-fn shown(path: &Path) -> String {
+#[must_use]
+pub fn shown(path: &Path) -> String {
     path.display().to_string()
 }
 

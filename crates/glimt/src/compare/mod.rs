@@ -25,7 +25,7 @@ use crate::input::footage;
 use crate::job::Job;
 use crate::notes::Notes;
 use crate::output::{SOFTWARE, Stamp, atomic, exr, write_text};
-use crate::report::Reporter;
+use crate::report::{Reporter, shown};
 use crate::setup;
 use crate::shot::{Filter, Shot, digest, parse};
 use contestants::{Contestant, Field};
@@ -152,7 +152,7 @@ pub fn run(
     }
     let summary = json!({
         "verdict": outcome.verdict, "reference_criterion": outcome.reference_criterion,
-        "time_criterion": outcome.time_criterion, "out": out, "files": written,
+        "time_criterion": outcome.time_criterion, "out": shown(&out), "files": written.iter().map(|file| shown(file)).collect::<Vec<_>>(),
         "seconds": began.elapsed().as_secs_f64(),
     });
     let text = format!(
