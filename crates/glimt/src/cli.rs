@@ -83,7 +83,8 @@ pub enum Command {
     ///
     /// Writes one binary glTF file, SHOT.prt.glb unless the shot's render.prt.bake or -o says otherwise, which other programs can
     /// open: geometry in the world, with the coefficients as attributes _SH_0 … and _SH_BLOCKED_0 …. One that is there already, of
-    /// the same geometry and settings, is left as it is. Nothing may move but the camera and the light.
+    /// the same geometry and settings, is left as it is; what is there and is something else is never written over. Nothing may move
+    /// but the camera and the light.
     #[command(after_help = BAKE_EXAMPLES)]
     Bake {
         /// The shot file (TOML)
@@ -271,8 +272,8 @@ pub struct BakeFlags {
     #[arg(long, value_name = "n", allow_hyphen_values = true)]
     pub bands: Option<String>,
     /// Where to write it, instead of the shot's render.prt.bake
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
+    #[arg(long, short, alias = "output", value_name = "FILE")]
+    pub out: Option<PathBuf>,
     /// Refuse meshes with defects rather than work around them
     #[arg(long)]
     pub strict: bool,

@@ -117,6 +117,12 @@ impl Setup {
         each.collect()
     }
 
+    /// The first object of the shot of which more than a camera moves, the key that makes it, and what moves, in words.
+    pub fn moving_object(&self) -> Option<(usize, &'static str, String)> {
+        let mut all = self.movers.iter().enumerate();
+        all.find_map(|(i, m)| m.motion.moving_part().map(|(key, what)| (i, key, what)))
+    }
+
     /// Whether the camera moves.
     pub fn has_moving_camera(&self) -> bool {
         !matches!(self.view, View::Fixed(_))

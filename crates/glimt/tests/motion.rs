@@ -346,6 +346,40 @@ fn cameras_follow_their_nodes() {
     assert!((camera.fov_x - fov).abs() < 1e-6);
 }
 
+/// Precomputed transfer is of what stands still; a file may move its camera alone.
+#[test]
+fn transfer_is_of_parts_and_not_of_cameras() {
+    let t = Scratch::new("motion-prt");
+    let more = "method = \"prt\"\nprt = { bands = 2, directions = 20 }\n[output]\nvideo = \"\"";
+    shot(&t, "mesh = \"a.glb\"", more);
+    let fly = (
+        2,
+        "translation",
+        "LINEAR",
+        &[0.0, 1.0][..],
+        &[0.0, 0.0, 3.0, 0.5, 0.0, 4.0][..],
+    );
+    let rig = r#"{"mesh":0},{"camera":0},{"name":"rig","children":[1]}"#;
+    t.put("a.glb", animated(rig, "0,2", &[("fly", &[fly])]));
+    let spin = "\n[[object.spin]]\nnode = \"rig\"\ndeg_per_frame = 3.0";
+    for more_object in ["", spin] {
+        shot(&t, &format!("mesh = \"a.glb\"{more_object}"), more);
+        t.run(&["bake", "shot.toml", "--device", "cpu"]).ok();
+        t.run(&["render", "shot.toml", "--frames", "5-6"]).ok();
+        let frame = |number: u32| read_exr(&t.file(&format!("out/frame.{number:04}.exr")));
+        assert_ne!(frame(5), frame(6));
+    }
+    // The camera's node carries the mesh, too.
+    let with_mesh = r#"{"mesh":0},{"camera":0},{"name":"rig","children":[0,1]}"#;
+    t.put("a.glb", animated(with_mesh, "2", &[("fly", &[fly])]));
+    for command in ["bake", "render"] {
+        let words = ["object.0.animation", "`fly`", "moves", "\"off\""];
+        t.run(&[command, "shot.toml"]).fails(2, &words);
+    }
+    let off = ["bake", "shot.toml", "--set", "object.0.animation=off"];
+    t.run(&off).fails(2, &["object.0.spin", "`rig`"]);
+}
+
 #[test]
 fn nodes_spin() {
     let t = Scratch::new("spin");

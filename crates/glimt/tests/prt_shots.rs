@@ -48,11 +48,13 @@ fn a_bake_lights_frames() {
     t.run(&["render", "shot.toml"])
         .ok()
         .says(&["0 frames rendered, 3 there already"]);
-    t.run(&["bake", "shot.toml", "--set", "render.prt.directions=50"])
-        .ok();
-    t.run(&["render", "shot.toml", "--set", "render.prt.directions=50"])
+    t.run(&["bake", "shot.toml", "--directions", "50"]).ok();
+    t.run(&["render", "shot.toml"])
         .ok()
         .says(&["3 frames rendered"]);
+    t.run(&["render", "shot.toml"])
+        .ok()
+        .says(&["0 frames rendered, 3 there already"]);
 }
 
 #[test]

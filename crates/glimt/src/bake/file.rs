@@ -3,22 +3,20 @@
 //! `_SH_0`, `_SH_1`, … hold four coefficients of the light that arrives each, `_SH_BLOCKED_0`, … of the light that is blocked;
 //! the last is filled up with zeros. `asset.extras.glimt_bake` holds a [`Header`].
 
-use super::glb::{self, Broken, FLOAT, UNSIGNED_INT};
+use super::glb::{self, FLOAT, UNSIGNED_INT};
 use super::identity::Header;
 use crate::error::{Error, Result};
 use crate::output::atomic::Pending;
-use glam::Vec3;
-use glimt_render_gpu::host::bake::MAX_BANDS;
+use glam::{Mat4, Vec3};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer};
 use serde_json::{Value, json};
-use std::fs::File;
-use std::io::{self, BufReader, Write};
+use std::io::{self, Read, Seek, Write};
 use std::path::Path;
 
 /// The names of the attributes, without their numbers.
-const LIT: &str = "_SH_";
-const BLOCKED: &str = "_SH_BLOCKED_";
+pub(super) const LIT: &str = "_SH_";
+pub(super) const BLOCKED: &str = "_SH_BLOCKED_";
 
 /// Bytes that the file of a scene will have, but for its document of some kilobytes.
 #[must_use]
@@ -52,88 +50,137 @@ impl Layout {
     }
 }
 
-/// Writes a transfer, whole or not at all. Returns the file's size.
-///
-/// # Errors
-/// The file cannot be written, or would be too long.
-pub fn write(
-    file: &Path,
-    scene: &SceneBuffers,
-    vertices: &[SurfaceVertex],
-    header: &Header,
-    transfer: &Transfer,
-) -> Result<u64> {
-    let counts = scene.vertex_counts();
-    let vectors = transfer.coefficients().div_ceil(4);
-    let mut layout = Layout {
-        views: Vec::new(),
-        accessors: Vec::new(),
-        length: 0,
-    };
-    let (mut meshes, mut nodes) = (Vec::new(), Vec::new());
-    let mut first = 0;
-    for (object, &count) in counts.iter().enumerate() {
-        let own = &vertices[first..first + count];
-        first += count;
-        let name = &header.objects[object].name;
-        let mesh = scene.mesh(object);
-        if count == 0 {
-            nodes.push(json!({"name": name}));
-            continue;
-        }
-        let low = own.iter().fold(Vec3::MAX, |low, v| low.min(v.position));
-        let high = own.iter().fold(Vec3::MIN, |high, v| high.max(v.position));
-        let vector = json!({"componentType": FLOAT, "type": "VEC3"});
-        let mut position = vector.clone();
-        position["min"] = json!(low.to_array());
-        position["max"] = json!(high.to_array());
-        let mut attributes = json!({
-            "POSITION": layout.add(34962, 12, count, position),
-            "NORMAL": layout.add(34962, 12, count, vector),
-        });
-        for prefix in [LIT, BLOCKED] {
-            for i in 0..vectors {
-                let vector = json!({"componentType": FLOAT, "type": "VEC4"});
-                attributes[format!("{prefix}{i}")] = json!(layout.add(34962, 16, count, vector));
+/// A file of which all is known but the coefficients: how long it will be, before any of them is computed.
+#[derive(Debug)]
+pub struct Plan {
+    head: Vec<u8>,
+    bytes: u64,
+}
+
+impl Plan {
+    /// The plan of a scene's transfer, of which `header` tells, in `file`.
+    ///
+    /// # Errors
+    /// The file would be too long.
+    pub fn new(file: &Path, scene: &SceneBuffers, header: &Header) -> Result<Self> {
+        let vectors = (header.bands * header.bands).div_ceil(4);
+        let mut layout = Layout {
+            views: Vec::new(),
+            accessors: Vec::new(),
+            length: 0,
+        };
+        let (mut meshes, mut nodes) = (Vec::new(), Vec::new());
+        for (object, transform) in scene.transforms().iter().enumerate() {
+            let name = &header.objects[object].name;
+            let mesh = scene.mesh(object);
+            let count = mesh.positions.len();
+            if count == 0 {
+                nodes.push(json!({"name": name}));
+                continue;
             }
+            let (low, high) = bounds(&mesh.positions, transform);
+            let vector = json!({"componentType": FLOAT, "type": "VEC3"});
+            let mut position = vector.clone();
+            position["min"] = json!(low.to_array());
+            position["max"] = json!(high.to_array());
+            let mut attributes = json!({
+                "POSITION": layout.add(34962, 12, count, position),
+                "NORMAL": layout.add(34962, 12, count, vector),
+            });
+            for prefix in [LIT, BLOCKED] {
+                for i in 0..vectors {
+                    let vector = json!({"componentType": FLOAT, "type": "VEC4"});
+                    attributes[format!("{prefix}{i}")] =
+                        json!(layout.add(34962, 16, count, vector));
+                }
+            }
+            let mut primitive = json!({"attributes": attributes, "mode": 0});
+            if !mesh.indices.is_empty() {
+                let word = json!({"componentType": UNSIGNED_INT, "type": "SCALAR"});
+                let corners = 3 * mesh.indices.len();
+                primitive["indices"] = json!(layout.add(34963, 4, corners, word));
+                primitive["mode"] = json!(4);
+            }
+            nodes.push(json!({"name": name, "mesh": meshes.len()}));
+            meshes.push(json!({
+                "name": name, "primitives": [primitive], "extras": {"glimt_object": object},
+            }));
         }
-        let mut primitive = json!({"attributes": attributes, "mode": 0});
-        if !mesh.indices.is_empty() {
-            let word = json!({"componentType": UNSIGNED_INT, "type": "SCALAR"});
-            let corners = 3 * mesh.indices.len();
-            primitive["indices"] = json!(layout.add(34963, 4, corners, word));
-            primitive["mode"] = json!(4);
-        }
-        nodes.push(json!({"name": name, "mesh": meshes.len()}));
-        meshes.push(json!({
-            "name": name, "primitives": [primitive], "extras": {"glimt_object": object},
-        }));
+        // glTF has y up, the world here z.
+        let half = std::f32::consts::FRAC_1_SQRT_2;
+        let children: Vec<usize> = (0..nodes.len()).collect();
+        let root = nodes.len();
+        nodes.push(
+            json!({"name": "world", "rotation": [-half, 0.0, 0.0, half], "children": children}),
+        );
+        let document = json!({
+            "asset": {
+                "version": "2.0",
+                "generator": crate::output::SOFTWARE,
+                "extras": {"glimt_bake": header},
+            },
+            "scene": 0,
+            "scenes": [{"nodes": [root]}],
+            "nodes": nodes,
+            "meshes": meshes,
+            "accessors": layout.accessors,
+            "bufferViews": layout.views,
+            "buffers": [{"byteLength": layout.length}],
+        });
+        let bytes = layout.length;
+        let head = glb::head(&document, bytes).ok_or_else(|| too_long(file, bytes))?;
+        Ok(Self { head, bytes })
     }
-    // glTF has y up, the world here z.
-    let half = std::f32::consts::FRAC_1_SQRT_2;
-    let children: Vec<usize> = (0..nodes.len()).collect();
-    let root = nodes.len();
-    nodes.push(json!({"name": "world", "rotation": [-half, 0.0, 0.0, half], "children": children}));
-    let document = json!({
-        "asset": {
-            "version": "2.0",
-            "generator": crate::output::SOFTWARE,
-            "extras": {"glimt_bake": header},
-        },
-        "scene": 0,
-        "scenes": [{"nodes": [root]}],
-        "nodes": nodes,
-        "meshes": meshes,
-        "accessors": layout.accessors,
-        "bufferViews": layout.views,
-        "buffers": [{"byteLength": layout.length}],
-    });
-    let head = glb::head(&document, layout.length).ok_or_else(|| too_long(file, layout.length))?;
-    let mut pending = Pending::create(file)?;
-    let parts = (&counts[..], vertices, transfer);
-    write_parts(&mut pending, &head, scene, parts).map_err(|e| pending.error(&e))?;
-    pending.commit()?;
-    Ok(head.len() as u64 + layout.length)
+
+    /// Bytes that the file will have.
+    #[must_use]
+    pub fn size(&self) -> u64 {
+        self.head.len() as u64 + self.bytes
+    }
+
+    /// Begins the file, and takes room on its disk for all of it. Zeros are written: a length alone takes none.
+    ///
+    /// # Errors
+    /// Its folder cannot be written to, or the disk is full.
+    pub fn begin(&self, file: &Path) -> Result<Pending> {
+        let mut pending = Pending::create(file)?;
+        let mut take = || {
+            io::copy(&mut io::repeat(0).take(self.size()), &mut pending)?;
+            pending.flush()?;
+            pending.rewind()
+        };
+        let taken = take();
+        taken.map_err(|e| pending.error(&e))?;
+        Ok(pending)
+    }
+
+    /// Writes transfer into a file that was begun, and gives it its name.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn write(
+        &self,
+        mut pending: Pending,
+        scene: &SceneBuffers,
+        vertices: &[SurfaceVertex],
+        transfer: &Transfer,
+    ) -> Result<()> {
+        write_parts(&mut pending, &self.head, scene, vertices, transfer)
+            .map_err(|e| pending.error(&e))?;
+        pending.commit()
+    }
+}
+
+/// The box around a mesh's vertices in the world, to the bit as [`SceneBuffers::vertices`] has them.
+fn bounds(positions: &[Vec3], transform: &Mat4) -> (Vec3, Vec3) {
+    let transform = transform.as_dmat4();
+    let place = |p: &Vec3| transform.transform_point3(p.as_dvec3()).as_vec3();
+    positions
+        .iter()
+        .map(place)
+        .fold((Vec3::MAX, Vec3::MIN), |(low, high), p| {
+            (low.min(p), high.max(p))
+        })
 }
 
 /// The error of a file that would be too long.
@@ -151,12 +198,13 @@ fn write_parts(
     out: &mut impl Write,
     head: &[u8],
     scene: &SceneBuffers,
-    (counts, vertices, transfer): (&[usize], &[SurfaceVertex], &Transfer),
+    vertices: &[SurfaceVertex],
+    transfer: &Transfer,
 ) -> io::Result<()> {
     out.write_all(head)?;
     let n = transfer.coefficients();
     let mut first = 0;
-    for (object, &count) in counts.iter().enumerate() {
+    for (object, count) in scene.vertex_counts().into_iter().enumerate() {
         let own = &vertices[first..first + count];
         for vertex in own {
             out.write_all(bytemuck::bytes_of(&vertex.position))?;
@@ -186,99 +234,6 @@ fn write_parts(
         first += count;
     }
     Ok(())
-}
-
-/// The header of a file, which is as long as it says.
-///
-/// # Errors
-/// It cannot be read, or is no file of transfer that is whole; the error has no fix yet where a new one would do.
-pub fn read_header(file: &Path) -> Result<Header> {
-    let mut reader = open(file)?;
-    let document = glb::read_document(&mut reader).map_err(|e| broken(file, e))?;
-    header(file, &document)
-}
-
-/// A file's header and transfer.
-///
-/// # Errors
-/// As [`read_header`]; or attributes are missing, or of other lengths than the header says.
-pub fn read(file: &Path) -> Result<(Header, Transfer)> {
-    let mut reader = open(file)?;
-    let document = glb::read_document(&mut reader).map_err(|e| broken(file, e))?;
-    let header = header(file, &document)?;
-    let bytes = glb::read_bytes(&mut reader).map_err(|e| broken(file, e))?;
-    let n = (header.bands * header.bands) as usize;
-    let mut transfer = Transfer {
-        bands: header.bands,
-        ..Transfer::default()
-    };
-    let meshes = document["meshes"].as_array().map_or(&[][..], Vec::as_slice);
-    for (object, identity) in header.objects.iter().enumerate() {
-        let count = identity.vertices as usize;
-        if count == 0 {
-            continue;
-        }
-        let mesh = meshes
-            .iter()
-            .find(|mesh| mesh["extras"]["glimt_object"] == object)
-            .ok_or_else(|| Error::input(file, format!("it has no mesh for object {object}")))?;
-        let attributes = &mesh["primitives"][0]["attributes"];
-        for (prefix, list) in [(LIT, &mut transfer.lit), (BLOCKED, &mut transfer.blocked)] {
-            // What the header says is believed only as far as there are bytes for it.
-            if count > bytes.len() {
-                return Err(Error::input(file, "it has fewer vertices than it says"));
-            }
-            let begin = list.len();
-            list.resize(begin + count * n, 0.0);
-            for i in 0..n.div_ceil(4) {
-                let name = format!("{prefix}{i}");
-                let vectors = attributes[&name]
-                    .as_u64()
-                    .and_then(|accessor| glb::vectors(&document, accessor, &bytes))
-                    .filter(|vectors| vectors.len() == count)
-                    .ok_or_else(|| {
-                        let what = format!("its attribute {name} is missing or of another length");
-                        Error::input(file, what).at(format!("object {object}"))
-                    })?;
-                for (own, four) in list[begin..].chunks_mut(n).zip(&vectors) {
-                    let own = &mut own[4 * i..n.min(4 * i + 4)];
-                    own.copy_from_slice(&four[..own.len()]);
-                }
-            }
-        }
-    }
-    Ok((header, transfer))
-}
-
-fn open(file: &Path) -> Result<BufReader<File>> {
-    let reader = File::open(file).map_err(|e| match e.kind() {
-        io::ErrorKind::NotFound => Error::input(file, "there is no such file"),
-        _ => Error::reading(file, &e),
-    })?;
-    Ok(BufReader::new(reader))
-}
-
-fn broken(file: &Path, broken: Broken) -> Error {
-    match broken {
-        Broken::Io(e) => Error::reading(file, &e),
-        Broken::NotGlb => Error::input(file, "it is no file of transfer"),
-        Broken::Short(there, said) => Error::input(
-            file,
-            format!("the file ends too early: {there} of {said} bytes are there"),
-        ),
-    }
-}
-
-fn header(file: &Path, document: &Value) -> Result<Header> {
-    let header = &document["asset"]["extras"]["glimt_bake"];
-    if header.is_null() {
-        return Err(Error::input(file, "it is no file of transfer"));
-    }
-    let known: Option<Header> = serde_json::from_value(header.clone()).ok();
-    known
-        .filter(|header| header.version == super::identity::VERSION && header.shadowed)
-        .filter(|header| (1..=MAX_BANDS).contains(&header.bands))
-        .ok_or_else(|| Error::input(file, "its transfer is of a version that is not known"))
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! Host file: a binary glTF file as a document of JSON and a run of bytes, and the numbers of its accessors.
 
 use serde_json::Value;
-use std::io::{Read, Seek, SeekFrom};
+use std::io::{self, Read, Seek, SeekFrom};
+use std::ops::Range;
 
 const MAGIC: u32 = 0x4654_6c67;
 const JSON: u32 = 0x4e4f_534a;
@@ -11,6 +12,9 @@ const BIN: u32 = 0x004e_4942;
 pub const FLOAT: u64 = 5126;
 /// The component type of a word.
 pub const UNSIGNED_INT: u64 = 5125;
+
+/// Bytes of a vector of four floats.
+const VECTOR: u64 = 16;
 
 /// Why a file is none.
 #[derive(Debug)]
@@ -34,6 +38,31 @@ impl From<std::io::Error> for Broken {
 /// # Errors
 /// It is no binary glTF file, or not whole.
 pub fn read_document(file: &mut (impl Read + Seek)) -> Result<Value, Broken> {
+    let (there, said) = lengths(file)?;
+    if there < said {
+        return Err(Broken::Short(there, said));
+    }
+    read_any_document(file)
+}
+
+/// The same, whether or not the bytes behind the document are all there.
+///
+/// # Errors
+/// It is no binary glTF file, or its document is not whole.
+pub fn read_any_document(file: &mut (impl Read + Seek)) -> Result<Value, Broken> {
+    let (there, said) = lengths(file)?;
+    file.seek(SeekFrom::Start(12))?;
+    let [json_length, _] = words(file)?;
+    if there < 20 + u64::from(json_length) {
+        return Err(Broken::Short(there, said));
+    }
+    let mut json = vec![0; json_length as usize];
+    file.read_exact(&mut json)?;
+    serde_json::from_slice(&json).map_err(|_| Broken::NotGlb)
+}
+
+/// How long a file is, and how long it says it is.
+fn lengths(file: &mut (impl Read + Seek)) -> Result<(u64, u64), Broken> {
     let there = file.seek(SeekFrom::End(0))?;
     file.seek(SeekFrom::Start(0))?;
     if there < 20 {
@@ -43,30 +72,23 @@ pub fn read_document(file: &mut (impl Read + Seek)) -> Result<Value, Broken> {
     if magic != MAGIC || version != 2 || kind != JSON {
         return Err(Broken::NotGlb);
     }
-    let said = u64::from(length).max(20 + u64::from(json_length));
-    if there < said {
-        return Err(Broken::Short(there, said));
-    }
-    let mut json = vec![0; json_length as usize];
-    file.read_exact(&mut json)?;
-    serde_json::from_slice(&json).map_err(|_| Broken::NotGlb)
+    Ok((there, u64::from(length).max(20 + u64::from(json_length))))
 }
 
-/// The bytes behind the document, where the reader stands.
+/// Where in the file the bytes behind the document stand, at whose chunk the reader stands.
 ///
 /// # Errors
 /// There are none, or less than the file says.
-pub fn read_bytes(file: &mut impl Read) -> Result<Vec<u8>, Broken> {
+pub fn bytes(file: &mut (impl Read + Seek)) -> Result<Range<u64>, Broken> {
     let [length, kind] = words(file)?;
     if kind != BIN {
         return Err(Broken::NotGlb);
     }
-    let mut bytes = Vec::new();
-    let said = u64::from(length);
-    let there = file.take(said).read_to_end(&mut bytes)? as u64;
-    match there == said {
-        true => Ok(bytes),
-        false => Err(Broken::Short(there, said)),
+    let start = file.stream_position()?;
+    let (there, end) = (file.seek(SeekFrom::End(0))?, start + u64::from(length));
+    match there < end {
+        true => Err(Broken::Short(there, end)),
+        false => Ok(start..end),
     }
 }
 
@@ -99,30 +121,84 @@ pub fn head(document: &Value, bytes: u64) -> Option<Vec<u8>> {
     Some(head)
 }
 
-/// The floats of an accessor of vectors with four components, however its values lie; `None` where they are not that, or not
-/// there.
-#[must_use]
-pub fn vectors(document: &Value, accessor: u64, bytes: &[u8]) -> Option<Vec<[f32; 4]>> {
-    let accessor = document["accessors"].get(accessor as usize)?;
-    if accessor["type"] != "VEC4" || accessor["componentType"] != FLOAT {
-        return None;
+/// Where the values of an accessor of vectors with four floats lie among the bytes of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Vectors {
+    first: u64,
+    stride: u64,
+    count: u64,
+}
+
+impl Vectors {
+    /// The values of an accessor of a file with `length` bytes, however they lie; `None` where they are not such vectors, or not
+    /// all there, each in a place of its own.
+    #[must_use]
+    pub fn find(document: &Value, accessor: u64, length: u64) -> Option<Self> {
+        let item = |list: &str, index: u64| document[list].get(usize::try_from(index).ok()?);
+        let accessor = item("accessors", accessor)?;
+        if accessor["type"] != "VEC4" || accessor["componentType"] != FLOAT {
+            return None;
+        }
+        let number = |value: &Value, or: u64| value.as_u64().unwrap_or(or);
+        let view = item("bufferViews", accessor["bufferView"].as_u64()?)?;
+        if number(&view["buffer"], 0) != 0 || !accessor["sparse"].is_null() {
+            return None;
+        }
+        let (start, view_length) = (
+            number(&view["byteOffset"], 0),
+            number(&view["byteLength"], 0),
+        );
+        let offset = number(&accessor["byteOffset"], 0);
+        let (stride, count) = (
+            number(&view["byteStride"], VECTOR),
+            number(&accessor["count"], 0),
+        );
+        if stride < VECTOR || start.checked_add(view_length)? > length {
+            return None;
+        }
+        let end = match count {
+            0 => offset,
+            _ => (count - 1)
+                .checked_mul(stride)?
+                .checked_add(offset)?
+                .checked_add(VECTOR)?,
+        };
+        (end <= view_length).then_some(Self {
+            first: start + offset,
+            stride,
+            count,
+        })
     }
-    let number = |value: &Value, or: u64| value.as_u64().unwrap_or(or) as usize;
-    let view = document["bufferViews"].get(accessor["bufferView"].as_u64()? as usize)?;
-    if number(&view["buffer"], 0) != 0 || !accessor["sparse"].is_null() {
-        return None;
+
+    /// How many there are.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.count
     }
-    let start = number(&view["byteOffset"], 0);
-    let view_bytes = bytes.get(start..start.checked_add(number(&view["byteLength"], 0))?)?;
-    let stride = number(&view["byteStride"], 16);
-    let first = number(&accessor["byteOffset"], 0);
-    let vector = |i: usize| {
-        let from = first.checked_add(i.checked_mul(stride)?)?;
-        let four = view_bytes.get(from..from.checked_add(16)?)?;
-        let float = |k: usize| f32::from_le_bytes([four[k], four[k + 1], four[k + 2], four[k + 3]]);
-        Some([float(0), float(4), float(8), float(12)])
-    };
-    (0..number(&accessor["count"], 0)).map(vector).collect()
+
+    /// Reads them, where the bytes of the file begin at `start`, and hands out one after the other.
+    ///
+    /// # Errors
+    /// The file cannot be read.
+    pub fn read(
+        &self,
+        file: &mut (impl Read + Seek),
+        start: u64,
+        mut take: impl FnMut([f32; 4]),
+    ) -> io::Result<()> {
+        file.seek(SeekFrom::Start(start + self.first))?;
+        for i in 0..self.count {
+            let mut bytes = [0; VECTOR as usize];
+            if i > 0 && self.stride > VECTOR {
+                file.seek_relative((self.stride - VECTOR) as i64)?;
+            }
+            file.read_exact(&mut bytes)?;
+            let float =
+                |k: usize| f32::from_le_bytes([bytes[k], bytes[k + 1], bytes[k + 2], bytes[k + 3]]);
+            take([float(0), float(4), float(8), float(12)]);
+        }
+        Ok(())
+    }
 }
 
 #[cfg(test)]
@@ -139,13 +215,18 @@ mod tests {
         whole.extend(bytes);
         let mut file = Cursor::new(&whole);
         assert_eq!(read_document(&mut file).expect("a document"), document);
-        assert_eq!(read_bytes(&mut file).expect("bytes"), bytes);
+        let range = self::bytes(&mut file).expect("bytes");
+        assert_eq!(range, whole.len() as u64 - 8..whole.len() as u64);
         for length in [20, 40, whole.len() - 1] {
             let mut file = Cursor::new(&whole[..length]);
             let error = read_document(&mut file).expect_err("too short");
             assert!(matches!(error, Broken::Short(there, said)
                 if there == length as u64 && said == whole.len() as u64));
         }
+        // The document may be whole where the file is not.
+        let short = |length: usize| read_any_document(&mut Cursor::new(&whole[..length]));
+        assert_eq!(short(whole.len() - 8).expect("a document"), document);
+        assert!(matches!(short(40), Err(Broken::Short(40, _))));
         assert!(matches!(
             read_document(&mut Cursor::new(&whole[..19])),
             Err(Broken::NotGlb)
@@ -164,11 +245,40 @@ mod tests {
                 "bufferViews": [{"buffer": 0, "byteOffset": 4, "byteLength": 92, "byteStride": stride}],
             })
         };
-        let found = vectors(&document(28), 0, bytemuck::cast_slice(&floats)).expect("vectors");
+        let bytes: &[u8] = bytemuck::cast_slice(&floats);
+        let find = |document: &Value, accessor| Vectors::find(document, accessor, 96);
+        let mut found = Vec::new();
+        let vectors = find(&document(28), 0).expect("vectors");
+        let read = vectors.read(&mut Cursor::new(bytes), 0, |four| found.push(four));
+        read.expect("floats");
         assert_eq!(found[0], [3.0, 4.0, 5.0, 6.0]);
         assert_eq!(found[2], [17.0, 18.0, 19.0, 20.0]);
+        assert_eq!(found.len(), 3);
         // Beyond the end, or not there.
-        assert!(vectors(&document(40), 0, bytemuck::cast_slice(&floats)).is_none());
-        assert!(vectors(&document(28), 1, bytemuck::cast_slice(&floats)).is_none());
+        assert!(find(&document(40), 0).is_none());
+        assert!(find(&document(28), 1).is_none());
+    }
+
+    #[test]
+    fn forged_counts_are_refused_unread() {
+        let document = |count: u64, stride: Value| {
+            json!({
+                "accessors": [{
+                    "bufferView": 0, "componentType": 5126, "count": count, "type": "VEC4",
+                }],
+                "bufferViews": [{"buffer": 0, "byteLength": 96, "byteStride": stride}],
+            })
+        };
+        let find = |count, stride| Vectors::find(&document(count, stride), 0, 96);
+        assert_eq!(find(6, Value::Null).map(|v| v.count()), Some(6));
+        // Values on top of each other would be there however many there are.
+        for stride in [0, 15] {
+            assert!(find(6, json!(stride)).is_none());
+            assert!(find(4_000_000_000, json!(stride)).is_none());
+        }
+        for count in [7, 4_000_000_000, u64::MAX] {
+            assert!(find(count, Value::Null).is_none());
+            assert!(find(count, json!(u64::MAX)).is_none());
+        }
     }
 }

@@ -8,7 +8,8 @@ use glimt_render_gpu::host::scene_build::SceneBuffers;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-/// The version of the file's format.
+/// The version of the file's format, and of where rays of a vertex start, which [`Header::kernel`] does not tell of: whoever changes
+/// either raises it, and older files are refused.
 pub const VERSION: u32 = 1;
 
 /// What stands in the file's `asset.extras.glimt_bake`.
@@ -74,7 +75,7 @@ impl Header {
         }
     }
 
-    /// How this one's scene, which is now, differs from that of a file, in words; `None` where it does not.
+    /// How this one's scene and kernel, which are now, differ from those of a file, in words; `None` where they do not.
     #[must_use]
     pub fn differs(&self, file: &Header) -> Option<Difference> {
         if self.objects.len() != file.objects.len() {
@@ -101,14 +102,21 @@ impl Header {
                 what,
             });
         }
-        (self.scene != file.scene).then(|| Difference {
+        let what = if self.scene != file.scene {
+            "its hash is of another scene"
+        } else if self.kernel != file.kernel {
+            "another version of glimt computed it, whose kernel was another"
+        } else {
+            return None;
+        };
+        Some(Difference {
             object: None,
-            what: "its hash is of another scene".to_owned(),
+            what: what.to_owned(),
         })
     }
 }
 
-/// How a scene differs from another.
+/// How a scene, or what is computed of it, differs from another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
     /// The object of the scene that differs, if it is one.

@@ -3,17 +3,20 @@
 pub mod file;
 pub mod glb;
 pub mod identity;
+pub mod stored;
+mod target;
 
 use crate::cli::{BakeFlags, RenderFlags};
 use crate::device;
-use crate::error::{Error, Result};
+use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
-use crate::report::{Reporter, count};
+use crate::report::{Reporter, count, shown};
 use crate::setup::Setup;
 use crate::shot::digest;
 use crate::shot::parse::Source;
 use crate::shot::{Method, Shot, check, parse, range};
 use crate::synth::Processor;
+use file::Plan;
 use glimt_render_gpu::gpu;
 use glimt_render_gpu::host::bake::{self, BakeError, BakeSettings, Baked, required_bytes};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
@@ -23,6 +26,7 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
+use stored::Stored;
 
 /// The file of a shot's transfer: as `render.prt.bake` says, else beside the shot, `SHOT.prt.glb`.
 #[must_use]
@@ -50,24 +54,36 @@ pub fn settings_of(shot: &Shot) -> BakeSettings {
 /// The file is not there, not whole, of something else, of other bands, or holds what is no number. Each error names it, and
 /// the command that makes it anew.
 pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Result<Transfer> {
-    let anew = anew(&setup.source);
-    let (header, transfer) = file::read(file).map_err(|e| e.fix(&anew))?;
+    let anew = anew(setup, shot);
+    let stored = Stored::open(file).map_err(|e| {
+        // What is something else is not written over.
+        match target::refuse_other(file, shot, &setup.source) {
+            Ok(()) => e.fix(&anew),
+            Err(_) => e.fix(format!(
+                "remove it, or name another file by render.prt.bake; then {anew}"
+            )),
+        }
+    })?;
     let settings = settings_of(shot);
     let now = Header::new(scene, &settings);
-    if let Some(difference) = now.differs(&header) {
+    if let Some(difference) = now.differs(stored.header()) {
         let error = Error::input(file, format!("it is stale: {}", difference.what)).fix(&anew);
         return Err(match difference.object {
             Some(object) => error.at(named(setup, &now, object)),
             None => error,
         });
     }
-    if header.bands != settings.bands {
-        let (found, wanted) = (header.bands, settings.bands);
+    let (found, wanted) = (stored.header().bands, settings.bands);
+    if found != wanted {
         let what = format!("it has {found} bands, and render.prt.bands is {wanted}");
         return Err(
             Error::input(file, what).fix(format!("{anew}, or set render.prt.bands={found}"))
         );
     }
+    let transfer = stored.transfer().map_err(|e| match e.kind {
+        Kind::Input => e.fix(&anew),
+        _ => e,
+    })?;
     match transfer.check(scene.vertex_counts().iter().sum()) {
         Ok(()) => Ok(transfer),
         Err(TransferError::NotFinite(vertex)) => {
@@ -100,7 +116,7 @@ pub fn expect(setup: &mut Setup) -> Result<()> {
 /// # Errors
 /// The file is not there.
 pub fn hash_of(shot: &Shot, source: &Source) -> Result<digest::Hash> {
-    digest::of_file(&file_of(shot, source)).map_err(|e| e.fix(anew(source)))
+    digest::of_file(&file_of(shot, source)).map_err(|e| e.fix(command(source, Vec::new())))
 }
 
 /// Gives a scene, built of the setup's, the transfer that it is rendered by, where it is: as the keys of `shot` say, which may differ
@@ -119,12 +135,41 @@ pub fn give(setup: &Setup, shot: &Shot, scene: &mut SceneBuffers) -> Result<()> 
     let reflections: Vec<f32> = owners.map(|&of_shot| objects[of_shot].reflection).collect();
     scene
         .set_transfer(transfer, &reflections)
-        .map_err(|e| Error::input(&file, e).fix(anew(&setup.source)))
+        .map_err(|e| Error::input(&file, e).fix(anew(setup, shot)))
 }
 
-/// What makes a transfer that can be used.
-fn anew(source: &Source) -> String {
-    format!("run `glimt bake {}`", source.file.display())
+/// What makes a transfer that can be used: a command with what was set on the command line and changes its result.
+fn anew(setup: &Setup, shot: &Shot) -> String {
+    let mut more = Vec::new();
+    // A comparison's contestants have keys of their own.
+    let (own, common) = (&shot.render.prt, &setup.shot.render.prt);
+    if own.bands != common.bands {
+        more.push(format!("render.prt.bands={}", own.bands));
+    }
+    if own.bake != common.bake {
+        more.push(format!("render.prt.bake={}", own.bake));
+    }
+    command(&setup.source, more)
+}
+
+/// The command that makes a shot's transfer, with `more` keys beside those that were set.
+fn command(source: &Source, more: Vec<String>) -> String {
+    let set = source.overrides_of(&["object", "render.prt"]);
+    let set = set.map(str::to_owned).chain(more);
+    let set: String = set
+        .map(|item| format!(" --set {}", quoted(&item)))
+        .collect();
+    let file = quoted(&source.file.display().to_string());
+    format!("run `glimt bake {file}{set}`")
+}
+
+/// A word as a shell takes it.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "._-/=,:+@%".contains(c);
+    match !word.is_empty() && word.chars().all(is_plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', "'\\''")),
+    }
 }
 
 /// The object that a vertex of the scene belongs to, and its number there.
@@ -158,11 +203,12 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     reporter.notes(notes.take());
     let setup = setup?;
     refuse_motion(&setup)?;
+    let out = flags.out.clone();
+    let out = out.unwrap_or_else(|| file_of(&setup.shot, &setup.source));
+    target::refuse_other(&out, &setup.shot, &setup.source)?;
     let scene =
         SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
     let settings = settings_of(&setup.shot);
-    let out = flags.output.clone();
-    let out = out.unwrap_or_else(|| file_of(&setup.shot, &setup.source));
     let header = Header::new(&scene, &settings);
 
     let vertices: u64 = header.objects.iter().map(|o| o.vertices).sum();
@@ -170,10 +216,9 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         .map(|i| scene.mesh(i).indices.len() as u64)
         .sum();
     let memory = required_bytes(vertices, settings.bands);
-    let size = file::size(vertices, triangles, settings.bands);
-    if file::read_header(&out).is_ok_and(|there| there == header) {
+    if is_there(&out, &header) {
         let summary = json!({
-            "skipped": true, "vertices": vertices, "triangles": triangles, "file": out,
+            "skipped": true, "vertices": vertices, "triangles": triangles, "file": shown(&out),
         });
         let text = format!(
             "there already, of this geometry and these settings: {}",
@@ -182,10 +227,11 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         reporter.finish(summary, &text);
         return Ok(());
     }
-    if size > u64::from(u32::MAX) {
-        return Err(file::too_long(&out, size));
-    }
+    let plan = Plan::new(&out, &scene, &header)?;
     let processor = device::open_processor(flags.device)?;
+    // What cannot be written is not computed.
+    let pending = plan.begin(&out)?;
+    let size = plan.size();
     reporter.step(&format!(
         "{vertices} vertices of {triangles} triangles, {} in {}, on {}: {} of memory, a file of {}",
         count(settings.directions as usize, "direction"),
@@ -203,11 +249,11 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         vertices: at,
         rays,
     } = baked;
-    let size = file::write(&out, &scene, &at, &header, &transfer)?;
+    plan.write(pending, &scene, &at, &transfer)?;
     let rate = rays as f64 / seconds.max(1e-9);
     let summary = json!({
         "skipped": false, "vertices": vertices, "triangles": triangles, "rays": rays, "seconds": seconds,
-        "rays_per_second": rate, "memory": memory, "bytes": size, "file": out,
+        "rays_per_second": rate, "memory": memory, "bytes": size, "file": shown(&out),
     });
     let text = format!(
         "{vertices} vertices, {rays} rays in {seconds:.1} s, {:.2} million a second; {}: {}",
@@ -217,6 +263,16 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     );
     reporter.finish(summary, &text);
     Ok(())
+}
+
+/// Whether a file holds the transfer that a header tells of, whole and in finite numbers.
+fn is_there(file: &Path, header: &Header) -> bool {
+    let vertices: u64 = header.objects.iter().map(|o| o.vertices).sum();
+    Stored::open(file)
+        .ok()
+        .filter(|stored| stored.header() == header)
+        .and_then(|stored| stored.transfer().ok())
+        .is_some_and(|transfer| transfer.check(vertices as usize).is_ok())
 }
 
 /// The shot with its meshes; neither light nor footage is looked at.
@@ -237,17 +293,17 @@ fn read_shot(file: &Path, flags: &BakeFlags, notes: &mut Notes) -> Result<Setup>
     Setup::load(shot, source, base, first, &RenderFlags::default(), notes)
 }
 
-/// Transfer is of objects that stand still.
+/// Transfer is of objects that stand still; cameras may move, those of mesh files among them.
 ///
 /// # Errors
 /// One moves; the error names the key by which it does.
 pub fn refuse_motion(setup: &Setup) -> Result<()> {
-    let Some((object, what)) = setup.motions().into_iter().next() else {
+    let Some((object, key, what)) = setup.moving_object() else {
         return Ok(());
     };
-    let (key, fix) = match setup.shot.objects[object].spins.is_empty() {
-        true => ("animation", "set it to \"off\""),
-        false => ("spin", "remove it"),
+    let fix = match key {
+        "animation" => "set it to \"off\"",
+        _ => "remove it",
     };
     let what =
         format!("the object moves ({what}), and precomputed transfer is of what stands still");

@@ -17,6 +17,8 @@ pub struct Motion {
     is_looped: bool,
     offset_s: f64,
     spins: Vec<Spin>,
+    /// Of each node, whether a part of the model stands at it, or within it.
+    carries: Vec<bool>,
 }
 
 /// A node that turns at a constant rate.
@@ -77,6 +79,7 @@ impl Motion {
             is_looped: object.animation_loop,
             offset_s: object.animation_offset_s.into(),
             spins,
+            carries: carriers(model),
         })
     }
 
@@ -88,22 +91,42 @@ impl Motion {
 
     /// What moves, in words; nothing where nothing does.
     pub fn describe(&self) -> Vec<String> {
-        let playing = self.animations.iter().filter(|a| !a.channels.is_empty());
+        let any = |_| true;
+        self.played(any).chain(self.spun(any)).collect()
+    }
+
+    /// What moves a part first: the object's key that makes it, and in words. Cameras of the file may move alone.
+    pub fn moving_part(&self) -> Option<(&'static str, String)> {
+        let carries = |node: usize| self.carries[node];
+        let played = self.played(carries).map(|what| ("animation", what));
+        let spun = self.spun(carries).map(|what| ("spin", what));
+        played.chain(spun).next()
+    }
+
+    /// The animations that move such a node.
+    fn played(&self, is_meant: impl Fn(usize) -> bool) -> impl Iterator<Item = String> {
         let again = if self.is_looped {
             ", again and again"
         } else {
             ""
         };
-        let animations =
-            playing.map(|a| format!("animation `{}`, {} s{again}", a.name, a.duration_s()));
-        let spins = self.spins.iter().map(|spin| {
+        let playing = self
+            .animations
+            .iter()
+            .filter(move |a| a.channels.iter().any(|c| is_meant(c.node)));
+        playing.map(move |a| format!("animation `{}`, {} s{again}", a.name, a.duration_s()))
+    }
+
+    /// The spins of such nodes.
+    fn spun(&self, is_meant: impl Fn(usize) -> bool) -> impl Iterator<Item = String> {
+        let spins = self.spins.iter().filter(move |spin| is_meant(spin.node));
+        spins.map(|spin| {
             let name = &self.nodes[spin.node].name;
             format!(
                 "node `{name}` turns by {} degrees a frame",
                 spin.deg_per_frame
             )
-        });
-        animations.chain(spins).collect()
+        })
     }
 
     /// From each node to the file's world, `frames` frames after the shot's first.
@@ -140,6 +163,23 @@ impl Motion {
             }
         })
     }
+}
+
+/// Of each node of a model, whether a part stands at it, or at a node within it.
+fn carriers(model: &Model) -> Vec<bool> {
+    let mut carries = vec![false; model.nodes.len()];
+    for part in &model.parts {
+        carries[part.node] = true;
+    }
+    // Nodes come after those that they stand in.
+    for (index, node) in model.nodes.iter().enumerate().rev() {
+        if let Some(parent) = node.parent
+            && carries[index]
+        {
+            carries[parent] = true;
+        }
+    }
+    carries
 }
 
 /// The fix of an error about an unknown name.

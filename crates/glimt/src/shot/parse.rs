@@ -80,6 +80,20 @@ pub fn parse<T: Document>(file: &Path, text: String, set: &[String]) -> Result<(
 }
 
 impl Source {
+    /// The overrides of keys that are among those under `keys`, as `render.prt`, or hold them.
+    pub fn overrides_of<'a>(&'a self, keys: &'a [&str]) -> impl Iterator<Item = &'a str> {
+        let is_within = |inner: &str, outer: &str| {
+            let rest = inner.strip_prefix(outer);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        let concerns = move |item: &&str| {
+            let set = normalise(item.split('=').next().unwrap_or_default());
+            let mut keys = keys.iter();
+            keys.any(|key| is_within(&set, key) || is_within(key, &set))
+        };
+        self.set.iter().map(String::as_str).filter(concerns)
+    }
+
     /// Whether a key, as `image.size`, is given: in the file, by an override or by a preset.
     pub fn gives(&self, key: &str) -> bool {
         let mut table = Some(&self.given);
@@ -367,6 +381,26 @@ mod tests {
         assert!(message("image").contains("there is no `=`"));
         assert!(message("object.2.scale=1").contains("does not exist"));
         assert!(message("image.size=big").starts_with("--set image.size=big: invalid type"));
+    }
+
+    #[test]
+    fn overrides_of_some_keys_are_picked() {
+        let set = [
+            "object[0].scale=2",
+            "objects=1",
+            "camera.fov_x_deg=9",
+            "render.seed=2",
+            "render.prt.bands=3",
+            "render={}",
+        ];
+        let source = Source {
+            file: "s.toml".into(),
+            text: String::new(),
+            set: set.map(str::to_owned).to_vec(),
+            given: Table::new(),
+        };
+        let picked: Vec<&str> = source.overrides_of(&["object", "render.prt"]).collect();
+        assert_eq!(picked, [set[0], set[4], set[5]]);
     }
 
     #[test]
