@@ -230,10 +230,10 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:40
+// glimt_render_gpu/src/kernels/triangle.rs:64
 fn Triangle_area_normal(this_: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:41
+    // glimt_render_gpu/src/kernels/triangle.rs:65
     return cross((this_.v1_ - this_.v0_), (this_.v2_ - this_.v0_));
 }
 
@@ -553,56 +553,63 @@ fn Scene_shading_point(ray: Ray, hit: Hit) -> ShadingPoint {
     return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
 }
 
-// glimt_render_gpu/src/kernels/prt.rs:114
+// glimt_render_gpu/src/kernels/prt.rs:113
 fn Surface_light_at(hit_1: Hit) -> VertexLight {
 
-    // glimt_render_gpu/src/kernels/prt.rs:115
+    // glimt_render_gpu/src/kernels/prt.rs:114
     let first_1 = (3u * hit_1.triangle);
-    // glimt_render_gpu/src/kernels/prt.rs:116
+    // glimt_render_gpu/src/kernels/prt.rs:115
     let _e9 = surface_corner_vertices[first_1];
     let a_2 = surface_lights[_e9];
-    // glimt_render_gpu/src/kernels/prt.rs:117
+    // glimt_render_gpu/src/kernels/prt.rs:116
     let _e18 = surface_corner_vertices[(first_1 + 1u)];
     let b_3 = surface_lights[_e18];
-    // glimt_render_gpu/src/kernels/prt.rs:118
+    // glimt_render_gpu/src/kernels/prt.rs:117
     let _e27 = surface_corner_vertices[(first_1 + 2u)];
     let c_2 = surface_lights[_e27];
-    // glimt_render_gpu/src/kernels/prt.rs:119
+    // glimt_render_gpu/src/kernels/prt.rs:118
     let _e36 = Tuple_f32_f32_(hit_1.barycentrics.x, hit_1.barycentrics.y);
     let u_1 = _e36.fa;
     let v_4 = _e36.fb;
-    // glimt_render_gpu/src/kernels/prt.rs:120
+    // glimt_render_gpu/src/kernels/prt.rs:119
     let w_1 = ((1f - u_1) - v_4);
-    // glimt_render_gpu/src/kernels/prt.rs:121
+    // glimt_render_gpu/src/kernels/prt.rs:120
     return VertexLight((((a_2.lit * w_1) + (b_3.lit * u_1)) + (c_2.lit * v_4)), 0f, (((a_2.blocked * w_1) + (b_3.blocked * u_1)) + (c_2.blocked * v_4)), 0f);
 }
 
-// glimt_render_gpu/src/kernels/prt.rs:132
-fn Surface_reflection(object: u32) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:45
+fn Triangle_object_index(this_7: Triangle) -> u32 {
 
-    // glimt_render_gpu/src/kernels/prt.rs:133
-    let _e7 = surface_reflections[(object & 2147483647u)];
-    return _e7;
+    // glimt_render_gpu/src/kernels/triangle.rs:46
+    return (this_7.object & 1073741823u);
 }
 
-// glimt_render_gpu/src/kernels/prt.rs:80
+// glimt_render_gpu/src/kernels/prt.rs:131
+fn Surface_reflection(object: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/prt.rs:132
+    let _e5 = surface_reflections[object];
+    return _e5;
+}
+
+// glimt_render_gpu/src/kernels/prt.rs:79
 fn diffuse(albedo: vec3<f32>, lit: vec3<f32>, blocked: vec3<f32>) -> Reflected {
 
-    // glimt_render_gpu/src/kernels/prt.rs:81
+    // glimt_render_gpu/src/kernels/prt.rs:80
     let arrives = max(lit, vec3(0f));
-    // glimt_render_gpu/src/kernels/prt.rs:82
+    // glimt_render_gpu/src/kernels/prt.rs:81
     let all_ = max((lit + blocked), vec3(0f));
-    // glimt_render_gpu/src/kernels/prt.rs:83
+    // glimt_render_gpu/src/kernels/prt.rs:82
     let scale_1 = (albedo * 0.31830987f);
-    // glimt_render_gpu/src/kernels/prt.rs:84
+    // glimt_render_gpu/src/kernels/prt.rs:83
     return Reflected((arrives * scale_1), (max((all_ - arrives), vec3(0f)) * scale_1));
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_7: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_8: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_7.t * v_2.x) + (this_7.b * v_2.y)) + (this_7.n * v_2.z));
+    return (((this_8.t * v_2.x) + (this_8.b * v_2.y)) + (this_8.n * v_2.z));
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -686,49 +693,50 @@ fn RadianceMap_background(size_2: vec2<u32>, rotation: vec2<f32>, direction_1: v
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/prt.rs:94
+// glimt_render_gpu/src/kernels/prt.rs:93
 fn reflected(point: ShadingPoint, lit_1: vec3<f32>, blocked_1: vec3<f32>, reflection: f32, map_size: vec2<u32>, map_rotation: vec2<f32>) -> Reflected {
     var light: Reflected;
 
-    // glimt_render_gpu/src/kernels/prt.rs:101
+    // glimt_render_gpu/src/kernels/prt.rs:100
     let _e10 = diffuse(point.brdf.diffuse, lit_1, blocked_1);
     light = _e10;
-    // glimt_render_gpu/src/kernels/prt.rs:102
+    // glimt_render_gpu/src/kernels/prt.rs:101
     if (reflection > 0f) {
-        // glimt_render_gpu/src/kernels/prt.rs:103
+        // glimt_render_gpu/src/kernels/prt.rs:102
         let wo = point.wo;
-        // glimt_render_gpu/src/kernels/prt.rs:104
+        // glimt_render_gpu/src/kernels/prt.rs:103
         let _e25 = ShadingFrame_to_world(point.frame, vec3<f32>(-(wo.x), -(wo.y), wo.z));
-        // glimt_render_gpu/src/kernels/prt.rs:105
+        // glimt_render_gpu/src/kernels/prt.rs:104
         let _e28 = RadianceMap_background(map_size, map_rotation, _e25);
         let _e30 = light.lit;
         light.lit = (_e30 + (_e28 * reflection));
     }
-    // glimt_render_gpu/src/kernels/prt.rs:107
+    // glimt_render_gpu/src/kernels/prt.rs:106
     let _e33 = light;
     return _e33;
 }
 
-// glimt_render_gpu/src/kernels/prt.rs:179
+// glimt_render_gpu/src/kernels/prt.rs:178
 fn at_hit(ray_1: Ray, hit_2: Hit, map_size_1: vec2<u32>, map_rotation_1: vec2<f32>) -> Reflected {
 
-    // glimt_render_gpu/src/kernels/prt.rs:186
+    // glimt_render_gpu/src/kernels/prt.rs:185
     let _e6 = Scene_shading_point(ray_1, hit_2);
-    // glimt_render_gpu/src/kernels/prt.rs:187
+    // glimt_render_gpu/src/kernels/prt.rs:186
     let _e8 = Surface_light_at(hit_2);
-    // glimt_render_gpu/src/kernels/prt.rs:188
-    let _e14 = scene_triangles[hit_2.triangle].object;
+    // glimt_render_gpu/src/kernels/prt.rs:187
+    let _e13 = scene_triangles[hit_2.triangle];
+    let _e14 = Triangle_object_index(_e13);
     let _e15 = Surface_reflection(_e14);
-    // glimt_render_gpu/src/kernels/prt.rs:189
+    // glimt_render_gpu/src/kernels/prt.rs:188
     let _e19 = reflected(_e6, _e8.lit, _e8.blocked, _e15, map_size_1, map_rotation_1);
     return _e19;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:33
-fn Triangle_is_catcher(this_8: Triangle) -> bool {
+// glimt_render_gpu/src/kernels/triangle.rs:38
+fn Triangle_is_catcher(this_9: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:34
-    return ((this_8.object & 2147483648u) != 0u);
+    // glimt_render_gpu/src/kernels/triangle.rs:39
+    return ((this_9.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:39

@@ -8,7 +8,7 @@ use glimt_sampling::uniform::{UniformSource, unit_vec2};
 use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
 use glimt_sh::basis::add_basis;
 
-use super::bvh::{BvhNode, any_hit, any_hit_of};
+use super::bvh::{Asked, BvhNode, any_hit, any_hit_of};
 use super::ray::Ray;
 use super::triangle::Triangle;
 
@@ -41,7 +41,8 @@ pub struct TransferVertex {
     pub normal: Vec3,
     /// Its number, which keys its stream.
     pub number: u32,
-    /// A point beneath the surface: what crosses the way from there to `origin`, and is another object's, touches the surface.
+    /// A point beneath the surface: what the way from there to `origin` crosses from outside, and is another object's, lies on the
+    /// surface.
     pub inner: Vec3,
     /// Fills 16 bytes.
     pub unused: f32,
@@ -67,9 +68,23 @@ pub fn transfer(
     let mut arrives = [0.0_f32; 36];
     let mut kept_away = [0.0_f32; 36];
     let mut rays = 0;
-    // Where another object lies on the surface, no point is above the one and before the other.
-    let across = Ray::new(at.inner, at.origin - at.inner);
-    let touched = any_hit_of(nodes, triangles, &across, 1.0, at.object, false);
+    // Where another object lies on the surface, no point is above the one and before the other. What is crossed from inside lies
+    // under the surface, or in its plane and faces as it does: that keeps no light from it.
+    let way = at.origin - at.inner;
+    let across = Ray::new(at.inner, way);
+    let others = Asked {
+        object: at.object,
+        own: false,
+        near: 1.0,
+        way,
+    };
+    let touched = any_hit_of(nodes, triangles, &across, 1.0, &others);
+    let own = Asked {
+        own: true,
+        near: 0.0,
+        ..others
+    };
+    let height = at.normal.dot(way);
     let mut source = Xoshiro128PlusPlus::stream(params.seed, STREAM, at.number);
     for row in 0..params.rows {
         let strata = strata_of_row(params, row);
@@ -82,9 +97,14 @@ pub fn transfer(
                 rays += 1;
                 let ray = Ray::new(at.origin, direction);
                 let is_blocked = if touched {
+                    // What lies under the surface is passed over until the ray has come through it.
+                    let above = Asked {
+                        near: height / cosine,
+                        ..others
+                    };
                     let beneath = Ray::new(at.inner, direction);
-                    any_hit_of(nodes, triangles, &beneath, f32::MAX, at.object, false)
-                        || any_hit_of(nodes, triangles, &ray, f32::MAX, at.object, true)
+                    any_hit_of(nodes, triangles, &beneath, f32::MAX, &above)
+                        || any_hit_of(nodes, triangles, &ray, f32::MAX, &own)
                 } else {
                     any_hit(nodes, triangles, &ray, f32::MAX)
                 };
