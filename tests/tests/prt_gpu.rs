@@ -426,6 +426,73 @@ fn pictures_are_the_cpus() {
     }
 }
 
+/// A sky with a disc of one brightness, which is sharp.
+fn sky_with_disc(radiance: f32, disc: f32) -> PreparedEnv {
+    let size = UVec2::new(96, 48);
+    let sun = Vec3::new(0.8, 0.0, 0.6);
+    let texel = |i: u32| {
+        let place = UVec2::new(i % size.x, i / size.x);
+        let d = glimt_probe::latlong::texel_direction(place, size);
+        let is_sun = d.dot(sun) > 0.97;
+        (Vec3::new(1.0, 0.9, 0.8) * if is_sun { disc } else { radiance }).extend(1.0)
+    };
+    let texels = (0..size.x * size.y).map(texel).collect();
+    EnvMap::new(size, texels).unwrap().untabled(0.0).unwrap()
+}
+
+#[test]
+fn no_exposure_takes_light_from_the_linear_image() {
+    let test = "no_exposure_takes_light_from_the_linear_image";
+    let Some(mut gpu) = renderer(test, GpuOptions::default()) else {
+        return;
+    };
+    let plate = plate(settings().size);
+    let cases = [
+        // Light, a disc in it, c_k, a catcher, the exposure.
+        (1.0, 1.0, 0.0, false, -30.0),
+        (100.0, 100.0, 0.0, false, 10.0),
+        (1e-6, 1e-6, 0.0, false, 0.0),
+        (1e9, 1e9, 0.3, false, 20.0),
+        (1.0, 1e6, 0.5, false, 0.0),
+        (1.0, 1.0, 0.0, true, 30.0),
+        (1.0, 1.0, 0.0, true, -30.0),
+        (1.0, 1.0, 0.0, true, 100.0),
+    ];
+    for (radiance, disc, reflection, catcher, exposure_ev) in cases {
+        let settings = RenderSettings {
+            exposure_ev,
+            prt: PrtSettings::default(),
+            ..settings()
+        };
+        let env = sky_with_disc(radiance, disc);
+        let scene = scene(catcher, reflection);
+        for plate in [None, catcher.then_some(&plate)] {
+            gpu.set_smc_state(None).unwrap();
+            let [cpu, found] =
+                [&mut CpuRenderer::default() as &mut dyn Renderer, &mut gpu].map(|r| {
+                    r.render_over(&scene, &env, plate, &settings, &|_| ())
+                        .unwrap()
+                });
+            let what = format!("{radiance} {disc} {reflection} {catcher} {exposure_ev}");
+            // Pixels at the mirrored disc's edge are of either side.
+            compare(&cpu, &found, 2.0 * EDGES).unwrap_or_else(|e| panic!("{what}: {e}"));
+            let share = |image: &FrameImage| -> Vec<Vec3> {
+                let layers = image.layers.as_ref().unwrap();
+                layers.iter().map(|l| l.transmission()).collect()
+            };
+            let (a, b) = (share(&cpu), share(&found));
+            let off = a
+                .iter()
+                .zip(&b)
+                .filter(|(a, b)| !((**a - **b).abs().max_element() < 2e-3));
+            assert!(
+                (off.count() as f64) < 2.0 * EDGES * a.len() as f64,
+                "{what}"
+            );
+        }
+    }
+}
+
 #[test]
 fn four_samples_are_close_to_many_rays() {
     let Some(mut gpu) = renderer("four_samples_are_close_to_many_rays", GpuOptions::default())

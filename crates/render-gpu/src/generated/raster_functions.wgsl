@@ -158,23 +158,23 @@ var<storage> surface_reflections: array<f32>;
 @group(0) @binding(7) 
 var<storage> surface_lights: array<VertexLight>;
 
-// glimt_render_gpu/src/kernels/raster.rs:53
+// glimt_render_gpu/src/kernels/raster.rs:54
 fn corner_position(corner: u32) -> vec3<f32> {
     var chosen: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/raster.rs:54
-    let triangle_1 = scene_triangles[(corner / 3u)];
     // glimt_render_gpu/src/kernels/raster.rs:55
+    let triangle_1 = scene_triangles[(corner / 3u)];
+    // glimt_render_gpu/src/kernels/raster.rs:56
     let _e10 = (corner % 3u);
     if (_e10 == 0u) {
-        // glimt_render_gpu/src/kernels/raster.rs:56
+        // glimt_render_gpu/src/kernels/raster.rs:57
         chosen = triangle_1.v0_;
     } else {
         if (_e10 == 1u) {
-            // glimt_render_gpu/src/kernels/raster.rs:57
+            // glimt_render_gpu/src/kernels/raster.rs:58
             chosen = triangle_1.v1_;
         } else {
-            // glimt_render_gpu/src/kernels/raster.rs:58
+            // glimt_render_gpu/src/kernels/raster.rs:59
             chosen = triangle_1.v2_;
         }
     }
@@ -182,21 +182,21 @@ fn corner_position(corner: u32) -> vec3<f32> {
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:65
+// glimt_render_gpu/src/kernels/raster.rs:66
 fn corner_weights(corner_1: u32) -> vec2<f32> {
     var chosen_1: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/raster.rs:66
+    // glimt_render_gpu/src/kernels/raster.rs:67
     let _e4 = (corner_1 % 3u);
     if (_e4 == 0u) {
-        // glimt_render_gpu/src/kernels/raster.rs:67
+        // glimt_render_gpu/src/kernels/raster.rs:68
         chosen_1 = vec2(0f);
     } else {
         if (_e4 == 1u) {
-            // glimt_render_gpu/src/kernels/raster.rs:68
+            // glimt_render_gpu/src/kernels/raster.rs:69
             chosen_1 = vec2<f32>(1f, 0f);
         } else {
-            // glimt_render_gpu/src/kernels/raster.rs:69
+            // glimt_render_gpu/src/kernels/raster.rs:70
             chosen_1 = vec2<f32>(0f, 1f);
         }
     }
@@ -204,12 +204,12 @@ fn corner_weights(corner_1: u32) -> vec2<f32> {
     return _e21;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:90
+// glimt_render_gpu/src/kernels/raster.rs:91
 fn clip_position(frame: FrameParams, near: f32, p: vec3<f32>) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/raster.rs:91
-    let d_3 = (p - frame.eye);
     // glimt_render_gpu/src/kernels/raster.rs:92
+    let d_3 = (p - frame.eye);
+    // glimt_render_gpu/src/kernels/raster.rs:93
     return vec4<f32>((dot(d_3, frame.right) / dot(frame.right, frame.right)), (dot(d_3, frame.up) / dot(frame.up, frame.up)), near, dot(d_3, frame.forward));
 }
 
@@ -751,40 +751,48 @@ fn LayerSample_of(light_1: Reflected, is_catcher: bool) -> LayerSample {
     return LayerSample(light_1.lit, 1f, vec3(0f), 0f);
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:139
-fn stored(radiance: vec3<f32>, scale: f32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/raster.rs:141
+fn fitting_scale(radiance: vec3<f32>, scale: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/raster.rs:140
-    return min((radiance * scale), vec3(65504f));
+    // glimt_render_gpu/src/kernels/raster.rs:142
+    let largest = (max(max(radiance.x, radiance.y), radiance.z) * scale);
+    // glimt_render_gpu/src/kernels/raster.rs:143
+    if (largest > 65504f) {
+        // glimt_render_gpu/src/kernels/raster.rs:144
+        return (scale * (65504f / largest));
+    }
+    // glimt_render_gpu/src/kernels/raster.rs:146
+    return scale;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:103
+// glimt_render_gpu/src/kernels/raster.rs:104
 fn draw(triangle: u32, weights: vec2<f32>, raster: RasterParams) -> Drawn {
 
-    // glimt_render_gpu/src/kernels/raster.rs:111
-    let u_3 = clamp(weights.x, 0f, 1f);
     // glimt_render_gpu/src/kernels/raster.rs:112
-    let v_7 = clamp(weights.y, 0f, (1f - u_3));
+    let u_3 = clamp(weights.x, 0f, 1f);
     // glimt_render_gpu/src/kernels/raster.rs:113
-    let at = scene_triangles[triangle];
+    let v_7 = clamp(weights.y, 0f, (1f - u_3));
     // glimt_render_gpu/src/kernels/raster.rs:114
-    let p_2 = ((at.v0_ + ((at.v1_ - at.v0_) * u_3)) + ((at.v2_ - at.v0_) * v_7));
+    let at = scene_triangles[triangle];
     // glimt_render_gpu/src/kernels/raster.rs:115
-    let to_point = (p_2 - raster.frame.eye);
+    let p_2 = ((at.v0_ + ((at.v1_ - at.v0_) * u_3)) + ((at.v2_ - at.v0_) * v_7));
     // glimt_render_gpu/src/kernels/raster.rs:116
-    let _e39 = Ray_new(raster.frame.eye, normalize(to_point));
+    let to_point = (p_2 - raster.frame.eye);
     // glimt_render_gpu/src/kernels/raster.rs:117
+    let _e39 = Ray_new(raster.frame.eye, normalize(to_point));
+    // glimt_render_gpu/src/kernels/raster.rs:118
     let hit_3 = Hit(triangle, length(to_point), vec2<f32>(u_3, v_7));
-    // glimt_render_gpu/src/kernels/raster.rs:122
-    // glimt_render_gpu/src/kernels/raster.rs:127
-    let _e48 = at_hit(_e39, hit_3, raster.map_size, raster.map_rotation);
+    // glimt_render_gpu/src/kernels/raster.rs:123
     // glimt_render_gpu/src/kernels/raster.rs:128
+    let _e48 = at_hit(_e39, hit_3, raster.map_size, raster.map_rotation);
+    // glimt_render_gpu/src/kernels/raster.rs:129
     let _e50 = Triangle_is_catcher(at);
     let _e51 = LayerSample_of(_e48, _e50);
-    // glimt_render_gpu/src/kernels/raster.rs:129
-    let _e55 = stored(_e51.radiance, raster.scale);
     // glimt_render_gpu/src/kernels/raster.rs:130
-    let _e67 = stored(_e51.blocked, raster.scale);
-    return Drawn(vec4<f32>((_e55 * _e51.alpha), _e51.alpha), vec4<f32>((_e55 * _e51.catcher), _e51.catcher), vec4<f32>(_e67, 0f));
+    let _e57 = fitting_scale(max(_e51.radiance, _e51.blocked), raster.scale);
+    // glimt_render_gpu/src/kernels/raster.rs:131
+    let radiance_1 = (_e51.radiance * _e57);
+    // glimt_render_gpu/src/kernels/raster.rs:132
+    return Drawn(vec4<f32>((radiance_1 * _e51.alpha), _e51.alpha), vec4<f32>((radiance_1 * _e51.catcher), _e51.catcher), vec4<f32>((_e51.blocked * _e57), 0f));
 }
 
