@@ -562,6 +562,55 @@ fn faces_around_the_eye_are_clipped() {
 }
 
 #[test]
+fn a_floor_that_reaches_far_cuts_nothing_near() {
+    let test = "a_floor_that_reaches_far_cuts_nothing_near";
+    let Some(mut gpu) = renderer(test, GpuOptions::default()) else {
+        return;
+    };
+    let square = |corner: Vec3, u: Vec3, v: Vec3| Mesh {
+        positions: vec![corner, corner + u, corner + u + v, corner + v],
+        indices: vec![[0, 1, 2], [0, 2, 3]],
+        materials: vec![0],
+        ..Mesh::default()
+    };
+    let far = 1e5;
+    let meshes = vec![
+        square(
+            Vec3::new(-far, -far, 0.0),
+            Vec3::X * 2.0 * far,
+            Vec3::Y * 2.0 * far,
+        ),
+        // Between the eye and what it looks at.
+        square(Vec3::new(5.5, 0.85, 2.77), Vec3::Y * 0.14, Vec3::Z * 0.1),
+    ];
+    let mut scene = SceneBuffers::build(&SceneDescription {
+        objects: (0..2)
+            .map(|mesh| Object {
+                mesh,
+                transform: Mat4::IDENTITY,
+                material: None,
+                catcher: false,
+            })
+            .collect(),
+        meshes,
+        materials: vec![Material::BlinnPhong {
+            diffuse: Vec3::splat(0.5),
+            specular: Vec3::ZERO,
+            exponent: 0.0,
+        }],
+        textures: Vec::new(),
+    })
+    .unwrap();
+    let transfer = transfer(&scene.vertices().unwrap());
+    scene.set_transfer(Arc::new(transfer), &[]).unwrap();
+    let [cpu, found] = both(&mut gpu, &scene, None, &settings());
+    compare(&cpu, &found, 2.0 * EDGES).unwrap();
+    // The square is in the picture, before the floor.
+    let blue = |y: usize| cpu.linear[y * 131 + 65].z;
+    assert!(blue(48) < 0.9 * blue(10), "{} {}", blue(48), blue(10));
+}
+
+#[test]
 fn nothing_is_waited_for() {
     let Some(mut gpu) = renderer("nothing_is_waited_for", GpuOptions::default()) else {
         return;

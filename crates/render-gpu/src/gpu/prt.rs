@@ -36,8 +36,9 @@ use crate::kernels::raster::{DrawnLayout, HALF_MAX, RasterParams};
 
 /// Samples of a pixel where there are several: what every adapter has.
 const SAMPLES: u32 = 4;
-/// Nothing is drawn nearer to the eye's plane than this share of the farthest point's distance.
-const NEAR: f32 = 1e-5;
+/// Nothing is drawn nearer to the eye's plane than this share of the farthest point's distance. Depths are floats that grow towards the
+/// eye, so how small it is takes nothing from their precision.
+const NEAR: f32 = 1e-7;
 /// Bytes of the layers of a band of rows; all bands are recorded one after the other, and share them.
 const BAND_BYTES: u64 = 64 << 20;
 /// Parts of buffers begin at multiples of 256 bytes on any adapter, so bands at multiples of so many pixels: a display value has
@@ -116,7 +117,7 @@ impl GpuPrt {
     ///
     /// With one ray a pixel, or all of them through its centre, pixels have one sample, at their centre; else four. What is behind
     /// objects is one value a pixel. Layers have 16 bits: of light that is mirrored, what is brighter than 10⁷ times the light's mean is
-    /// darkened, and in its presence shadows below 10⁻⁴ of the mean lose bits. Faces nearer to the eye's plane than 10⁻⁵ of the farthest point's distance are cut off.
+    /// darkened, and in its presence shadows below 10⁻⁴ of the mean lose bits. Faces nearer to the eye's plane than 10⁻⁷ of the farthest point's distance are cut off.
     ///
     /// # Errors
     /// [`SettingsError::NoTransfer`], and what is wrong with the settings; [`GpuError::Limit`] where the light map, a buffer of the
