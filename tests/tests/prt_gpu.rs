@@ -1,6 +1,7 @@
 //! Host file: frames by precomputed transfer on the GPU: the CPU's coefficients and pictures, without a stall.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
@@ -642,6 +643,42 @@ fn nothing_is_waited_for() {
     }
     let cpu = cpu.render_over(&scene, &sky(), Some(&plate), &settings(), &|_| ());
     compare(&cpu.unwrap(), &read.unwrap(), EDGES).unwrap();
+}
+
+#[test]
+fn a_frame_that_was_given_up_spoils_no_other() {
+    let hasty = GpuOptions {
+        time_out: Duration::from_millis(40),
+        ..GpuOptions::default()
+    };
+    let Some(mut gpu) = renderer("a_frame_that_was_given_up_spoils_no_other", hasty) else {
+        return;
+    };
+    let scene = scene(true, 0.3);
+    let of_size = |size: UVec2| RenderSettings {
+        size,
+        rays_per_pixel: 4,
+        filter: Filter::Box,
+        ..settings()
+    };
+    let mut draw = |size| {
+        let image = gpu.render_over(&scene, &sky(), None, &of_size(size), &|_| ());
+        while gpu.context().finish().is_err() {}
+        image.map(drop).map_err(|error| error.to_string())
+    };
+    // A fast GPU gives none up.
+    let Err(error) = draw(UVec2::new(1600, 1200)) else {
+        return;
+    };
+    assert!(error.contains("within 0.04 s"), "{error}");
+    // A small frame is in time, if not the first; none fails for any other reason.
+    for _ in 0..100 {
+        match draw(UVec2::new(8, 6)) {
+            Ok(()) => return,
+            Err(error) => assert!(error.contains("within 0.04 s"), "{error}"),
+        }
+    }
+    panic!("no frame was in time any more");
 }
 
 #[test]
