@@ -95,7 +95,16 @@ fn without_visibility(known: &[TransferVertex], params: &TransferParams) -> f32 
     let vertices = (0..known.len() as u32).into_par_iter();
     let sums = vertices.with_min_len(16).map(|vertex| {
         let (mut lit, mut blocked) = ([0.0; 36], [0.0; 36]);
-        let _ = transfer(vertex, params, &[], &[], known, &mut lit, &mut blocked);
+        let _ = transfer(
+            vertex,
+            params,
+            &[],
+            &[],
+            known,
+            &mut [0; 4],
+            &mut lit,
+            &mut blocked,
+        );
         lit[0]
     });
     sums.sum()
@@ -174,6 +183,7 @@ fn against_obvhs(
                 nodes,
                 triangles,
                 &some,
+                &mut [0; 4],
                 &mut lit,
                 &mut blocked,
             ))

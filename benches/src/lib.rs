@@ -7,6 +7,7 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+pub mod convergence;
 pub mod inputs;
 pub mod scene;
 

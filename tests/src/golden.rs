@@ -159,8 +159,8 @@ const EXPORTS: &[Export] = &[
             ("sh_add_basis", "glimt_sh::basis::add_basis"),
             ("sh_ring", "glimt_sh::separable::ring"),
             ("sh_meridian", "glimt_sh::separable::meridian"),
-            ("sh_hann", "glimt_sh::basis::hann"),
-            ("sh_cosine_lobe", "glimt_sh::basis::cosine_lobe"),
+            ("sh_hann", "glimt_sh::hann"),
+            ("sh_cosine_lobe", "glimt_sh::cosine_lobe"),
             ("sh_coefficient_band", "glimt_sh::coefficient_band"),
             ("sh_coefficient_order", "glimt_sh::coefficient_order"),
             ("sh_temporal_filter", "glimt_sh::temporal_filter"),
@@ -173,15 +173,9 @@ const EXPORTS: &[Export] = &[
     Export {
         file: "crates/render-gpu/src/generated/projection_functions.wgsl",
         functions: &[
-            (
-                "column_ring",
-                "glimt_render_gpu::kernels::light_sh::column_ring",
-            ),
-            (
-                "row_meridian",
-                "glimt_render_gpu::kernels::light_sh::row_meridian",
-            ),
-            ("row_area", "glimt_render_gpu::kernels::light_sh::row_area"),
+            ("column_ring", "glimt_sh::separable::column_ring"),
+            ("row_meridian", "glimt_sh::separable::row_meridian"),
+            ("row_area", "glimt_probe::latlong::texel_solid_angle_sr"),
             ("coefficient_band", "glimt_sh::coefficient_band"),
             ("coefficient_order", "glimt_sh::coefficient_order"),
             ("ring_index", "glimt_sh::separable::ring_index"),

@@ -17,5 +17,6 @@ pub mod sampler_sets;
 pub mod sampler_step;
 pub mod shared_image;
 pub mod unbiased;
+pub mod worst;
 
 pub use glimt_statistics::{quadrature, stats};

@@ -1,7 +1,9 @@
 //! Host file: shaders that nobody generated use the WGSL that the crates ship, and find what the crates' Rust finds.
 
+use std::collections::BTreeMap;
+
 use glam::{UVec2, Vec2, Vec3, Vec4};
-use glimt_brdf::BlinnPhong;
+use glimt_brdf::{BlinnPhong, Lambert};
 use glimt_envmap_cdf::EnvCdf;
 use glimt_probe::latlong;
 use glimt_render_gpu::gpu::{Arg, GpuContext};
@@ -11,6 +13,7 @@ use glimt_sampling::ris::{RisPicks, RisSum};
 use glimt_sampling::{OwenSobol, UniformSource, Xoshiro128PlusPlus, unit_vec2};
 use glimt_smc::{Bridge, Endpoints, Particle};
 use glimt_tests::gpu::{OwnedEntry, adapter_or_skip};
+use glimt_tests::worst::worst;
 
 const COUNT: u32 = 10_000;
 
@@ -74,17 +77,20 @@ fn run(
     words.into_iter().map(Vec4::from_array).collect()
 }
 
-/// The largest difference between a shader's values and Rust's, relative to the largest value.
-fn difference(gpu: &[Vec4], cpu: impl Fn(u32) -> Vec4) -> f32 {
-    let largest = (0..COUNT)
-        .map(|id| cpu(id).abs().max_element())
-        .fold(0.0, f32::max);
+/// The largest difference between a shader's values and Rust's, relative to the largest value; NaN where there is one.
+fn difference(gpu: &[Vec4], cpu: impl Fn(u32) -> Vec4) -> f64 {
+    let largest = worst((0..COUNT).flat_map(|id| cpu(id).abs().to_array()));
     assert!(largest > 0.0);
-    let worst = (0..COUNT)
-        .zip(gpu)
-        .map(|(id, g)| (cpu(id) - *g).abs().max_element())
-        .fold(0.0, f32::max);
-    worst / largest
+    let differences = (0..COUNT).zip(gpu);
+    worst(differences.flat_map(|(id, g)| (cpu(id) - *g).abs().to_array())) / largest
+}
+
+#[test]
+fn a_nan_is_a_difference() {
+    let mut gpu = vec![Vec4::ONE; COUNT as usize];
+    assert_eq!(difference(&gpu, |_| Vec4::ONE), 0.0);
+    gpu[7].y = f32::NAN;
+    assert!(difference(&gpu, |_| Vec4::ONE).is_nan());
 }
 
 /// The uniforms of element `id`, as `value` draws them too.
@@ -380,4 +386,104 @@ fn value(id: u32) -> vec4<f32> {
     assert!(found <= 1e-6, "{found}");
     let wrong = difference(&gpu, |id| cpu(id + 1));
     assert!(!(wrong <= 1e-6), "another element's numbers pass");
+}
+
+/// The functions and structs of a text: each with its name, its text, and for a function the line of Rust that it was made of.
+fn items(text: &str) -> Vec<(&str, String, &str)> {
+    let (mut items, mut before, mut lines) = (Vec::new(), "", text.lines());
+    while let Some(line) = lines.next() {
+        let head = line.strip_prefix("fn ").or(line.strip_prefix("struct "));
+        if let Some(head) = head {
+            let name = head.split(['(', ' ']).next().unwrap();
+            let body = lines.by_ref().take_while(|line| *line != "}");
+            let mut item: String = [line]
+                .into_iter()
+                .chain(body)
+                .collect::<Vec<_>>()
+                .join("\n");
+            item += "\n}\n";
+            items.push((name, item, before));
+        }
+        before = line;
+    }
+    items
+}
+
+/// A text without those of its items.
+fn without(text: &str, names: &[&str]) -> String {
+    let left_out = items(text)
+        .into_iter()
+        .filter(|item| names.contains(&item.0));
+    left_out.fold(text.to_owned(), |text, item| text.replacen(&item.1, "", 1))
+}
+
+/// What the crates say beside their WGSL: which names stand in several, and that one copy of each will do.
+#[test]
+fn several_together() {
+    let all = [
+        ("brdf", glimt_brdf::WGSL),
+        ("envmap_cdf", glimt_envmap_cdf::WGSL),
+        ("probe", glimt_probe::WGSL),
+        ("sampling", glimt_sampling::WGSL),
+        ("sh", glimt_sh::WGSL),
+        ("smc", glimt_smc::WGSL),
+    ];
+    let mut owners: BTreeMap<String, (String, Vec<&str>)> = BTreeMap::new();
+    for (krate, text) in all {
+        for (name, item, origin) in items(text) {
+            // Names of locals may differ; the line of Rust may not.
+            let same = if origin.is_empty() {
+                item
+            } else {
+                origin.to_owned()
+            };
+            let (first, crates) = owners
+                .entry(name.to_owned())
+                .or_insert((same.clone(), vec![]));
+            crates.push(krate);
+            assert_eq!(*first, same, "{name}");
+        }
+    }
+    owners.retain(|_, (_, crates)| crates.len() > 1);
+    let shared = owners.iter();
+    let shared: Vec<_> = shared
+        .map(|(name, (_, crates))| format!("{name}: {}", crates.join(", ")))
+        .collect();
+    let documented = [
+        "DirectionSample: brdf, sampling, sh",
+        "cos_sin_pi: envmap_cdf, probe",
+        "cos_sin_turns: brdf, sampling, sh",
+        "hash2_: envmap_cdf, sampling",
+        "hash_u32_: envmap_cdf, sampling",
+        "sample_cap: sampling, sh",
+    ];
+    assert_eq!(shared, documented);
+    let Some(context) = adapter_or_skip("exports") else {
+        return;
+    };
+    let three = [
+        glimt_brdf::WGSL,
+        &without(glimt_sampling::WGSL, &["DirectionSample", "cos_sin_turns"]),
+        &without(
+            glimt_sh::WGSL,
+            &["DirectionSample", "cos_sin_turns", "sample_cap"],
+        ),
+    ];
+    let by_hand = "
+fn value(id: u32) -> vec4<f32> {
+    let u = unit_pair(vec2(id * 2654435761u, id * 2246822519u));
+    let d = sample_cap(u, 2.0).direction;
+    let lobe = lambert_eval(Lambert(vec3(0.5)), d, d);
+    return vec4(d.x, sh_basis(d)[3], sh_stratified_direction(id, vec2(10u, 10u), u).z, lobe.x);
+}";
+    let gpu = run(&context, &three.concat(), by_hand, [&[0], &[0]], UVec2::ONE);
+    let found = difference(&gpu, |id| {
+        let word = |factor: u32| id.wrapping_mul(factor);
+        let u = unit_vec2(UVec2::new(word(2_654_435_761), word(2_246_822_519)));
+        let d = glimt_sampling::warp::sample_cap(u, 2.0).direction;
+        let z = glimt_sh::stratified_direction(id, UVec2::splat(10), u).z;
+        let lobe = Lambert::new(Vec3::splat(0.5)).unwrap().eval(d, d);
+        Vec4::new(d.x, glimt_sh::basis(d)[3], z, lobe.x)
+    });
+    assert!(found <= 1e-5, "{found}");
 }

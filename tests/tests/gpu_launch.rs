@@ -221,6 +221,22 @@ fn wrong_arguments_are_named() {
         "no argument 'first'",
     );
     fails_with(&good, 101, "'parts' has 400 bytes and needs 404");
+    // A part of a buffer is all that is written, however long the buffer is.
+    fails_with(
+        &with("out", Arg::Window(&long, 0, 10)),
+        100,
+        "'out' has 40 bytes and needs 400",
+    );
+    fails_with(
+        &with("out", Arg::Window(&long, 90, 20)),
+        20,
+        "'out' has 40 bytes and needs 80",
+    );
+    fails_with(
+        &with("input", Arg::Window(&input, 4, 5)),
+        10,
+        "'input' has 16 bytes and needs 20",
+    );
     let error = context.launch(&entry(), &good, u32::MAX, 2).unwrap_err();
     assert!(error.to_string().contains("beyond u32"), "{error}");
 }

@@ -1,6 +1,7 @@
 //! Host file: frames by precomputed transfer on the GPU: the CPU's coefficients and pictures, without a stall.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
@@ -426,6 +427,73 @@ fn pictures_are_the_cpus() {
     }
 }
 
+/// A sky with a disc of one brightness, which is sharp.
+fn sky_with_disc(radiance: f32, disc: f32) -> PreparedEnv {
+    let size = UVec2::new(96, 48);
+    let sun = Vec3::new(0.8, 0.0, 0.6);
+    let texel = |i: u32| {
+        let place = UVec2::new(i % size.x, i / size.x);
+        let d = glimt_probe::latlong::texel_direction(place, size);
+        let is_sun = d.dot(sun) > 0.97;
+        (Vec3::new(1.0, 0.9, 0.8) * if is_sun { disc } else { radiance }).extend(1.0)
+    };
+    let texels = (0..size.x * size.y).map(texel).collect();
+    EnvMap::new(size, texels).unwrap().untabled(0.0).unwrap()
+}
+
+#[test]
+fn no_exposure_takes_light_from_the_linear_image() {
+    let test = "no_exposure_takes_light_from_the_linear_image";
+    let Some(mut gpu) = renderer(test, GpuOptions::default()) else {
+        return;
+    };
+    let plate = plate(settings().size);
+    let cases = [
+        // Light, a disc in it, c_k, a catcher, the exposure.
+        (1.0, 1.0, 0.0, false, -30.0),
+        (100.0, 100.0, 0.0, false, 10.0),
+        (1e-6, 1e-6, 0.0, false, 0.0),
+        (1e9, 1e9, 0.3, false, 20.0),
+        (1.0, 1e6, 0.5, false, 0.0),
+        (1.0, 1.0, 0.0, true, 30.0),
+        (1.0, 1.0, 0.0, true, -30.0),
+        (1.0, 1.0, 0.0, true, 100.0),
+    ];
+    for (radiance, disc, reflection, catcher, exposure_ev) in cases {
+        let settings = RenderSettings {
+            exposure_ev,
+            prt: PrtSettings::default(),
+            ..settings()
+        };
+        let env = sky_with_disc(radiance, disc);
+        let scene = scene(catcher, reflection);
+        for plate in [None, catcher.then_some(&plate)] {
+            gpu.set_smc_state(None).unwrap();
+            let [cpu, found] =
+                [&mut CpuRenderer::default() as &mut dyn Renderer, &mut gpu].map(|r| {
+                    r.render_over(&scene, &env, plate, &settings, &|_| ())
+                        .unwrap()
+                });
+            let what = format!("{radiance} {disc} {reflection} {catcher} {exposure_ev}");
+            // Pixels at the mirrored disc's edge are of either side.
+            compare(&cpu, &found, 2.0 * EDGES).unwrap_or_else(|e| panic!("{what}: {e}"));
+            let share = |image: &FrameImage| -> Vec<Vec3> {
+                let layers = image.layers.as_ref().unwrap();
+                layers.iter().map(|l| l.transmission()).collect()
+            };
+            let (a, b) = (share(&cpu), share(&found));
+            let off = a
+                .iter()
+                .zip(&b)
+                .filter(|(a, b)| !((**a - **b).abs().max_element() < 2e-3));
+            assert!(
+                (off.count() as f64) < 2.0 * EDGES * a.len() as f64,
+                "{what}"
+            );
+        }
+    }
+}
+
 #[test]
 fn four_samples_are_close_to_many_rays() {
     let Some(mut gpu) = renderer("four_samples_are_close_to_many_rays", GpuOptions::default())
@@ -495,6 +563,55 @@ fn faces_around_the_eye_are_clipped() {
 }
 
 #[test]
+fn a_floor_that_reaches_far_cuts_nothing_near() {
+    let test = "a_floor_that_reaches_far_cuts_nothing_near";
+    let Some(mut gpu) = renderer(test, GpuOptions::default()) else {
+        return;
+    };
+    let square = |corner: Vec3, u: Vec3, v: Vec3| Mesh {
+        positions: vec![corner, corner + u, corner + u + v, corner + v],
+        indices: vec![[0, 1, 2], [0, 2, 3]],
+        materials: vec![0],
+        ..Mesh::default()
+    };
+    let far = 1e5;
+    let meshes = vec![
+        square(
+            Vec3::new(-far, -far, 0.0),
+            Vec3::X * 2.0 * far,
+            Vec3::Y * 2.0 * far,
+        ),
+        // Between the eye and what it looks at.
+        square(Vec3::new(5.5, 0.85, 2.77), Vec3::Y * 0.14, Vec3::Z * 0.1),
+    ];
+    let mut scene = SceneBuffers::build(&SceneDescription {
+        objects: (0..2)
+            .map(|mesh| Object {
+                mesh,
+                transform: Mat4::IDENTITY,
+                material: None,
+                catcher: false,
+            })
+            .collect(),
+        meshes,
+        materials: vec![Material::BlinnPhong {
+            diffuse: Vec3::splat(0.5),
+            specular: Vec3::ZERO,
+            exponent: 0.0,
+        }],
+        textures: Vec::new(),
+    })
+    .unwrap();
+    let transfer = transfer(&scene.vertices().unwrap());
+    scene.set_transfer(Arc::new(transfer), &[]).unwrap();
+    let [cpu, found] = both(&mut gpu, &scene, None, &settings());
+    compare(&cpu, &found, 2.0 * EDGES).unwrap();
+    // The square is in the picture, before the floor.
+    let blue = |y: usize| cpu.linear[y * 131 + 65].z;
+    assert!(blue(48) < 0.9 * blue(10), "{} {}", blue(48), blue(10));
+}
+
+#[test]
 fn nothing_is_waited_for() {
     let Some(mut gpu) = renderer("nothing_is_waited_for", GpuOptions::default()) else {
         return;
@@ -526,6 +643,42 @@ fn nothing_is_waited_for() {
     }
     let cpu = cpu.render_over(&scene, &sky(), Some(&plate), &settings(), &|_| ());
     compare(&cpu.unwrap(), &read.unwrap(), EDGES).unwrap();
+}
+
+#[test]
+fn a_frame_that_was_given_up_spoils_no_other() {
+    let hasty = GpuOptions {
+        time_out: Duration::from_millis(40),
+        ..GpuOptions::default()
+    };
+    let Some(mut gpu) = renderer("a_frame_that_was_given_up_spoils_no_other", hasty) else {
+        return;
+    };
+    let scene = scene(true, 0.3);
+    let of_size = |size: UVec2| RenderSettings {
+        size,
+        rays_per_pixel: 4,
+        filter: Filter::Box,
+        ..settings()
+    };
+    let mut draw = |size| {
+        let image = gpu.render_over(&scene, &sky(), None, &of_size(size), &|_| ());
+        while gpu.context().finish().is_err() {}
+        image.map(drop).map_err(|error| error.to_string())
+    };
+    // A fast GPU gives none up.
+    let Err(error) = draw(UVec2::new(1600, 1200)) else {
+        return;
+    };
+    assert!(error.contains("within 0.04 s"), "{error}");
+    // A small frame is in time, if not the first; none fails for any other reason.
+    for _ in 0..100 {
+        match draw(UVec2::new(8, 6)) {
+            Ok(()) => return,
+            Err(error) => assert!(error.contains("within 0.04 s"), "{error}"),
+        }
+    }
+    panic!("no frame was in time any more");
 }
 
 #[test]

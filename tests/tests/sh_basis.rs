@@ -7,12 +7,13 @@ use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_f32, unit_vec2, war
 use glimt_sh::separable::{meridian_index, ring_index};
 use glimt_sh::{
     LightCoefficients, SampledProjection, Z_UP_TO_Y_UP, add_basis, basis, coefficient_band,
-    coefficient_index, coefficient_order, condon_shortley, cosine_lobe, directx, evaluate,
+    coefficient_index, coefficient_order, condon_shortley, cosine_lobe, evaluate,
     filament_irradiance, from_filament_irradiance, hann, irradiance, meridian, ring, rotate_z,
     rotated, stratified_direction, temporal_filter, temporally_filtered, windowed,
 };
 use glimt_tests::harmonics::{harmonic, indices, sphere_rule};
 use glimt_tests::quadrature::{Direction, direction, gauss_legendre};
+use glimt_tests::worst::{larger, worst};
 
 fn to_f64(d: Vec3) -> Direction {
     [f64::from(d.x), f64::from(d.y), f64::from(d.z)]
@@ -47,12 +48,31 @@ fn light(seed: u32) -> LightCoefficients {
     std::array::from_fn(|_| Vec3::new(number(), number(), number()))
 }
 
-/// The largest difference of two lights, relative to the largest coefficient.
-fn difference(a: &LightCoefficients, b: &LightCoefficients) -> f32 {
-    let largest = a.iter().map(|c| c.abs().max_element()).fold(0.0, f32::max);
-    let differences = a.iter().zip(b).map(|(a, b)| (*a - *b).abs().max_element());
-    // `max` would pass a NaN over.
-    differences.fold(0.0, |worst, d| if d <= worst { worst } else { d }) / largest
+/// The largest difference of two lights, relative to the largest coefficient; NaN where there is one.
+fn difference(a: &LightCoefficients, b: &LightCoefficients) -> f64 {
+    let differences = a
+        .iter()
+        .zip(b)
+        .flat_map(|(a, b)| (*a - *b).abs().to_array());
+    worst(differences) / worst(a.iter().flat_map(|c| c.abs().to_array()))
+}
+
+#[test]
+fn a_nan_is_a_difference() {
+    let c = light(3);
+    for k in [0, 17, 35] {
+        for channel in 0..3 {
+            let mut wrong = c;
+            wrong[k][channel] = f32::NAN;
+            assert!(difference(&c, &wrong).is_nan(), "{k} {channel}");
+            assert!(difference(&wrong, &c).is_nan(), "{k} {channel}");
+        }
+    }
+    let (error, k) = worst_function(|d, k| if k == 7 { f32::NAN } else { basis(d)[k] });
+    assert!(error.is_nan() && k == 7);
+    // Of one direction among many.
+    let (error, _) = worst_function(|d, k| if d == Vec3::Z { f32::NAN } else { basis(d)[k] });
+    assert!(error.is_nan());
 }
 
 /// How far values are from the oracle's, relative to the largest that the oracle has for the function, and for which
@@ -63,15 +83,16 @@ fn worst_function(value: impl Fn(Vec3, usize) -> f32) -> (f64, usize) {
     for d in directions() {
         for (k, &(l, m)) in indices.iter().enumerate() {
             let exact = harmonic(l, m, to_f64(d));
-            error[k] = error[k].max((f64::from(value(d, k)) - exact).abs());
+            error[k] = larger(error[k], (f64::from(value(d, k)) - exact).abs());
             size[k] = size[k].max(exact.abs());
         }
     }
-    let relative = (0..36).map(|k| (error[k] / size[k], k));
-    relative.fold(
-        (0.0, 0),
-        |worst, one| if one.0 > worst.0 { one } else { worst },
-    )
+    let relative: [f64; 36] = std::array::from_fn(|k| error[k] / size[k]);
+    let largest = worst(relative);
+    let which = relative
+        .iter()
+        .position(|one| one.total_cmp(&largest).is_eq());
+    (largest, which.unwrap_or(0))
 }
 
 #[test]
@@ -248,14 +269,14 @@ fn unit(d: Direction) -> Direction {
 fn irradiance_is_an_integral() {
     let c = light(2);
     let e = irradiance(&c);
-    let (mut worst, mut wrong) = (0.0f64, 0.0f64);
+    let (mut error, mut wrong) = (0.0f64, 0.0f64);
     for n in directions().into_iter().skip(2).take(60) {
         let exact = irradiance_by_quadrature(&c, n);
-        worst = worst.max((f64::from(evaluate(&e, n).y) - exact).abs());
-        wrong = wrong.max((f64::from(evaluate(&c, n).y) * PI - exact).abs());
+        error = larger(error, (f64::from(evaluate(&e, n).y) - exact).abs());
+        wrong = larger(wrong, (f64::from(evaluate(&c, n).y) * PI - exact).abs());
     }
-    println!("irradiance: {worst:e}");
-    assert!(worst <= 5e-6, "{worst:e}");
+    println!("irradiance: {error:e}");
+    assert!(error <= 5e-6, "{error:e}");
     assert!(!(wrong <= 5e-6), "radiance passes for irradiance");
 }
 
@@ -275,13 +296,18 @@ fn a_step_of_light_is_followed() {
             assert_eq!(all, [Vec3::splat(one); 36]);
         }
     }
-    assert_eq!(
-        [
-            temporal_filter(2.0, 7.0, -1.0),
-            temporal_filter(2.0, 7.0, f32::NAN)
-        ],
-        [2.0; 2]
-    );
+    for none in [-1.0, 0.0, f32::NAN] {
+        assert_eq!(temporal_filter(2.0, 7.0, none), 2.0);
+    }
+    // However large, and whatever it is multiplied by.
+    for all in [1e37, f32::MAX, f32::INFINITY] {
+        assert_eq!(temporal_filter(1.0, 100.0, all), 100.0);
+        assert!(temporal_filter(1.0, 0.0, all) <= 1e-37);
+    }
+    // Steady light stays as it is.
+    for alpha in [0.3, 7.0, 1e6] {
+        assert_eq!(temporal_filter(0.1, 0.1, alpha), 0.1);
+    }
 }
 
 fn rotations() -> Vec<Mat3> {
@@ -379,7 +405,7 @@ fn turning_about_the_vertical_is_cheap() {
 #[test]
 fn conventions_describe_the_same_light() {
     let c = light(6);
-    let theirs = directx(&c);
+    let theirs = condon_shortley(&c);
     assert_eq!(condon_shortley(&theirs), c);
     for d in directions().into_iter().take(200) {
         let Vec3 { x, y, z } = d;
@@ -489,7 +515,7 @@ fn samples_find_the_clamped_cosine() {
             let variance = (squares[k] / count - mean * mean) / (count - 1.0);
             (mean - exact[k]).abs() / variance.sqrt()
         });
-        z.fold(0.0, f64::max)
+        worst(z)
     };
     println!("{} standard errors", far(&exact));
     assert!(far(&exact) < 5.0);

@@ -12,6 +12,7 @@ use glimt_sh::{
 };
 use glimt_tests::harmonics::{harmonic, indices};
 use glimt_tests::quadrature::{Direction, direction};
+use glimt_tests::worst::{larger, worst};
 
 const SIZES: [(u32, u32); 12] = [
     (1, 1),
@@ -88,15 +89,23 @@ fn by_formula(map: &Map, size: UVec2, bands: u32) -> Vec<[f64; 3]> {
 
 /// The largest difference, relative to the flux of the map; NaN where there is one.
 fn difference(found: &LightCoefficients, exact: &[[f64; 3]], flux: f64) -> f64 {
-    let mut worst = 0.0f64;
-    for (k, c) in found.iter().enumerate() {
+    let differences = found.iter().enumerate().flat_map(|(k, c)| {
         let exact = exact.get(k).copied().unwrap_or_default();
-        for (c, exact) in c.to_array().into_iter().zip(exact) {
-            let one = (f64::from(c) - exact).abs() / flux;
-            worst = if one <= worst { worst } else { one };
+        (0..3).map(move |channel| (f64::from(c[channel]) - exact[channel]).abs() / flux)
+    });
+    worst(differences)
+}
+
+#[test]
+fn a_nan_is_a_difference() {
+    for k in [0, 17, 35] {
+        for channel in 0..3 {
+            let mut found = [Vec3::ONE; 36];
+            found[k][channel] = f32::NAN;
+            let error = difference(&found, &[[1.0; 3]; 36], 1.0);
+            assert!(error.is_nan(), "{k} {channel}");
         }
     }
-    worst
 }
 
 fn flux(map: &Map, size: UVec2) -> f64 {
@@ -115,7 +124,7 @@ fn random_map(size: UVec2) -> Map {
 
 #[test]
 fn maps_of_every_shape_are_the_formulas_sum() {
-    let mut worst = 0.0f64;
+    let mut largest = 0.0f64;
     for (w, h) in SIZES {
         let size = UVec2::new(w, h);
         let map = random_map(size);
@@ -129,7 +138,7 @@ fn maps_of_every_shape_are_the_formulas_sum() {
                     error <= 1e-6,
                     "{size}, {bands} bands, plain {plain}: {error:e}"
                 );
-                worst = worst.max(error);
+                largest = larger(largest, error);
             }
         }
         let mut wrong = map.clone();
@@ -141,7 +150,7 @@ fn maps_of_every_shape_are_the_formulas_sum() {
         );
         assert!(!(wrong <= 1e-6), "another map passes");
     }
-    println!("{worst:e} of the flux");
+    println!("{largest:e} of the flux");
 }
 
 #[test]
@@ -173,7 +182,7 @@ fn a_single_texel() {
                 assert!(relative.abs() < 3e-6, "{size} ({x}, {y}) {k}: {relative:e}");
                 let beside = harmonic(l, m, centre(x + 1, y, size));
                 let moved = (f64::from(found[k].x) / area(y, size) - 2.0 * beside).abs();
-                furthest = furthest.max(moved);
+                furthest = larger(furthest, moved);
                 assert_eq!((found[k].y, found[k].z), (0.0, -0.5 * found[k].x));
                 assert!(
                     (f64::from(basis(direction)[k]) - harmonic(l, m, centre(x, y, size))).abs()
@@ -207,15 +216,12 @@ fn map_of(size: UVec2, f: impl Fn(Vec3) -> f32) -> Map {
 fn functions_of_the_basis_come_back() {
     let errors = [64, 128].map(|height| {
         let size = UVec2::new(2 * height, height);
-        let mut worst = 0.0f32;
-        for k in 0..36 {
+        worst((0..36).flat_map(|k| {
             let found = project(&map_of(size, |d| basis(d)[k]), size, 6, false);
-            for (i, c) in found.iter().enumerate() {
-                let exact = if i == k { 1.0 } else { 0.0 };
-                worst = worst.max((*c - Vec3::splat(exact)).abs().max_element());
-            }
-        }
-        worst
+            let exact = move |i: usize| Vec3::splat(if i == k { 1.0 } else { 0.0 });
+            let errors = found.into_iter().enumerate();
+            errors.flat_map(move |(i, c)| (c - exact(i)).abs().to_array())
+        }))
     });
     println!("{errors:?}");
     assert!(errors[0] < 6e-3 && errors[1] < 1.5e-3, "{errors:?}");
@@ -231,7 +237,7 @@ fn a_cosine_lobe() {
         let y = basis(n);
         let one =
             |(k, c): (usize, &Vec3)| (c.x - cosine_lobe(coefficient_band(k as u32)) * y[k]).abs();
-        found.iter().enumerate().map(one).fold(0.0, f32::max)
+        worst(found.iter().enumerate().map(one))
     };
     println!("{:e}", far(n));
     assert!(far(n) < 2e-4);
@@ -370,11 +376,43 @@ fn what_cannot_be_is_an_error() {
         Err(ShError::Row { row: 2, height: 2 })
     );
     assert!(projection.add_rows(&table, 1, &[0.0; 48]).is_err());
+    // Nor is there a row behind the largest number.
+    let mut last = projection;
+    for first in [u32::MAX, u32::MAX - 1] {
+        let (row, height) = (first, 2);
+        let error = Err(ShError::Row { row, height });
+        assert_eq!(last.add_rows(&table, first, &[1.0; 72]), error);
+    }
+    assert_eq!(last, projection);
+    // Fewer bands would lose coefficients; more are as good.
+    let mut four = Projection::new(4, UVec2::new(8, 2)).unwrap();
+    let (expected, found) = (4, 3);
+    let few = Err(ShError::FewBands { expected, found });
+    assert_eq!(four.add_row(0, &sums), few);
+    assert_eq!(four.add_rows(&table, 0, &[1.0; 24]), few);
+    assert_eq!(four.coefficients(), [Vec3::ZERO; 36]);
+    let mut two = Projection::new(2, UVec2::new(8, 2)).unwrap();
+    assert_eq!(two.add_rows(&table, 0, &[1.0; 48]), Ok(()));
+    assert!(two.coefficients()[0].x > 0.0);
+    // Another map's sums are no part of this one's.
+    for other in [
+        (3, UVec2::new(8, 2)),
+        (2, UVec2::new(8, 3)),
+        (2, UVec2::new(4, 2)),
+    ] {
+        let other = Projection::new(other.0, other.1).unwrap();
+        assert_eq!(two.merge(&other), Err(ShError::Another));
+    }
+    let before = two.coefficients();
+    assert_eq!(two.merge(&two.clone()), Ok(()));
+    assert_eq!(two.coefficients()[0], 2.0 * before[0]);
     assert!(Projection::new(3, UVec2::new(8, 0)).is_err());
     for error in [
         ShError::Bands(9),
         ShError::Size(UVec2::ZERO),
         ShError::Channels(2),
+        ShError::FewBands { expected, found },
+        ShError::Another,
     ] {
         assert!(!error.to_string().is_empty());
     }

@@ -1,7 +1,7 @@
 //! Host file: makes Figures 4 to 8 of Hajisharif 2012 anew, and measures how far precomputed transfer is from path tracing.
 //!
 //! `cargo run --release --bin figures -- --out figures` renders by the program's own commands. Without names it makes all; with
-//! some (`4 5 6 7 8 window agreement`) those. The dragon and the light maps come from the folder that `GLIMT_BENCH_DATA` names;
+//! some (`4 5 6 7 8 window agreement convergence`) those. The dragon and the light maps come from the folder that `GLIMT_BENCH_DATA` names;
 //! where they are missing, the built-in helicopter under a procedural sky stands in.
 
 use glam::{UVec2, Vec3, Vec4};
@@ -10,8 +10,9 @@ use glimt::command;
 use glimt::notes::Notes;
 use glimt::output::exr;
 use glimt::report::Reporter;
+use glimt_benches::convergence::{halved, transfer_error};
 use glimt_benches::inputs::data_dir;
-use glimt_render_gpu::host::env::EnvMap;
+use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::light_sh::LightSh;
 use glimt_render_gpu::host::render::PrtSettings;
 use glimt_render_gpu::kernels::environment::bilinear;
@@ -37,9 +38,18 @@ fn main() -> Outcome<()> {
         }
     }
     if names.is_empty() {
-        names = ["4", "5", "6", "7", "8", "window", "agreement"]
-            .map(str::to_owned)
-            .to_vec();
+        names = [
+            "4",
+            "5",
+            "6",
+            "7",
+            "8",
+            "window",
+            "agreement",
+            "convergence",
+        ]
+        .map(str::to_owned)
+        .to_vec();
     }
     let studio = Studio::open(&out)?;
     for name in &names {
@@ -51,6 +61,7 @@ fn main() -> Outcome<()> {
             "8" => studio.directions()?,
             "window" => studio.window()?,
             "agreement" => studio.agreement()?,
+            "convergence" => studio.convergence()?,
             other => return Err(format!("there is no figure {other:?}").into()),
         }
     }
@@ -310,12 +321,25 @@ impl Studio {
         Ok(())
     }
 
+    /// How far coefficients are from those of the whole map, and of all directions.
+    fn convergence(&self) -> Outcome<()> {
+        println!("light | map halved | largest change of a coefficient, of the largest");
+        for light in &self.lights {
+            let env = env(light)?;
+            for level in [1, 3, 5] {
+                println!("{} | {level} | {:.1e}", stem(light), halved(&env, level)?);
+            }
+        }
+        println!("directions | error of a coefficient without shadows, root mean square");
+        for directions in [100, 900, 2500] {
+            println!("{directions} | {:.5}", transfer_error(directions)?);
+        }
+        Ok(())
+    }
+
     /// The light's first five bands as a map, with as much even light as keeps it above zero.
     fn band_limited(&self, light: &Path) -> Outcome<PathBuf> {
-        let read = glimt::input::read_image(light, &mut Notes::new(false)).map_err(told)?;
-        let mut texels = read.texels;
-        EnvMap::repair(&mut texels);
-        let env = EnvMap::new(read.header.size, texels)?.prepare(0.0)?;
+        let env = env(light)?;
         let c = LightSh::default().project(&env, 5, &PrtSettings::default())?;
         let size = UVec2::new(512, 256);
         let value = |i: u32| {
@@ -428,6 +452,14 @@ fn first(folder: &Path, extension: &str) -> Outcome<PathBuf> {
     files
         .pop()
         .ok_or_else(|| format!("{} holds no frame", folder.display()).into())
+}
+
+/// A light map, without tables.
+fn env(light: &Path) -> Outcome<PreparedEnv> {
+    let read = glimt::input::read_image(light, &mut Notes::new(false)).map_err(told)?;
+    let mut texels = read.texels;
+    EnvMap::repair(&mut texels);
+    Ok(EnvMap::new(read.header.size, texels)?.untabled(0.0)?)
 }
 
 fn stem(file: &Path) -> String {

@@ -80,5 +80,8 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
 );
 
 /// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own.
+///
+/// WGSL wants a name once. `DirectionSample` and `cos_sin_turns` stand in `glimt_sampling::WGSL` and `glimt_sh::WGSL` too: in a
+/// shader of both, leave out one copy of each. They are the same.
 #[cfg(feature = "shader-source")]
 pub const WGSL: &str = include_str!("../wgsl/brdf.wgsl");

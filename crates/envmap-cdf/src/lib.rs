@@ -99,5 +99,8 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
 );
 
 /// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own.
+///
+/// WGSL wants a name once. `cos_sin_pi` stands in `glimt_probe::WGSL` too, `hash_u32_` and `hash2_` in `glimt_sampling::WGSL`: in
+/// a shader of both, leave out one copy of each. They are the same.
 #[cfg(feature = "shader-source")]
 pub const WGSL: &str = include_str!("../wgsl/envmap_cdf.wgsl");

@@ -123,8 +123,9 @@ pub enum Command {
     /// Project light maps onto spherical harmonics: the coefficients of each frame, for engines and programs of one's own
     ///
     /// FRAMES is a sequence with #### for the frames' numbers, one or several lat-long maps (EXR, HDR), or a shot, whose
-    /// light is taken as its keys say (mirror balls too). The world has z up: row 0 is +z, the image's centre +x, its
-    /// left half +y.
+    /// light is taken as its keys under probe say (mirror balls too; scale, turn, colours). Those under render.prt are not looked
+    /// at: bands, window and temporal are flags here, and no map is halved. The world has z up: row 0 is +z, the image's centre +x,
+    /// its left half +y.
     #[command(after_help = SH_EXAMPLES)]
     Sh {
         /// A sequence, light maps, or a shot
@@ -177,7 +178,7 @@ pub struct RenderFlags {
 /// Flags of the method "smc", whose frames go on from one another.
 #[derive(Clone, Debug, Default, Args)]
 pub struct PastFlags {
-    /// With the method smc: render so many frames before the first, without writing them
+    /// With the method smc, or prt with `render.prt.temporal`: render so many frames before the first, without writing them
     #[arg(
         long,
         value_name = "W",
@@ -354,6 +355,9 @@ pub struct ShFlags {
     /// The axis that points up in what is written: y turns (x, y, z) into (x, z, -y)
     #[arg(long, value_enum, default_value_t)]
     pub up: Up,
+    /// Turn the lights about the vertical, counter-clockwise seen from above; in a shot, further than probe.rotate_z_deg
+    #[arg(long, value_name = "DEG", default_value = "0", allow_hyphen_values = true, value_parser = degrees)]
+    pub rotate_z_deg: f32,
     /// File for the coefficients; standard output if not given
     #[arg(long, short, value_name = "FILE")]
     pub out: Option<PathBuf>,
@@ -370,7 +374,8 @@ pub enum ShFormat {
     Csv,
     /// One object with a list of frames
     Json,
-    /// JSON of the nine coefficients of irradiance over π that engines' shaders take
+    /// JSON of the nine coefficients of irradiance over π that engines' shaders take; with --up y --rotate-z-deg -90 the light
+    /// lies as Filament's cmgen lays the same map
     Engine,
 }
 
@@ -382,9 +387,9 @@ pub enum ShConvention {
     Glimt,
     /// With it: (-1)^m
     CondonShortley,
-    /// As DirectXMath's spherical harmonics
+    /// As DirectXMath's spherical harmonics; the axes stay right-handed
     Directx,
-    /// Nine coefficients of irradiance over π, the constants folded in
+    /// Nine coefficients of irradiance over π, the constants folded in: three bands, whatever --bands says above that
     Filament,
 }
 
@@ -414,6 +419,14 @@ fn alpha(text: &str) -> Result<f32, String> {
     alpha
         .filter(|alpha| (0.0..=1e6).contains(alpha))
         .ok_or_else(|| "a weight is between 0 and 1000000".to_owned())
+}
+
+/// Reads an angle.
+fn degrees(text: &str) -> Result<f32, String> {
+    let angle: Option<f32> = text.parse().ok();
+    angle
+        .filter(|angle| angle.is_finite())
+        .ok_or_else(|| "an angle is a number of degrees, as -90".to_owned())
 }
 
 /// Reads a size.
@@ -596,6 +609,8 @@ Examples:
   glimt sh 'capture/light.####.exr' --frames 1-96 -o light.csv
   glimt sh 'capture/light.####.exr' --bands 4 --window 4 --temporal 0.5 --format json -o light.json
   glimt sh shot.toml --format engine --up y -o diffuse.json      for an engine: nine coefficients, y up
+  glimt sh light.hdr --format engine --up y --rotate-z-deg -90   the same, turned as Filament's cmgen turns the map
   glimt sh day.exr dusk.exr night.exr --convention directx
 
-In what is written, the first lines of csv and the key `meaning` of JSON say what the numbers are.";
+In what is written, the first lines of csv and the key `meaning` of JSON say what the numbers are, and where the map lies in their
+axes. These are right-handed in all conventions.";

@@ -66,25 +66,14 @@ impl Job {
         let found = |done, all| reporter.stage("looking for the ball", done, all);
         let range = of_shot.clone();
         let mut probe = Probe::open(files, &frames, range, &shot.probe, notes, &found)?;
-        if let Some(keys) = &shot.probe.colour {
-            let frame = keys.frame.unwrap_or(frames[0]);
-            let plate = footage.as_ref().map(|footage| footage.file(frame));
-            let photo = probe.file(frame);
-            let missing = [Some(&photo), plate.as_ref()]
-                .into_iter()
-                .flatten()
-                .find(|file| keys.frame.is_some() && !file.is_file());
-            if let Some(file) = missing {
-                return Err(source
-                    .error(
-                        "probe.colour.frame",
-                        format!("{} is not there", file.display()),
-                    )
-                    .fix("choose a frame that probe and backplate have, or leave it out for the first"));
-            }
-            let colour = colour::correction(keys, &source, &photo, plate.as_deref(), notes)?;
-            probe.set_colour(colour);
-        }
+        colour::correct(
+            &mut probe,
+            &shot,
+            &source,
+            footage.as_ref(),
+            frames[0],
+            notes,
+        )?;
         let mut setup = Setup::load(shot, source, base, *of_shot.start(), flags, notes)?;
         bake::expect(&mut setup)?;
         let state_in = match &flags.past.state_in {
@@ -195,10 +184,17 @@ fn check_past(flags: &PastFlags, render: &Render) -> Result<()> {
         ("--preroll", flags.preroll > 0),
     ];
     match given.iter().find(|(_, given)| *given) {
-        Some((flag, _)) if !render.goes_on() => Err(Error::usage(format!(
-            "{flag} is for the method \"smc\": with others each frame stands alone"
-        ))
-        .fix("leave it out, or add --method smc")),
+        Some((flag, _)) if !render.goes_on() => {
+            let prt = render.method == Method::Prt && *flag == "--preroll";
+            let fix = match prt {
+                true => "leave it out, or set render.prt.temporal above 0",
+                false => "leave it out, or add --method smc",
+            };
+            Err(Error::usage(format!(
+                "{flag} is for methods that go on from frame to frame: here each stands alone"
+            ))
+            .fix(fix))
+        }
         Some((flag, _)) if *flag != "--preroll" && render.method != Method::Smc => {
             Err(Error::usage(format!(
                 "{flag} is for the method \"smc\" alone: what \"prt\" keeps of earlier frames fades fast"

@@ -10,7 +10,7 @@ use crate::notes::{Note, Notes};
 use crate::output::state::{self, Saved};
 use crate::output::video::{self, Encoder, Video};
 use crate::output::{Stamp, atomic, rgb_over_black};
-use crate::report::{FrameStatus, Reporter, count};
+use crate::report::{FrameStatus, Reporter, count, shown};
 use crate::shot::digest::Hash;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
@@ -99,8 +99,8 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
     let skipped = asked - rendered;
     let video = plan.video.as_ref().map(|video| &video.file);
     let summary = json!({
-        "rendered": rendered, "skipped": skipped, "seconds": seconds, "out": job.setup.out, "video": video,
-        "state": job.state_out,
+        "rendered": rendered, "skipped": skipped, "seconds": seconds, "out": shown(&job.setup.out), "video": video.map(|v| shown(v)),
+        "state": job.state_out.as_deref().map(shown),
     });
     let also = video.map_or(String::new(), |v| format!(" and {}", v.display()));
     let text = format!(

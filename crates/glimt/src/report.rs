@@ -37,6 +37,12 @@ pub fn duration(seconds: f64) -> String {
     }
 }
 
+/// A path as text: `json!` panics at one that is no UTF-8.
+#[must_use]
+pub fn shown(path: &Path) -> String {
+    path.display().to_string()
+}
+
 /// What became of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrameStatus {
@@ -73,7 +79,7 @@ impl Reporter {
     /// Work on `frames` frames begins.
     pub fn start(&self, frames: usize, out: &Path, device: &str, triangles: usize) {
         self.event(&json!({
-            "event": "start", "frames": frames, "out": out, "device": device, "triangles": triangles,
+            "event": "start", "frames": frames, "out": shown(out), "device": device, "triangles": triangles,
         }));
         let what = format!("{}, {triangles} triangles", count(frames, "frame"));
         self.begin(&what, frames, out, device);
@@ -81,7 +87,9 @@ impl Reporter {
 
     /// Filming of `frames` frames begins.
     pub fn start_filming(&self, frames: usize, out: &Path, device: &str) {
-        self.event(&json!({"event": "start", "frames": frames, "out": out, "device": device}));
+        self.event(
+            &json!({"event": "start", "frames": frames, "out": shown(out), "device": device}),
+        );
         self.begin(&count(frames, "frame"), frames, out, device);
     }
 
@@ -107,7 +115,7 @@ impl Reporter {
     /// A comparison of so many contestants begins.
     pub fn start_comparing(&self, contestants: &[String], frames: usize, out: &Path, device: &str) {
         self.event(&json!({
-            "event": "start", "contestants": contestants, "frames": frames, "out": out, "device": device,
+            "event": "start", "contestants": contestants, "frames": frames, "out": shown(out), "device": device,
         }));
         self.plain(&format!(
             "{} in {}, on {device}, into {}",
@@ -155,7 +163,7 @@ impl Reporter {
     /// Frames are rendered as they appear.
     pub fn start_following(&self, files: &Path, out: &Path, device: &str, triangles: usize) {
         self.event(&json!({
-            "event": "start", "follow": files, "out": out, "device": device, "triangles": triangles,
+            "event": "start", "follow": shown(files), "out": shown(out), "device": device, "triangles": triangles,
         }));
         self.plain(&format!(
             "following {}, {triangles} triangles, on {device}, into {}",
@@ -180,7 +188,9 @@ impl Reporter {
 
     /// A frame that was followed is not rendered. If the reason is a fault of it, --quiet does not hide that.
     pub fn dropped(&self, frame: u32, file: &Path, reason: &str, is_fault: bool) {
-        self.event(&json!({"event": "dropped", "frame": frame, "file": file, "reason": reason}));
+        self.event(
+            &json!({"event": "dropped", "frame": frame, "file": shown(file), "reason": reason}),
+        );
         match (is_fault, self.talk.json) {
             (true, false) => {
                 self.line(&format!(
@@ -243,7 +253,7 @@ impl Reporter {
                 Severity::Note => "note",
                 Severity::Warning => "warning",
             };
-            self.event(&json!({"event": name, "file": note.file, "message": note.text}));
+            self.event(&json!({"event": name, "file": shown(&note.file), "message": note.text}));
             let hidden = self.talk.quiet && note.severity == Severity::Note;
             if !hidden && !self.talk.json {
                 self.line(&format!("{name}: {}: {}", note.file.display(), note.text));
@@ -274,7 +284,7 @@ impl Reporter {
         }
         self.event(&json!({
             "event": "error",
-            "file": error.file,
+            "file": error.file.as_deref().map(shown),
             "place": error.place.as_ref().map(ToString::to_string),
             "message": error.what,
             "fix": error.fix,

@@ -319,3 +319,24 @@ fn no_gpu() {
         ran.fails(5, &["--device cpu"]);
     }
 }
+
+/// Names of files may be any bytes, also where events tell programs of them.
+#[cfg(target_os = "linux")]
+#[test]
+fn names_that_are_no_text() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let t = Scratch::new("bytes");
+    t.lights(1);
+    t.shot("light.0001.exr", "");
+    let image = OsStr::from_bytes(b"l\xff.exr");
+    std::fs::copy(t.file("light.0001.exr"), t.path.join(image)).unwrap();
+    let render = ["render", "shot.toml", "--json", "--device", "cpu", "--out"];
+    let folder = OsStr::from_bytes(b"f\xff");
+    for (args, name) in [(&render[..], folder), (&["info", "--json"], image)] {
+        let output = t.command(args).arg(name).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{said}");
+    }
+    assert!(t.path.join(folder).join("frame.0001.exr").is_file());
+}

@@ -278,7 +278,7 @@ fn a_killed_comparison_is_continued() {
     assert!(!t.list("compare/cache").iter().any(parts));
 }
 
-/// A limit ends the reference, the first line says so, and a later run goes on.
+/// What one draws without noise is compared by its bias, and a new bake is another contestant.
 #[test]
 fn one_without_noise_is_compared_by_its_bias() {
     let t = Scratch::new("compare-prt");
@@ -303,8 +303,33 @@ fn one_without_noise_is_compared_by_its_bias() {
     assert!(error > 0.0 && error < 0.05, "{error}");
     assert!((error - cell("prt", "bias").abs()).abs() < 0.01);
     assert_eq!(cell("prt", "relative_rmse_se"), 0.0);
+
+    // Of few directions, beside the first and in its place: it is told apart, and nothing of before stands for it.
+    let bake = ["bake", "shot.toml", "--device", "cpu", "--directions", "9"];
+    t.run(&[&bake[..], &["--output", "draft.glb"]].concat())
+        .ok();
+    let draft = "draft: render.method=prt image.rays_per_pixel=1 render.prt.bake=draft.glb";
+    let both = [&prt[..], &["--contestant", draft, "--frames", "1"]].concat();
+    compare(&t, &[&both[..], &["--out", "both"]].concat()).ok();
+    let errors = |folder: &str| -> Vec<(String, String)> {
+        let table = untimed(&t, folder);
+        let column = table[0].iter().position(|head| head == "relative_rmse");
+        let cells = table
+            .iter()
+            .map(|row| (row[0].clone(), row[column.unwrap()].clone()));
+        cells
+            .filter(|(name, _)| name == "prt" || name == "draft")
+            .collect()
+    };
+    let told = errors("both");
+    assert!(told.iter().any(|(name, _)| name == "draft"), "{told:?}");
+    t.run(&bake).ok();
+    compare(&t, &[&prt[..], &["--frames", "1"]].concat()).ok();
+    let draft = told.iter().find(|(name, _)| name == "draft").unwrap();
+    assert_eq!(errors("compare")[0].1, draft.1);
 }
 
+/// A limit ends the reference, the first line says so, and a later run goes on.
 #[test]
 fn a_short_reference_is_said() {
     let t = Scratch::new("compare-short");

@@ -71,5 +71,8 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
 );
 
 /// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own.
+///
+/// WGSL wants a name once. `cos_sin_pi` stands in `glimt_envmap_cdf::WGSL` too: in a shader of both, leave out one copy. They
+/// are the same.
 #[cfg(feature = "shader-source")]
 pub const WGSL: &str = include_str!("../wgsl/probe.wgsl");

@@ -114,5 +114,9 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
 
 /// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own. Enums are numbers there,
 /// in the order of their variants.
+///
+/// WGSL wants a name once. `DirectionSample` and `cos_sin_turns` stand in `glimt_brdf::WGSL` and `glimt_sh::WGSL` too, `sample_cap` in
+/// `glimt_sh::WGSL`, `hash_u32_` and `hash2_` in `glimt_envmap_cdf::WGSL`: in a shader of both, leave out one copy of each. They
+/// are the same.
 #[cfg(feature = "shader-source")]
 pub const WGSL: &str = include_str!("../wgsl/sampling.wgsl");

@@ -1,12 +1,10 @@
-//! Shared file: the basis, its first six bands written out.
+//! Shared file: the basis, its first six bands written out, and where its coefficients stand.
 //!
 //! Real spherical harmonics `y_lm`, `l ∈ 0..n`, `m ∈ −l..=l`, orthonormal over the sphere, with z the axis, as Hajisharif
 //! 2012, Eq. 5, has them (with the factor √2 for m ≠ 0, which is missing in print), and **without** the Condon–Shortley
 //! sign: `y_{1,−1} = √(3/4π) y`, `y_{1,0} = √(3/4π) z`, `y_{1,1} = +√(3/4π) x`. Positive m go with `cos mφ`, negative
 //! ones with `sin |m|φ`. A band is a polynomial of the unit vector: a zonal factor in z times the real or imaginary part
 //! of `(x + iy)^|m|`, so no angle is ever computed and the poles are points like all others.
-
-use core::f32::consts::PI;
 
 use glam::{Vec2, Vec3};
 
@@ -41,15 +39,44 @@ pub fn coefficient_index(l: u32, m: i32) -> u32 {
     ((l * (l + 1)) as i32 + m) as u32
 }
 
+/// The band l that coefficient `k` belongs to, `k < 36`; more count as the last band.
+///
+/// ```
+/// use glimt_sh::coefficient_band;
+/// assert_eq!([0, 1, 3, 4, 24, 25, 35].map(coefficient_band), [0, 1, 1, 2, 4, 5, 5]);
+/// ```
+#[inline]
+#[must_use]
+pub fn coefficient_band(k: u32) -> u32 {
+    let mut l = 0;
+    while l < 5 && k >= (l + 1) * (l + 1) {
+        l += 1;
+    }
+    l
+}
+
+/// The order m of coefficient `k`, from −l to l.
+///
+/// ```
+/// use glimt_sh::coefficient_order;
+/// assert_eq!([0, 1, 2, 3, 4].map(coefficient_order), [0, -1, 0, 1, -2]);
+/// ```
+#[inline]
+#[must_use]
+pub fn coefficient_order(k: u32) -> i32 {
+    let l = coefficient_band(k);
+    k as i32 - (l * (l + 1)) as i32
+}
+
 /// `y_00`.
 pub const Y_00: f32 = 0.282_094_791_8;
 /// `y_1m` of the direction along its own axis: `√(3/4π)`.
-pub const Y_1: f32 = 0.488_602_511_9;
+pub(crate) const Y_1: f32 = 0.488_602_511_9;
 
 /// The zonal factors of band 2, for m = 0, 1, 2: `y_lm = zonal · ring`, with [`ring`](crate::ring) of (x, y).
 #[inline]
 #[must_use]
-pub fn zonal_2(z: f32) -> [f32; 3] {
+pub(crate) fn zonal_2(z: f32) -> [f32; 3] {
     [
         0.315_391_565_3 * (3.0 * z * z - 1.0),
         1.092_548_430_6 * z,
@@ -60,7 +87,7 @@ pub fn zonal_2(z: f32) -> [f32; 3] {
 /// The zonal factors of band 3, for m = 0 to 3.
 #[inline]
 #[must_use]
-pub fn zonal_3(z: f32) -> [f32; 4] {
+pub(crate) fn zonal_3(z: f32) -> [f32; 4] {
     let t = z * z;
     [
         0.373_176_332_6 * z * (5.0 * t - 3.0),
@@ -73,7 +100,7 @@ pub fn zonal_3(z: f32) -> [f32; 4] {
 /// The zonal factors of band 4, for m = 0 to 4.
 #[inline]
 #[must_use]
-pub fn zonal_4(z: f32) -> [f32; 5] {
+pub(crate) fn zonal_4(z: f32) -> [f32; 5] {
     let t = z * z;
     [
         0.105_785_546_9 * ((35.0 * t - 30.0) * t + 3.0),
@@ -87,7 +114,7 @@ pub fn zonal_4(z: f32) -> [f32; 5] {
 /// The zonal factors of band 5, for m = 0 to 5.
 #[inline]
 #[must_use]
-pub fn zonal_5(z: f32) -> [f32; 6] {
+pub(crate) fn zonal_5(z: f32) -> [f32; 6] {
     let t = z * z;
     [
         0.116_950_322_5 * z * ((63.0 * t - 70.0) * t + 15.0),
@@ -251,49 +278,5 @@ pub fn add_basis(bands: u32, d: Vec3, weight: f32, sums: &mut [f32; 36]) {
                 }
             }
         }
-    }
-}
-
-/// The Hann window `σ_l = (1 + cos(π l/w))/2` for `l ≤ w`, 0 beyond (Sloan 2008): band l of a light that a few bands
-/// describe is multiplied by it against ringing. A window w that is not above 0 means none: 1.
-///
-/// ```
-/// use glimt_sh::hann;
-/// assert_eq!([hann(0, 4.0), hann(4, 4.0), hann(5, 4.0), hann(5, 0.0)], [1.0, 0.0, 0.0, 1.0]);
-/// assert!((hann(2, 4.0) - 0.5).abs() < 1e-6);
-/// ```
-#[inline]
-#[must_use]
-pub fn hann(l: u32, window: f32) -> f32 {
-    let l = l as f32;
-    if !(window > 0.0) {
-        1.0
-    } else if l < window {
-        0.5 + 0.5 * libm::cosf(PI * l / window)
-    } else {
-        0.0
-    }
-}
-
-/// `A_l`, the band l of the clamped cosine (Ramamoorthi and Hanrahan 2001, Eqs. 7 and 8): the transfer of an unoccluded
-/// point with normal n is `c_lm = A_l y_lm(n)`, and irradiance is `Σ A_l L_lm y_lm(n)`. π, 2π/3, π/4, 0, −π/24, 0; bands
-/// beyond the sixth, which this crate has not, give 0.
-///
-/// ```
-/// use glimt_sh::cosine_lobe;
-/// use core::f32::consts::PI;
-/// // ∫ max(cos θ, 0) over the sphere.
-/// assert_eq!(cosine_lobe(0), PI);
-/// assert_eq!([cosine_lobe(3), cosine_lobe(5)], [0.0, 0.0]);
-/// ```
-#[inline]
-#[must_use]
-pub fn cosine_lobe(l: u32) -> f32 {
-    match l {
-        0 => PI,
-        1 => 2.0 / 3.0 * PI,
-        2 => 0.25 * PI,
-        4 => -PI / 24.0,
-        _ => 0.0,
     }
 }

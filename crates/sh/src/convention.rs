@@ -16,34 +16,22 @@ pub const Z_UP_TO_Y_UP: Mat3 = Mat3::from_cols(Vec3::X, Vec3::NEG_Z, Vec3::Y);
 /// `(−1)^m` times this crate's coefficients: those for a basis with the Condon–Shortley sign, in which
 /// `y_{1,1} = −√(3/4π) x`. The same function leads back.
 ///
+/// DirectXMath's basis (`XMSHEvalDirection`, and D3DX's before it), in the order l² + l + m, is of that kind. Axes are not
+/// turned: a left-handed world needs one of them mirrored first, by [`rotated`](crate::rotated) with a reflection.
+///
 /// ```
 /// use glam::Vec3;
 /// use glimt_sh::condon_shortley;
 /// let c = condon_shortley(&[Vec3::ONE; 36]);
 /// assert_eq!([c[0].x, c[1].x, c[2].x, c[3].x, c[4].x], [1.0, -1.0, 1.0, -1.0, 1.0]);
 /// ```
+#[doc(alias = "directx")]
 #[must_use]
 pub fn condon_shortley(light: &LightCoefficients) -> LightCoefficients {
     core::array::from_fn(|k| {
         let odd = coefficient_order(k as u32) & 1 == 1;
         if odd { -light[k] } else { light[k] }
     })
-}
-
-/// The coefficients that DirectXMath's spherical harmonics (`XMSHEvalDirection`, and D3DX's before it) take, in the order
-/// l² + l + m. Its basis has the Condon–Shortley sign and is orthonormal, so they are those of [`condon_shortley`]. The
-/// same function leads back.
-///
-/// ```
-/// use glam::Vec3;
-/// use glimt_sh::directx;
-/// let mut light = [Vec3::ZERO; 36];
-/// light[3] = Vec3::ONE;
-/// assert_eq!(directx(&light)[3], -Vec3::ONE);
-/// ```
-#[must_use]
-pub fn directx(light: &LightCoefficients) -> LightCoefficients {
-    condon_shortley(light)
 }
 
 /// Nine coefficients e that give irradiance over π, as Filament's and Babylon's shaders take it:

@@ -30,6 +30,15 @@ pub enum ShError {
         /// The map's height.
         height: u32,
     },
+    /// Sums of fewer bands than the projection has.
+    FewBands {
+        /// The bands of the projection.
+        expected: u32,
+        /// The bands that there are sums of.
+        found: u32,
+    },
+    /// The other projection is of a map of another size, or onto another number of bands.
+    Another,
 }
 
 impl fmt::Display for ShError {
@@ -44,6 +53,13 @@ impl fmt::Display for ShError {
             Self::Channels(channels) => write!(f, "texels of {channels} channels: 3 or 4"),
             Self::Length { expected, found } => write!(f, "length {found}, expected {expected}"),
             Self::Row { row, height } => write!(f, "row {row} of a map of {height} rows"),
+            Self::FewBands { expected, found } => {
+                write!(
+                    f,
+                    "sums of {found} bands, where {expected} are projected onto"
+                )
+            }
+            Self::Another => f.write_str("a projection of another size, or onto other bands"),
         }
     }
 }

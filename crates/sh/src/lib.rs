@@ -29,13 +29,14 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`mod@basis`] | the basis, written out; the Hann window; the clamped cosine |
+//! | [`mod@basis`] | the basis, written out, and the order of its coefficients |
 //! | [`separable`] | a basis function as a factor of φ times one of θ |
+//! | [`hann`], [`cosine_lobe`], [`temporal_filter`], [`rotate_z`] | what is done to one coefficient, on both processors |
 //! | [`RingTable`], [`Projection`] | a lat-long map's coefficients, a row at a time |
 //! | [`SampledProjection`], [`stratified_direction`] | any function's coefficients, from samples |
 //! | [`evaluate`], [`dot`](fn@dot), [`windowed`], [`irradiance`], [`temporally_filtered`] | what is done with a light's coefficients |
-//! | [`rotated`], [`rotate_z`] | turning a light: any way, and about the vertical |
-//! | [`condon_shortley`], [`directx`], [`filament_irradiance`] | the same coefficients as others write them |
+//! | [`rotated`] | turning a light any way |
+//! | [`condon_shortley`], [`filament_irradiance`] | the same coefficients as others write them |
 //!
 //! # Conventions
 //!
@@ -43,17 +44,18 @@
 //!   `φ = π − 2πu`.
 //! - The basis is real and orthonormal, **without the Condon–Shortley sign**: band 1 is `√(3/4π) (y, z, x)`. The
 //!   coefficient of (l, m) stands at l(l + 1) + m.
-//! - n bands are l = 0, …, n − 1. Coefficients are in radiance times steradian: those of a light of radiance 1 all around
-//!   are (√4π, 0, 0, …).
+//! - n bands are l = 0, …, n − 1. Coefficients are in radiance times √sr: those of a light of radiance 1 all around are
+//!   (√4π, 0, 0, …).
 //! - A texel is a bin: the basis at its centre times its exact area. Projection is linear: it looks at no texel's value.
 //!
 //! # One source, two processors
 //!
-//! [`mod@basis`], [`separable`], and the modules of [`stratified_direction`] and [`rotate_z`] are *shared files*: plain
+//! [`mod@basis`], [`separable`], and the modules of [`stratified_direction`] and [`hann`] are *shared files*: plain
 //! Rust that also lowers to WGSL. With the feature `shader-source` their text is at hand as `SHADER_SOURCE`, and `WGSL`
 //! holds their functions.
 //!
-//! With the feature `std`, [`RingTable::row_sums`] looks at run time whether the processor has AVX2 and FMA.
+//! With the feature `std`, which is off unless asked for, [`RingTable::row_sums`] looks at run time whether the processor has
+//! AVX2 and FMA. Without them, rows are projected at about half that pace.
 //!
 //! # Bibliography
 //!
@@ -86,15 +88,15 @@ pub mod separable;
 mod wide;
 
 pub use basis::{
-    MAX_BANDS, MAX_COEFFICIENTS, add_basis, basis, coefficient_count, coefficient_index,
-    cosine_lobe, hann,
+    MAX_BANDS, MAX_COEFFICIENTS, add_basis, basis, coefficient_band, coefficient_count,
+    coefficient_index, coefficient_order,
 };
 pub use convention::{
-    Z_UP_TO_Y_UP, condon_shortley, directx, filament_irradiance, from_filament_irradiance,
+    Z_UP_TO_Y_UP, condon_shortley, filament_irradiance, from_filament_irradiance,
 };
 pub use directions::stratified_direction;
 pub use error::ShError;
-pub use filter::{coefficient_band, coefficient_order, rotate_z, temporal_filter};
+pub use filter::{cosine_lobe, hann, rotate_z, temporal_filter};
 pub use light::{LightCoefficients, dot, evaluate, irradiance, temporally_filtered, windowed};
 pub use projection::{Projection, SampledProjection};
 pub use ring_table::{RingSums, RingTable, build_ring_table_into, ring_table_len};
@@ -115,5 +117,8 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
 );
 
 /// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own.
+///
+/// WGSL wants a name once. `DirectionSample`, `cos_sin_turns` and `sample_cap` stand in `glimt_sampling::WGSL` too, the first
+/// two in `glimt_brdf::WGSL`: in a shader of both, leave out one copy of each. They are the same.
 #[cfg(feature = "shader-source")]
 pub const WGSL: &str = include_str!("../wgsl/sh.wgsl");

@@ -2,11 +2,10 @@
 
 use glam::{UVec2, Vec3};
 use glimt_probe::latlong::texel_solid_angle_sr;
-use glimt_probe::trig::cos_sin_pi;
 
 use crate::error::{ShError, check_bands, check_len, check_size};
 use crate::ring_table::{RingSums, RingTable};
-use crate::separable::{MERIDIAN_LEN, meridian, meridian_index, ring_index};
+use crate::separable::{meridian_index, ring_index, row_meridian};
 use crate::{LightCoefficients, MAX_COEFFICIENTS, basis, coefficient_index};
 
 /// The coefficients of a lat-long map, row by row: `c_lm = Σ L y_lm ΔΩ` over its texels (Hajisharif 2012, Eq. 11), with
@@ -54,17 +53,20 @@ impl Projection {
         })
     }
 
-    /// Adds a row from what [`RingTable::row_sums`] makes of it, `row` counted from +z.
+    /// Adds a row from what [`RingTable::row_sums`] makes of it, `row` counted from +z. Sums of more bands serve too.
     ///
     /// # Errors
-    /// [`ShError::Row`].
+    /// [`ShError::Row`]; [`ShError::FewBands`] where the sums are of fewer bands than this projects onto.
     pub fn add_row(&mut self, row: u32, ring: &RingSums) -> Result<(), ShError> {
+        let (expected, found) = (self.bands, ring.bands);
+        if found < expected {
+            return Err(ShError::FewBands { expected, found });
+        }
         if row >= self.size.y {
             let height = self.size.y;
             return Err(ShError::Row { row, height });
         }
-        let theta = cos_sin_pi((2 * row + 1) as f32 / (2 * self.size.y) as f32);
-        let meridian = meridian(theta.x, theta.y);
+        let meridian = row_meridian(row, self.size);
         let area = f64::from(texel_solid_angle_sr(row, self.size));
         match self.bands {
             1 => add_bands::<1>(&meridian, area, ring, &mut self.sums),
@@ -80,8 +82,8 @@ impl Projection {
     /// Adds the rows from `first` on that `texels` holds, as floats: see [`RingTable::row_sums`].
     ///
     /// # Errors
-    /// [`ShError::Row`], and [`ShError::Length`] where the table is another width's or a row is not whole. Rows before
-    /// that are added.
+    /// Those of [`Projection::add_row`], and [`ShError::Length`] where the table is another width's or a row is not whole.
+    /// Rows before that are added.
     pub fn add_rows(
         &mut self,
         table: &RingTable<'_>,
@@ -89,19 +91,28 @@ impl Projection {
         texels: &[f32],
     ) -> Result<(), ShError> {
         check_len(table.width() as usize, self.size.x as usize)?;
-        for (row, texels) in (first..).zip(texels.chunks(table.row_len())) {
+        for (i, texels) in texels.chunks(table.row_len()).enumerate() {
+            // No map has a row of the largest number.
+            let row = first.saturating_add(u32::try_from(i).unwrap_or(u32::MAX));
             self.add_row(row, &table.row_sums(texels)?)?;
         }
         Ok(())
     }
 
     /// Adds what another projection of the same map has summed: of other rows, for instance.
-    pub fn merge(&mut self, other: &Self) {
+    ///
+    /// # Errors
+    /// [`ShError::Another`] where that has another size or another number of bands; nothing is added then.
+    pub fn merge(&mut self, other: &Self) -> Result<(), ShError> {
+        if (self.size, self.bands) != (other.size, other.bands) {
+            return Err(ShError::Another);
+        }
         for (own, other) in self.sums.iter_mut().zip(&other.sums) {
             for (own, other) in own.iter_mut().zip(other) {
                 *own += other;
             }
         }
+        Ok(())
     }
 
     /// The coefficients, at [`coefficient_index`]; 0 beyond the bands.
@@ -114,7 +125,7 @@ impl Projection {
 
 /// Adds a row's products; the number of bands is a constant, so that no index has to be computed.
 fn add_bands<const N: u32>(
-    meridian: &[f32; MERIDIAN_LEN],
+    meridian: &[f32; 21],
     area: f64,
     ring: &RingSums,
     sums: &mut [[f64; 3]; MAX_COEFFICIENTS],

@@ -5,11 +5,10 @@
 //! share each multiplication; the table is a quarter as long. Lanes run forwards through all four quarters of the row.
 
 use glam::UVec2;
-use glimt_probe::trig::cos_sin_pi;
 
 use crate::error::{ShError, check_bands, check_len, check_size};
 use crate::row;
-use crate::separable::{RING_LEN, ring};
+use crate::separable::column_ring;
 
 /// The numbers that stand side by side in the table.
 pub(crate) const LANES: usize = 8;
@@ -90,14 +89,11 @@ pub fn build_ring_table_into(
 ) -> Result<(), ShError> {
     let layout = Layout::new(width, bands, channels)?;
     check_len(table.len(), layout.len())?;
-    let column_ring = |column: usize| {
-        let phi = cos_sin_pi(1.0 - (2 * column + 1) as f32 / width as f32);
-        ring(phi.x, phi.y)
-    };
+    let ring_of = |column: usize| column_ring(column as u32, width);
     let (groups, tail) = table.split_at_mut(layout.grouped_len());
     for (block, vector) in groups.chunks_mut(layout.factors * LANES).enumerate() {
         for lane in 0..LANES {
-            let ring = column_ring((block * LANES + lane) / layout.channels);
+            let ring = ring_of((block * LANES + lane) / layout.channels);
             for factor in 0..layout.factors {
                 vector[factor * LANES + lane] = ring[factor + 1];
             }
@@ -105,7 +101,7 @@ pub fn build_ring_table_into(
     }
     let first = layout.columns - layout.tail;
     for (column, factors) in tail.chunks_mut(layout.factors).enumerate() {
-        let ring = column_ring(first + column);
+        let ring = ring_of(first + column);
         factors.copy_from_slice(&ring[1..=layout.factors]);
     }
     Ok(())
@@ -115,8 +111,10 @@ pub fn build_ring_table_into(
 /// [`ring_index`](crate::separable::ring_index); 0 beyond the bands.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RingSums {
+    /// The number of bands n, whose 2n − 1 sums are known.
+    pub bands: u32,
     /// The sums of each factor.
-    pub sums: [[f64; 3]; RING_LEN],
+    pub sums: [[f64; 3]; 11],
 }
 
 /// A table, with the map's width and the bands that it is for. One serves all rows, on any thread.

@@ -25,22 +25,31 @@ pub(crate) fn quarters<const P: usize>(row: &[f32]) -> [&[Group<P>]; 4] {
     [at(0), at(1), at(2), at(3)]
 }
 
+/// Calls `sum::<K, T, P>` for the number of vectors in a group and the number of bands.
+macro_rules! by_shape {
+    ($vectors:expr, $bands:expr, $sum:ident($($arg:expr),*)) => {
+        match ($vectors, $bands) {
+            (1, ..=2) => $sum::<3, 2, 1>($($arg),*),
+            (1, 3) => $sum::<5, 4, 1>($($arg),*),
+            (1, 4) => $sum::<7, 6, 1>($($arg),*),
+            (1, 5) => $sum::<9, 8, 1>($($arg),*),
+            (1, _) => $sum::<11, 10, 1>($($arg),*),
+            (_, ..=2) => $sum::<3, 2, 3>($($arg),*),
+            (_, 3) => $sum::<5, 4, 3>($($arg),*),
+            (_, 4) => $sum::<7, 6, 3>($($arg),*),
+            (_, 5) => $sum::<9, 8, 3>($($arg),*),
+            _ => $sum::<11, 10, 3>($($arg),*),
+        }
+    };
+}
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+pub(crate) use by_shape;
+
 /// The sums of a row's groups. `grouped` is the table's part for them. One band has the sums of two.
 pub(crate) fn sum_groups(layout: &Layout, bands: u32, row: &[f32], grouped: &[f32]) -> RingSums {
     let mut out = RingSums::default();
     if layout.groups > 0 {
-        match (layout.vectors, bands) {
-            (1, ..=2) => sum::<3, 2, 1>(row, grouped, &mut out),
-            (1, 3) => sum::<5, 4, 1>(row, grouped, &mut out),
-            (1, 4) => sum::<7, 6, 1>(row, grouped, &mut out),
-            (1, 5) => sum::<9, 8, 1>(row, grouped, &mut out),
-            (1, _) => sum::<11, 10, 1>(row, grouped, &mut out),
-            (_, ..=2) => sum::<3, 2, 3>(row, grouped, &mut out),
-            (_, 3) => sum::<5, 4, 3>(row, grouped, &mut out),
-            (_, 4) => sum::<7, 6, 3>(row, grouped, &mut out),
-            (_, 5) => sum::<9, 8, 3>(row, grouped, &mut out),
-            _ => sum::<11, 10, 3>(row, grouped, &mut out),
-        }
+        by_shape!(layout.vectors, bands, sum(row, grouped, &mut out));
     }
     out
 }
@@ -164,6 +173,7 @@ pub(crate) fn add_tail(
     tail: &[f32],
     mut out: RingSums,
 ) -> RingSums {
+    out.bands = bands;
     if bands == 1 {
         out.sums[1..].fill([0.0; 3]);
     }

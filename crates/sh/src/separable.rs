@@ -3,15 +3,10 @@
 //! `y_lm = meridian[l, |m|] · ring[m]`. A map in latitude and longitude is projected a row at a time by it: first 2n − 1
 //! sums over φ, then n² products, so that a texel costs 2n − 1 multiplications and not n².
 
-use glam::Vec2;
+use glam::{UVec2, Vec2};
+use glimt_probe::trig::cos_sin_pi;
 
 use crate::basis::{Y_00, Y_1, turn, zonal_2, zonal_3, zonal_4, zonal_5};
-
-/// The length of what [`ring`] gives: 2n − 1 of six bands.
-pub const RING_LEN: usize = 11;
-
-/// The length of what [`meridian`] gives: n(n + 1)/2 of six bands.
-pub const MERIDIAN_LEN: usize = 21;
 
 /// Where `cos mφ` (m ≥ 0) or `sin |m|φ` (m < 0) stands in [`ring`]: 0, then 2m − 1 and 2|m|.
 ///
@@ -41,7 +36,7 @@ pub fn meridian_index(l: u32, m: u32) -> u32 {
     l * (l + 1) / 2 + m
 }
 
-/// `(1, cos φ, sin φ, cos 2φ, sin 2φ, …, sin 5φ)` for `x = cos φ`, `y = sin φ`.
+/// `(1, cos φ, sin φ, cos 2φ, sin 2φ, …, sin 5φ)` for `x = cos φ`, `y = sin φ`: 2n − 1 factors of six bands.
 ///
 /// Of another point of the plane, at distance ρ from the origin, the pair of m comes out times ρ^m.
 ///
@@ -63,7 +58,7 @@ pub fn ring(x: f32, y: f32) -> [f32; 11] {
 }
 
 /// `K_lm P_l^|m|(cos θ)`, with √2 where m ≠ 0 and without the Condon–Shortley sign, for `z = cos θ`, `s = sin θ ≥ 0`, at
-/// [`meridian_index`]: (0,0), (1,0), (1,1), (2,0), …, (5,5).
+/// [`meridian_index`]: (0,0), (1,0), (1,1), (2,0), …, (5,5), n(n + 1)/2 factors of six bands.
 ///
 /// ```
 /// use glam::Vec3;
@@ -107,4 +102,35 @@ pub fn meridian(z: f32, s: f32) -> [f32; 21] {
         q5[4] * s4,
         q5[5] * s5,
     ]
+}
+
+/// [`ring`] at the centre of column `column` of a lat-long map that is `width` texels wide: `φ = π − 2π(column + ½)/width`.
+///
+/// ```
+/// use glimt_sh::separable::column_ring;
+/// // The first of four columns: φ = 3π/4.
+/// let r = column_ring(0, 4);
+/// assert!((r[1] + 0.5f32.sqrt()).abs() < 1e-6 && (r[2] - 0.5f32.sqrt()).abs() < 1e-6);
+/// ```
+#[inline]
+#[must_use]
+pub fn column_ring(column: u32, width: u32) -> [f32; 11] {
+    let phi = cos_sin_pi(1.0 - (2 * column + 1) as f32 / width as f32);
+    ring(phi.x, phi.y)
+}
+
+/// [`meridian`] at the centre of row `row` of a lat-long map of `size` (width, height) texels: `θ = π(row + ½)/height`.
+///
+/// ```
+/// use glam::UVec2;
+/// use glimt_sh::{meridian, separable::row_meridian};
+/// // The second of three rows is the equator.
+/// let (m, equator) = (row_meridian(1, UVec2::new(6, 3)), meridian(0.0, 1.0));
+/// assert!(m.iter().zip(equator).all(|(a, b)| (a - b).abs() < 1e-6));
+/// ```
+#[inline]
+#[must_use]
+pub fn row_meridian(row: u32, size: UVec2) -> [f32; 21] {
+    let theta = cos_sin_pi((2 * row + 1) as f32 / (2 * size.y) as f32);
+    meridian(theta.x, theta.y)
 }

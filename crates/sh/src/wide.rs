@@ -11,7 +11,7 @@ use core::arch::x86_64::{
 };
 
 use crate::ring_table::{LANES, Layout, RingSums};
-use crate::row::{BLOCK, Lanes, add_lanes, quarters};
+use crate::row::{BLOCK, Lanes, add_lanes, by_shape, quarters};
 
 /// Bytes that come into the cache together.
 const LINE: usize = 64;
@@ -31,18 +31,7 @@ pub(crate) fn sum_groups(
     let mut out = RingSums::default();
     // SAFETY: AVX2 and FMA were found just now.
     unsafe {
-        match (layout.vectors, bands) {
-            (1, ..=2) => sum::<3, 2, 1>(row, grouped, &mut out),
-            (1, 3) => sum::<5, 4, 1>(row, grouped, &mut out),
-            (1, 4) => sum::<7, 6, 1>(row, grouped, &mut out),
-            (1, 5) => sum::<9, 8, 1>(row, grouped, &mut out),
-            (1, _) => sum::<11, 10, 1>(row, grouped, &mut out),
-            (_, ..=2) => sum::<3, 2, 3>(row, grouped, &mut out),
-            (_, 3) => sum::<5, 4, 3>(row, grouped, &mut out),
-            (_, 4) => sum::<7, 6, 3>(row, grouped, &mut out),
-            (_, 5) => sum::<9, 8, 3>(row, grouped, &mut out),
-            _ => sum::<11, 10, 3>(row, grouped, &mut out),
-        }
+        by_shape!(layout.vectors, bands, sum(row, grouped, &mut out));
     }
     Some(out)
 }

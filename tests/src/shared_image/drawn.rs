@@ -1,12 +1,13 @@
 //! Shared file: what the stages of drawing and projecting call, as kernels of their own.
 
 use glam::{UVec2, Vec2, Vec4};
-use glimt_render_gpu::kernels::light_sh::{column_ring, row_area, row_meridian};
+use glimt_probe::latlong::texel_solid_angle_sr;
 use glimt_render_gpu::kernels::prt::Surface;
 use glimt_render_gpu::kernels::raster::{
     RasterParams, clip_position, corner_position, corner_weights, draw,
 };
 use glimt_render_gpu::kernels::scene::Scene;
+use glimt_sh::separable::{column_ring, row_meridian};
 
 /// Corner `id`, in the clip's coordinates, and what its triangle shows between that corner and its middle.
 #[must_use]
@@ -28,7 +29,7 @@ pub fn drawn(
 pub fn factors(id: u32, size: UVec2) -> [f32; 33] {
     let of_phi = column_ring(id % size.x, size.x);
     let of_theta = row_meridian(id / size.x, size);
-    let mut out = [row_area(id / size.x, size); 33];
+    let mut out = [texel_solid_angle_sr(id / size.x, size); 33];
     for i in 0..11 {
         out[i as usize] *= of_phi[i as usize];
     }

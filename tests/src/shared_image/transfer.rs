@@ -69,27 +69,37 @@ pub fn transfer_pair(program: &Program, context: &GpuContext) -> Pair {
     let params = settings.params();
     let known = for_kernels(&scene.vertices().expect("vertices"), 0);
     let (count, n) = (known.len() as u32, 36);
+    let mut states = vec![0u32; known.len() * 4];
     let mut lists = [vec![0.0f32; known.len() * n], vec![0.0f32; known.len() * n]];
     let [lit, blocked] = &mut lists;
     let view = scene.view();
     let chunks = lit.chunks_mut(n).zip(blocked.chunks_mut(n));
+    let chunks = chunks.zip(states.chunks_mut(4));
     let rays: Vec<u32> = (0..)
         .zip(chunks)
-        .map(|(v, (lit, blocked))| {
+        .map(|(v, ((lit, blocked), state))| {
             let (nodes, triangles) = (view.nodes, view.triangles);
-            transfer(v, &params, nodes, triangles, &known, lit, blocked)
+            transfer(v, &params, nodes, triangles, &known, state, lit, blocked)
         })
         .collect();
-    let cpu = [words(&lists[0]), words(&lists[1]), words(&rays)].concat();
+    let cpu = [
+        words(&states),
+        words(&lists[0]),
+        words(&lists[1]),
+        words(&rays),
+    ]
+    .concat();
 
     let uploaded = GpuScene::new(context, &scene).expect("a small scene");
     let vertices = context
         .buffer_of("vertices", &known)
         .expect("a small buffer");
     let [lit, blocked] = [0; 2].map(|_| Output::new::<f32>(context, count * n as u32));
+    let state = Output::new::<u32>(context, count * 4);
     let mut args = vec![
         ("params", Arg::Value(bytemuck::bytes_of(&params))),
         ("vertices", Arg::Buffer(&vertices)),
+        ("state", Arg::Chunk(&state.buffer, 4)),
         ("lit", Arg::Chunk(&lit.buffer, n as u32)),
         ("blocked", Arg::Chunk(&blocked.buffer, n as u32)),
     ];
@@ -97,7 +107,13 @@ pub fn transfer_pair(program: &Program, context: &GpuContext) -> Pair {
     let out = Output::new::<u32>(context, count);
     let kernel = "glimt_render_gpu::kernels::transfer::transfer";
     launch(context, program, kernel, &args, &out.buffer, count);
-    let gpu = [lit.read(context), blocked.read(context), out.read(context)].concat();
+    let gpu = [
+        state.read(context),
+        lit.read(context),
+        blocked.read(context),
+        out.read(context),
+    ]
+    .concat();
     Pair {
         name: "transfer".to_owned(),
         cpu,

@@ -11,7 +11,7 @@ use crate::cli::{BakeFlags, RenderFlags};
 use crate::device;
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
-use crate::report::{Reporter, count};
+use crate::report::{Reporter, count, shown};
 use crate::setup::Setup;
 use crate::shot::digest;
 use crate::shot::parse::Source;
@@ -108,10 +108,17 @@ pub fn expect(setup: &mut Setup) -> Result<()> {
         return Ok(());
     }
     refuse_motion(setup)?;
-    let file = file_of(&setup.shot, &setup.source);
-    let hash = digest::of_file(&file).map_err(|e| e.fix(anew(setup, &setup.shot)))?;
+    let hash = hash_of(&setup.shot, &setup.source)?;
     setup.digest = digest::join([&setup.digest, &hash]);
     Ok(())
+}
+
+/// The hash of a shot's transfer: no other key says what it is.
+///
+/// # Errors
+/// The file is not there.
+pub fn hash_of(shot: &Shot, source: &Source) -> Result<digest::Hash> {
+    digest::of_file(&file_of(shot, source)).map_err(|e| e.fix(command(source, Vec::new())))
 }
 
 /// Gives a scene, built of the setup's, the transfer that it is rendered by, where it is: as the keys of `shot` say, which may differ
@@ -135,19 +142,27 @@ pub fn give(setup: &Setup, shot: &Shot, scene: &mut SceneBuffers) -> Result<()> 
 
 /// What makes a transfer that can be used: a command with what was set on the command line and changes its result.
 fn anew(setup: &Setup, shot: &Shot) -> String {
-    let set = setup.source.overrides_of(&["object", "render.prt"]);
-    let mut set: Vec<String> = set.map(str::to_owned).collect();
+    let mut more = Vec::new();
     // A comparison's contestants have keys of their own.
     let (own, common) = (&shot.render.prt, &setup.shot.render.prt);
     if own.bands != common.bands {
-        set.push(format!("render.prt.bands={}", own.bands));
+        more.push(format!("render.prt.bands={}", own.bands));
     }
     if own.bake != common.bake {
-        set.push(format!("render.prt.bake={}", own.bake));
+        more.push(format!("render.prt.bake={}", own.bake));
     }
-    let set = set.iter().map(|item| format!(" --set {}", quoted(item)));
-    let file = quoted(&setup.source.file.display().to_string());
-    format!("run `glimt bake {file}{}`", set.collect::<String>())
+    command(&setup.source, more)
+}
+
+/// The command that makes a shot's transfer, with `more` keys beside those that were set.
+fn command(source: &Source, more: Vec<String>) -> String {
+    let set = source.overrides_of(&["object", "render.prt"]);
+    let set = set.map(str::to_owned).chain(more);
+    let set: String = set
+        .map(|item| format!(" --set {}", quoted(&item)))
+        .collect();
+    let file = quoted(&source.file.display().to_string());
+    format!("run `glimt bake {file}{set}`")
 }
 
 /// A word as a shell takes it.
@@ -211,7 +226,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     let header = Header::new(&scene, &settings);
     if is_there(&out, &header) {
         let summary = json!({
-            "skipped": true, "vertices": vertices, "triangles": triangles, "file": out,
+            "skipped": true, "vertices": vertices, "triangles": triangles, "file": shown(&out),
         });
         let text = format!(
             "there already, of this geometry and these settings: {}",
@@ -244,7 +259,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     let rate = rays as f64 / seconds.max(1e-9);
     let summary = json!({
         "skipped": false, "vertices": vertices, "triangles": triangles, "rays": rays, "seconds": seconds,
-        "rays_per_second": rate, "memory": memory, "bytes": size, "file": out,
+        "rays_per_second": rate, "memory": memory, "bytes": size, "file": shown(&out),
     });
     let text = format!(
         "{vertices} vertices, {rays} rays in {seconds:.1} s, {:.2} million a second; {}: {}",

@@ -2,10 +2,12 @@
 
 use super::photo;
 use crate::error::{Error, Result};
+use crate::input::footage::Footage;
 use crate::input::plate;
+use crate::input::probe::Probe;
 use crate::notes::Notes;
 use crate::shot::parse::Source;
-use crate::shot::{self, Box4};
+use crate::shot::{self, Box4, Shot};
 use glam::{DMat3, DVec3, Mat3, UVec2, Vec4};
 use glimt_probe::gather::ColourMatrix;
 use glimt_sampling::luminance;
@@ -97,6 +99,39 @@ pub fn fit(pairs: &[Pair]) -> Option<Fit> {
 pub fn grey_gains(patch: DVec3) -> Option<DVec3> {
     let level = DVec3::new(0.2126, 0.7152, 0.0722).dot(patch);
     (patch.min_element() > 0.0).then(|| DVec3::splat(level) / patch)
+}
+
+/// Changes the colours of a shot's probe as its `[probe.colour]` asks, if it does. They are matched in the frame `first`, unless
+/// the shot names another.
+///
+/// # Errors
+/// Those of [`correction`]; the frame that the shot names is not there.
+pub fn correct(
+    probe: &mut Probe,
+    shot: &Shot,
+    source: &Source,
+    footage: Option<&Footage>,
+    first: u32,
+    notes: &mut Notes,
+) -> Result<()> {
+    let Some(keys) = &shot.probe.colour else {
+        return Ok(());
+    };
+    let frame = keys.frame.unwrap_or(first);
+    let plate = footage.map(|footage| footage.file(frame));
+    let photo = probe.file(frame);
+    let missing = [Some(&photo), plate.as_ref()]
+        .into_iter()
+        .flatten()
+        .find(|file| keys.frame.is_some() && !file.is_file());
+    if let Some(file) = missing {
+        let what = format!("{} is not there", file.display());
+        return Err(source
+            .error("probe.colour.frame", what)
+            .fix("choose a frame that probe and backplate have, or leave it out for the first"));
+    }
+    probe.set_colour(correction(keys, source, &photo, plate.as_deref(), notes)?);
+    Ok(())
 }
 
 /// The correction that the keys of `[probe.colour]` ask for. Patches are read in `photo`, the probe's own frame, and in

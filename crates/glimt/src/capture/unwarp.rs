@@ -9,7 +9,7 @@ use crate::input::frames::FrameFiles;
 use crate::input::probe::check_size;
 use crate::notes::Notes;
 use crate::output::{Stamp, atomic, exr, png, write_text};
-use crate::report::{FrameStatus, Reporter, count};
+use crate::report::{FrameStatus, Reporter, count, shown};
 use crate::shot::digest::{self, Hash};
 use crate::shot::{Ball, Shot, check, parse, range};
 use crate::synth::{MASK_HIDDEN, MASK_RIG, MASK_RIM, MASK_SEEN, Processor};
@@ -114,7 +114,7 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
     let skipped = numbers.len() - written;
     let seconds = began.elapsed().as_secs_f64();
     let summary = json!({
-        "unwarped": written, "skipped": skipped, "seconds": seconds, "out": flags.out, "size": size.to_array(),
+        "unwarped": written, "skipped": skipped, "seconds": seconds, "out": shown(&flags.out), "size": size.to_array(),
     });
     let text = format!(
         "{} of {} × {} unwarped, {skipped} there already, in {seconds:.1} s: {}",

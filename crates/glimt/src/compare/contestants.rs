@@ -1,12 +1,14 @@
 //! Host file: who is compared: named sets of keys of the shot.
 
 use super::count::Knob;
+use crate::bake;
 use crate::cli::{CompareFlags, RenderFlags};
 use crate::error::{Error, Kind, Place, Result, nearest};
 use crate::input::footage;
 use crate::setup;
+use crate::shot::digest::Hash;
 use crate::shot::parse::{self, Source};
-use crate::shot::{Background, Filter, Shot, check, digest};
+use crate::shot::{Background, Filter, Method, Shot, check, digest};
 use std::path::Path;
 
 /// Contestants under one word, as --preset takes them: the word, their names, their keys.
@@ -95,6 +97,8 @@ pub struct Contestant {
     pub knob: Knob,
     /// Whether efficiency is told relative to it.
     pub is_baseline: bool,
+    /// The hash of its precomputed transfer, where it renders by one.
+    bake: Option<Hash>,
     source: Source,
 }
 
@@ -135,8 +139,7 @@ pub fn gather(
             }
             other => other?,
         };
-        let same =
-            |other: &&Contestant| digest::of_shot(&other.shot) == digest::of_shot(&contestant.shot);
+        let same = |other: &&Contestant| other.digest() == contestant.digest();
         if let Some(other) = list.iter().find(same) {
             remarks.push(format!(
                 "`{}` does not take part: `{}` has the same settings",
@@ -242,7 +245,10 @@ impl Field<'_> {
         let (shot, source) = self
             .shot(&asked.set)
             .map_err(|e| of_contestant(e, &asked.name, &asked.set))?;
+        let bake = (shot.render.method == Method::Prt).then(|| bake::hash_of(&shot, &source));
+        let bake = bake.transpose();
         Ok(Contestant {
+            bake: bake.map_err(|e| of_contestant(e, &asked.name, &asked.set))?,
             name: asked.name.clone(),
             set: asked.set.clone(),
             knob: Knob::of(&shot),
@@ -293,6 +299,13 @@ impl Field<'_> {
 }
 
 impl Contestant {
+    /// The hash of what makes its images what they are, beside the frames' inputs.
+    #[must_use]
+    pub fn digest(&self) -> Hash {
+        let shot = digest::of_shot(&self.shot);
+        digest::join([&shot].into_iter().chain(&self.bake))
+    }
+
     /// Whether it goes on from the frame before.
     #[must_use]
     pub fn is_stateful(&self) -> bool {

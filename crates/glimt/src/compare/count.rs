@@ -27,19 +27,19 @@ pub enum Knob {
     },
     /// SMC on one ray: particles N.
     Particles(u32),
+    /// Precomputed transfer: it draws nothing at random.
+    Fixed,
 }
 
 impl Knob {
-    /// Of a shot: its rays where it has more than one, else what its method counts on a ray.
+    /// Of a shot: nothing where its method draws no samples; its rays where it has more than one; else what its method counts on
+    /// a ray.
     #[must_use]
     pub fn of(shot: &Shot) -> Self {
         let render = &shot.render;
-        if shot.image.rays_per_pixel > 1 {
-            return Self::Rays(shot.image.rays_per_pixel);
-        }
         match render.method {
-            // It draws no samples on a ray.
-            Method::Prt => Self::Rays(1),
+            Method::Prt => Self::Fixed,
+            _ if shot.image.rays_per_pixel > 1 => Self::Rays(shot.image.rays_per_pixel),
             Method::Bis => Self::Picks {
                 candidates: render.bis.candidates,
                 samples: render.bis.samples,
@@ -52,6 +52,12 @@ impl Knob {
         }
     }
 
+    /// Whether there is a count to change.
+    #[must_use]
+    pub fn is_fixed(self) -> bool {
+        self == Self::Fixed
+    }
+
     /// The count as the shot has it, at least 1.
     #[must_use]
     pub fn count(self) -> u32 {
@@ -59,6 +65,7 @@ impl Knob {
             Self::Rays(n) | Self::Particles(n) => n,
             Self::Samples { brdf, env } => brdf.max(env),
             Self::Picks { samples, .. } => samples,
+            Self::Fixed => 1,
         }
         .max(1)
     }
@@ -82,6 +89,7 @@ impl Knob {
                 format!("render.bis.samples={count}"),
             ],
             Self::Particles(_) => vec![format!("render.smc.particles={count}")],
+            Self::Fixed => Vec::new(),
         }
     }
 
@@ -103,6 +111,7 @@ impl Knob {
                 samples,
             } => format!("M = {candidates}, N = {samples} on 1 ray"),
             Self::Particles(n) => format!("N = {n} on 1 ray"),
+            Self::Fixed => format!("{} bands", shot.render.prt.bands),
         }
     }
 }
@@ -131,7 +140,11 @@ mod tests {
         let keys = ["render.bis.candidates=200", "render.bis.samples=10"];
         assert_eq!(Knob::of(&shot).keys(10), keys);
         shot.render.method = Method::Prt;
-        assert_eq!(Knob::of(&shot), Knob::Rays(1));
+        assert_eq!(Knob::of(&shot), Knob::Fixed);
+        shot.image.rays_per_pixel = 4;
+        assert_eq!(Knob::of(&shot), Knob::Fixed);
+        assert!(Knob::of(&shot).keys(7).is_empty());
+        shot.image.rays_per_pixel = 1;
         shot.render.method = Method::Smc;
         assert_eq!(Knob::of(&shot).keys(12), ["render.smc.particles=12"]);
     }

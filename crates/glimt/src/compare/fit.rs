@@ -50,6 +50,8 @@ pub enum Hold {
     Held,
     /// It is not, and the count is a whole number: one step less is too little, this or one step more is too much.
     Granular,
+    /// It is not, and there is no count to change.
+    Fixed,
     /// It is not.
     Missed,
 }
@@ -65,13 +67,13 @@ pub struct Fitted {
     pub hold: Hold,
 }
 
-/// Finds the counts and times them in `rounds` rounds (at least 1).
+/// Finds the counts and times them in `rounds` rounds (at least 1); who has no count has the count 1.
 ///
 /// # Errors
 /// As the clock's.
 pub fn fit(
     clock: &mut dyn Clock,
-    counts: &[u32],
+    counts: &[Option<u32>],
     budget: Budget,
     rounds: usize,
 ) -> Result<(Vec<Fitted>, Option<f64>)> {
@@ -109,7 +111,8 @@ pub fn fit(
                 search.granular &= target.is_some_and(|t| step > 2.0 * TOLERANCE * t)
                     || [1, MOST].contains(&search.count);
             }
-            let done = |i: usize| held[i] || searches[i].granular || is_given(budget, i);
+            let over = |i: usize| searches[i].granular || searches[i].fixed;
+            let done = |i: usize| held[i] || over(i) || is_given(budget, i);
             if steps == 0 || (0..held.len()).all(done) {
                 let fitted = searches
                     .iter()
@@ -121,6 +124,7 @@ pub fn fit(
                         hold: match (target, held, search.granular) {
                             (None, ..) => Hold::Free,
                             (_, true, _) => Hold::Held,
+                            _ if search.fixed => Hold::Fixed,
                             (_, _, true) => Hold::Granular,
                             _ => Hold::Missed,
                         },
@@ -134,7 +138,7 @@ pub fn fit(
             if !is_given(budget, i)
                 && let Some(target) = target
             {
-                search.settled = held[i] || search.step(medians[i], target, full);
+                search.settled = held[i] || search.fixed || search.step(medians[i], target, full);
             }
         }
     }
@@ -158,6 +162,8 @@ fn measure(clock: &mut dyn Clock, searches: &[Search], rounds: usize) -> Result<
 /// The search for one contestant's count.
 struct Search {
     count: u32,
+    /// There is no count to change.
+    fixed: bool,
     /// Largest count that was too short, and its time; smallest that was too long.
     low: Option<(u32, f64)>,
     high: Option<(u32, f64)>,
@@ -169,9 +175,10 @@ struct Search {
 }
 
 impl Search {
-    fn new(count: u32) -> Self {
+    fn new(count: Option<u32>) -> Self {
         Self {
-            count,
+            count: count.unwrap_or(1),
+            fixed: count.is_none(),
             low: None,
             high: None,
             last: None,
@@ -303,7 +310,7 @@ mod tests {
             0.04,
         );
         let budget = Budget::Seconds(0.1);
-        let (fitted, target) = fit(&mut fake, &[16, 15, 20, 8], budget, 9).unwrap();
+        let (fitted, target) = fit(&mut fake, &[16, 15, 20, 8].map(Some), budget, 9).unwrap();
         assert_eq!(target, Some(0.1));
         for (who, fit) in fitted.iter().enumerate() {
             let time = fake.exact(who, fit.count);
@@ -317,11 +324,22 @@ mod tests {
     }
 
     #[test]
+    fn who_has_no_count_keeps_others_from_nothing() {
+        let mut fake = Fake::new(&[0.01, 0.0], &[0.0, 0.001], 0.02);
+        let (fitted, _) = fit(&mut fake, &[None, Some(3)], Budget::Seconds(0.1), 5).unwrap();
+        assert_eq!((fitted[0].count, fitted[0].hold), (1, Hold::Fixed));
+        assert_eq!(fitted[1].hold, Hold::Held);
+        // In time by chance, or as the one whose time it is, it holds as others do.
+        let (fitted, _) = fit(&mut fake, &[None, Some(3)], Budget::First, 5).unwrap();
+        assert!(fitted.iter().all(|f| f.hold == Hold::Held), "{fitted:?}");
+    }
+
+    #[test]
     fn the_first_is_the_budget() {
         let mut fake = Fake::new(&[0.0, 0.01], &[0.002, 0.0005], 0.02);
         // Halfway through, the machine slows: both alike, so the ratio holds.
         fake.slower = Some((9, 1.7));
-        let (fitted, _) = fit(&mut fake, &[30, 4], Budget::First, 9).unwrap();
+        let (fitted, _) = fit(&mut fake, &[30, 4].map(Some), Budget::First, 9).unwrap();
         assert_eq!(fitted[0].count, 30);
         let ratio = fake.exact(1, fitted[1].count) / fake.exact(0, 30);
         assert!((ratio - 1.0).abs() < 0.06, "{ratio}");
@@ -331,7 +349,7 @@ mod tests {
     fn a_coarse_count_is_said() {
         // 1 takes 60 ms, 2 take 120: neither is 100. The other cannot be below 300.
         let mut fake = Fake::new(&[0.0, 0.2], &[0.06, 0.1], 0.0);
-        let (fitted, _) = fit(&mut fake, &[7, 3], Budget::Seconds(0.1), 5).unwrap();
+        let (fitted, _) = fit(&mut fake, &[7, 3].map(Some), Budget::Seconds(0.1), 5).unwrap();
         assert_eq!((fitted[0].count, fitted[0].hold), (2, Hold::Granular));
         assert_eq!((fitted[1].count, fitted[1].hold), (1, Hold::Granular));
     }
@@ -340,7 +358,7 @@ mod tests {
     #[test]
     fn noise_is_no_coarse_count() {
         let mut fake = Fake::new(&[0.0], &[0.006], 0.3);
-        let (fitted, _) = fit(&mut fake, &[40], Budget::Seconds(0.1), 15).unwrap();
+        let (fitted, _) = fit(&mut fake, &[40].map(Some), Budget::Seconds(0.1), 15).unwrap();
         assert_eq!(fitted[0].hold, Hold::Held, "{fitted:?}");
     }
 
@@ -348,7 +366,7 @@ mod tests {
     fn a_wild_clock_misses() {
         let mut fake = Fake::new(&[0.0], &[0.001], 1.9);
         fake.slower = None;
-        let (fitted, _) = fit(&mut fake, &[50], Budget::Seconds(0.1), 1).unwrap();
+        let (fitted, _) = fit(&mut fake, &[50].map(Some), Budget::Seconds(0.1), 1).unwrap();
         let held = (fitted[0].times[0] / 0.1 - 1.0).abs() <= TOLERANCE;
         assert_eq!(held, fitted[0].hold == Hold::Held, "{fitted:?}");
     }
@@ -356,7 +374,7 @@ mod tests {
     #[test]
     fn given_counts_stay() {
         let mut fake = Fake::new(&[0.0, 0.0], &[0.001, 0.01], 0.1);
-        let (fitted, target) = fit(&mut fake, &[3, 4], Budget::Free, 4).unwrap();
+        let (fitted, target) = fit(&mut fake, &[3, 4].map(Some), Budget::Free, 4).unwrap();
         assert_eq!(target, None);
         assert!(
             fitted

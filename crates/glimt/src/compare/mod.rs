@@ -25,7 +25,7 @@ use crate::input::footage;
 use crate::job::Job;
 use crate::notes::Notes;
 use crate::output::{SOFTWARE, Stamp, atomic, exr, write_text};
-use crate::report::Reporter;
+use crate::report::{Reporter, shown};
 use crate::setup;
 use crate::shot::{Filter, Shot, digest, parse};
 use contestants::{Contestant, Field};
@@ -152,7 +152,7 @@ pub fn run(
     }
     let summary = json!({
         "verdict": outcome.verdict, "reference_criterion": outcome.reference_criterion,
-        "time_criterion": outcome.time_criterion, "out": out, "files": written,
+        "time_criterion": outcome.time_criterion, "out": shown(&out), "files": written.iter().map(|file| shown(file)).collect::<Vec<_>>(),
         "seconds": began.elapsed().as_secs_f64(),
     });
     let text = format!(
@@ -253,9 +253,7 @@ impl Times {
             Budget::Free => Mode::EqualSamples,
             _ => Mode::EqualTime,
         };
-        let shots = contestants
-            .iter()
-            .map(|c| digest::hex(&digest::of_shot(&c.shot)));
+        let shots = contestants.iter().map(|c| digest::hex(&c.digest()));
         let identities = plan.frames.iter().filter(|f| plan.measured.contains(&f.0));
         let identity = format!(
             "times 1 {budget:?} {} {} {:?} {:?}",
@@ -286,7 +284,8 @@ impl Times {
             stage,
             progress,
         };
-        let counts: Vec<u32> = contestants.iter().map(|c| c.knob.count()).collect();
+        let count = |c: &Contestant| (!c.knob.is_fixed()).then(|| c.knob.count());
+        let counts: Vec<Option<u32>> = contestants.iter().map(count).collect();
         let rounds = compare.rounds as usize;
         let (fitted, budget) = fit::fit(&mut clock, &counts, budget, rounds)?;
         let phases: Vec<Vec<Phase>> = clock.phases.iter().map(|p| phases(p, rounds)).collect();

@@ -233,6 +233,7 @@ impl Outcome {
         };
         let budget = milliseconds(self.budget.unwrap_or(0.0));
         let (coarse, missed) = (names(Hold::Granular), names(Hold::Missed));
+        let fixed = names(Hold::Fixed);
         let time = match self.time_criterion {
             None => "counts of samples are as given, times differ".to_owned(),
             Some(true) => {
@@ -245,6 +246,10 @@ impl Outcome {
                         "no whole count of {} takes {budget} to 5 %",
                         coarse.join(", ")
                     ));
+                }
+                if !fixed.is_empty() {
+                    let fixed = fixed.join(", ");
+                    why.push(format!("{fixed} has no count that would make it {budget}"));
                 }
                 if !missed.is_empty() {
                     why.push(format!("{} missed {budget}", missed.join(", ")));
@@ -406,7 +411,8 @@ fn efficiency(of: &Figures, base: &Figures, is_base: bool) -> Estimate {
 #[must_use]
 pub fn plus_minus(e: Estimate) -> String {
     match e.error {
-        Some(error) if error > 0.0 && error.is_finite() => {
+        // What is left of rounding is no spread.
+        Some(error) if error > 1e-9 * e.value.abs() && error.is_finite() => {
             let digits = (1.0 - error.log10().floor()).clamp(0.0, 12.0) as usize;
             format!("{:.digits$} ± {error:.digits$}", e.value)
         }
@@ -443,6 +449,7 @@ mod tests {
         assert_eq!(e(2.345, Some(0.1)), "2.35 ± 0.10");
         assert_eq!(e(234.5, Some(23.0)), "234 ± 23");
         assert_eq!(e(1.0, None), "1.000");
+        assert_eq!(e(0.930859229755, Some(3e-13)), "9.309e-1");
         assert_eq!(milliseconds(0.012345), "12.3 ms");
         assert_eq!(milliseconds(1.2345), "1234 ms");
         let e = Estimate {

@@ -98,7 +98,7 @@ impl Plan {
 
     /// The identity of a contestant's images of a frame: all that they are made of.
     fn identity(&self, contestant: &Contestant, frame: u32, what: &str) -> String {
-        let mut text = format!("{what} {}", digest::hex(&digest::of_shot(&contestant.shot)));
+        let mut text = format!("{what} {}", digest::hex(&contestant.digest()));
         let needed = self
             .frames
             .iter()

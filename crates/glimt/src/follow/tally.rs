@@ -1,7 +1,7 @@
 //! Host file: what became of the frames that came: rendered, there already, dropped, and how far behind.
 
 use super::Follow;
-use crate::report::{FrameStatus, Reporter, count};
+use crate::report::{FrameStatus, Reporter, count, shown};
 use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
@@ -111,7 +111,7 @@ impl<'a> Tally<'a> {
         let summary = json!({
             "rendered": counts.rendered, "skipped": counts.skipped, "dropped": counts.dropped,
             "missing": counts.missing, "lag_median": median, "lag_largest": largest, "fps": fps,
-            "seconds": seconds, "out": out, "video": video,
+            "seconds": seconds, "out": shown(out), "video": video.map(shown),
         });
         let mut text = format!("{} rendered", count(counts.rendered, "frame"));
         if counts.skipped > 0 {

@@ -4,6 +4,7 @@ use crate::error::Result;
 use crate::input::probe::BadTexels;
 use crate::input::read_image;
 use crate::notes::Notes;
+use crate::report::shown;
 use glam::{UVec2, Vec4};
 use glimt_probe::latlong;
 use glimt_sampling::math::luminance;
@@ -87,8 +88,7 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
             );
         }
     }
-    let value =
-        json!({"file": file, "kind": "image", "header": header, "bad_texels": bad, "light": light});
+    let value = json!({"file": shown(file), "kind": "image", "header": header, "bad_texels": bad, "light": light});
     Ok((value, lines.join("\n")))
 }
 

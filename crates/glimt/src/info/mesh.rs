@@ -4,6 +4,7 @@ use crate::error::Result;
 use crate::mesh::node::names;
 use crate::mesh::{self, Model};
 use crate::notes::Notes;
+use crate::report::shown;
 use glam::{Mat4, Vec3};
 use glimt_render_gpu::host::scene::Material;
 use serde_json::{Value, json};
@@ -63,9 +64,9 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
         .iter()
         .map(|a| json!({"name": a.name, "duration_s": a.duration_s()}))
         .collect();
-    let files: Vec<&Path> = model.files.iter().map(AsRef::as_ref).collect();
+    let files: Vec<String> = model.files.iter().map(|file| shown(file)).collect();
     let value = json!({
-        "file": file, "kind": "mesh", "triangles": model.triangles(), "vertices": vertices,
+        "file": shown(file), "kind": "mesh", "triangles": model.triangles(), "vertices": vertices,
         "meshes": model.meshes.len(), "parts": model.parts.len(),
         "bounds": [low.to_array(), high.to_array()], "materials": model.material_names,
         "textures": model.textures.len(), "cameras": cameras, "nodes": names(&model.nodes), "animations": animations,

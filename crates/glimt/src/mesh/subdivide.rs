@@ -14,9 +14,13 @@ pub fn triangles_after(triangles: u64, times: u32) -> u64 {
     triangles.saturating_mul(1u64.checked_shl(2 * times).unwrap_or(u64::MAX))
 }
 
-/// Cuts each triangle of a model in four, so many times.
+/// Cuts each triangle of a model in four, so many times. The surface looks as before: what a mesh lacks of normals and tangents is
+/// made of the faces that it came with.
 pub fn subdivide(model: &mut Model, times: u32) {
     for mesh in &mut model.meshes {
+        if times > 0 {
+            mesh.complete();
+        }
         for _ in 0..times {
             *mesh = once(mesh);
         }
@@ -137,6 +141,50 @@ mod tests {
         // On the seam, where it is given twice.
         torn.positions[10 * (128 + 1)].x += 1e-6;
         assert!(edges(&torn).values().any(|n| *n != 2));
+    }
+
+    /// A tetrahedron without normals is smooth, whose faces would be flat were its normals made of those that were cut.
+    #[test]
+    fn what_is_smooth_stays_smooth() {
+        let mesh = Mesh {
+            positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z],
+            indices: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+            materials: vec![0],
+            ..Mesh::default()
+        };
+        let mut smooth = mesh.clone();
+        smooth.complete();
+        let mut model = Model {
+            meshes: vec![mesh],
+            ..builtin::load("plane").expect("a built-in mesh")
+        };
+        subdivide(&mut model, 2);
+        let cut = &model.meshes[0];
+        assert_eq!(cut.normals.len(), cut.positions.len());
+        let along = |i: usize| smooth.normals[i].normalize();
+        for (p, n) in cut.positions.iter().zip(&cut.normals) {
+            // In the middle of a face's side.
+            if *p == Vec3::new(0.5, 0.5, 0.0) {
+                assert!(
+                    n.abs_diff_eq((along(1) + along(2)).normalize(), 1e-6),
+                    "{n}"
+                );
+            }
+        }
+        let corner = cut.normals[0].normalize();
+        assert!(
+            corner.abs_diff_eq(Vec3::NEG_ONE.normalize(), 1e-6),
+            "{corner}"
+        );
+        // Inside a face, off its edges: between the corners, and not the face's own.
+        let inside = Vec3::new(0.25, 0.25, 0.5);
+        let at = cut
+            .positions
+            .iter()
+            .position(|p| *p == inside)
+            .expect("a vertex");
+        let face = Vec3::ONE.normalize();
+        assert!(cut.normals[at].normalize().dot(face) < 0.99);
     }
 
     #[test]

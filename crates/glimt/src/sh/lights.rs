@@ -1,55 +1,63 @@
 //! Host file: the lights that `glimt sh` projects: a sequence, files, or what lights a shot.
 
+use crate::capture::colour;
 use crate::cli::ShFlags;
 use crate::error::{Error, Result};
-use crate::input::footage;
+use crate::input::footage::Footage;
 use crate::input::frames::FrameFiles;
 use crate::input::probe::Probe;
 use crate::job::probe_files;
 use crate::notes::Notes;
+use crate::shot::parse::Source;
 use crate::shot::{self, Shot, check, parse, range};
 use glam::Mat3;
 use glimt_render_gpu::host::env::EnvMap;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 /// What becomes of missing frames.
 const NOT_THERE: &str = "there are no coefficients of what is not there";
 
-/// Lights in the order in which they are projected.
-pub(super) struct Lights {
-    /// Each with the number of its frame, and where it is read.
-    frames: Vec<(u32, usize)>,
-    probes: Vec<Probe>,
-    turn: Option<Mat3>,
+/// Lights that are to be projected, of which nothing but their names is known.
+pub(super) struct Found {
+    /// A sequence or a still with the frames that are asked for; or files, each of them frame 1.
+    sources: Vec<(FrameFiles, Vec<u32>)>,
+    /// The frames among which a mirror ball is steadied.
+    range: RangeInclusive<u32>,
+    /// How they are read.
+    keys: shot::Probe,
+    /// How far they are turned, in degrees about +z.
+    turn: f32,
+    /// What says how their colours are changed.
+    shot: Option<(Shot, Source, Option<Footage>)>,
 }
 
-impl Lights {
-    /// Finds them and reads their headers.
-    pub(super) fn open(
-        inputs: &[PathBuf],
-        flags: &ShFlags,
-        notes: &mut Notes,
-        progress: &(dyn Fn(usize, usize) + Sync),
-    ) -> Result<Self> {
+impl Found {
+    /// Finds them.
+    pub(super) fn find(inputs: &[PathBuf], flags: &ShFlags, notes: &mut Notes) -> Result<Self> {
         if let [file] = inputs {
             let extension = file.extension().unwrap_or_default();
             if extension.eq_ignore_ascii_case("toml") {
-                return Self::of_shot(file, flags, notes, progress);
+                return Self::of_shot(file, flags, notes);
             }
         }
         let keys = shot::Probe::default();
         let files = inputs
             .iter()
-            .map(|input| FrameFiles::new(Path::new(""), &input.to_string_lossy()))
+            .map(|input| files_of(input))
             .collect::<Result<Vec<_>>>()?;
         if let [sequence] = &files[..]
             && !sequence.is_still()
         {
-            let frames = frames_of(sequence, flags.frames.as_deref())?;
+            let frames = frames_of(sequence, flags.frames.as_deref(), "check the path")?;
             sequence.tell_gaps(&frames, NOT_THERE, notes);
-            let range = frames[0]..=frames[frames.len() - 1];
-            let probe = Probe::open(sequence.clone(), &frames, range, &keys, notes, progress)?;
-            return Ok(Self::of_probe(probe, frames, 0.0));
+            return Ok(Self {
+                range: frames[0]..=frames[frames.len() - 1],
+                sources: vec![(sequence.clone(), frames)],
+                keys,
+                shot: None,
+                turn: flags.rotate_z_deg,
+            });
         }
         if let Some(sequence) = files.iter().find(|files| !files.is_still()) {
             return Err(Error::usage(format!(
@@ -64,62 +72,126 @@ impl Lights {
                     .fix("leave it out, or name a sequence as 'light.####.exr'"),
             );
         }
-        let probes = files.into_iter().map(|file| {
+        for file in &files {
             file.require(1, 1)?;
-            Probe::open(file, &[1], 1..=1, &keys, notes, progress)
-        });
-        let probes = probes.collect::<Result<Vec<_>>>()?;
+        }
         Ok(Self {
-            frames: (1..).zip(0..probes.len()).collect(),
-            probes,
-            turn: None,
+            sources: files.into_iter().map(|file| (file, vec![1])).collect(),
+            range: 1..=1,
+            keys,
+            shot: None,
+            turn: flags.rotate_z_deg,
         })
     }
 
-    /// The light of a shot, as its keys say: mapping, scale and turn. Its colours stay the probe's.
-    fn of_shot(
-        file: &Path,
-        flags: &ShFlags,
-        notes: &mut Notes,
-        progress: &(dyn Fn(usize, usize) + Sync),
-    ) -> Result<Self> {
-        let (mut shot, source): (Shot, _) = parse::read(file, &[])?;
+    /// The light of a shot, as its `[probe]` says: mapping, scale, turn and colours.
+    fn of_shot(file: &Path, flags: &ShFlags, notes: &mut Notes) -> Result<Self> {
+        let (shot, source): (Shot, _) = parse::read(file, &[])?;
         let base = file.parent().unwrap_or(Path::new(""));
-        footage::adopt_size(&mut shot, &source, base)?;
         check::check(&shot, &source)?;
         let files = probe_files(&shot, &source, base)?;
-        if shot.probe.colour.is_some() {
-            notes.warn(
-                file,
-                "[probe.colour] is left out: coefficients are in the probe's colours",
-            );
-        }
+        // A backplate is looked at where colours are matched to it, and nowhere else.
+        let matched = |keys: &shot::Colour| !keys.patches.is_empty();
+        let footage = match shot.probe.colour.as_ref().is_some_and(matched) {
+            true => Footage::find(&shot, &source, base, &files, notes)?,
+            false => None,
+        };
         let of_shot = match shot.render.frames.as_str() {
             "" => None,
             text => Some(text),
         };
-        let frames = frames_of(&files, flags.frames.as_deref().or(of_shot))?;
+        let asked = flags.frames.as_deref().or(of_shot);
+        let frames = frames_of(&files, asked, "check probe.frames")?;
         files.tell_gaps(&frames, NOT_THERE, notes);
         let range = match of_shot {
             Some(text) => range::parse(text)?,
             None => frames[0]..=frames[frames.len() - 1],
         };
-        let probe = Probe::open(files, &frames, range, &shot.probe, notes, progress)?;
-        Ok(Self::of_probe(probe, frames, shot.probe.rotate_z_deg))
+        Ok(Self {
+            sources: vec![(files, frames)],
+            range,
+            turn: shot.probe.rotate_z_deg + flags.rotate_z_deg,
+            keys: shot.probe.clone(),
+            shot: Some((shot, source, footage)),
+        })
     }
 
-    fn of_probe(probe: Probe, mut frames: Vec<u32>, rotate_z_deg: f32) -> Self {
-        // One light all the time is one light.
-        if probe.is_still() {
-            frames.truncate(1);
-        }
-        Self {
-            frames: frames.into_iter().map(|frame| (frame, 0)).collect(),
-            probes: vec![probe],
-            turn: (rotate_z_deg != 0.0).then(|| Mat3::from_rotation_z(rotate_z_deg.to_radians())),
-        }
+    /// Whether this is a light's file: one that is asked for, or another frame of the same sequence.
+    pub(super) fn has(&self, same: impl Fn(&Path) -> bool) -> bool {
+        let mut sources = self.sources.iter();
+        sources.any(|(files, frames)| {
+            let there = files.listed().unwrap_or_default();
+            let mut all = there.iter().chain(frames);
+            all.any(|frame| same(&files.path(*frame)))
+        })
     }
 
+    /// Reads their headers; in film of a mirror ball, looks for the ball.
+    pub(super) fn open(
+        self,
+        notes: &mut Notes,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Lights> {
+        let (mut frames, mut probes) = (Vec::new(), Vec::new());
+        let are_files = self.sources.len() > 1;
+        for (files, mut numbers) in self.sources {
+            let range = self.range.clone();
+            let mut probe = Probe::open(files, &numbers, range, &self.keys, notes, progress)?;
+            if let Some((shot, source, footage)) = &self.shot {
+                colour::correct(
+                    &mut probe,
+                    shot,
+                    source,
+                    footage.as_ref(),
+                    numbers[0],
+                    notes,
+                )?;
+            }
+            // One light all the time is one light.
+            if probe.is_still() {
+                numbers.truncate(1);
+            }
+            let number = |frame: u32| {
+                if are_files {
+                    probes.len() as u32 + 1
+                } else {
+                    frame
+                }
+            };
+            let place = |frame: u32| Place {
+                number: number(frame),
+                frame,
+                probe: probes.len(),
+            };
+            frames.extend(numbers.into_iter().map(place));
+            probes.push(probe);
+        }
+        Ok(Lights {
+            frames,
+            probes,
+            turn: Mat3::from_rotation_z(self.turn.to_radians()),
+        })
+    }
+}
+
+/// Lights in the order in which they are projected.
+pub(super) struct Lights {
+    frames: Vec<Place>,
+    probes: Vec<Probe>,
+    turn: Mat3,
+}
+
+/// A light among others.
+struct Place {
+    /// What it is called: its frame, or of files, which of them it is.
+    number: u32,
+    /// Its frame.
+    frame: u32,
+    /// Of this probe.
+    probe: usize,
+}
+
+impl Lights {
     /// How many there are.
     pub(super) fn len(&self) -> usize {
         self.frames.len()
@@ -127,37 +199,56 @@ impl Lights {
 
     /// The number of one's frame; of files, which of them it is.
     pub(super) fn frame(&self, i: usize) -> u32 {
-        self.frames[i].0
+        self.frames[i].number
+    }
+
+    /// Whether one is a file, and no frame of a sequence.
+    pub(super) fn is_still(&self, i: usize) -> bool {
+        self.probes[self.frames[i].probe].is_still()
     }
 
     /// One's file.
     pub(super) fn file(&self, i: usize) -> PathBuf {
-        let (frame, probe) = self.frames[i];
+        let Place { frame, probe, .. } = self.frames[i];
         self.probes[probe].file(frame)
     }
 
     /// Reads one.
     pub(super) fn load(&self, i: usize, notes: &mut Notes) -> Result<EnvMap> {
-        let (frame, probe) = self.frames[i];
+        let Place { frame, probe, .. } = self.frames[i];
         self.probes[probe].load(frame, notes)
     }
 
     /// How they are turned in the world.
-    pub(super) fn turn(&self) -> Option<Mat3> {
+    pub(super) fn turn(&self) -> Mat3 {
         self.turn
     }
 }
 
-/// The frames that are asked for, or all that there are.
-fn frames_of(files: &FrameFiles, asked: Option<&str>) -> Result<Vec<u32>> {
+/// The files that an argument names. Its folder is taken as it is, whatever bytes it is made of, and so is a name without #.
+fn files_of(input: &Path) -> Result<FrameFiles> {
+    let name = input.file_name().unwrap_or_default().to_string_lossy();
+    match input.parent() {
+        Some(folder) if name.contains('#') => FrameFiles::new(folder, &name),
+        _ => Ok(FrameFiles::Still(input.to_owned())),
+    }
+}
+
+/// The frames that are asked for, or all that there are. `fix` says where the files' name is to be looked at if there are none.
+fn frames_of(files: &FrameFiles, asked: Option<&str>, fix: &str) -> Result<Vec<u32>> {
+    if files.is_still() && asked.is_none() {
+        return files.require(1, 1);
+    }
+    let there = files.existing().map_err(|e| {
+        e.fix(format!(
+            "{fix}: each # stands for a digit of the frame's number"
+        ))
+    })?;
     match asked {
         Some(text) => {
             let asked = range::parse(text).map_err(|e| e.at("--frames"))?;
             files.require(*asked.start(), *asked.end())
         }
-        None if files.is_still() => files.require(1, 1),
-        None => files
-            .existing()
-            .map_err(|e| e.fix("check the path: each # stands for a digit of the frame's number")),
+        None => Ok(there),
     }
 }

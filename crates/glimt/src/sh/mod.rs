@@ -3,16 +3,16 @@
 mod lights;
 mod text;
 
-use crate::cli::{ShFlags, ShFormat, Up};
+use crate::cli::{ShConvention, ShFlags, ShFormat, Up};
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
-use crate::output::write_text;
+use crate::output::atomic::Pending;
 use crate::report::{FrameStatus, Reporter, count};
-use glam::UVec2;
+use glam::{Mat3, UVec2};
 use glimt_render_gpu::host::env::EnvMap;
 use glimt_render_gpu::host::projection::Projector;
 use glimt_sh::{LightCoefficients, Z_UP_TO_Y_UP, rotated, temporally_filtered, windowed};
-use lights::Lights;
+use lights::Found;
 use serde_json::json;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -21,6 +21,8 @@ use std::time::Instant;
 /// A frame's coefficients, as they are written.
 struct Projected {
     frame: u32,
+    /// Whether the number is no frame's, but says which file it is.
+    still: bool,
     file: PathBuf,
     size: UVec2,
     coefficients: LightCoefficients,
@@ -38,17 +40,28 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
                 .fix("name a file for the coefficients, with -o"),
         );
     }
+    let bands = bands_written(flags)?;
     let mut notes = Notes::new(flags.strict);
-    let found = |done, all| reporter.stage("looking for the ball", done, all);
-    let lights = Lights::open(inputs, flags, &mut notes, &found);
+    let found = Found::find(inputs, flags, &mut notes);
+    reporter.notes(notes.take());
+    let found = found?;
+    // Before the work, so that it is not in vain.
+    let mut pending = match &flags.out {
+        Some(out) => Some(begin(out, inputs, &found)?),
+        None => None,
+    };
+    let looked = |done, all| reporter.stage("looking for the ball", done, all);
+    let lights = found.open(&mut notes, &looked);
     reporter.notes(notes.take());
     let lights = lights?;
-    if let Some(out) = &flags.out {
-        refuse_input(out, &lights)?;
-    }
     let shown = flags.out.as_deref().unwrap_or(Path::new("standard output"));
     reporter.start_filming(lights.len(), shown, "the CPU");
 
+    // From a map's own directions to those of what is written.
+    let axes = match flags.up {
+        Up::Z => lights.turn(),
+        Up::Y => Z_UP_TO_Y_UP * lights.turn(),
+    };
     let mut projector = None;
     let mut projected: Vec<Projected> = Vec::new();
     let mut before: Option<LightCoefficients> = None;
@@ -57,13 +70,8 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
         let map = lights.load(i, &mut notes);
         reporter.notes(notes.take());
         let map = map?;
-        let raw =
-            project(&mut projector, &map, flags.bands).map_err(|e| e.file(&lights.file(i)))?;
-        let light = match lights.turn() {
-            Some(turn) => rotated(&raw, &turn),
-            None => raw,
-        };
-        let light = windowed(&light, flags.window);
+        let raw = project(&mut projector, &map, bands).map_err(|e| e.file(&lights.file(i)))?;
+        let light = windowed(&raw, flags.window);
         // The filter goes on from what it gave, not from what is written: turned or in another convention.
         let light = match &before {
             Some(before) => temporally_filtered(&light, before, flags.temporal),
@@ -72,28 +80,35 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
         before = Some(light);
         projected.push(Projected {
             frame: lights.frame(i),
+            still: lights.is_still(i),
             file: lights.file(i),
             size: map.size(),
-            coefficients: match flags.up {
-                Up::Z => light,
-                Up::Y => rotated(&light, &Z_UP_TO_Y_UP),
+            coefficients: if axes == Mat3::IDENTITY {
+                light
+            } else {
+                rotated(&light, &axes)
             },
         });
         let status = FrameStatus::Rendered(started.elapsed().as_secs_f64());
         reporter.frame(lights.frame(i), status, i + 1, lights.len());
     }
     let written = match flags.format {
-        ShFormat::Csv => text::csv(&projected, flags),
-        ShFormat::Json => text::json(&projected, flags),
-        ShFormat::Engine => text::engine(&projected, flags),
+        ShFormat::Csv => text::csv(&projected, flags, &axes),
+        ShFormat::Json => text::json(&projected, flags, bands, &axes),
+        ShFormat::Engine => text::engine(&projected, flags, &axes),
     };
-    match &flags.out {
-        Some(file) => write_text(file, &written)?,
+    match &mut pending {
+        Some(pending) => {
+            let text = pending.write_all(written.as_bytes());
+            text.map_err(|e| pending.error(&e))?;
+            pending.commit()?;
+        }
         None => print(&written)?,
     }
     let seconds = began.elapsed().as_secs_f64();
+    let out = flags.out.as_ref().map(|out| out.display().to_string());
     let summary = json!({
-        "projected": projected.len(), "bands": flags.bands, "seconds": seconds, "out": flags.out,
+        "projected": projected.len(), "bands": bands, "seconds": seconds, "out": out,
     });
     let text = format!(
         "{} in {seconds:.1} s: {}",
@@ -102,6 +117,23 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
     );
     reporter.finish(summary, &text);
     Ok(())
+}
+
+/// The bands that are written: the nine coefficients that engines take are those of three.
+fn bands_written(flags: &ShFlags) -> Result<u32> {
+    if flags.format != ShFormat::Engine && flags.convention != ShConvention::Filament {
+        return Ok(flags.bands);
+    }
+    if flags.bands < 3 {
+        let what = format!(
+            "engines take nine coefficients, and --bands {} has fewer",
+            flags.bands
+        );
+        return Err(
+            Error::usage(what).fix("leave --bands out, or choose another format and convention")
+        );
+    }
+    Ok(3)
 }
 
 /// The coefficients of a map, by a projector that is kept while the size stays.
@@ -116,23 +148,25 @@ fn project(kept: &mut Option<Projector>, map: &EnvMap, bands: u32) -> Result<Lig
     light.map_err(|e| Error::new(Kind::Internal, e))
 }
 
-/// Sees that no light is written over.
-fn refuse_input(out: &Path, lights: &Lights) -> Result<()> {
-    let Ok(out_path) = out.canonicalize() else {
-        return Ok(());
+/// Begins to write the file, which must be nothing that is read, nor another frame of a sequence of which a part is read.
+fn begin(out: &Path, inputs: &[PathBuf], found: &Found) -> Result<Pending> {
+    let refused = |what: &str| {
+        let error = Error::usage(what).file(out);
+        Err(error.fix("name another file with -o"))
     };
-    let same = |i: usize| {
-        lights
-            .file(i)
-            .canonicalize()
-            .is_ok_and(|path| path == out_path)
-    };
-    if (0..lights.len()).any(same) {
-        return Err(Error::usage("this is one of the lights that are read")
-            .file(out)
-            .fix("name another file with -o"));
+    if out.is_dir() {
+        return refused("this is a folder");
     }
-    Ok(())
+    if let Ok(out_path) = out.canonicalize() {
+        let same = |path: &Path| path.canonicalize().is_ok_and(|path| path == out_path);
+        if found.has(same) {
+            return refused("this is one of the lights, and would be written over");
+        }
+        if inputs.iter().any(|input| same(input)) {
+            return refused("this is the shot that is read, and would be written over");
+        }
+    }
+    Pending::create(out)
 }
 
 fn print(text: &str) -> Result<()> {

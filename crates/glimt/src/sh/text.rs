@@ -3,10 +3,9 @@
 use super::Projected;
 use crate::cli::{ShConvention, ShFlags, Up};
 use crate::output::SOFTWARE;
-use glam::Vec3;
+use glam::{Mat3, Vec3};
 use glimt_sh::{
-    coefficient_band, coefficient_count, coefficient_order, condon_shortley, directx,
-    filament_irradiance,
+    coefficient_band, coefficient_count, coefficient_order, condon_shortley, filament_irradiance,
 };
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -18,9 +17,9 @@ const ENGINE: &str = "irradiance/pi of the unit normal (x, y, z) is e0 + e1 y + 
      + e8 (xx-yy); the clamped cosine (A_l/pi = 1, 2/3, 1/4) and the basis's constants are in them: times the albedo it is what a \
      diffuse surface reflects, to be clipped at 0, since three bands ring";
 
-/// What the numbers are, in one line.
-fn meaning(convention: ShConvention) -> &'static str {
-    match convention {
+/// What the numbers are, and how a map lies in their axes, in one line.
+fn meaning(convention: ShConvention, axes: &Mat3) -> String {
+    let numbers = match convention {
         ShConvention::Glimt => {
             "radiance = sum of c_lm y_lm; real orthonormal basis without the Condon-Shortley sign: y_00 = 0.282095, y_1-1 = 0.488603 y, \
              y_10 = 0.488603 z, y_11 = 0.488603 x; order l(l+1)+m"
@@ -34,7 +33,18 @@ fn meaning(convention: ShConvention) -> &'static str {
              y_11 = -0.488603 x"
         }
         ShConvention::Filament => ENGINE,
-    }
+    };
+    let (centre, left, up) = (along(axes.x_axis), along(axes.y_axis), along(axes.z_axis));
+    format!(
+        "{numbers}; right-handed axes, in which a light map's centre lies along {centre}, its left along {left}, its top along {up}"
+    )
+}
+
+/// A direction with as many digits as a reader needs.
+fn along(d: Vec3) -> String {
+    // 0 is added, so that no zero is negative.
+    let [x, y, z] = d.to_array().map(|c| (1e4 * c).round() / 1e4 + 0.0);
+    format!("({x}, {y}, {z})")
 }
 
 fn converted(frame: &Projected, flags: &ShFlags) -> Vec<Vec3> {
@@ -42,8 +52,9 @@ fn converted(frame: &Projected, flags: &ShFlags) -> Vec<Vec3> {
     let count = coefficient_count(flags.bands) as usize;
     match flags.convention {
         ShConvention::Glimt => light[..count].to_vec(),
-        ShConvention::CondonShortley => condon_shortley(light)[..count].to_vec(),
-        ShConvention::Directx => directx(light)[..count].to_vec(),
+        ShConvention::CondonShortley | ShConvention::Directx => {
+            condon_shortley(light)[..count].to_vec()
+        }
         ShConvention::Filament => filament_irradiance(light).to_vec(),
     }
 }
@@ -68,9 +79,14 @@ fn filters(flags: &ShFlags) -> String {
 }
 
 /// A line a coefficient: frame, l, m, red, green, blue; lines before them that begin with # say what they are.
-pub(super) fn csv(frames: &[Projected], flags: &ShFlags) -> String {
+pub(super) fn csv(frames: &[Projected], flags: &ShFlags, axes: &Mat3) -> String {
     let mut out = format!("# {SOFTWARE} sh, {}\n", filters(flags));
-    let _ = writeln!(out, "# {}", meaning(flags.convention));
+    let _ = writeln!(out, "# {}", meaning(flags.convention, axes));
+    for frame in frames.iter().filter(|frame| frame.still) {
+        let file = frame.file.display().to_string();
+        let file = file.replace(char::is_control, " ");
+        let _ = writeln!(out, "# frame {}: {file}", frame.frame);
+    }
     out.push_str("frame,l,m,r,g,b\n");
     for frame in frames {
         for (k, c) in (0..).zip(converted(frame, flags)) {
@@ -82,7 +98,7 @@ pub(super) fn csv(frames: &[Projected], flags: &ShFlags) -> String {
 }
 
 /// One object, with a list of frames.
-pub(super) fn json(frames: &[Projected], flags: &ShFlags) -> String {
+pub(super) fn json(frames: &[Projected], flags: &ShFlags, bands: u32, axes: &Mat3) -> String {
     let list = frames
         .iter()
         .map(|frame| entry(frame, "coefficients", &converted(frame, flags)));
@@ -93,19 +109,19 @@ pub(super) fn json(frames: &[Projected], flags: &ShFlags) -> String {
         ShConvention::Filament => "filament",
     };
     let value = json!({
-        "software": SOFTWARE, "convention": convention, "meaning": meaning(flags.convention), "bands": flags.bands,
+        "software": SOFTWARE, "convention": convention, "meaning": meaning(flags.convention, axes), "bands": bands,
         "up": up(flags), "window": width(flags), "temporal": flags.temporal,
     });
     with_frames(&value, list)
 }
 
 /// The nine coefficients that engines take for diffuse light.
-pub(super) fn engine(frames: &[Projected], flags: &ShFlags) -> String {
+pub(super) fn engine(frames: &[Projected], flags: &ShFlags, axes: &Mat3) -> String {
     let list = frames
         .iter()
         .map(|frame| entry(frame, "sh", &filament_irradiance(&frame.coefficients)));
     let value = json!({
-        "software": SOFTWARE, "format": "irradiance over pi, as Filament's shaders take it", "meaning": ENGINE,
+        "software": SOFTWARE, "format": "irradiance over pi, as Filament's shaders take it", "meaning": meaning(ShConvention::Filament, axes),
         "order": POLYNOMIALS, "up": up(flags), "window": width(flags), "temporal": flags.temporal,
     });
     with_frames(&value, list)
@@ -121,7 +137,8 @@ fn with_frames(value: &Value, frames: impl Iterator<Item = Value>) -> String {
 
 fn entry(frame: &Projected, name: &str, coefficients: &[Vec3]) -> Value {
     let list: Vec<Value> = coefficients.iter().map(|c| numbers(*c)).collect();
-    json!({"frame": frame.frame, "file": frame.file, "size": frame.size.to_array(), name: list})
+    let file = frame.file.display().to_string();
+    json!({"frame": frame.frame, "file": file, "size": frame.size.to_array(), name: list})
 }
 
 /// With the digits of an f32: what it is as a double would show more than there are.

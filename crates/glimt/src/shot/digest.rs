@@ -49,7 +49,9 @@ pub fn of_shot(shot: &Shot) -> Hash {
         plate.frames.clear();
         plate.fps = None;
     }
+    // Of a bake its content counts, and who renders by it adds that: the directions are those that it was made of.
     shot.render.prt.bake.clear();
+    shot.render.prt.directions = default.render.prt.directions;
     for object in &mut shot.objects {
         object.mesh.clear();
     }

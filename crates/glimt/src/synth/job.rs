@@ -13,7 +13,7 @@ use crate::input::{plate, probe};
 use crate::notes::Notes;
 use crate::output::exr::Storage;
 use crate::output::{Stamp, atomic, exr, png, write_text};
-use crate::report::{FrameStatus, Reporter, count};
+use crate::report::{FrameStatus, Reporter, count, shown};
 use crate::shot::digest::{self, Hash};
 use crate::shot::{Mapping, parse, range};
 use glam::{UVec2, Vec4};
@@ -71,7 +71,7 @@ pub fn run(input: Option<&Path>, flags: &SynthFlags, reporter: &Reporter) -> Res
     let seconds = began.elapsed().as_secs_f64();
     let skipped = job.frames.len() - filmed;
     let summary = json!({
-        "rendered": filmed, "skipped": skipped, "seconds": seconds, "out": job.out,
+        "rendered": filmed, "skipped": skipped, "seconds": seconds, "out": shown(&job.out),
     });
     let text = format!(
         "{} filmed, {skipped} there already, in {seconds:.1} s: {}",

@@ -241,21 +241,23 @@ pub const TRANSFER: Entry = Entry {
     kernel: "glimt_render_gpu::kernels::transfer::transfer",
     wgsl: include_str!("transfer.wgsl"),
     workgroup_size: 64,
-    params_size: 32,
+    params_size: 44,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
-        param("lit_len", 8, 4),
-        param("blocked_len", 12, 4),
-        param("params", 16, 16),
+        param("state_len", 8, 4),
+        param("lit_len", 12, 4),
+        param("blocked_len", 16, 4),
+        param("params", 20, 24),
     ],
     buffers: &[
         slot("nodes", 1, 32, false),
         slot("triangles", 2, 48, false),
         slot("vertices", 3, 48, false),
-        slot("lit", 4, 4, true),
-        slot("blocked", 5, 4, true),
-        slot("out", 6, 4, true),
+        slot("state", 4, 4, true),
+        slot("lit", 5, 4, true),
+        slot("blocked", 6, 4, true),
+        slot("out", 7, 4, true),
     ],
 };
 
@@ -874,11 +876,13 @@ const _: () = {
     assert!(offset_of!(crate::kernels::texture::TextureView, width) == 4);
     assert!(offset_of!(crate::kernels::texture::TextureView, height) == 8);
     assert!(offset_of!(crate::kernels::texture::TextureView, flags) == 12);
-    assert!(size_of::<crate::kernels::transfer::TransferParams>() == 16);
+    assert!(size_of::<crate::kernels::transfer::TransferParams>() == 24);
     assert!(offset_of!(crate::kernels::transfer::TransferParams, bands) == 0);
     assert!(offset_of!(crate::kernels::transfer::TransferParams, directions) == 4);
     assert!(offset_of!(crate::kernels::transfer::TransferParams, rows) == 8);
     assert!(offset_of!(crate::kernels::transfer::TransferParams, seed) == 12);
+    assert!(offset_of!(crate::kernels::transfer::TransferParams, first_row) == 16);
+    assert!(offset_of!(crate::kernels::transfer::TransferParams, end_row) == 20);
     assert!(size_of::<crate::kernels::transfer::TransferVertex>() == 48);
     assert!(offset_of!(crate::kernels::transfer::TransferVertex, origin) == 0);
     assert!(offset_of!(crate::kernels::transfer::TransferVertex, object) == 12);

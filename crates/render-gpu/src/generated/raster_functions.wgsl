@@ -158,23 +158,23 @@ var<storage> surface_reflections: array<f32>;
 @group(0) @binding(7) 
 var<storage> surface_lights: array<VertexLight>;
 
-// glimt_render_gpu/src/kernels/raster.rs:53
+// glimt_render_gpu/src/kernels/raster.rs:54
 fn corner_position(corner: u32) -> vec3<f32> {
     var chosen: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/raster.rs:54
-    let triangle_1 = scene_triangles[(corner / 3u)];
     // glimt_render_gpu/src/kernels/raster.rs:55
+    let triangle_1 = scene_triangles[(corner / 3u)];
+    // glimt_render_gpu/src/kernels/raster.rs:56
     let _e10 = (corner % 3u);
     if (_e10 == 0u) {
-        // glimt_render_gpu/src/kernels/raster.rs:56
+        // glimt_render_gpu/src/kernels/raster.rs:57
         chosen = triangle_1.v0_;
     } else {
         if (_e10 == 1u) {
-            // glimt_render_gpu/src/kernels/raster.rs:57
+            // glimt_render_gpu/src/kernels/raster.rs:58
             chosen = triangle_1.v1_;
         } else {
-            // glimt_render_gpu/src/kernels/raster.rs:58
+            // glimt_render_gpu/src/kernels/raster.rs:59
             chosen = triangle_1.v2_;
         }
     }
@@ -182,21 +182,21 @@ fn corner_position(corner: u32) -> vec3<f32> {
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:65
+// glimt_render_gpu/src/kernels/raster.rs:66
 fn corner_weights(corner_1: u32) -> vec2<f32> {
     var chosen_1: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/raster.rs:66
+    // glimt_render_gpu/src/kernels/raster.rs:67
     let _e4 = (corner_1 % 3u);
     if (_e4 == 0u) {
-        // glimt_render_gpu/src/kernels/raster.rs:67
+        // glimt_render_gpu/src/kernels/raster.rs:68
         chosen_1 = vec2(0f);
     } else {
         if (_e4 == 1u) {
-            // glimt_render_gpu/src/kernels/raster.rs:68
+            // glimt_render_gpu/src/kernels/raster.rs:69
             chosen_1 = vec2<f32>(1f, 0f);
         } else {
-            // glimt_render_gpu/src/kernels/raster.rs:69
+            // glimt_render_gpu/src/kernels/raster.rs:70
             chosen_1 = vec2<f32>(0f, 1f);
         }
     }
@@ -204,12 +204,12 @@ fn corner_weights(corner_1: u32) -> vec2<f32> {
     return _e21;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:90
+// glimt_render_gpu/src/kernels/raster.rs:91
 fn clip_position(frame: FrameParams, near: f32, p: vec3<f32>) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/raster.rs:91
-    let d_3 = (p - frame.eye);
     // glimt_render_gpu/src/kernels/raster.rs:92
+    let d_3 = (p - frame.eye);
+    // glimt_render_gpu/src/kernels/raster.rs:93
     return vec4<f32>((dot(d_3, frame.right) / dot(frame.right, frame.right)), (dot(d_3, frame.up) / dot(frame.up, frame.up)), near, dot(d_3, frame.forward));
 }
 
@@ -230,10 +230,10 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:40
+// glimt_render_gpu/src/kernels/triangle.rs:64
 fn Triangle_area_normal(this_: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:41
+    // glimt_render_gpu/src/kernels/triangle.rs:65
     return cross((this_.v1_ - this_.v0_), (this_.v2_ - this_.v0_));
 }
 
@@ -553,56 +553,63 @@ fn Scene_shading_point(ray: Ray, hit: Hit) -> ShadingPoint {
     return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
 }
 
-// glimt_render_gpu/src/kernels/prt.rs:114
+// glimt_render_gpu/src/kernels/prt.rs:113
 fn Surface_light_at(hit_1: Hit) -> VertexLight {
 
-    // glimt_render_gpu/src/kernels/prt.rs:115
+    // glimt_render_gpu/src/kernels/prt.rs:114
     let first_1 = (3u * hit_1.triangle);
-    // glimt_render_gpu/src/kernels/prt.rs:116
+    // glimt_render_gpu/src/kernels/prt.rs:115
     let _e9 = surface_corner_vertices[first_1];
     let a_2 = surface_lights[_e9];
-    // glimt_render_gpu/src/kernels/prt.rs:117
+    // glimt_render_gpu/src/kernels/prt.rs:116
     let _e18 = surface_corner_vertices[(first_1 + 1u)];
     let b_3 = surface_lights[_e18];
-    // glimt_render_gpu/src/kernels/prt.rs:118
+    // glimt_render_gpu/src/kernels/prt.rs:117
     let _e27 = surface_corner_vertices[(first_1 + 2u)];
     let c_2 = surface_lights[_e27];
-    // glimt_render_gpu/src/kernels/prt.rs:119
+    // glimt_render_gpu/src/kernels/prt.rs:118
     let _e36 = Tuple_f32_f32_(hit_1.barycentrics.x, hit_1.barycentrics.y);
     let u_1 = _e36.fa;
     let v_4 = _e36.fb;
-    // glimt_render_gpu/src/kernels/prt.rs:120
+    // glimt_render_gpu/src/kernels/prt.rs:119
     let w_1 = ((1f - u_1) - v_4);
-    // glimt_render_gpu/src/kernels/prt.rs:121
+    // glimt_render_gpu/src/kernels/prt.rs:120
     return VertexLight((((a_2.lit * w_1) + (b_3.lit * u_1)) + (c_2.lit * v_4)), 0f, (((a_2.blocked * w_1) + (b_3.blocked * u_1)) + (c_2.blocked * v_4)), 0f);
 }
 
-// glimt_render_gpu/src/kernels/prt.rs:132
-fn Surface_reflection(object: u32) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:45
+fn Triangle_object_index(this_7: Triangle) -> u32 {
 
-    // glimt_render_gpu/src/kernels/prt.rs:133
-    let _e7 = surface_reflections[(object & 2147483647u)];
-    return _e7;
+    // glimt_render_gpu/src/kernels/triangle.rs:46
+    return (this_7.object & 1073741823u);
 }
 
-// glimt_render_gpu/src/kernels/prt.rs:80
+// glimt_render_gpu/src/kernels/prt.rs:131
+fn Surface_reflection(object: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/prt.rs:132
+    let _e5 = surface_reflections[object];
+    return _e5;
+}
+
+// glimt_render_gpu/src/kernels/prt.rs:79
 fn diffuse(albedo: vec3<f32>, lit: vec3<f32>, blocked: vec3<f32>) -> Reflected {
 
-    // glimt_render_gpu/src/kernels/prt.rs:81
+    // glimt_render_gpu/src/kernels/prt.rs:80
     let arrives = max(lit, vec3(0f));
-    // glimt_render_gpu/src/kernels/prt.rs:82
+    // glimt_render_gpu/src/kernels/prt.rs:81
     let all_ = max((lit + blocked), vec3(0f));
-    // glimt_render_gpu/src/kernels/prt.rs:83
+    // glimt_render_gpu/src/kernels/prt.rs:82
     let scale_1 = (albedo * 0.31830987f);
-    // glimt_render_gpu/src/kernels/prt.rs:84
+    // glimt_render_gpu/src/kernels/prt.rs:83
     return Reflected((arrives * scale_1), (max((all_ - arrives), vec3(0f)) * scale_1));
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_7: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_8: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_7.t * v_2.x) + (this_7.b * v_2.y)) + (this_7.n * v_2.z));
+    return (((this_8.t * v_2.x) + (this_8.b * v_2.y)) + (this_8.n * v_2.z));
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -686,49 +693,50 @@ fn RadianceMap_background(size_2: vec2<u32>, rotation: vec2<f32>, direction_1: v
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/prt.rs:94
+// glimt_render_gpu/src/kernels/prt.rs:93
 fn reflected(point: ShadingPoint, lit_1: vec3<f32>, blocked_1: vec3<f32>, reflection: f32, map_size: vec2<u32>, map_rotation: vec2<f32>) -> Reflected {
     var light: Reflected;
 
-    // glimt_render_gpu/src/kernels/prt.rs:101
+    // glimt_render_gpu/src/kernels/prt.rs:100
     let _e10 = diffuse(point.brdf.diffuse, lit_1, blocked_1);
     light = _e10;
-    // glimt_render_gpu/src/kernels/prt.rs:102
+    // glimt_render_gpu/src/kernels/prt.rs:101
     if (reflection > 0f) {
-        // glimt_render_gpu/src/kernels/prt.rs:103
+        // glimt_render_gpu/src/kernels/prt.rs:102
         let wo = point.wo;
-        // glimt_render_gpu/src/kernels/prt.rs:104
+        // glimt_render_gpu/src/kernels/prt.rs:103
         let _e25 = ShadingFrame_to_world(point.frame, vec3<f32>(-(wo.x), -(wo.y), wo.z));
-        // glimt_render_gpu/src/kernels/prt.rs:105
+        // glimt_render_gpu/src/kernels/prt.rs:104
         let _e28 = RadianceMap_background(map_size, map_rotation, _e25);
         let _e30 = light.lit;
         light.lit = (_e30 + (_e28 * reflection));
     }
-    // glimt_render_gpu/src/kernels/prt.rs:107
+    // glimt_render_gpu/src/kernels/prt.rs:106
     let _e33 = light;
     return _e33;
 }
 
-// glimt_render_gpu/src/kernels/prt.rs:179
+// glimt_render_gpu/src/kernels/prt.rs:178
 fn at_hit(ray_1: Ray, hit_2: Hit, map_size_1: vec2<u32>, map_rotation_1: vec2<f32>) -> Reflected {
 
-    // glimt_render_gpu/src/kernels/prt.rs:186
+    // glimt_render_gpu/src/kernels/prt.rs:185
     let _e6 = Scene_shading_point(ray_1, hit_2);
-    // glimt_render_gpu/src/kernels/prt.rs:187
+    // glimt_render_gpu/src/kernels/prt.rs:186
     let _e8 = Surface_light_at(hit_2);
-    // glimt_render_gpu/src/kernels/prt.rs:188
-    let _e14 = scene_triangles[hit_2.triangle].object;
+    // glimt_render_gpu/src/kernels/prt.rs:187
+    let _e13 = scene_triangles[hit_2.triangle];
+    let _e14 = Triangle_object_index(_e13);
     let _e15 = Surface_reflection(_e14);
-    // glimt_render_gpu/src/kernels/prt.rs:189
+    // glimt_render_gpu/src/kernels/prt.rs:188
     let _e19 = reflected(_e6, _e8.lit, _e8.blocked, _e15, map_size_1, map_rotation_1);
     return _e19;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:33
-fn Triangle_is_catcher(this_8: Triangle) -> bool {
+// glimt_render_gpu/src/kernels/triangle.rs:38
+fn Triangle_is_catcher(this_9: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:34
-    return ((this_8.object & 2147483648u) != 0u);
+    // glimt_render_gpu/src/kernels/triangle.rs:39
+    return ((this_9.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:39
@@ -743,40 +751,48 @@ fn LayerSample_of(light_1: Reflected, is_catcher: bool) -> LayerSample {
     return LayerSample(light_1.lit, 1f, vec3(0f), 0f);
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:139
-fn stored(radiance: vec3<f32>, scale: f32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/raster.rs:141
+fn fitting_scale(radiance: vec3<f32>, scale: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/raster.rs:140
-    return min((radiance * scale), vec3(65504f));
+    // glimt_render_gpu/src/kernels/raster.rs:142
+    let largest = (max(max(radiance.x, radiance.y), radiance.z) * scale);
+    // glimt_render_gpu/src/kernels/raster.rs:143
+    if (largest > 65504f) {
+        // glimt_render_gpu/src/kernels/raster.rs:144
+        return (scale * (65504f / largest));
+    }
+    // glimt_render_gpu/src/kernels/raster.rs:146
+    return scale;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:103
+// glimt_render_gpu/src/kernels/raster.rs:104
 fn draw(triangle: u32, weights: vec2<f32>, raster: RasterParams) -> Drawn {
 
-    // glimt_render_gpu/src/kernels/raster.rs:111
-    let u_3 = clamp(weights.x, 0f, 1f);
     // glimt_render_gpu/src/kernels/raster.rs:112
-    let v_7 = clamp(weights.y, 0f, (1f - u_3));
+    let u_3 = clamp(weights.x, 0f, 1f);
     // glimt_render_gpu/src/kernels/raster.rs:113
-    let at = scene_triangles[triangle];
+    let v_7 = clamp(weights.y, 0f, (1f - u_3));
     // glimt_render_gpu/src/kernels/raster.rs:114
-    let p_2 = ((at.v0_ + ((at.v1_ - at.v0_) * u_3)) + ((at.v2_ - at.v0_) * v_7));
+    let at = scene_triangles[triangle];
     // glimt_render_gpu/src/kernels/raster.rs:115
-    let to_point = (p_2 - raster.frame.eye);
+    let p_2 = ((at.v0_ + ((at.v1_ - at.v0_) * u_3)) + ((at.v2_ - at.v0_) * v_7));
     // glimt_render_gpu/src/kernels/raster.rs:116
-    let _e39 = Ray_new(raster.frame.eye, normalize(to_point));
+    let to_point = (p_2 - raster.frame.eye);
     // glimt_render_gpu/src/kernels/raster.rs:117
+    let _e39 = Ray_new(raster.frame.eye, normalize(to_point));
+    // glimt_render_gpu/src/kernels/raster.rs:118
     let hit_3 = Hit(triangle, length(to_point), vec2<f32>(u_3, v_7));
-    // glimt_render_gpu/src/kernels/raster.rs:122
-    // glimt_render_gpu/src/kernels/raster.rs:127
-    let _e48 = at_hit(_e39, hit_3, raster.map_size, raster.map_rotation);
+    // glimt_render_gpu/src/kernels/raster.rs:123
     // glimt_render_gpu/src/kernels/raster.rs:128
+    let _e48 = at_hit(_e39, hit_3, raster.map_size, raster.map_rotation);
+    // glimt_render_gpu/src/kernels/raster.rs:129
     let _e50 = Triangle_is_catcher(at);
     let _e51 = LayerSample_of(_e48, _e50);
-    // glimt_render_gpu/src/kernels/raster.rs:129
-    let _e55 = stored(_e51.radiance, raster.scale);
     // glimt_render_gpu/src/kernels/raster.rs:130
-    let _e67 = stored(_e51.blocked, raster.scale);
-    return Drawn(vec4<f32>((_e55 * _e51.alpha), _e51.alpha), vec4<f32>((_e55 * _e51.catcher), _e51.catcher), vec4<f32>(_e67, 0f));
+    let _e57 = fitting_scale(max(_e51.radiance, _e51.blocked), raster.scale);
+    // glimt_render_gpu/src/kernels/raster.rs:131
+    let radiance_1 = (_e51.radiance * _e57);
+    // glimt_render_gpu/src/kernels/raster.rs:132
+    return Drawn(vec4<f32>((radiance_1 * _e51.alpha), _e51.alpha), vec4<f32>((radiance_1 * _e51.catcher), _e51.catcher), vec4<f32>((_e51.blocked * _e57), 0f));
 }
 

@@ -909,42 +909,42 @@ fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:51
+// glimt_render_gpu/src/kernels/triangle.rs:75
 fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:52
+    // glimt_render_gpu/src/kernels/triangle.rs:76
     return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:64
+// glimt_render_gpu/src/kernels/triangle.rs:88
 fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     var chosen_4: f32;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:65
+    // glimt_render_gpu/src/kernels/triangle.rs:89
     let a_3 = (triangle.v0_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:66
+    // glimt_render_gpu/src/kernels/triangle.rs:90
     let b_3 = (triangle.v1_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:67
+    // glimt_render_gpu/src/kernels/triangle.rs:91
     let c_2 = (triangle.v2_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:68
+    // glimt_render_gpu/src/kernels/triangle.rs:92
     let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:69
+    // glimt_render_gpu/src/kernels/triangle.rs:93
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:70
+        // glimt_render_gpu/src/kernels/triangle.rs:94
         return 340282350000000000000000000000000000000f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:72
+    // glimt_render_gpu/src/kernels/triangle.rs:96
     let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
-    // glimt_render_gpu/src/kernels/triangle.rs:73
+    // glimt_render_gpu/src/kernels/triangle.rs:97
     let slope = dot(normal_1, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:74
+    // glimt_render_gpu/src/kernels/triangle.rs:98
     if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:75
+        // glimt_render_gpu/src/kernels/triangle.rs:99
         return 340282350000000000000000000000000000000f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:77
+    // glimt_render_gpu/src/kernels/triangle.rs:101
     let t_2 = (dot(a_3, normal_1) / slope);
-    // glimt_render_gpu/src/kernels/triangle.rs:78
+    // glimt_render_gpu/src/kernels/triangle.rs:102
     if ((t_2 > 0f) && (t_2 < t_max)) {
         chosen_4 = t_2;
     } else {
@@ -954,10 +954,10 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     return _e59;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:33
+// glimt_render_gpu/src/kernels/triangle.rs:38
 fn Triangle_is_catcher(this_11: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:34
+    // glimt_render_gpu/src/kernels/triangle.rs:39
     return ((this_11.object & 2147483648u) != 0u);
 }
 
@@ -1184,19 +1184,19 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:84
+// glimt_render_gpu/src/kernels/triangle.rs:108
 fn barycentrics(triangle_1: Triangle, ray_5: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:85
+    // glimt_render_gpu/src/kernels/triangle.rs:109
     let _e14 = edge_functions((triangle_1.v0_ - ray_5.origin), (triangle_1.v1_ - ray_5.origin), (triangle_1.v2_ - ray_5.origin), ray_5.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:91
+    // glimt_render_gpu/src/kernels/triangle.rs:115
     let sum_3 = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:92
+    // glimt_render_gpu/src/kernels/triangle.rs:116
     if (sum_3 == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:94
+        // glimt_render_gpu/src/kernels/triangle.rs:118
         return vec2((1f / 3f));
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:96
+    // glimt_render_gpu/src/kernels/triangle.rs:120
     return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_3));
 }
 
@@ -1228,10 +1228,10 @@ fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
     return _e4;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:40
+// glimt_render_gpu/src/kernels/triangle.rs:64
 fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:41
+    // glimt_render_gpu/src/kernels/triangle.rs:65
     return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
 }
 

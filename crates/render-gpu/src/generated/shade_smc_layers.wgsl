@@ -1085,42 +1085,42 @@ fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:51
+// glimt_render_gpu/src/kernels/triangle.rs:75
 fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:52
+    // glimt_render_gpu/src/kernels/triangle.rs:76
     return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:64
+// glimt_render_gpu/src/kernels/triangle.rs:88
 fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     var chosen_4: f32;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:65
+    // glimt_render_gpu/src/kernels/triangle.rs:89
     let a_3 = (triangle.v0_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:66
+    // glimt_render_gpu/src/kernels/triangle.rs:90
     let b_3 = (triangle.v1_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:67
+    // glimt_render_gpu/src/kernels/triangle.rs:91
     let c_2 = (triangle.v2_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:68
+    // glimt_render_gpu/src/kernels/triangle.rs:92
     let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:69
+    // glimt_render_gpu/src/kernels/triangle.rs:93
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:70
+        // glimt_render_gpu/src/kernels/triangle.rs:94
         return 340282350000000000000000000000000000000f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:72
+    // glimt_render_gpu/src/kernels/triangle.rs:96
     let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
-    // glimt_render_gpu/src/kernels/triangle.rs:73
+    // glimt_render_gpu/src/kernels/triangle.rs:97
     let slope = dot(normal_1, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:74
+    // glimt_render_gpu/src/kernels/triangle.rs:98
     if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:75
+        // glimt_render_gpu/src/kernels/triangle.rs:99
         return 340282350000000000000000000000000000000f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:77
+    // glimt_render_gpu/src/kernels/triangle.rs:101
     let t_2 = (dot(a_3, normal_1) / slope);
-    // glimt_render_gpu/src/kernels/triangle.rs:78
+    // glimt_render_gpu/src/kernels/triangle.rs:102
     if ((t_2 > 0f) && (t_2 < t_max)) {
         chosen_4 = t_2;
     } else {
@@ -1130,10 +1130,10 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     return _e59;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:33
+// glimt_render_gpu/src/kernels/triangle.rs:38
 fn Triangle_is_catcher(this_11: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:34
+    // glimt_render_gpu/src/kernels/triangle.rs:39
     return ((this_11.object & 2147483648u) != 0u);
 }
 
@@ -1360,19 +1360,19 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:84
+// glimt_render_gpu/src/kernels/triangle.rs:108
 fn barycentrics(triangle_1: Triangle, ray_5: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:85
+    // glimt_render_gpu/src/kernels/triangle.rs:109
     let _e14 = edge_functions((triangle_1.v0_ - ray_5.origin), (triangle_1.v1_ - ray_5.origin), (triangle_1.v2_ - ray_5.origin), ray_5.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:91
+    // glimt_render_gpu/src/kernels/triangle.rs:115
     let sum_4 = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:92
+    // glimt_render_gpu/src/kernels/triangle.rs:116
     if (sum_4 == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:94
+        // glimt_render_gpu/src/kernels/triangle.rs:118
         return vec2((1f / 3f));
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:96
+    // glimt_render_gpu/src/kernels/triangle.rs:120
     return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_4));
 }
 
@@ -1404,10 +1404,10 @@ fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
     return _e4;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:40
+// glimt_render_gpu/src/kernels/triangle.rs:64
 fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:41
+    // glimt_render_gpu/src/kernels/triangle.rs:65
     return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
 }
 
@@ -1727,6 +1727,13 @@ fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
     return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
 }
 
+// glimt_render_gpu/src/kernels/triangle.rs:45
+fn Triangle_object_index(this_19: Triangle) -> u32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:46
+    return (this_19.object & 1073741823u);
+}
+
 // glimt_sampling/src/math.rs:16
 fn luminance(rgb: vec3<f32>) -> f32 {
 
@@ -1744,21 +1751,21 @@ fn LightLobe_of_point(point: ShadingPoint) -> LightLobe {
 }
 
 // glimt_render_gpu/src/kernels/past.rs:109
-fn PastView_project(this_19: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
+fn PastView_project(this_20: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
 
     // glimt_render_gpu/src/kernels/past.rs:110
-    let v_5 = (was_at - this_19.eye);
+    let v_5 = (was_at - this_20.eye);
     // glimt_render_gpu/src/kernels/past.rs:111
-    let along = dot(v_5, this_19.forward);
+    let along = dot(v_5, this_20.forward);
     // glimt_render_gpu/src/kernels/past.rs:112
     if !((along > 0f)) {
         // glimt_render_gpu/src/kernels/past.rs:113
         return Option_Vec3_();
     }
     // glimt_render_gpu/src/kernels/past.rs:115
-    let x_10 = (dot(v_5, this_19.right) / (along * dot(this_19.right, this_19.right)));
+    let x_10 = (dot(v_5, this_20.right) / (along * dot(this_20.right, this_20.right)));
     // glimt_render_gpu/src/kernels/past.rs:116
-    let y_3 = (dot(v_5, this_19.up) / (along * dot(this_19.up, this_19.up)));
+    let y_3 = (dot(v_5, this_20.up) / (along * dot(this_20.up, this_20.up)));
     // glimt_render_gpu/src/kernels/past.rs:117
     let place_2 = (vec2<f32>((0.5f + (0.5f * x_10)), (0.5f - (0.5f * y_3))) * size_2);
     // glimt_render_gpu/src/kernels/past.rs:118
@@ -1766,13 +1773,13 @@ fn PastView_project(this_19: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> 
 }
 
 // glimt_render_gpu/src/kernels/past.rs:126
-fn PastView_predecessor(this_20: PastView, point_1: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
+fn PastView_predecessor(this_21: PastView, point_1: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
     var chosen_10: vec3<f32>;
     var chosen_11: u32;
     var chosen_12: Option_u32_;
 
     // glimt_render_gpu/src/kernels/past.rs:134
-    if (this_20.pixels == 0u) {
+    if (this_21.pixels == 0u) {
         // glimt_render_gpu/src/kernels/past.rs:135
         return Option_u32_();
     }
@@ -1783,7 +1790,7 @@ fn PastView_predecessor(this_20: PastView, point_1: ShadingPoint, object: u32, f
     // glimt_render_gpu/src/kernels/past.rs:139
     let size_13 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
     // glimt_render_gpu/src/kernels/past.rs:140
-    let _e29 = PastView_project(this_20, was_at_1, size_13);
+    let _e29 = PastView_project(this_21, was_at_1, size_13);
     let value = _e29.value;
     if _e29.is_some {
         chosen_10 = value;
@@ -1814,24 +1821,24 @@ fn PastView_predecessor(this_20: PastView, point_1: ShadingPoint, object: u32, f
     }
     let pixel_3 = chosen_11;
     // glimt_render_gpu/src/kernels/past.rs:156
-    if ((pixel_3 < this_20.first_pixel) || ((pixel_3 - this_20.first_pixel) >= this_20.pixels)) {
+    if ((pixel_3 < this_21.first_pixel) || ((pixel_3 - this_21.first_pixel) >= this_21.pixels)) {
         // glimt_render_gpu/src/kernels/past.rs:157
         return Option_u32_();
     }
     // glimt_render_gpu/src/kernels/past.rs:159
-    let ray_11 = (((pixel_3 - this_20.first_pixel) * pattern_1.rays) + pattern_1.ray);
+    let ray_11 = (((pixel_3 - this_21.first_pixel) * pattern_1.rays) + pattern_1.ray);
     // glimt_render_gpu/src/kernels/past.rs:160
     let state_6 = past_states[ray_11];
     // glimt_render_gpu/src/kernels/past.rs:161
     let turned = normalize((motion * vec4<f32>(point_1.frame.n, 0f)).xyz);
     // glimt_render_gpu/src/kernels/past.rs:163
-    let saw = (this_20.eye - (state_6.wo * state_6.depth));
+    let saw = (this_21.eye - (state_6.wo * state_6.depth));
     // glimt_render_gpu/src/kernels/past.rs:164
     let off_plane = abs(dot((was_at_1 - saw), state_6.normal));
     // glimt_render_gpu/src/kernels/past.rs:165
-    let same_plane = (off_plane <= (this_20.depth_tolerance * seen.z));
+    let same_plane = (off_plane <= (this_21.depth_tolerance * seen.z));
     // glimt_render_gpu/src/kernels/past.rs:166
-    if (((state_6.depth > 0f) && same_plane) && (dot(turned, state_6.normal) >= this_20.normal_cosine)) {
+    if (((state_6.depth > 0f) && same_plane) && (dot(turned, state_6.normal) >= this_21.normal_cosine)) {
         // glimt_render_gpu/src/kernels/past.rs:167
         chosen_12 = Option_u32_(true, ray_11);
     } else {
@@ -1853,44 +1860,44 @@ fn LightLobe_of_state(state_1: RayState) -> LightLobe {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:87
-fn PixelPattern_source(this_21: PixelPattern, purpose_4: u32) -> PatternSource {
+fn PixelPattern_source(this_22: PixelPattern, purpose_4: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:88
-    let _e8 = PixelPattern_sobol_point(this_21, purpose_4, this_21.ray);
-    let _e10 = PixelPattern_generator(this_21, purpose_4, this_21.ray);
-    return PatternSource((this_21.kind == 0u), _e8, _e10);
+    let _e8 = PixelPattern_sobol_point(this_22, purpose_4, this_22.ray);
+    let _e10 = PixelPattern_generator(this_22, purpose_4, this_22.ray);
+    return PatternSource((this_22.kind == 0u), _e8, _e10);
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:83
-fn SmcParams_sampler(this_22: SmcParams) -> Sampler {
+// glimt_render_gpu/src/kernels/smc.rs:82
+fn SmcParams_sampler(this_23: SmcParams) -> Sampler {
     var chosen_13: u32;
     var chosen_14: u32;
     var chosen_15: u32;
     var chosen_16: u32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:84
-    if (this_22.path == 1u) {
-        // glimt_render_gpu/src/kernels/smc.rs:85
+    // glimt_render_gpu/src/kernels/smc.rs:83
+    if (this_23.path == 1u) {
+        // glimt_render_gpu/src/kernels/smc.rs:84
         chosen_13 = 1u;
     } else {
-        // glimt_render_gpu/src/kernels/smc.rs:87
+        // glimt_render_gpu/src/kernels/smc.rs:86
         chosen_13 = 0u;
     }
     let path = chosen_13;
-    // glimt_render_gpu/src/kernels/smc.rs:89
-    if (this_22.scheme == 1u) {
-        // glimt_render_gpu/src/kernels/smc.rs:90
+    // glimt_render_gpu/src/kernels/smc.rs:88
+    if (this_23.scheme == 1u) {
+        // glimt_render_gpu/src/kernels/smc.rs:89
         chosen_14 = 1u;
     } else {
-        if (this_22.scheme == 2u) {
-            // glimt_render_gpu/src/kernels/smc.rs:92
+        if (this_23.scheme == 2u) {
+            // glimt_render_gpu/src/kernels/smc.rs:91
             chosen_15 = 2u;
         } else {
-            if (this_22.scheme == 3u) {
-                // glimt_render_gpu/src/kernels/smc.rs:94
+            if (this_23.scheme == 3u) {
+                // glimt_render_gpu/src/kernels/smc.rs:93
                 chosen_16 = 3u;
             } else {
-                // glimt_render_gpu/src/kernels/smc.rs:96
+                // glimt_render_gpu/src/kernels/smc.rs:95
                 chosen_16 = 0u;
             }
             let _e33 = chosen_16;
@@ -1900,15 +1907,15 @@ fn SmcParams_sampler(this_22: SmcParams) -> Sampler {
         chosen_14 = _e34;
     }
     let scheme_6 = chosen_14;
-    // glimt_render_gpu/src/kernels/smc.rs:98
-    return Sampler(Bridge(path, this_22.intermediate), scheme_6, this_22.ess_threshold);
+    // glimt_render_gpu/src/kernels/smc.rs:97
+    return Sampler(Bridge(path, this_23.intermediate), scheme_6, this_23.ess_threshold);
 }
 
 // glimt_smc/src/bridge.rs:47
-fn Bridge_steps(this_23: Bridge) -> u32 {
+fn Bridge_steps(this_24: Bridge) -> u32 {
 
     // glimt_smc/src/bridge.rs:48
-    return (this_23.intermediate + 1u);
+    return (this_24.intermediate + 1u);
 }
 
 // glimt_brdf/src/lobe.rs:86
@@ -1960,15 +1967,15 @@ fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_24: HalfVector, exponent_2: f32) -> f32 {
+fn HalfVector_lobe(this_25: HalfVector, exponent_2: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_24.cos2_theta, this_24.sin2_theta, exponent_2);
+    let _e6 = cosine_power(this_25.cos2_theta, this_25.sin2_theta, exponent_2);
     return _e6;
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_25: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_26: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -1976,33 +1983,33 @@ fn BlinnPhong_eval(this_25: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_25.diffuse * 0.31830987f);
+    let diffuse = (this_26.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_25.specular.x, this_25.specular.y), this_25.specular.z) <= 0f) {
+    if (max(max(this_26.specular.x, this_26.specular.y), this_26.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_25.exponent);
+    let _e31 = normalisation(this_26.exponent);
     let _e32 = HalfVector_new(wo_1, wi_1);
-    let _e34 = HalfVector_lobe(_e32, this_25.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_26.exponent);
     let lobe_4 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_25.specular * lobe_4));
+    return (diffuse + (this_26.specular * lobe_4));
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:57
-fn LightLobe_value(this_26: LightLobe, direction_2: vec3<f32>) -> f32 {
+fn LightLobe_value(this_27: LightLobe, direction_2: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:58
-    let _e5 = ShadingFrame_to_local(this_26.frame, direction_2);
+    let _e5 = ShadingFrame_to_local(this_27.frame, direction_2);
     // glimt_render_gpu/src/kernels/light_target.rs:59
     if !((_e5.z > 0f)) {
         // glimt_render_gpu/src/kernels/light_target.rs:60
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:62
-    let _e16 = BlinnPhong_eval(this_26.brdf, this_26.wo, _e5);
+    let _e16 = BlinnPhong_eval(this_27.brdf, this_27.wo, _e5);
     return (_e16.x * _e5.z);
 }
 
@@ -2140,7 +2147,7 @@ fn LightTarget_densities(previous_light_size_2: vec2<u32>, previous_light_rotati
 }
 
 // glimt_smc/src/bridge.rs:64
-fn Bridge_density(this_27: Bridge, k: u32, ends: Endpoints) -> f32 {
+fn Bridge_density(this_28: Bridge, k: u32, ends: Endpoints) -> f32 {
 
     // glimt_smc/src/bridge.rs:65
     if (k == 0u) {
@@ -2148,16 +2155,16 @@ fn Bridge_density(this_27: Bridge, k: u32, ends: Endpoints) -> f32 {
         return ends.previous;
     }
     // glimt_smc/src/bridge.rs:68
-    let _e10 = Bridge_steps(this_27);
+    let _e10 = Bridge_steps(this_28);
     if (k >= _e10) {
         // glimt_smc/src/bridge.rs:69
         return ends.current;
     }
     // glimt_smc/src/bridge.rs:71
-    let _e16 = Bridge_steps(this_27);
+    let _e16 = Bridge_steps(this_28);
     let beta = (f32(k) / f32(_e16));
     // glimt_smc/src/bridge.rs:72
-    if (this_27.path == 0u) {
+    if (this_28.path == 0u) {
         // glimt_smc/src/bridge.rs:73
         return (((1f - beta) * ends.previous) + (beta * ends.current));
     }
@@ -2309,10 +2316,10 @@ fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, tar
 }
 
 // glimt_smc/src/particle.rs:25
-fn Particle_weight(this_28: Particle) -> f32 {
+fn Particle_weight(this_29: Particle) -> f32 {
 
     // glimt_smc/src/particle.rs:26
-    return exp(this_28.log_weight);
+    return exp(this_29.log_weight);
 }
 
 // glimt_smc/src/weights.rs:65
@@ -2380,43 +2387,43 @@ fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_29: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_30: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_29).dimension;
+    let dimension_4 = (*this_30).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_29).dimension = (dimension_4 + 1u);
+    (*this_30).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_29).index;
-    let _e13 = (*this_29).seed;
+    let _e11 = (*this_30).index;
+    let _e13 = (*this_30).seed;
     let _e17 = hash2_(_e13, (dimension_4 >> 2u));
     let _e18 = owen_sobol(_e11, dimension_4, _e17);
     return _e18;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:131
-fn PatternSource_next_u32_(this_30: ptr<function, PatternSource>) -> u32 {
+fn PatternSource_next_u32_(this_31: ptr<function, PatternSource>) -> u32 {
     var chosen_23: u32;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:132
-    let _e5 = (*this_30).is_sobol;
+    let _e5 = (*this_31).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:133
-        let _e9 = (*this_30).point;
+        let _e9 = (*this_31).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_30).point = _e11;
+        (*this_31).point = _e11;
         chosen_23 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:135
-        let _e15 = (*this_30).generator;
+        let _e15 = (*this_31).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_30).generator = _e17;
+        (*this_31).generator = _e17;
         chosen_23 = _e16;
     }
     let _e18 = chosen_23;
@@ -2424,47 +2431,47 @@ fn PatternSource_next_u32_(this_30: ptr<function, PatternSource>) -> u32 {
 }
 
 // glimt_sampling/src/resample.rs:135
-fn Comb_place_tooth(this_31: ptr<function, Comb>, source: ptr<function, PatternSource>) {
+fn Comb_place_tooth(this_32: ptr<function, Comb>, source: ptr<function, PatternSource>) {
 
     // glimt_sampling/src/resample.rs:136
-    let _e5 = (*this_31).made;
-    let _e7 = (*this_31).teeth;
+    let _e5 = (*this_32).made;
+    let _e7 = (*this_32).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:137
         return;
     }
     // glimt_sampling/src/resample.rs:139
-    let _e12 = (*this_31).made;
+    let _e12 = (*this_32).made;
     let first_2 = f32(_e12);
     // glimt_sampling/src/resample.rs:140
-    let _e16 = (*this_31).scheme;
+    let _e16 = (*this_32).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:141
-        let _e21 = (*this_31).state;
-        (*this_31).next = (first_2 + _e21);
+        let _e21 = (*this_32).state;
+        (*this_32).next = (first_2 + _e21);
     } else {
-        let _e25 = (*this_31).scheme;
+        let _e25 = (*this_32).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:143
             let _e29 = PatternSource_next_u32_(source);
             let _e30 = unit_f32_(_e29);
-            (*this_31).next = (first_2 + _e30);
+            (*this_32).next = (first_2 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:146
             let _e35 = PatternSource_next_u32_(source);
             let _e36 = unit_f32_(_e35);
             let v_8 = (1f - _e36);
             // glimt_sampling/src/resample.rs:147
-            let _e40 = (*this_31).teeth;
-            let _e42 = (*this_31).made;
+            let _e40 = (*this_32).teeth;
+            let _e42 = (*this_32).made;
             let left_1 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:148
-            let _e50 = (*this_31).state;
-            (*this_31).state = (_e50 * pow(v_8, (1f / left_1)));
+            let _e50 = (*this_32).state;
+            (*this_32).state = (_e50 * pow(v_8, (1f / left_1)));
             // glimt_sampling/src/resample.rs:149
-            let _e55 = (*this_31).state;
-            let _e58 = (*this_31).teeth;
-            (*this_31).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_32).state;
+            let _e58 = (*this_32).teeth;
+            (*this_32).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -2491,54 +2498,54 @@ fn Comb_new(scheme_1: u32, picks: u32, sure: u32, source_1: ptr<function, Patter
 }
 
 // glimt_sampling/src/resample.rs:105
-fn Comb_take(this_32: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
+fn Comb_take(this_33: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
 
     // glimt_sampling/src/resample.rs:106
-    let _e6 = (*this_32).scheme;
+    let _e6 = (*this_33).scheme;
     let _e7 = sure_copies(_e6, expected_1);
     // glimt_sampling/src/resample.rs:107
-    let _e12 = (*this_32).reach;
-    (*this_32).reach = (_e12 + (expected_1 - f32(_e7)));
+    let _e12 = (*this_33).reach;
+    (*this_33).reach = (_e12 + (expected_1 - f32(_e7)));
     // glimt_sampling/src/resample.rs:108
-    let before = (*this_32).made;
+    let before = (*this_33).made;
     // glimt_sampling/src/resample.rs:109
     loop {
-        let _e19 = (*this_32).made;
-        let _e21 = (*this_32).teeth;
-        let _e24 = (*this_32).next;
-        let _e26 = (*this_32).reach;
+        let _e19 = (*this_33).made;
+        let _e21 = (*this_33).teeth;
+        let _e24 = (*this_33).next;
+        let _e26 = (*this_33).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:110
-            let _e32 = (*this_32).made;
-            (*this_32).made = (_e32 + 1u);
+            let _e32 = (*this_33).made;
+            (*this_33).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:111
-            Comb_place_tooth(this_32, source_2);
+            Comb_place_tooth(this_33, source_2);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:113
-    let _e37 = (*this_32).made;
+    let _e37 = (*this_33).made;
     return (_e7 + (_e37 - before));
 }
 
 // glimt_sampling/src/resample.rs:120
-fn Comb_finish(this_33: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
+fn Comb_finish(this_34: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
     var counter_7: u32;
 
     // glimt_sampling/src/resample.rs:121
-    let _e5 = (*this_33).teeth;
-    let _e7 = (*this_33).made;
+    let _e5 = (*this_34).teeth;
+    let _e7 = (*this_34).made;
     let left_2 = (_e5 - _e7);
     // glimt_sampling/src/resample.rs:122
-    let _e11 = (*this_33).scheme;
+    let _e11 = (*this_34).scheme;
     if (_e11 != 0u) {
         // glimt_sampling/src/resample.rs:124
-        let _e16 = (*this_33).teeth;
-        let _e18 = (*this_33).made;
+        let _e16 = (*this_34).teeth;
+        let _e18 = (*this_34).made;
         let drawn = min(_e16, (_e18 + 1u));
         // glimt_sampling/src/resample.rs:125
-        let _e24 = (*this_33).picks;
+        let _e24 = (*this_34).picks;
         counter_7 = drawn;
         loop {
             let _e26 = counter_7;
@@ -2554,8 +2561,8 @@ fn Comb_finish(this_33: ptr<function, Comb>, source_3: ptr<function, PatternSour
         }
     }
     // glimt_sampling/src/resample.rs:129
-    let _e35 = (*this_33).teeth;
-    (*this_33).made = _e35;
+    let _e35 = (*this_34).teeth;
+    (*this_34).made = _e35;
     // glimt_sampling/src/resample.rs:130
     return left_2;
 }
@@ -2771,28 +2778,28 @@ fn skip(scheme_4: u32, picks_3: u32, source_5: ptr<function, PatternSource>) {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:140
-fn PatternSource_next_uvec2_(this_34: ptr<function, PatternSource>) -> vec2<u32> {
+fn PatternSource_next_uvec2_(this_35: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_25: vec2<u32>;
     var borrowed_4: OwenSobol;
     var borrowed_5: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:141
-    let _e5 = (*this_34).is_sobol;
+    let _e5 = (*this_35).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:142
-        let _e9 = (*this_34).point;
+        let _e9 = (*this_35).point;
         borrowed_4 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_4));
         let _e11 = borrowed_4;
-        (*this_34).point = _e11;
+        (*this_35).point = _e11;
         chosen_25 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:144
-        let _e15 = (*this_34).generator;
+        let _e15 = (*this_35).generator;
         borrowed_5 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
         let _e17 = borrowed_5;
-        (*this_34).generator = _e17;
+        (*this_35).generator = _e17;
         chosen_25 = _e16;
     }
     let _e18 = chosen_25;
@@ -2865,18 +2872,18 @@ fn sample_cap(u_2: vec2<f32>, height_1: f32) -> DirectionSample {
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_35: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_36: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_35.t * v_3.x) + (this_35.b * v_3.y)) + (this_35.n * v_3.z));
+    return (((this_36.t * v_3.x) + (this_36.b * v_3.y)) + (this_36.n * v_3.z));
 }
 
 // glimt_smc/src/proposal.rs:43
-fn CapMove_propose(this_36: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
+fn CapMove_propose(this_37: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:44
     let _e6 = unit_vec2_(u_3.xy);
-    let _e8 = sample_cap(_e6, this_36.height);
+    let _e8 = sample_cap(_e6, this_37.height);
     let local = _e8.direction;
     // glimt_smc/src/proposal.rs:45
     let _e11 = ShadingFrame_from_normal(from_);
@@ -3208,13 +3215,13 @@ fn Independent_LightDraw_propose(sampler_light_cdf_size: vec2<u32>, sampler_ligh
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_37: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_38: BlinnPhong) -> f32 {
     var chosen_33: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_37.specular);
+    let _e4 = luminance(this_38.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_37.diffuse);
+    let _e7 = luminance(this_38.diffuse);
     let both_4 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_4 > 0f) {
@@ -3377,15 +3384,15 @@ fn pdf_cosine_hemisphere_sr(direction_11: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_38: HalfVector, exponent_5: f32) -> f32 {
+fn HalfVector_pdf_sr(this_39: HalfVector, exponent_5: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_38, exponent_5);
-    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_38.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_39, exponent_5);
+    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_39.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_39: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_40: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_2.z <= 0f) || (wi_2.z <= 0f)) {
@@ -3395,7 +3402,7 @@ fn BlinnPhong_pdf_sr(this_39: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_2);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_39);
+    let _e17 = BlinnPhong_pmf_specular(this_40);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -3403,21 +3410,21 @@ fn BlinnPhong_pdf_sr(this_39: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_2, wi_2);
-    let _e25 = HalfVector_pdf_sr(_e23, this_39.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_40.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_40: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_41: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
     var chosen_36: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_40);
+    let _e8 = BlinnPhong_pmf_specular(this_41);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_14, this_40.exponent);
+        let _e12 = sample_power_cosine(u_14, this_41.exponent);
         let h_1 = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_36 = (((2f * dot(wo_3, h_1)) * h_1) - wo_3);
@@ -3428,37 +3435,37 @@ fn BlinnPhong_sample(this_40: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: ve
     }
     let wi_5 = chosen_36;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_40, wo_3, wi_5);
+    let _e25 = BlinnPhong_pdf_sr(this_41, wo_3, wi_5);
     return BrdfSample(wi_5, _e25);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:133
-fn BrdfDraw_sample(this_41: BrdfDraw, u_15: vec3<u32>) -> Sampled {
+fn BrdfDraw_sample(this_42: BrdfDraw, u_15: vec3<u32>) -> Sampled {
 
     // glimt_render_gpu/src/kernels/light_target.rs:134
     let _e8 = unit_vec2_(u_15.xy);
-    let _e9 = BlinnPhong_sample(this_41.brdf, this_41.wo, u_15.z, _e8);
+    let _e9 = BlinnPhong_sample(this_42.brdf, this_42.wo, u_15.z, _e8);
     // glimt_render_gpu/src/kernels/light_target.rs:135
-    let _e13 = ShadingFrame_to_world(this_41.frame, _e9.wi);
+    let _e13 = ShadingFrame_to_world(this_42.frame, _e9.wi);
     return Sampled(_e13, _e9.pdf_sr);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:142
-fn BrdfDraw_pdf(this_42: BrdfDraw, state_4: vec3<f32>) -> f32 {
+fn BrdfDraw_pdf(this_43: BrdfDraw, state_4: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:143
-    let _e7 = ShadingFrame_to_local(this_42.frame, state_4);
-    let _e8 = BlinnPhong_pdf_sr(this_42.brdf, this_42.wo, _e7);
+    let _e7 = ShadingFrame_to_local(this_43.frame, state_4);
+    let _e8 = BlinnPhong_pdf_sr(this_43.brdf, this_43.wo, _e7);
     return _e8;
 }
 
 // glimt_smc/src/proposal.rs:81
-fn Independent_BrdfDraw_propose(this_43: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
+fn Independent_BrdfDraw_propose(this_44: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:82
-    let _e6 = BrdfDraw_sample(this_43.sampler, u_16);
+    let _e6 = BrdfDraw_sample(this_44.sampler, u_16);
     // glimt_smc/src/proposal.rs:83
-    let _e11 = BrdfDraw_pdf(this_43.sampler, from_2);
+    let _e11 = BrdfDraw_pdf(this_44.sampler, from_2);
     return Proposed(_e6.state, _e6.pdf, _e11);
 }
 
@@ -3539,7 +3546,7 @@ fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32
 }
 
 // glimt_smc/src/sampler.rs:47
-fn Sampler_step(this_44: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_cdf_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_cdf_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
+fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_cdf_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_cdf_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
     var accepted: u32;
     var counter_13: u32;
     var borrowed_6: Particle;
@@ -3547,18 +3554,18 @@ fn Sampler_step(this_44: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 
     // glimt_smc/src/sampler.rs:55
     // glimt_smc/src/sampler.rs:56
-    let _e23 = reweight(k_3, this_44.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
+    let _e23 = reweight(k_3, this_45.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:57
     let _e25 = ess(particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:58
-    let resampled = ((_e25 < (this_44.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
+    let resampled = ((_e25 < (this_45.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
     // glimt_smc/src/sampler.rs:59
     if resampled {
         // glimt_smc/src/sampler.rs:60
-        resample(this_44.scheme, particles_start_6, particles_len_6, source_6);
+        resample(this_45.scheme, particles_start_6, particles_len_6, source_6);
     } else {
         // glimt_smc/src/sampler.rs:62
-        skip(this_44.scheme, particles_len_6, source_6);
+        skip(this_45.scheme, particles_len_6, source_6);
     }
     // glimt_smc/src/sampler.rs:64
     accepted = 0u;
@@ -3580,7 +3587,7 @@ fn Sampler_step(this_44: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
         // glimt_smc/src/sampler.rs:70
         let _e63 = particles[(particles_start_6 + i_10)];
         borrowed_6 = _e63;
-        let _e64 = metropolis(k_3, this_44.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_cdf_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_6), u_24);
+        let _e64 = metropolis(k_3, this_45.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_cdf_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_6), u_24);
         let _e65 = borrowed_6;
         particles[(particles_start_6 + i_10)] = _e65;
         if _e64 {
@@ -3606,7 +3613,7 @@ fn Sampler_step(this_44: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 }
 
 // glimt_smc/src/sampler.rs:85
-fn Sampler_advance(this_45: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_cdf_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_cdf_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
+fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_cdf_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_cdf_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
     var frame_3: Report;
     var counter_14: u32;
     var chosen_40: f32;
@@ -3615,7 +3622,7 @@ fn Sampler_advance(this_45: Sampler, target_previous_light_size_3: vec2<u32>, ta
     // glimt_smc/src/sampler.rs:92
     frame_3 = Report(0f, f32(particles_len_7), 0u, 0u);
     // glimt_smc/src/sampler.rs:98
-    let _e29 = Bridge_steps(this_45.bridge);
+    let _e29 = Bridge_steps(this_46.bridge);
     counter_14 = 1u;
     loop {
         let k_4 = counter_14;
@@ -3623,7 +3630,7 @@ fn Sampler_advance(this_45: Sampler, target_previous_light_size_3: vec2<u32>, ta
             break;
         }
         // glimt_smc/src/sampler.rs:99
-        let _e36 = Sampler_step(this_45, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_cdf_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_cdf_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
+        let _e36 = Sampler_step(this_46, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_cdf_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_cdf_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
         // glimt_smc/src/sampler.rs:100
         let _e40 = is_log_zero(_e36.log_ratio);
         either_1 = _e40;
@@ -3663,13 +3670,13 @@ fn Sampler_advance(this_45: Sampler, target_previous_light_size_3: vec2<u32>, ta
     return _e75;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:111
-fn SmcParams_advance(this_46: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_cdf_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
+// glimt_render_gpu/src/kernels/smc.rs:110
+fn SmcParams_advance(this_47: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_cdf_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
 
-    // glimt_render_gpu/src/kernels/smc.rs:118
-    // glimt_render_gpu/src/kernels/smc.rs:139
-    let _e25 = SmcParams_sampler(this_46);
-    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_cdf_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_46.cap_share, CapMove(this_46.cap_height), this_46.light_share, target_light_cdf_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
+    // glimt_render_gpu/src/kernels/smc.rs:117
+    // glimt_render_gpu/src/kernels/smc.rs:138
+    let _e25 = SmcParams_sampler(this_47);
+    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_cdf_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_47.cap_share, CapMove(this_47.cap_height), this_47.light_share, target_light_cdf_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
     return _e26;
 }
 
@@ -3681,22 +3688,22 @@ fn RisSum_new() -> RisSum {
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:60
-fn Candidates_of_brdf(this_47: Candidates) -> u32 {
+fn Candidates_of_brdf(this_48: Candidates) -> u32 {
     var chosen_41: u32;
     var chosen_42: u32;
 
     // glimt_render_gpu/src/kernels/candidates.rs:61
-    if (this_47.source == 0u) {
+    if (this_48.source == 0u) {
         // glimt_render_gpu/src/kernels/candidates.rs:62
-        chosen_41 = this_47.count;
+        chosen_41 = this_48.count;
     } else {
-        if (this_47.source == 1u) {
+        if (this_48.source == 1u) {
             // glimt_render_gpu/src/kernels/candidates.rs:64
             chosen_42 = 0u;
         } else {
             // glimt_render_gpu/src/kernels/candidates.rs:66
-            let _e18 = (this_47.count / 2u);
-            chosen_42 = select(_e18, (_e18 + 1u), ((this_47.count % 2u) != 0u));
+            let _e18 = (this_48.count / 2u);
+            chosen_42 = select(_e18, (_e18 + 1u), ((this_48.count % 2u) != 0u));
         }
         let _e25 = chosen_42;
         chosen_41 = _e25;
@@ -3716,16 +3723,16 @@ fn jittered(index_14: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:66
-fn PixelPattern_triple(this_48: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_49: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point_3: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    let index_18 = ((this_48.ray * samples_1) + sample_1);
+    let index_18 = ((this_49.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    if (this_48.kind == 0u) {
+    if (this_49.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:69
-        let _e14 = PixelPattern_sobol_point(this_48, purpose_5, index_18);
+        let _e14 = PixelPattern_sobol_point(this_49, purpose_5, index_18);
         point_3 = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e17 = OwenSobol_next_uvec2_((&point_3));
@@ -3734,20 +3741,20 @@ fn PixelPattern_triple(this_48: PixelPattern, purpose_5: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    let _e22 = PixelPattern_generator(this_48, purpose_5, index_18);
+    let _e22 = PixelPattern_generator(this_49, purpose_5, index_18);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:74
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:75
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    if (this_48.kind == 1u) {
+    if (this_49.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:77
         return vec3<u32>(_e25, _e27);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:79
-    let _e37 = PixelPattern_key(this_48, purpose_5);
-    let _e38 = Tuple_u32_u32_((this_48.rays * samples_1), _e37);
+    let _e37 = PixelPattern_key(this_49, purpose_5);
+    let _e38 = Tuple_u32_u32_((this_49.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:80
@@ -3757,16 +3764,16 @@ fn PixelPattern_triple(this_48: PixelPattern, purpose_5: u32, sample_1: u32, sam
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:73
-fn Candidates_draw(this_49: Candidates, index_15: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_50: Candidates, index_15: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density_1: f32;
     var direction_12: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/candidates.rs:80
-    let _e8 = Candidates_of_brdf(this_49);
+    let _e8 = Candidates_of_brdf(this_50);
     // glimt_render_gpu/src/kernels/candidates.rs:81
-    let of_env = (this_49.count - _e8);
+    let of_env = (this_50.count - _e8);
     // glimt_render_gpu/src/kernels/candidates.rs:83
     density_1 = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:87
@@ -3849,41 +3856,41 @@ fn Candidates_draw(this_49: Candidates, index_15: u32, point_4: ShadingPoint, pa
     // glimt_render_gpu/src/kernels/candidates.rs:119
     let _e157 = radiance;
     let _e158 = luminance(_e157);
-    let target_ = ((_e158 + this_49.floor) * reflected);
+    let target_ = ((_e158 + this_50.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:120
     let _e163 = direction_12;
     let _e164 = wi_3;
     let _e165 = radiance;
     let _e168 = density_1;
-    return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_49.count) / _e168)));
+    return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_50.count) / _e168)));
 }
 
 // glimt_sampling/src/ris.rs:72
-fn RisSum_add(this_50: ptr<function, RisSum>, weight: f32) {
+fn RisSum_add(this_51: ptr<function, RisSum>, weight: f32) {
 
     // glimt_sampling/src/ris.rs:73
-    let _e6 = (*this_50).candidates;
-    (*this_50).candidates = (_e6 + 1u);
+    let _e6 = (*this_51).candidates;
+    (*this_51).candidates = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
         // glimt_sampling/src/ris.rs:75
-        let _e13 = (*this_50).sum;
-        (*this_50).sum = (_e13 + weight);
+        let _e13 = (*this_51).sum;
+        (*this_51).sum = (_e13 + weight);
         // glimt_sampling/src/ris.rs:76
-        let _e17 = (*this_50).candidates;
-        (*this_50).end = _e17;
+        let _e17 = (*this_51).candidates;
+        (*this_51).end = _e17;
     }
     return;
 }
 
 // glimt_sampling/src/ris.rs:83
-fn RisSum_normaliser(this_51: RisSum) -> f32 {
+fn RisSum_normaliser(this_52: RisSum) -> f32 {
     var chosen_43: f32;
 
     // glimt_sampling/src/ris.rs:84
-    if (this_51.candidates > 0u) {
+    if (this_52.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_43 = (this_51.sum / f32(this_51.candidates));
+        chosen_43 = (this_52.sum / f32(this_52.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
         chosen_43 = 0f;
@@ -3893,55 +3900,55 @@ fn RisSum_normaliser(this_51: RisSum) -> f32 {
 }
 
 // glimt_sampling/src/ris.rs:109
-fn Word_next_u32_(this_52: ptr<function, Word>) -> u32 {
+fn Word_next_u32_(this_53: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/ris.rs:110
-    let _e4 = (*this_52).f0_;
+    let _e4 = (*this_53).f0_;
     return _e4;
 }
 
 // glimt_sampling/src/resample.rs:135
-fn Comb_place_tooth_1(this_53: ptr<function, Comb>, source_9: ptr<function, Word>) {
+fn Comb_place_tooth_1(this_54: ptr<function, Comb>, source_9: ptr<function, Word>) {
 
     // glimt_sampling/src/resample.rs:136
-    let _e5 = (*this_53).made;
-    let _e7 = (*this_53).teeth;
+    let _e5 = (*this_54).made;
+    let _e7 = (*this_54).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:137
         return;
     }
     // glimt_sampling/src/resample.rs:139
-    let _e12 = (*this_53).made;
+    let _e12 = (*this_54).made;
     let first_6 = f32(_e12);
     // glimt_sampling/src/resample.rs:140
-    let _e16 = (*this_53).scheme;
+    let _e16 = (*this_54).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:141
-        let _e21 = (*this_53).state;
-        (*this_53).next = (first_6 + _e21);
+        let _e21 = (*this_54).state;
+        (*this_54).next = (first_6 + _e21);
     } else {
-        let _e25 = (*this_53).scheme;
+        let _e25 = (*this_54).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:143
             let _e29 = Word_next_u32_(source_9);
             let _e30 = unit_f32_(_e29);
-            (*this_53).next = (first_6 + _e30);
+            (*this_54).next = (first_6 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:146
             let _e35 = Word_next_u32_(source_9);
             let _e36 = unit_f32_(_e35);
             let v_9 = (1f - _e36);
             // glimt_sampling/src/resample.rs:147
-            let _e40 = (*this_53).teeth;
-            let _e42 = (*this_53).made;
+            let _e40 = (*this_54).teeth;
+            let _e42 = (*this_54).made;
             let left_3 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:148
-            let _e50 = (*this_53).state;
-            (*this_53).state = (_e50 * pow(v_9, (1f / left_3)));
+            let _e50 = (*this_54).state;
+            (*this_54).state = (_e50 * pow(v_9, (1f / left_3)));
             // glimt_sampling/src/resample.rs:149
-            let _e55 = (*this_53).state;
-            let _e58 = (*this_53).teeth;
-            (*this_53).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_54).state;
+            let _e58 = (*this_54).teeth;
+            (*this_54).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -3988,82 +3995,82 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
 }
 
 // glimt_sampling/src/resample.rs:105
-fn Comb_take_1(this_54: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
+fn Comb_take_1(this_55: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/resample.rs:106
-    let _e6 = (*this_54).scheme;
+    let _e6 = (*this_55).scheme;
     let _e7 = sure_copies(_e6, expected_2);
     // glimt_sampling/src/resample.rs:107
-    let _e12 = (*this_54).reach;
-    (*this_54).reach = (_e12 + (expected_2 - f32(_e7)));
+    let _e12 = (*this_55).reach;
+    (*this_55).reach = (_e12 + (expected_2 - f32(_e7)));
     // glimt_sampling/src/resample.rs:108
-    let before_1 = (*this_54).made;
+    let before_1 = (*this_55).made;
     // glimt_sampling/src/resample.rs:109
     loop {
-        let _e19 = (*this_54).made;
-        let _e21 = (*this_54).teeth;
-        let _e24 = (*this_54).next;
-        let _e26 = (*this_54).reach;
+        let _e19 = (*this_55).made;
+        let _e21 = (*this_55).teeth;
+        let _e24 = (*this_55).next;
+        let _e26 = (*this_55).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:110
-            let _e32 = (*this_54).made;
-            (*this_54).made = (_e32 + 1u);
+            let _e32 = (*this_55).made;
+            (*this_55).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:111
-            Comb_place_tooth_1(this_54, source_11);
+            Comb_place_tooth_1(this_55, source_11);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:113
-    let _e37 = (*this_54).made;
+    let _e37 = (*this_55).made;
     return (_e7 + (_e37 - before_1));
 }
 
 // glimt_sampling/src/ris.rs:133
-fn RisPicks_take(this_55: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+fn RisPicks_take(this_56: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     var chosen_45: u32;
     var borrowed_8: Comb;
     var borrowed_9: Word;
 
     // glimt_sampling/src/ris.rs:134
-    let _e6 = (*this_55).candidate;
-    (*this_55).candidate = (_e6 + 1u);
+    let _e6 = (*this_56).candidate;
+    (*this_56).candidate = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:135
-    let _e13 = (*this_55).left;
+    let _e13 = (*this_56).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
         // glimt_sampling/src/ris.rs:136
         return 0u;
     }
     // glimt_sampling/src/ris.rs:138
-    let _e22 = (*this_55).candidate;
-    let _e24 = (*this_55).end;
+    let _e22 = (*this_56).candidate;
+    let _e24 = (*this_56).end;
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
-        let _e28 = (*this_55).left;
+        let _e28 = (*this_56).left;
         chosen_45 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
-        let _e32 = (*this_55).comb;
+        let _e32 = (*this_56).comb;
         borrowed_8 = _e32;
-        let _e34 = (*this_55).sum;
-        let _e37 = (*this_55).samples;
+        let _e34 = (*this_56).sum;
+        let _e37 = (*this_56).samples;
         borrowed_9 = Word(0u);
         let _e42 = Comb_take_1((&borrowed_8), ((weight_1 / _e34) * _e37), (&borrowed_9));
         let _e43 = borrowed_8;
-        (*this_55).comb = _e43;
-        let _e45 = (*this_55).left;
+        (*this_56).comb = _e43;
+        let _e45 = (*this_56).left;
         chosen_45 = min(_e42, _e45);
     }
     let picks_6 = chosen_45;
     // glimt_sampling/src/ris.rs:146
-    let _e50 = (*this_55).left;
-    (*this_55).left = (_e50 - picks_6);
+    let _e50 = (*this_56).left;
+    (*this_56).left = (_e50 - picks_6);
     // glimt_sampling/src/ris.rs:147
     return picks_6;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:145
-fn SmcParams_start(this_56: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
+// glimt_render_gpu/src/kernels/smc.rs:144
+fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
     var counter_15: u32;
     var counter_16: u32;
@@ -4072,20 +4079,20 @@ fn SmcParams_start(this_56: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
     var counter_17: u32;
     var counter_18: u32;
 
+    // glimt_render_gpu/src/kernels/smc.rs:151
     // glimt_render_gpu/src/kernels/smc.rs:152
-    // glimt_render_gpu/src/kernels/smc.rs:153
-    let candidates = Candidates(this_56.candidates, this_56.source, this_56.floor);
-    // glimt_render_gpu/src/kernels/smc.rs:158
+    let candidates = Candidates(this_57.candidates, this_57.source, this_57.floor);
+    // glimt_render_gpu/src/kernels/smc.rs:157
     let _e15 = RisSum_new();
     weights_1 = _e15;
-    // glimt_render_gpu/src/kernels/smc.rs:159
+    // glimt_render_gpu/src/kernels/smc.rs:158
     counter_15 = 0u;
     loop {
         let j = counter_15;
-        if (j >= this_56.candidates) {
+        if (j >= this_57.candidates) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:160
+        // glimt_render_gpu/src/kernels/smc.rs:159
         let _e24 = Candidates_draw(candidates, j, point_5, pattern_3, env_cdf_size_1, env_rotation_1);
         RisSum_add((&weights_1), _e24.weight);
         continuing {
@@ -4093,57 +4100,57 @@ fn SmcParams_start(this_56: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
             counter_15 = (_e26 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:162
+    // glimt_render_gpu/src/kernels/smc.rs:161
     let _e30 = weights_1;
     let _e31 = RisSum_normaliser(_e30);
-    // glimt_render_gpu/src/kernels/smc.rs:163
+    // glimt_render_gpu/src/kernels/smc.rs:162
     if !((_e31 > 0f)) {
-        // glimt_render_gpu/src/kernels/smc.rs:164
+        // glimt_render_gpu/src/kernels/smc.rs:163
         counter_16 = 0u;
         loop {
             let i_11 = counter_16;
             if (i_11 >= particles_len_9) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:165
+            // glimt_render_gpu/src/kernels/smc.rs:164
             particles[(particles_start_9 + i_11)] = Particle(point_5.frame.n, -1000000000000000000000000000000f);
             continuing {
                 let _e49 = counter_16;
                 counter_16 = (_e49 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/smc.rs:170
+        // glimt_render_gpu/src/kernels/smc.rs:169
         return -1000000000000000000000000000000f;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:172
+    // glimt_render_gpu/src/kernels/smc.rs:171
     let _e55 = weights_1;
     let _e59 = PixelPattern_pair(pattern_3, 6u, 0u, 1u);
     let _e61 = RisPicks_new(_e55, particles_len_9, _e59.x);
     picks_5 = _e61;
-    // glimt_render_gpu/src/kernels/smc.rs:173
+    // glimt_render_gpu/src/kernels/smc.rs:172
     filled = 0u;
-    // glimt_render_gpu/src/kernels/smc.rs:174
+    // glimt_render_gpu/src/kernels/smc.rs:173
     counter_17 = 0u;
     loop {
         let j_1 = counter_17;
-        if (j_1 >= this_56.candidates) {
+        if (j_1 >= this_57.candidates) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:175
+        // glimt_render_gpu/src/kernels/smc.rs:174
         let _e73 = Candidates_draw(candidates, j_1, point_5, pattern_3, env_cdf_size_1, env_rotation_1);
-        // glimt_render_gpu/src/kernels/smc.rs:176
+        // glimt_render_gpu/src/kernels/smc.rs:175
         let _e76 = RisPicks_take((&picks_5), _e73.weight);
-        // glimt_render_gpu/src/kernels/smc.rs:177
+        // glimt_render_gpu/src/kernels/smc.rs:176
         counter_18 = 0u;
         loop {
             let _e80 = counter_18;
             if (_e80 >= _e76) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:178
+            // glimt_render_gpu/src/kernels/smc.rs:177
             let _e84 = filled;
             particles[(particles_start_9 + _e84)].state = _e73.direction;
-            // glimt_render_gpu/src/kernels/smc.rs:179
+            // glimt_render_gpu/src/kernels/smc.rs:178
             let _e91 = filled;
             filled = (_e91 + 1u);
             continuing {
@@ -4156,9 +4163,9 @@ fn SmcParams_start(this_56: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
             counter_17 = (_e96 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:182
+    // glimt_render_gpu/src/kernels/smc.rs:181
     make_equal(particles_start_9, particles_len_9);
-    // glimt_render_gpu/src/kernels/smc.rs:183
+    // glimt_render_gpu/src/kernels/smc.rs:182
     return log(_e31);
 }
 
@@ -4201,74 +4208,74 @@ fn Scene_is_lit(point_7: ShadingPoint, direction_14: vec3<f32>) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_57: LightSample, point_8: ShadingPoint) -> Reflected {
+fn LightSample_traced(this_58: LightSample, point_8: ShadingPoint) -> Reflected {
     var chosen_46: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_57.contribution.x, this_57.contribution.y), this_57.contribution.z) > 0f)) {
+    if !((max(max(this_58.contribution.x, this_58.contribution.y), this_58.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e22 = Scene_is_lit(point_8, this_57.direction);
+    let _e22 = Scene_is_lit(point_8, this_58.direction);
     if _e22 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_46 = Reflected(this_57.contribution, vec3(0f));
+        chosen_46 = Reflected(this_58.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_46 = Reflected(vec3(0f), this_57.contribution);
+        chosen_46 = Reflected(vec3(0f), this_58.contribution);
     }
     let _e33 = chosen_46;
     return _e33;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_58: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_59: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_58).lit;
-    (*this_58).lit = (_e6 + light.lit);
+    let _e6 = (*this_59).lit;
+    (*this_59).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_58).blocked;
-    (*this_58).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_59).blocked;
+    (*this_59).blocked = (_e11 + light.blocked);
     return;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:189
+// glimt_render_gpu/src/kernels/smc.rs:188
 fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normaliser: f32, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>, particles_start_10: u32, particles_len_10: u32) -> Reflected {
     var sum_3: Reflected;
     var counter_19: u32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:198
+    // glimt_render_gpu/src/kernels/smc.rs:197
     sum_3 = Reflected(vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/smc.rs:199
+    // glimt_render_gpu/src/kernels/smc.rs:198
     counter_19 = 0u;
     loop {
         let i_12 = counter_19;
         if (i_12 >= particles_len_10) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:200
+        // glimt_render_gpu/src/kernels/smc.rs:199
         let particle_1 = particles[(particles_start_10 + i_12)];
-        // glimt_render_gpu/src/kernels/smc.rs:201
+        // glimt_render_gpu/src/kernels/smc.rs:200
         let _e28 = is_log_zero(particle_1.log_weight);
         if !(_e28) {
-            // glimt_render_gpu/src/kernels/smc.rs:202
+            // glimt_render_gpu/src/kernels/smc.rs:201
             let direction_16 = particle_1.state;
-            // glimt_render_gpu/src/kernels/smc.rs:203
+            // glimt_render_gpu/src/kernels/smc.rs:202
             let _e33 = Environment_texel(env_cdf_size_2, env_rotation_2, direction_16);
             let _e34 = Environment_radiance(env_cdf_size_2, env_rotation_2, _e33);
-            // glimt_render_gpu/src/kernels/smc.rs:204
+            // glimt_render_gpu/src/kernels/smc.rs:203
             let _e36 = luminance(_e34);
             let _e38 = LightLobe_value(lobe_3, direction_16);
             let target_1 = ((_e36 + floor_3) * _e38);
-            // glimt_render_gpu/src/kernels/smc.rs:205
+            // glimt_render_gpu/src/kernels/smc.rs:204
             let density_3 = (target_1 * exp(-((log_normaliser + particle_1.log_weight))));
-            // glimt_render_gpu/src/kernels/smc.rs:206
+            // glimt_render_gpu/src/kernels/smc.rs:205
             let _e48 = ShadingFrame_to_local(point_9.frame, direction_16);
-            // glimt_render_gpu/src/kernels/smc.rs:207
+            // glimt_render_gpu/src/kernels/smc.rs:206
             let _e50 = LightSample_new(point_9, direction_16, _e48, _e34, density_3);
-            // glimt_render_gpu/src/kernels/smc.rs:208
+            // glimt_render_gpu/src/kernels/smc.rs:207
             let _e52 = LightSample_traced(_e50, point_9);
             Reflected_gather((&sum_3), _e52);
         }
@@ -4277,12 +4284,12 @@ fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normalis
             counter_19 = (_e53 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:211
+    // glimt_render_gpu/src/kernels/smc.rs:210
     let _e57 = sum_3;
     return _e57;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:217
+// glimt_render_gpu/src/kernels/smc.rs:216
 fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, frame_4: FrameParams, smc: SmcParams, view: PastView, pattern_4: PixelPattern, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_11: u32, particles_len_11: u32) -> Reflected {
     var now: RayState;
     var counter_20: u32;
@@ -4293,29 +4300,29 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
     var chosen_49: f32;
     var chosen_50: Reflected;
 
+    // glimt_render_gpu/src/kernels/smc.rs:232
     // glimt_render_gpu/src/kernels/smc.rs:233
-    // glimt_render_gpu/src/kernels/smc.rs:234
     let _e19 = LightLobe_of_point(point_10);
-    // glimt_render_gpu/src/kernels/smc.rs:235
+    // glimt_render_gpu/src/kernels/smc.rs:234
     let _e26 = luminance(point_10.brdf.diffuse);
     let _e29 = luminance(point_10.brdf.specular);
     now = RayState(point_10.frame.n, -1000000000000000000000000000000f, wo_4, depth, _e26, _e29, point_10.brdf.exponent, 0u, f32(particles_len_11), 0f, 1u, 0u);
-    // glimt_render_gpu/src/kernels/smc.rs:249
+    // glimt_render_gpu/src/kernels/smc.rs:248
     let _e40 = PastView_predecessor(view, point_10, object_1, frame_4, pattern_4);
     let ray_12 = _e40.value;
     if _e40.is_some {
-        // glimt_render_gpu/src/kernels/smc.rs:250
+        // glimt_render_gpu/src/kernels/smc.rs:249
         let old_1 = past_states[ray_12];
-        // glimt_render_gpu/src/kernels/smc.rs:251
+        // glimt_render_gpu/src/kernels/smc.rs:250
         let first_7 = (ray_12 * particles_len_11);
-        // glimt_render_gpu/src/kernels/smc.rs:252
+        // glimt_render_gpu/src/kernels/smc.rs:251
         counter_20 = 0u;
         loop {
             let i_13 = counter_20;
             if (i_13 >= particles_len_11) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:253
+            // glimt_render_gpu/src/kernels/smc.rs:252
             let _e59 = past_particles[(first_7 + i_13)];
             particles[(particles_start_11 + i_13)] = _e59;
             continuing {
@@ -4323,14 +4330,14 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
                 counter_20 = (_e63 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/smc.rs:255
+        // glimt_render_gpu/src/kernels/smc.rs:254
         let _e68 = LightLobe_of_state(old_1);
-        // glimt_render_gpu/src/kernels/smc.rs:263
+        // glimt_render_gpu/src/kernels/smc.rs:262
         let _e72 = PixelPattern_source(pattern_4, 7u);
         source_12 = _e72;
-        // glimt_render_gpu/src/kernels/smc.rs:264
+        // glimt_render_gpu/src/kernels/smc.rs:263
         let _e75 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e68, env_cdf_size_3, env_rotation_3, smc.floor, _e19, point_10, particles_start_11, particles_len_11, (&source_12));
-        // glimt_render_gpu/src/kernels/smc.rs:265
+        // glimt_render_gpu/src/kernels/smc.rs:264
         let _e78 = is_log_zero(_e75.log_ratio);
         either_2 = _e78;
         if _e78 {
@@ -4339,25 +4346,25 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
             either_2 = _e81;
         }
         let dead = either_2;
-        // glimt_render_gpu/src/kernels/smc.rs:266
+        // glimt_render_gpu/src/kernels/smc.rs:265
         now.log_ratio = _e75.log_ratio;
-        // glimt_render_gpu/src/kernels/smc.rs:267
+        // glimt_render_gpu/src/kernels/smc.rs:266
         now.ess = _e75.ess;
-        // glimt_render_gpu/src/kernels/smc.rs:268
+        // glimt_render_gpu/src/kernels/smc.rs:267
         now.accepted = _e75.accepted;
-        // glimt_render_gpu/src/kernels/smc.rs:269
+        // glimt_render_gpu/src/kernels/smc.rs:268
         now.age = (old_1.age + 1u);
-        // glimt_render_gpu/src/kernels/smc.rs:270
+        // glimt_render_gpu/src/kernels/smc.rs:269
         if ((smc.band > 0f) && (dead || (abs(_e75.log_ratio) > smc.band))) {
-            // glimt_render_gpu/src/kernels/smc.rs:271
+            // glimt_render_gpu/src/kernels/smc.rs:270
             chosen_47 = 2u;
         } else {
             let _e115 = now.age;
             if ((smc.max_age > 0u) && (_e115 >= smc.max_age)) {
-                // glimt_render_gpu/src/kernels/smc.rs:273
+                // glimt_render_gpu/src/kernels/smc.rs:272
                 chosen_48 = 3u;
             } else {
-                // glimt_render_gpu/src/kernels/smc.rs:275
+                // glimt_render_gpu/src/kernels/smc.rs:274
                 chosen_48 = 0u;
             }
             let _e123 = chosen_48;
@@ -4365,43 +4372,43 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
         }
         let _e124 = chosen_47;
         now.started = _e124;
-        // glimt_render_gpu/src/kernels/smc.rs:277
+        // glimt_render_gpu/src/kernels/smc.rs:276
         if dead {
-            // glimt_render_gpu/src/kernels/smc.rs:278
+            // glimt_render_gpu/src/kernels/smc.rs:277
             chosen_49 = -1000000000000000000000000000000f;
         } else {
-            // glimt_render_gpu/src/kernels/smc.rs:280
+            // glimt_render_gpu/src/kernels/smc.rs:279
             chosen_49 = (old_1.log_normaliser + _e75.log_ratio);
         }
         let _e134 = chosen_49;
         now.log_normaliser = _e134;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:283
+    // glimt_render_gpu/src/kernels/smc.rs:282
     let _e138 = now.started;
     if (_e138 != 0u) {
-        // glimt_render_gpu/src/kernels/smc.rs:284
+        // glimt_render_gpu/src/kernels/smc.rs:283
         now.age = 0u;
-        // glimt_render_gpu/src/kernels/smc.rs:285
+        // glimt_render_gpu/src/kernels/smc.rs:284
         let _e145 = SmcParams_start(smc, point_10, pattern_4, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
         now.log_normaliser = _e145;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:287
+    // glimt_render_gpu/src/kernels/smc.rs:286
     let _e150 = now.log_normaliser;
     let _e151 = is_log_zero(_e150);
     if _e151 {
-        // glimt_render_gpu/src/kernels/smc.rs:288
+        // glimt_render_gpu/src/kernels/smc.rs:287
         chosen_50 = Reflected(vec3(0f), vec3(0f));
     } else {
-        // glimt_render_gpu/src/kernels/smc.rs:290
+        // glimt_render_gpu/src/kernels/smc.rs:289
         let _e161 = now.log_normaliser;
         let _e162 = estimate(point_10, _e19, smc.floor, _e161, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
         chosen_50 = _e162;
     }
     let light_2 = chosen_50;
-    // glimt_render_gpu/src/kernels/smc.rs:300
+    // glimt_render_gpu/src/kernels/smc.rs:299
     let _e165 = now;
     state_5[(state_start + 0u)] = _e165;
-    // glimt_render_gpu/src/kernels/smc.rs:301
+    // glimt_render_gpu/src/kernels/smc.rs:300
     return light_2;
 }
 
@@ -4417,35 +4424,35 @@ fn LayerSample_of(light_1: Reflected, is_catcher: bool) -> LayerSample {
     return LayerSample(light_1.lit, 1f, vec3(0f), 0f);
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:340
+// glimt_render_gpu/src/kernels/smc.rs:339
 fn shade_smc_layers_1(ray_10: u32, frame_5: FrameParams, smc_1: SmcParams, view_1: PastView, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>, before_size_1: vec2<u32>, before_rotation_1: vec2<f32>, state_start_1: u32, state_len_1: u32, particles_start_12: u32, particles_len_12: u32) -> LayerSample {
 
-    // glimt_render_gpu/src/kernels/smc.rs:352
+    // glimt_render_gpu/src/kernels/smc.rs:351
     let _e14 = FrameParams_pattern_of(frame_5, ray_10);
-    // glimt_render_gpu/src/kernels/smc.rs:353
+    // glimt_render_gpu/src/kernels/smc.rs:352
     let _e16 = FrameParams_camera_ray(frame_5, _e14);
-    // glimt_render_gpu/src/kernels/smc.rs:354
+    // glimt_render_gpu/src/kernels/smc.rs:353
     let _e18 = Scene_closest_hit(_e16);
     let hit_1 = _e18.value;
     if _e18.is_some {
-        // glimt_render_gpu/src/kernels/smc.rs:355
+        // glimt_render_gpu/src/kernels/smc.rs:354
         let _e23 = Scene_shading_point(_e16, hit_1);
-        // glimt_render_gpu/src/kernels/smc.rs:356
+        // glimt_render_gpu/src/kernels/smc.rs:355
         let triangle_3 = scene_triangles[hit_1.triangle];
+        // glimt_render_gpu/src/kernels/smc.rs:356
+        let _e30 = Triangle_object_index(triangle_3);
         // glimt_render_gpu/src/kernels/smc.rs:357
-        let object_2 = (triangle_3.object & 2147483647u);
-        // glimt_render_gpu/src/kernels/smc.rs:358
         let wo_5 = -(_e16.direction);
-        // glimt_render_gpu/src/kernels/smc.rs:359
-        let _e38 = follow(_e23, hit_1.t, wo_5, object_2, frame_5, smc_1, view_1, _e14, env_cdf_size_4, env_rotation_4, before_size_1, before_rotation_1, state_start_1, state_len_1, particles_start_12, particles_len_12);
-        // glimt_render_gpu/src/kernels/smc.rs:363
-        let _e40 = Triangle_is_catcher(triangle_3);
-        let _e41 = LayerSample_of(_e38, _e40);
-        return _e41;
+        // glimt_render_gpu/src/kernels/smc.rs:358
+        let _e36 = follow(_e23, hit_1.t, wo_5, _e30, frame_5, smc_1, view_1, _e14, env_cdf_size_4, env_rotation_4, before_size_1, before_rotation_1, state_start_1, state_len_1, particles_start_12, particles_len_12);
+        // glimt_render_gpu/src/kernels/smc.rs:362
+        let _e38 = Triangle_is_catcher(triangle_3);
+        let _e39 = LayerSample_of(_e36, _e38);
+        return _e39;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:365
+    // glimt_render_gpu/src/kernels/smc.rs:364
     state_5[(state_start_1 + 0u)] = RayState(vec3(0f), 0f, vec3(0f), 0f, 0f, 0f, 0f, 0u, 0f, 0f, 0u, 0u);
-    // glimt_render_gpu/src/kernels/smc.rs:366
+    // glimt_render_gpu/src/kernels/smc.rs:365
     return LayerSample(vec3(0f), 0f, vec3(0f), 0f);
 }
 

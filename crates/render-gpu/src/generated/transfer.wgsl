@@ -30,6 +30,8 @@ struct TransferParams {
     directions: u32,
     rows: u32,
     seed: u32,
+    first_row: u32,
+    end_row: u32,
 }
 
 struct Tuple_u32_u32_ {
@@ -43,6 +45,13 @@ struct Ray {
     inverse_direction: vec3<f32>,
 }
 
+struct Asked {
+    object: u32,
+    own: bool,
+    near: f32,
+    way: vec3<f32>,
+}
+
 struct Xoshiro128PlusPlus {
     state: vec4<u32>,
 }
@@ -50,6 +59,7 @@ struct Xoshiro128PlusPlus {
 struct Params {
     first: u32,
     count: u32,
+    state_len: u32,
     lit_len: u32,
     blocked_len: u32,
     params: TransferParams,
@@ -62,10 +72,12 @@ var<storage> triangles: array<Triangle>;
 @group(0) @binding(3) 
 var<storage> vertices: array<TransferVertex>;
 @group(0) @binding(4) 
-var<storage, read_write> lit: array<f32>;
+var<storage, read_write> state_1: array<u32>;
 @group(0) @binding(5) 
-var<storage, read_write> blocked: array<f32>;
+var<storage, read_write> lit: array<f32>;
 @group(0) @binding(6) 
+var<storage, read_write> blocked: array<f32>;
+@group(0) @binding(7) 
 var<storage, read_write> out: array<u32>;
 @group(0) @binding(0) 
 var<storage> params_2: Params;
@@ -113,49 +125,56 @@ fn box_distance(node: BvhNode, ray: Ray) -> f32 {
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:33
+// glimt_render_gpu/src/kernels/triangle.rs:38
 fn Triangle_is_catcher(this_: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:34
+    // glimt_render_gpu/src/kernels/triangle.rs:39
     return ((this_.object & 2147483648u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:51
+// glimt_render_gpu/src/kernels/triangle.rs:45
+fn Triangle_object_index(this_1: Triangle) -> u32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:46
+    return (this_1.object & 1073741823u);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:75
 fn edge_functions(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:52
+    // glimt_render_gpu/src/kernels/triangle.rs:76
     return vec3<f32>(dot(cross((b - c), (b + c)), direction_1), dot(cross((c - a), (c + a)), direction_1), dot(cross((a - b), (a + b)), direction_1));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:64
+// glimt_render_gpu/src/kernels/triangle.rs:88
 fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     var chosen_1: f32;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:65
+    // glimt_render_gpu/src/kernels/triangle.rs:89
     let a_1 = (triangle.v0_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:66
+    // glimt_render_gpu/src/kernels/triangle.rs:90
     let b_1 = (triangle.v1_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:67
+    // glimt_render_gpu/src/kernels/triangle.rs:91
     let c_1 = (triangle.v2_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:68
+    // glimt_render_gpu/src/kernels/triangle.rs:92
     let _e18 = edge_functions(a_1, b_1, c_1, ray_1.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:69
+    // glimt_render_gpu/src/kernels/triangle.rs:93
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:70
+        // glimt_render_gpu/src/kernels/triangle.rs:94
         return 340282350000000000000000000000000000000f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:72
+    // glimt_render_gpu/src/kernels/triangle.rs:96
     let normal = cross((c_1 - a_1), (a_1 - b_1));
-    // glimt_render_gpu/src/kernels/triangle.rs:73
+    // glimt_render_gpu/src/kernels/triangle.rs:97
     let slope = dot(normal, ray_1.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:74
+    // glimt_render_gpu/src/kernels/triangle.rs:98
     if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:75
+        // glimt_render_gpu/src/kernels/triangle.rs:99
         return 340282350000000000000000000000000000000f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:77
+    // glimt_render_gpu/src/kernels/triangle.rs:101
     let t_1 = (dot(a_1, normal) / slope);
-    // glimt_render_gpu/src/kernels/triangle.rs:78
+    // glimt_render_gpu/src/kernels/triangle.rs:102
     if ((t_1 > 0f) && (t_1 < t_max)) {
         chosen_1 = t_1;
     } else {
@@ -165,81 +184,125 @@ fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     return _e59;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:170
-fn any_hit_of(ray_2: Ray, t_max_1: f32, object: u32, own: bool) -> bool {
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn Triangle_area_normal(this_2: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    return cross((this_2.v1_ - this_2.v0_), (this_2.v2_ - this_2.v0_));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:52
+fn Triangle_outward(this_3: Triangle) -> vec3<f32> {
+    var chosen_2: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:53
+    let _e3 = Triangle_area_normal(this_3);
+    // glimt_render_gpu/src/kernels/triangle.rs:54
+    if ((this_3.object & 1073741824u) != 0u) {
+        // glimt_render_gpu/src/kernels/triangle.rs:55
+        chosen_2 = -(_e3);
+    } else {
+        // glimt_render_gpu/src/kernels/triangle.rs:57
+        chosen_2 = _e3;
+    }
+    let _e14 = chosen_2;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:182
+fn any_hit_of(ray_2: Ray, t_max_1: f32, asked: Asked) -> bool {
     var stack: array<u32, 64>;
     var height: u32;
     var counter: u32;
     var both: bool;
+    var both_1: bool;
+    var both_2: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:178
+    // glimt_render_gpu/src/kernels/bvh.rs:189
     if (arrayLength((&nodes)) == 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:179
+        // glimt_render_gpu/src/kernels/bvh.rs:190
         return false;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:181
+    // glimt_render_gpu/src/kernels/bvh.rs:192
     stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:182
+    // glimt_render_gpu/src/kernels/bvh.rs:193
     height = 1u;
-    // glimt_render_gpu/src/kernels/bvh.rs:183
+    // glimt_render_gpu/src/kernels/bvh.rs:194
     loop {
-        let _e20 = height;
-        if !((_e20 > 0u)) {
+        let _e19 = height;
+        if !((_e19 > 0u)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:184
-        let _e26 = height;
-        height = (_e26 - 1u);
-        // glimt_render_gpu/src/kernels/bvh.rs:185
-        let _e29 = height;
-        let _e31 = stack[_e29];
-        let node_1 = nodes[_e31];
-        // glimt_render_gpu/src/kernels/bvh.rs:186
-        let _e36 = box_distance(node_1, ray_2);
-        if (_e36 < t_max_1) {
-            // glimt_render_gpu/src/kernels/bvh.rs:187
+        // glimt_render_gpu/src/kernels/bvh.rs:195
+        let _e25 = height;
+        height = (_e25 - 1u);
+        // glimt_render_gpu/src/kernels/bvh.rs:196
+        let _e28 = height;
+        let _e30 = stack[_e28];
+        let node_1 = nodes[_e30];
+        // glimt_render_gpu/src/kernels/bvh.rs:197
+        let _e35 = box_distance(node_1, ray_2);
+        if (_e35 < t_max_1) {
+            // glimt_render_gpu/src/kernels/bvh.rs:198
             if (node_1.count == 0u) {
-                // glimt_render_gpu/src/kernels/bvh.rs:188
-                let _e44 = height;
-                stack[_e44] = node_1.first;
-                // glimt_render_gpu/src/kernels/bvh.rs:189
-                let _e50 = height;
-                stack[(_e50 + 1u)] = (node_1.first + 1u);
-                // glimt_render_gpu/src/kernels/bvh.rs:190
-                let _e56 = height;
-                height = (_e56 + 2u);
+                // glimt_render_gpu/src/kernels/bvh.rs:199
+                let _e43 = height;
+                stack[_e43] = node_1.first;
+                // glimt_render_gpu/src/kernels/bvh.rs:200
+                let _e49 = height;
+                stack[(_e49 + 1u)] = (node_1.first + 1u);
+                // glimt_render_gpu/src/kernels/bvh.rs:201
+                let _e55 = height;
+                height = (_e55 + 2u);
             }
-            // glimt_render_gpu/src/kernels/bvh.rs:192
+            // glimt_render_gpu/src/kernels/bvh.rs:203
             counter = node_1.first;
             loop {
                 let i = counter;
                 if (i >= (node_1.first + node_1.count)) {
                     break;
                 }
-                // glimt_render_gpu/src/kernels/bvh.rs:193
+                // glimt_render_gpu/src/kernels/bvh.rs:204
                 let triangle_1 = triangles[i];
-                // glimt_render_gpu/src/kernels/bvh.rs:194
-                let _e71 = Triangle_is_catcher(triangle_1);
-                let is_asked = (!(_e71) && ((triangle_1.object == object) == own));
-                // glimt_render_gpu/src/kernels/bvh.rs:195
-                both = is_asked;
-                if is_asked {
-                    let _e79 = intersect(triangle_1, ray_2, t_max_1);
-                    both = (_e79 < t_max_1);
+                // glimt_render_gpu/src/kernels/bvh.rs:205
+                let _e70 = Triangle_is_catcher(triangle_1);
+                let _e71 = !(_e70);
+                both = _e71;
+                if _e71 {
+                    let _e73 = Triangle_object_index(triangle_1);
+                    both = ((_e73 == asked.object) == asked.own);
                 }
-                let _e81 = both;
-                if _e81 {
-                    // glimt_render_gpu/src/kernels/bvh.rs:196
-                    return true;
+                let _e78 = both;
+                if _e78 {
+                    // glimt_render_gpu/src/kernels/bvh.rs:207
+                    let _e80 = intersect(triangle_1, ray_2, t_max_1);
+                    // glimt_render_gpu/src/kernels/bvh.rs:208
+                    let _e82 = (_e80 < t_max_1);
+                    both_1 = _e82;
+                    if _e82 {
+                        let _e85 = (_e80 < asked.near);
+                        both_2 = _e85;
+                        if _e85 {
+                            let _e87 = Triangle_outward(triangle_1);
+                            both_2 = (dot(_e87, asked.way) > 0f);
+                        }
+                        let _e92 = both_2;
+                        both_1 = !(_e92);
+                    }
+                    let _e94 = both_1;
+                    if _e94 {
+                        // glimt_render_gpu/src/kernels/bvh.rs:209
+                        return true;
+                    }
                 }
                 continuing {
-                    let _e84 = counter;
-                    counter = (_e84 + 1u);
+                    let _e97 = counter;
+                    counter = (_e97 + 1u);
                 }
             }
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:201
+    // glimt_render_gpu/src/kernels/bvh.rs:215
     return false;
 }
 
@@ -379,22 +442,22 @@ fn Xoshiro128PlusPlus_stream(seed: u32, frame: u32, pixel: u32) -> Xoshiro128Plu
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:111
+// glimt_render_gpu/src/kernels/transfer.rs:149
 fn strata_of_row(params: TransferParams, row: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/transfer.rs:112
+    // glimt_render_gpu/src/kernels/transfer.rs:150
     let first_1 = ((row * params.directions) / params.rows);
-    // glimt_render_gpu/src/kernels/transfer.rs:113
+    // glimt_render_gpu/src/kernels/transfer.rs:151
     let next = (((row + 1u) * params.directions) / params.rows);
-    // glimt_render_gpu/src/kernels/transfer.rs:114
+    // glimt_render_gpu/src/kernels/transfer.rs:152
     return vec2<u32>(first_1, (next - first_1));
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_1: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s = (*this_1).state;
+    let s = (*this_4).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s.x + s.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
@@ -403,18 +466,18 @@ fn Xoshiro128PlusPlus_next_u32_(this_1: ptr<function, Xoshiro128PlusPlus>) -> u3
     // glimt_sampling/src/xoshiro.rs:60
     let w_1 = (s.w ^ s.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_1).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_5), (z_5 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_5), (z_5 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_2: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_2);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_2);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
@@ -437,7 +500,7 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
 
 // glimt_probe/src/trig.rs:25
 fn cos_sin_pi(x_3: f32) -> vec2<f32> {
-    var chosen_2: vec2<f32>;
+    var chosen_3: vec2<f32>;
 
     // glimt_probe/src/trig.rs:27
     let quarter = floor(((2f * x_3) + 0.5f));
@@ -453,36 +516,36 @@ fn cos_sin_pi(x_3: f32) -> vec2<f32> {
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_2 = vec2<f32>(c_2, (s_1 + 0f));
+        chosen_3 = vec2<f32>(c_2, (s_1 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_2 = vec2<f32>((0f - s_1), c_2);
+            chosen_3 = vec2<f32>((0f - s_1), c_2);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_2 = vec2<f32>((0f - c_2), (0f - s_1));
+                chosen_3 = vec2<f32>((0f - c_2), (0f - s_1));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_2 = vec2<f32>((s_1 + 0f), (0f - c_2));
+                chosen_3 = vec2<f32>((s_1 + 0f), (0f - c_2));
             }
         }
     }
-    let _e77 = chosen_2;
+    let _e77 = chosen_3;
     return _e77;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:121
+// glimt_render_gpu/src/kernels/transfer.rs:159
 fn stratified_direction(n_1: u32, first: u32, columns: u32, column: u32, u_2: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/transfer.rs:122
+    // glimt_render_gpu/src/kernels/transfer.rs:160
     let down = ((f32(first) + (u_2.x * f32(columns))) / f32(n_1));
-    // glimt_render_gpu/src/kernels/transfer.rs:123
+    // glimt_render_gpu/src/kernels/transfer.rs:161
     let radius = (2f * sqrt((down * (1f - down))));
-    // glimt_render_gpu/src/kernels/transfer.rs:124
+    // glimt_render_gpu/src/kernels/transfer.rs:162
     let _e31 = cos_sin_pi((((f32(column) + u_2.y) * (2f / f32(columns))) - 1f));
     let around = (_e31 * radius);
-    // glimt_render_gpu/src/kernels/transfer.rs:125
+    // glimt_render_gpu/src/kernels/transfer.rs:163
     return vec3<f32>(around.x, around.y, (1f - (2f * down)));
 }
 
@@ -490,8 +553,8 @@ fn stratified_direction(n_1: u32, first: u32, columns: u32, column: u32, u_2: ve
 fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
     var nearest: u32;
     var counter_1: u32;
-    var both_1: bool;
-    var both_2: bool;
+    var both_3: bool;
+    var both_4: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:153
     nearest = best;
@@ -509,18 +572,18 @@ fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, n
         // glimt_render_gpu/src/kernels/bvh.rs:157
         let _e23 = (*reach);
         let _e24 = (_e21 < _e23);
-        both_1 = _e24;
+        both_3 = _e24;
         if _e24 {
-            both_2 = no_catcher;
+            both_4 = no_catcher;
             if no_catcher {
                 let _e29 = triangles[i_1];
                 let _e30 = Triangle_is_catcher(_e29);
-                both_2 = _e30;
+                both_4 = _e30;
             }
-            let _e31 = both_2;
-            both_1 = !(_e31);
+            let _e31 = both_4;
+            both_3 = !(_e31);
         }
-        let _e33 = both_1;
+        let _e33 = both_3;
         if _e33 {
             // glimt_render_gpu/src/kernels/bvh.rs:158
             (*reach) = _e21;
@@ -720,226 +783,226 @@ fn any_hit(ray_5: Ray, t_max_2: f32) -> bool {
     return (_e7 != 4294967295u);
 }
 
-// glimt_sh/src/basis.rs:105
+// glimt_sh/src/basis.rs:132
 fn turn(p: vec2<f32>, x_4: f32, y_1: f32) -> vec2<f32> {
 
-    // glimt_sh/src/basis.rs:106
+    // glimt_sh/src/basis.rs:133
     return vec2<f32>(((p.x * x_4) - (p.y * y_1)), ((p.x * y_1) + (p.y * x_4)));
 }
 
-// glimt_sh/src/basis.rs:52
+// glimt_sh/src/basis.rs:79
 fn zonal_2_(z_1: f32) -> array<f32, 3> {
 
-    // glimt_sh/src/basis.rs:53
+    // glimt_sh/src/basis.rs:80
     return array<f32, 3>((0.31539157f * (((3f * z_1) * z_1) - 1f)), (1.0925485f * z_1), 0.54627424f);
 }
 
-// glimt_sh/src/basis.rs:63
+// glimt_sh/src/basis.rs:90
 fn zonal_3_(z_2: f32) -> array<f32, 4> {
 
-    // glimt_sh/src/basis.rs:64
+    // glimt_sh/src/basis.rs:91
     let t_3 = (z_2 * z_2);
-    // glimt_sh/src/basis.rs:65
+    // glimt_sh/src/basis.rs:92
     return array<f32, 4>(((0.37317634f * z_2) * ((5f * t_3) - 3f)), (0.4570458f * ((5f * t_3) - 1f)), (1.4453057f * z_2), 0.5900436f);
 }
 
-// glimt_sh/src/basis.rs:76
+// glimt_sh/src/basis.rs:103
 fn zonal_4_(z_3: f32) -> array<f32, 5> {
 
-    // glimt_sh/src/basis.rs:77
+    // glimt_sh/src/basis.rs:104
     let t_4 = (z_3 * z_3);
-    // glimt_sh/src/basis.rs:78
+    // glimt_sh/src/basis.rs:105
     return array<f32, 5>((0.10578555f * ((((35f * t_4) - 30f) * t_4) + 3f)), ((0.6690465f * z_3) * ((7f * t_4) - 3f)), (0.47308734f * ((7f * t_4) - 1f)), (1.7701308f * z_3), 0.6258357f);
 }
 
-// glimt_sh/src/basis.rs:90
+// glimt_sh/src/basis.rs:117
 fn zonal_5_(z_4: f32) -> array<f32, 6> {
 
-    // glimt_sh/src/basis.rs:91
+    // glimt_sh/src/basis.rs:118
     let t_5 = (z_4 * z_4);
-    // glimt_sh/src/basis.rs:92
+    // glimt_sh/src/basis.rs:119
     return array<f32, 6>(((0.116950326f * z_4) * ((((63f * t_5) - 70f) * t_5) + 15f)), (0.45294666f * ((((21f * t_5) - 14f) * t_5) + 1f)), ((2.3967683f * z_4) * ((3f * t_5) - 1f)), (0.4892383f * ((9f * t_5) - 1f)), (2.0756624f * z_4), 0.6563821f);
 }
 
-// glimt_sh/src/basis.rs:197
+// glimt_sh/src/basis.rs:224
 fn add_basis(bands: u32, d: vec3<f32>, weight: f32, sums: ptr<function, array<f32, 36>>) {
     var q2_: array<f32, 3>;
     var q3_: array<f32, 4>;
     var q4_: array<f32, 5>;
     var q5_: array<f32, 6>;
 
-    // glimt_sh/src/basis.rs:198
+    // glimt_sh/src/basis.rs:225
     if (bands > 0u) {
-        // glimt_sh/src/basis.rs:199
+        // glimt_sh/src/basis.rs:226
         let _e12 = (*sums)[0];
         (*sums)[0] = (_e12 + (weight * 0.2820948f));
     }
-    // glimt_sh/src/basis.rs:201
+    // glimt_sh/src/basis.rs:228
     if (bands > 1u) {
-        // glimt_sh/src/basis.rs:202
+        // glimt_sh/src/basis.rs:229
         let p1_ = vec2<f32>(d.x, d.y);
-        // glimt_sh/src/basis.rs:203
+        // glimt_sh/src/basis.rs:230
         let _e27 = (*sums)[1];
         (*sums)[1] = (_e27 + (weight * (0.48860252f * p1_.y)));
-        // glimt_sh/src/basis.rs:204
+        // glimt_sh/src/basis.rs:231
         let _e35 = (*sums)[2];
         (*sums)[2] = (_e35 + (weight * (0.48860252f * d.z)));
-        // glimt_sh/src/basis.rs:205
+        // glimt_sh/src/basis.rs:232
         let _e43 = (*sums)[3];
         (*sums)[3] = (_e43 + (weight * (0.48860252f * p1_.x)));
-        // glimt_sh/src/basis.rs:206
+        // glimt_sh/src/basis.rs:233
         if (bands > 2u) {
-            // glimt_sh/src/basis.rs:207
+            // glimt_sh/src/basis.rs:234
             let _e51 = turn(p1_, d.x, d.y);
-            // glimt_sh/src/basis.rs:208
+            // glimt_sh/src/basis.rs:235
             let _e54 = zonal_2_(d.z);
             q2_ = _e54;
-            // glimt_sh/src/basis.rs:209
+            // glimt_sh/src/basis.rs:236
             let _e58 = q2_[2];
             let _e63 = (*sums)[4];
             (*sums)[4] = (_e63 + (weight * (_e58 * _e51.y)));
-            // glimt_sh/src/basis.rs:210
+            // glimt_sh/src/basis.rs:237
             let _e67 = q2_[1];
             let _e72 = (*sums)[5];
             (*sums)[5] = (_e72 + (weight * (_e67 * p1_.y)));
-            // glimt_sh/src/basis.rs:211
+            // glimt_sh/src/basis.rs:238
             let _e76 = q2_[0];
             let _e79 = (*sums)[6];
             (*sums)[6] = (_e79 + (weight * _e76));
-            // glimt_sh/src/basis.rs:212
+            // glimt_sh/src/basis.rs:239
             let _e83 = q2_[1];
             let _e88 = (*sums)[7];
             (*sums)[7] = (_e88 + (weight * (_e83 * p1_.x)));
-            // glimt_sh/src/basis.rs:213
+            // glimt_sh/src/basis.rs:240
             let _e92 = q2_[2];
             let _e97 = (*sums)[8];
             (*sums)[8] = (_e97 + (weight * (_e92 * _e51.x)));
-            // glimt_sh/src/basis.rs:214
+            // glimt_sh/src/basis.rs:241
             if (bands > 3u) {
-                // glimt_sh/src/basis.rs:215
+                // glimt_sh/src/basis.rs:242
                 let _e105 = turn(_e51, d.x, d.y);
-                // glimt_sh/src/basis.rs:216
+                // glimt_sh/src/basis.rs:243
                 let _e108 = zonal_3_(d.z);
                 q3_ = _e108;
-                // glimt_sh/src/basis.rs:217
+                // glimt_sh/src/basis.rs:244
                 let _e112 = q3_[3];
                 let _e117 = (*sums)[9];
                 (*sums)[9] = (_e117 + (weight * (_e112 * _e105.y)));
-                // glimt_sh/src/basis.rs:218
+                // glimt_sh/src/basis.rs:245
                 let _e121 = q3_[2];
                 let _e126 = (*sums)[10];
                 (*sums)[10] = (_e126 + (weight * (_e121 * _e51.y)));
-                // glimt_sh/src/basis.rs:219
+                // glimt_sh/src/basis.rs:246
                 let _e130 = q3_[1];
                 let _e135 = (*sums)[11];
                 (*sums)[11] = (_e135 + (weight * (_e130 * p1_.y)));
-                // glimt_sh/src/basis.rs:220
+                // glimt_sh/src/basis.rs:247
                 let _e139 = q3_[0];
                 let _e142 = (*sums)[12];
                 (*sums)[12] = (_e142 + (weight * _e139));
-                // glimt_sh/src/basis.rs:221
+                // glimt_sh/src/basis.rs:248
                 let _e146 = q3_[1];
                 let _e151 = (*sums)[13];
                 (*sums)[13] = (_e151 + (weight * (_e146 * p1_.x)));
-                // glimt_sh/src/basis.rs:222
+                // glimt_sh/src/basis.rs:249
                 let _e155 = q3_[2];
                 let _e160 = (*sums)[14];
                 (*sums)[14] = (_e160 + (weight * (_e155 * _e51.x)));
-                // glimt_sh/src/basis.rs:223
+                // glimt_sh/src/basis.rs:250
                 let _e164 = q3_[3];
                 let _e169 = (*sums)[15];
                 (*sums)[15] = (_e169 + (weight * (_e164 * _e105.x)));
-                // glimt_sh/src/basis.rs:224
+                // glimt_sh/src/basis.rs:251
                 if (bands > 4u) {
-                    // glimt_sh/src/basis.rs:225
+                    // glimt_sh/src/basis.rs:252
                     let _e177 = turn(_e105, d.x, d.y);
-                    // glimt_sh/src/basis.rs:226
+                    // glimt_sh/src/basis.rs:253
                     let _e180 = zonal_4_(d.z);
                     q4_ = _e180;
-                    // glimt_sh/src/basis.rs:227
+                    // glimt_sh/src/basis.rs:254
                     let _e184 = q4_[4];
                     let _e189 = (*sums)[16];
                     (*sums)[16] = (_e189 + (weight * (_e184 * _e177.y)));
-                    // glimt_sh/src/basis.rs:228
+                    // glimt_sh/src/basis.rs:255
                     let _e193 = q4_[3];
                     let _e198 = (*sums)[17];
                     (*sums)[17] = (_e198 + (weight * (_e193 * _e105.y)));
-                    // glimt_sh/src/basis.rs:229
+                    // glimt_sh/src/basis.rs:256
                     let _e202 = q4_[2];
                     let _e207 = (*sums)[18];
                     (*sums)[18] = (_e207 + (weight * (_e202 * _e51.y)));
-                    // glimt_sh/src/basis.rs:230
+                    // glimt_sh/src/basis.rs:257
                     let _e211 = q4_[1];
                     let _e216 = (*sums)[19];
                     (*sums)[19] = (_e216 + (weight * (_e211 * p1_.y)));
-                    // glimt_sh/src/basis.rs:231
+                    // glimt_sh/src/basis.rs:258
                     let _e220 = q4_[0];
                     let _e223 = (*sums)[20];
                     (*sums)[20] = (_e223 + (weight * _e220));
-                    // glimt_sh/src/basis.rs:232
+                    // glimt_sh/src/basis.rs:259
                     let _e227 = q4_[1];
                     let _e232 = (*sums)[21];
                     (*sums)[21] = (_e232 + (weight * (_e227 * p1_.x)));
-                    // glimt_sh/src/basis.rs:233
+                    // glimt_sh/src/basis.rs:260
                     let _e236 = q4_[2];
                     let _e241 = (*sums)[22];
                     (*sums)[22] = (_e241 + (weight * (_e236 * _e51.x)));
-                    // glimt_sh/src/basis.rs:234
+                    // glimt_sh/src/basis.rs:261
                     let _e245 = q4_[3];
                     let _e250 = (*sums)[23];
                     (*sums)[23] = (_e250 + (weight * (_e245 * _e105.x)));
-                    // glimt_sh/src/basis.rs:235
+                    // glimt_sh/src/basis.rs:262
                     let _e254 = q4_[4];
                     let _e259 = (*sums)[24];
                     (*sums)[24] = (_e259 + (weight * (_e254 * _e177.x)));
-                    // glimt_sh/src/basis.rs:236
+                    // glimt_sh/src/basis.rs:263
                     if (bands > 5u) {
-                        // glimt_sh/src/basis.rs:237
+                        // glimt_sh/src/basis.rs:264
                         let _e267 = turn(_e177, d.x, d.y);
-                        // glimt_sh/src/basis.rs:238
+                        // glimt_sh/src/basis.rs:265
                         let _e270 = zonal_5_(d.z);
                         q5_ = _e270;
-                        // glimt_sh/src/basis.rs:239
+                        // glimt_sh/src/basis.rs:266
                         let _e274 = q5_[5];
                         let _e279 = (*sums)[25];
                         (*sums)[25] = (_e279 + (weight * (_e274 * _e267.y)));
-                        // glimt_sh/src/basis.rs:240
+                        // glimt_sh/src/basis.rs:267
                         let _e283 = q5_[4];
                         let _e288 = (*sums)[26];
                         (*sums)[26] = (_e288 + (weight * (_e283 * _e177.y)));
-                        // glimt_sh/src/basis.rs:241
+                        // glimt_sh/src/basis.rs:268
                         let _e292 = q5_[3];
                         let _e297 = (*sums)[27];
                         (*sums)[27] = (_e297 + (weight * (_e292 * _e105.y)));
-                        // glimt_sh/src/basis.rs:242
+                        // glimt_sh/src/basis.rs:269
                         let _e301 = q5_[2];
                         let _e306 = (*sums)[28];
                         (*sums)[28] = (_e306 + (weight * (_e301 * _e51.y)));
-                        // glimt_sh/src/basis.rs:243
+                        // glimt_sh/src/basis.rs:270
                         let _e310 = q5_[1];
                         let _e315 = (*sums)[29];
                         (*sums)[29] = (_e315 + (weight * (_e310 * p1_.y)));
-                        // glimt_sh/src/basis.rs:244
+                        // glimt_sh/src/basis.rs:271
                         let _e319 = q5_[0];
                         let _e322 = (*sums)[30];
                         (*sums)[30] = (_e322 + (weight * _e319));
-                        // glimt_sh/src/basis.rs:245
+                        // glimt_sh/src/basis.rs:272
                         let _e326 = q5_[1];
                         let _e331 = (*sums)[31];
                         (*sums)[31] = (_e331 + (weight * (_e326 * p1_.x)));
-                        // glimt_sh/src/basis.rs:246
+                        // glimt_sh/src/basis.rs:273
                         let _e335 = q5_[2];
                         let _e340 = (*sums)[32];
                         (*sums)[32] = (_e340 + (weight * (_e335 * _e51.x)));
-                        // glimt_sh/src/basis.rs:247
+                        // glimt_sh/src/basis.rs:274
                         let _e344 = q5_[3];
                         let _e349 = (*sums)[33];
                         (*sums)[33] = (_e349 + (weight * (_e344 * _e105.x)));
-                        // glimt_sh/src/basis.rs:248
+                        // glimt_sh/src/basis.rs:275
                         let _e353 = q5_[4];
                         let _e358 = (*sums)[34];
                         (*sums)[34] = (_e358 + (weight * (_e353 * _e177.x)));
-                        // glimt_sh/src/basis.rs:249
+                        // glimt_sh/src/basis.rs:276
                         let _e362 = q5_[5];
                         let _e367 = (*sums)[35];
                         (*sums)[35] = (_e367 + (weight * (_e362 * _e267.x)));
@@ -951,129 +1014,165 @@ fn add_basis(bands: u32, d: vec3<f32>, weight: f32, sums: ptr<function, array<f3
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:129
-fn store(bands_1: u32, scale: f32, sums_1: array<f32, 36>, out_start: u32, out_len: u32) {
+// glimt_render_gpu/src/kernels/transfer.rs:167
+fn store(bands_1: u32, kept: f32, scale: f32, sums_1: array<f32, 36>, out_start: u32, out_len: u32) {
     var sums_2: array<f32, 36>;
 
     sums_2 = sums_1;
-    // glimt_render_gpu/src/kernels/transfer.rs:130
-    let _e9 = sums_2[0];
-    lit[(out_start + 0u)] = (scale * _e9);
-    // glimt_render_gpu/src/kernels/transfer.rs:131
+    // glimt_render_gpu/src/kernels/transfer.rs:168
+    let _e13 = lit[(out_start + 0u)];
+    let _e16 = sums_2[0];
+    lit[(out_start + 0u)] = ((kept * _e13) + (scale * _e16));
+    // glimt_render_gpu/src/kernels/transfer.rs:169
     if (bands_1 > 1u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:132
-        let _e20 = sums_2[1];
-        lit[(out_start + 1u)] = (scale * _e20);
-        // glimt_render_gpu/src/kernels/transfer.rs:133
-        let _e28 = sums_2[2];
-        lit[(out_start + 2u)] = (scale * _e28);
-        // glimt_render_gpu/src/kernels/transfer.rs:134
-        let _e36 = sums_2[3];
-        lit[(out_start + 3u)] = (scale * _e36);
-        // glimt_render_gpu/src/kernels/transfer.rs:135
+        // glimt_render_gpu/src/kernels/transfer.rs:170
+        let _e31 = lit[(out_start + 1u)];
+        let _e34 = sums_2[1];
+        lit[(out_start + 1u)] = ((kept * _e31) + (scale * _e34));
+        // glimt_render_gpu/src/kernels/transfer.rs:171
+        let _e46 = lit[(out_start + 2u)];
+        let _e49 = sums_2[2];
+        lit[(out_start + 2u)] = ((kept * _e46) + (scale * _e49));
+        // glimt_render_gpu/src/kernels/transfer.rs:172
+        let _e61 = lit[(out_start + 3u)];
+        let _e64 = sums_2[3];
+        lit[(out_start + 3u)] = ((kept * _e61) + (scale * _e64));
+        // glimt_render_gpu/src/kernels/transfer.rs:173
         if (bands_1 > 2u) {
-            // glimt_render_gpu/src/kernels/transfer.rs:136
-            let _e47 = sums_2[4];
-            lit[(out_start + 4u)] = (scale * _e47);
-            // glimt_render_gpu/src/kernels/transfer.rs:137
-            let _e55 = sums_2[5];
-            lit[(out_start + 5u)] = (scale * _e55);
-            // glimt_render_gpu/src/kernels/transfer.rs:138
-            let _e63 = sums_2[6];
-            lit[(out_start + 6u)] = (scale * _e63);
-            // glimt_render_gpu/src/kernels/transfer.rs:139
-            let _e71 = sums_2[7];
-            lit[(out_start + 7u)] = (scale * _e71);
-            // glimt_render_gpu/src/kernels/transfer.rs:140
-            let _e79 = sums_2[8];
-            lit[(out_start + 8u)] = (scale * _e79);
-            // glimt_render_gpu/src/kernels/transfer.rs:141
+            // glimt_render_gpu/src/kernels/transfer.rs:174
+            let _e79 = lit[(out_start + 4u)];
+            let _e82 = sums_2[4];
+            lit[(out_start + 4u)] = ((kept * _e79) + (scale * _e82));
+            // glimt_render_gpu/src/kernels/transfer.rs:175
+            let _e94 = lit[(out_start + 5u)];
+            let _e97 = sums_2[5];
+            lit[(out_start + 5u)] = ((kept * _e94) + (scale * _e97));
+            // glimt_render_gpu/src/kernels/transfer.rs:176
+            let _e109 = lit[(out_start + 6u)];
+            let _e112 = sums_2[6];
+            lit[(out_start + 6u)] = ((kept * _e109) + (scale * _e112));
+            // glimt_render_gpu/src/kernels/transfer.rs:177
+            let _e124 = lit[(out_start + 7u)];
+            let _e127 = sums_2[7];
+            lit[(out_start + 7u)] = ((kept * _e124) + (scale * _e127));
+            // glimt_render_gpu/src/kernels/transfer.rs:178
+            let _e139 = lit[(out_start + 8u)];
+            let _e142 = sums_2[8];
+            lit[(out_start + 8u)] = ((kept * _e139) + (scale * _e142));
+            // glimt_render_gpu/src/kernels/transfer.rs:179
             if (bands_1 > 3u) {
-                // glimt_render_gpu/src/kernels/transfer.rs:142
-                let _e90 = sums_2[9];
-                lit[(out_start + 9u)] = (scale * _e90);
-                // glimt_render_gpu/src/kernels/transfer.rs:143
-                let _e98 = sums_2[10];
-                lit[(out_start + 10u)] = (scale * _e98);
-                // glimt_render_gpu/src/kernels/transfer.rs:144
-                let _e106 = sums_2[11];
-                lit[(out_start + 11u)] = (scale * _e106);
-                // glimt_render_gpu/src/kernels/transfer.rs:145
-                let _e114 = sums_2[12];
-                lit[(out_start + 12u)] = (scale * _e114);
-                // glimt_render_gpu/src/kernels/transfer.rs:146
-                let _e122 = sums_2[13];
-                lit[(out_start + 13u)] = (scale * _e122);
-                // glimt_render_gpu/src/kernels/transfer.rs:147
-                let _e130 = sums_2[14];
-                lit[(out_start + 14u)] = (scale * _e130);
-                // glimt_render_gpu/src/kernels/transfer.rs:148
-                let _e138 = sums_2[15];
-                lit[(out_start + 15u)] = (scale * _e138);
-                // glimt_render_gpu/src/kernels/transfer.rs:149
+                // glimt_render_gpu/src/kernels/transfer.rs:180
+                let _e157 = lit[(out_start + 9u)];
+                let _e160 = sums_2[9];
+                lit[(out_start + 9u)] = ((kept * _e157) + (scale * _e160));
+                // glimt_render_gpu/src/kernels/transfer.rs:181
+                let _e172 = lit[(out_start + 10u)];
+                let _e175 = sums_2[10];
+                lit[(out_start + 10u)] = ((kept * _e172) + (scale * _e175));
+                // glimt_render_gpu/src/kernels/transfer.rs:182
+                let _e187 = lit[(out_start + 11u)];
+                let _e190 = sums_2[11];
+                lit[(out_start + 11u)] = ((kept * _e187) + (scale * _e190));
+                // glimt_render_gpu/src/kernels/transfer.rs:183
+                let _e202 = lit[(out_start + 12u)];
+                let _e205 = sums_2[12];
+                lit[(out_start + 12u)] = ((kept * _e202) + (scale * _e205));
+                // glimt_render_gpu/src/kernels/transfer.rs:184
+                let _e217 = lit[(out_start + 13u)];
+                let _e220 = sums_2[13];
+                lit[(out_start + 13u)] = ((kept * _e217) + (scale * _e220));
+                // glimt_render_gpu/src/kernels/transfer.rs:185
+                let _e232 = lit[(out_start + 14u)];
+                let _e235 = sums_2[14];
+                lit[(out_start + 14u)] = ((kept * _e232) + (scale * _e235));
+                // glimt_render_gpu/src/kernels/transfer.rs:186
+                let _e247 = lit[(out_start + 15u)];
+                let _e250 = sums_2[15];
+                lit[(out_start + 15u)] = ((kept * _e247) + (scale * _e250));
+                // glimt_render_gpu/src/kernels/transfer.rs:187
                 if (bands_1 > 4u) {
-                    // glimt_render_gpu/src/kernels/transfer.rs:150
-                    let _e149 = sums_2[16];
-                    lit[(out_start + 16u)] = (scale * _e149);
-                    // glimt_render_gpu/src/kernels/transfer.rs:151
-                    let _e157 = sums_2[17];
-                    lit[(out_start + 17u)] = (scale * _e157);
-                    // glimt_render_gpu/src/kernels/transfer.rs:152
-                    let _e165 = sums_2[18];
-                    lit[(out_start + 18u)] = (scale * _e165);
-                    // glimt_render_gpu/src/kernels/transfer.rs:153
-                    let _e173 = sums_2[19];
-                    lit[(out_start + 19u)] = (scale * _e173);
-                    // glimt_render_gpu/src/kernels/transfer.rs:154
-                    let _e181 = sums_2[20];
-                    lit[(out_start + 20u)] = (scale * _e181);
-                    // glimt_render_gpu/src/kernels/transfer.rs:155
-                    let _e189 = sums_2[21];
-                    lit[(out_start + 21u)] = (scale * _e189);
-                    // glimt_render_gpu/src/kernels/transfer.rs:156
-                    let _e197 = sums_2[22];
-                    lit[(out_start + 22u)] = (scale * _e197);
-                    // glimt_render_gpu/src/kernels/transfer.rs:157
-                    let _e205 = sums_2[23];
-                    lit[(out_start + 23u)] = (scale * _e205);
-                    // glimt_render_gpu/src/kernels/transfer.rs:158
-                    let _e213 = sums_2[24];
-                    lit[(out_start + 24u)] = (scale * _e213);
-                    // glimt_render_gpu/src/kernels/transfer.rs:159
+                    // glimt_render_gpu/src/kernels/transfer.rs:188
+                    let _e265 = lit[(out_start + 16u)];
+                    let _e268 = sums_2[16];
+                    lit[(out_start + 16u)] = ((kept * _e265) + (scale * _e268));
+                    // glimt_render_gpu/src/kernels/transfer.rs:189
+                    let _e280 = lit[(out_start + 17u)];
+                    let _e283 = sums_2[17];
+                    lit[(out_start + 17u)] = ((kept * _e280) + (scale * _e283));
+                    // glimt_render_gpu/src/kernels/transfer.rs:190
+                    let _e295 = lit[(out_start + 18u)];
+                    let _e298 = sums_2[18];
+                    lit[(out_start + 18u)] = ((kept * _e295) + (scale * _e298));
+                    // glimt_render_gpu/src/kernels/transfer.rs:191
+                    let _e310 = lit[(out_start + 19u)];
+                    let _e313 = sums_2[19];
+                    lit[(out_start + 19u)] = ((kept * _e310) + (scale * _e313));
+                    // glimt_render_gpu/src/kernels/transfer.rs:192
+                    let _e325 = lit[(out_start + 20u)];
+                    let _e328 = sums_2[20];
+                    lit[(out_start + 20u)] = ((kept * _e325) + (scale * _e328));
+                    // glimt_render_gpu/src/kernels/transfer.rs:193
+                    let _e340 = lit[(out_start + 21u)];
+                    let _e343 = sums_2[21];
+                    lit[(out_start + 21u)] = ((kept * _e340) + (scale * _e343));
+                    // glimt_render_gpu/src/kernels/transfer.rs:194
+                    let _e355 = lit[(out_start + 22u)];
+                    let _e358 = sums_2[22];
+                    lit[(out_start + 22u)] = ((kept * _e355) + (scale * _e358));
+                    // glimt_render_gpu/src/kernels/transfer.rs:195
+                    let _e370 = lit[(out_start + 23u)];
+                    let _e373 = sums_2[23];
+                    lit[(out_start + 23u)] = ((kept * _e370) + (scale * _e373));
+                    // glimt_render_gpu/src/kernels/transfer.rs:196
+                    let _e385 = lit[(out_start + 24u)];
+                    let _e388 = sums_2[24];
+                    lit[(out_start + 24u)] = ((kept * _e385) + (scale * _e388));
+                    // glimt_render_gpu/src/kernels/transfer.rs:197
                     if (bands_1 > 5u) {
-                        // glimt_render_gpu/src/kernels/transfer.rs:160
-                        let _e224 = sums_2[25];
-                        lit[(out_start + 25u)] = (scale * _e224);
-                        // glimt_render_gpu/src/kernels/transfer.rs:161
-                        let _e232 = sums_2[26];
-                        lit[(out_start + 26u)] = (scale * _e232);
-                        // glimt_render_gpu/src/kernels/transfer.rs:162
-                        let _e240 = sums_2[27];
-                        lit[(out_start + 27u)] = (scale * _e240);
-                        // glimt_render_gpu/src/kernels/transfer.rs:163
-                        let _e248 = sums_2[28];
-                        lit[(out_start + 28u)] = (scale * _e248);
-                        // glimt_render_gpu/src/kernels/transfer.rs:164
-                        let _e256 = sums_2[29];
-                        lit[(out_start + 29u)] = (scale * _e256);
-                        // glimt_render_gpu/src/kernels/transfer.rs:165
-                        let _e264 = sums_2[30];
-                        lit[(out_start + 30u)] = (scale * _e264);
-                        // glimt_render_gpu/src/kernels/transfer.rs:166
-                        let _e272 = sums_2[31];
-                        lit[(out_start + 31u)] = (scale * _e272);
-                        // glimt_render_gpu/src/kernels/transfer.rs:167
-                        let _e280 = sums_2[32];
-                        lit[(out_start + 32u)] = (scale * _e280);
-                        // glimt_render_gpu/src/kernels/transfer.rs:168
-                        let _e288 = sums_2[33];
-                        lit[(out_start + 33u)] = (scale * _e288);
-                        // glimt_render_gpu/src/kernels/transfer.rs:169
-                        let _e296 = sums_2[34];
-                        lit[(out_start + 34u)] = (scale * _e296);
-                        // glimt_render_gpu/src/kernels/transfer.rs:170
-                        let _e304 = sums_2[35];
-                        lit[(out_start + 35u)] = (scale * _e304);
+                        // glimt_render_gpu/src/kernels/transfer.rs:198
+                        let _e403 = lit[(out_start + 25u)];
+                        let _e406 = sums_2[25];
+                        lit[(out_start + 25u)] = ((kept * _e403) + (scale * _e406));
+                        // glimt_render_gpu/src/kernels/transfer.rs:199
+                        let _e418 = lit[(out_start + 26u)];
+                        let _e421 = sums_2[26];
+                        lit[(out_start + 26u)] = ((kept * _e418) + (scale * _e421));
+                        // glimt_render_gpu/src/kernels/transfer.rs:200
+                        let _e433 = lit[(out_start + 27u)];
+                        let _e436 = sums_2[27];
+                        lit[(out_start + 27u)] = ((kept * _e433) + (scale * _e436));
+                        // glimt_render_gpu/src/kernels/transfer.rs:201
+                        let _e448 = lit[(out_start + 28u)];
+                        let _e451 = sums_2[28];
+                        lit[(out_start + 28u)] = ((kept * _e448) + (scale * _e451));
+                        // glimt_render_gpu/src/kernels/transfer.rs:202
+                        let _e463 = lit[(out_start + 29u)];
+                        let _e466 = sums_2[29];
+                        lit[(out_start + 29u)] = ((kept * _e463) + (scale * _e466));
+                        // glimt_render_gpu/src/kernels/transfer.rs:203
+                        let _e478 = lit[(out_start + 30u)];
+                        let _e481 = sums_2[30];
+                        lit[(out_start + 30u)] = ((kept * _e478) + (scale * _e481));
+                        // glimt_render_gpu/src/kernels/transfer.rs:204
+                        let _e493 = lit[(out_start + 31u)];
+                        let _e496 = sums_2[31];
+                        lit[(out_start + 31u)] = ((kept * _e493) + (scale * _e496));
+                        // glimt_render_gpu/src/kernels/transfer.rs:205
+                        let _e508 = lit[(out_start + 32u)];
+                        let _e511 = sums_2[32];
+                        lit[(out_start + 32u)] = ((kept * _e508) + (scale * _e511));
+                        // glimt_render_gpu/src/kernels/transfer.rs:206
+                        let _e523 = lit[(out_start + 33u)];
+                        let _e526 = sums_2[33];
+                        lit[(out_start + 33u)] = ((kept * _e523) + (scale * _e526));
+                        // glimt_render_gpu/src/kernels/transfer.rs:207
+                        let _e538 = lit[(out_start + 34u)];
+                        let _e541 = sums_2[34];
+                        lit[(out_start + 34u)] = ((kept * _e538) + (scale * _e541));
+                        // glimt_render_gpu/src/kernels/transfer.rs:208
+                        let _e553 = lit[(out_start + 35u)];
+                        let _e556 = sums_2[35];
+                        lit[(out_start + 35u)] = ((kept * _e553) + (scale * _e556));
                     }
                 }
             }
@@ -1082,129 +1181,165 @@ fn store(bands_1: u32, scale: f32, sums_1: array<f32, 36>, out_start: u32, out_l
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:129
-fn store_1(bands_2: u32, scale_1: f32, sums_3: array<f32, 36>, out_start_1: u32, out_len_1: u32) {
+// glimt_render_gpu/src/kernels/transfer.rs:167
+fn store_1(bands_2: u32, kept_1: f32, scale_1: f32, sums_3: array<f32, 36>, out_start_1: u32, out_len_1: u32) {
     var sums_4: array<f32, 36>;
 
     sums_4 = sums_3;
-    // glimt_render_gpu/src/kernels/transfer.rs:130
-    let _e9 = sums_4[0];
-    blocked[(out_start_1 + 0u)] = (scale_1 * _e9);
-    // glimt_render_gpu/src/kernels/transfer.rs:131
+    // glimt_render_gpu/src/kernels/transfer.rs:168
+    let _e13 = blocked[(out_start_1 + 0u)];
+    let _e16 = sums_4[0];
+    blocked[(out_start_1 + 0u)] = ((kept_1 * _e13) + (scale_1 * _e16));
+    // glimt_render_gpu/src/kernels/transfer.rs:169
     if (bands_2 > 1u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:132
-        let _e20 = sums_4[1];
-        blocked[(out_start_1 + 1u)] = (scale_1 * _e20);
-        // glimt_render_gpu/src/kernels/transfer.rs:133
-        let _e28 = sums_4[2];
-        blocked[(out_start_1 + 2u)] = (scale_1 * _e28);
-        // glimt_render_gpu/src/kernels/transfer.rs:134
-        let _e36 = sums_4[3];
-        blocked[(out_start_1 + 3u)] = (scale_1 * _e36);
-        // glimt_render_gpu/src/kernels/transfer.rs:135
+        // glimt_render_gpu/src/kernels/transfer.rs:170
+        let _e31 = blocked[(out_start_1 + 1u)];
+        let _e34 = sums_4[1];
+        blocked[(out_start_1 + 1u)] = ((kept_1 * _e31) + (scale_1 * _e34));
+        // glimt_render_gpu/src/kernels/transfer.rs:171
+        let _e46 = blocked[(out_start_1 + 2u)];
+        let _e49 = sums_4[2];
+        blocked[(out_start_1 + 2u)] = ((kept_1 * _e46) + (scale_1 * _e49));
+        // glimt_render_gpu/src/kernels/transfer.rs:172
+        let _e61 = blocked[(out_start_1 + 3u)];
+        let _e64 = sums_4[3];
+        blocked[(out_start_1 + 3u)] = ((kept_1 * _e61) + (scale_1 * _e64));
+        // glimt_render_gpu/src/kernels/transfer.rs:173
         if (bands_2 > 2u) {
-            // glimt_render_gpu/src/kernels/transfer.rs:136
-            let _e47 = sums_4[4];
-            blocked[(out_start_1 + 4u)] = (scale_1 * _e47);
-            // glimt_render_gpu/src/kernels/transfer.rs:137
-            let _e55 = sums_4[5];
-            blocked[(out_start_1 + 5u)] = (scale_1 * _e55);
-            // glimt_render_gpu/src/kernels/transfer.rs:138
-            let _e63 = sums_4[6];
-            blocked[(out_start_1 + 6u)] = (scale_1 * _e63);
-            // glimt_render_gpu/src/kernels/transfer.rs:139
-            let _e71 = sums_4[7];
-            blocked[(out_start_1 + 7u)] = (scale_1 * _e71);
-            // glimt_render_gpu/src/kernels/transfer.rs:140
-            let _e79 = sums_4[8];
-            blocked[(out_start_1 + 8u)] = (scale_1 * _e79);
-            // glimt_render_gpu/src/kernels/transfer.rs:141
+            // glimt_render_gpu/src/kernels/transfer.rs:174
+            let _e79 = blocked[(out_start_1 + 4u)];
+            let _e82 = sums_4[4];
+            blocked[(out_start_1 + 4u)] = ((kept_1 * _e79) + (scale_1 * _e82));
+            // glimt_render_gpu/src/kernels/transfer.rs:175
+            let _e94 = blocked[(out_start_1 + 5u)];
+            let _e97 = sums_4[5];
+            blocked[(out_start_1 + 5u)] = ((kept_1 * _e94) + (scale_1 * _e97));
+            // glimt_render_gpu/src/kernels/transfer.rs:176
+            let _e109 = blocked[(out_start_1 + 6u)];
+            let _e112 = sums_4[6];
+            blocked[(out_start_1 + 6u)] = ((kept_1 * _e109) + (scale_1 * _e112));
+            // glimt_render_gpu/src/kernels/transfer.rs:177
+            let _e124 = blocked[(out_start_1 + 7u)];
+            let _e127 = sums_4[7];
+            blocked[(out_start_1 + 7u)] = ((kept_1 * _e124) + (scale_1 * _e127));
+            // glimt_render_gpu/src/kernels/transfer.rs:178
+            let _e139 = blocked[(out_start_1 + 8u)];
+            let _e142 = sums_4[8];
+            blocked[(out_start_1 + 8u)] = ((kept_1 * _e139) + (scale_1 * _e142));
+            // glimt_render_gpu/src/kernels/transfer.rs:179
             if (bands_2 > 3u) {
-                // glimt_render_gpu/src/kernels/transfer.rs:142
-                let _e90 = sums_4[9];
-                blocked[(out_start_1 + 9u)] = (scale_1 * _e90);
-                // glimt_render_gpu/src/kernels/transfer.rs:143
-                let _e98 = sums_4[10];
-                blocked[(out_start_1 + 10u)] = (scale_1 * _e98);
-                // glimt_render_gpu/src/kernels/transfer.rs:144
-                let _e106 = sums_4[11];
-                blocked[(out_start_1 + 11u)] = (scale_1 * _e106);
-                // glimt_render_gpu/src/kernels/transfer.rs:145
-                let _e114 = sums_4[12];
-                blocked[(out_start_1 + 12u)] = (scale_1 * _e114);
-                // glimt_render_gpu/src/kernels/transfer.rs:146
-                let _e122 = sums_4[13];
-                blocked[(out_start_1 + 13u)] = (scale_1 * _e122);
-                // glimt_render_gpu/src/kernels/transfer.rs:147
-                let _e130 = sums_4[14];
-                blocked[(out_start_1 + 14u)] = (scale_1 * _e130);
-                // glimt_render_gpu/src/kernels/transfer.rs:148
-                let _e138 = sums_4[15];
-                blocked[(out_start_1 + 15u)] = (scale_1 * _e138);
-                // glimt_render_gpu/src/kernels/transfer.rs:149
+                // glimt_render_gpu/src/kernels/transfer.rs:180
+                let _e157 = blocked[(out_start_1 + 9u)];
+                let _e160 = sums_4[9];
+                blocked[(out_start_1 + 9u)] = ((kept_1 * _e157) + (scale_1 * _e160));
+                // glimt_render_gpu/src/kernels/transfer.rs:181
+                let _e172 = blocked[(out_start_1 + 10u)];
+                let _e175 = sums_4[10];
+                blocked[(out_start_1 + 10u)] = ((kept_1 * _e172) + (scale_1 * _e175));
+                // glimt_render_gpu/src/kernels/transfer.rs:182
+                let _e187 = blocked[(out_start_1 + 11u)];
+                let _e190 = sums_4[11];
+                blocked[(out_start_1 + 11u)] = ((kept_1 * _e187) + (scale_1 * _e190));
+                // glimt_render_gpu/src/kernels/transfer.rs:183
+                let _e202 = blocked[(out_start_1 + 12u)];
+                let _e205 = sums_4[12];
+                blocked[(out_start_1 + 12u)] = ((kept_1 * _e202) + (scale_1 * _e205));
+                // glimt_render_gpu/src/kernels/transfer.rs:184
+                let _e217 = blocked[(out_start_1 + 13u)];
+                let _e220 = sums_4[13];
+                blocked[(out_start_1 + 13u)] = ((kept_1 * _e217) + (scale_1 * _e220));
+                // glimt_render_gpu/src/kernels/transfer.rs:185
+                let _e232 = blocked[(out_start_1 + 14u)];
+                let _e235 = sums_4[14];
+                blocked[(out_start_1 + 14u)] = ((kept_1 * _e232) + (scale_1 * _e235));
+                // glimt_render_gpu/src/kernels/transfer.rs:186
+                let _e247 = blocked[(out_start_1 + 15u)];
+                let _e250 = sums_4[15];
+                blocked[(out_start_1 + 15u)] = ((kept_1 * _e247) + (scale_1 * _e250));
+                // glimt_render_gpu/src/kernels/transfer.rs:187
                 if (bands_2 > 4u) {
-                    // glimt_render_gpu/src/kernels/transfer.rs:150
-                    let _e149 = sums_4[16];
-                    blocked[(out_start_1 + 16u)] = (scale_1 * _e149);
-                    // glimt_render_gpu/src/kernels/transfer.rs:151
-                    let _e157 = sums_4[17];
-                    blocked[(out_start_1 + 17u)] = (scale_1 * _e157);
-                    // glimt_render_gpu/src/kernels/transfer.rs:152
-                    let _e165 = sums_4[18];
-                    blocked[(out_start_1 + 18u)] = (scale_1 * _e165);
-                    // glimt_render_gpu/src/kernels/transfer.rs:153
-                    let _e173 = sums_4[19];
-                    blocked[(out_start_1 + 19u)] = (scale_1 * _e173);
-                    // glimt_render_gpu/src/kernels/transfer.rs:154
-                    let _e181 = sums_4[20];
-                    blocked[(out_start_1 + 20u)] = (scale_1 * _e181);
-                    // glimt_render_gpu/src/kernels/transfer.rs:155
-                    let _e189 = sums_4[21];
-                    blocked[(out_start_1 + 21u)] = (scale_1 * _e189);
-                    // glimt_render_gpu/src/kernels/transfer.rs:156
-                    let _e197 = sums_4[22];
-                    blocked[(out_start_1 + 22u)] = (scale_1 * _e197);
-                    // glimt_render_gpu/src/kernels/transfer.rs:157
-                    let _e205 = sums_4[23];
-                    blocked[(out_start_1 + 23u)] = (scale_1 * _e205);
-                    // glimt_render_gpu/src/kernels/transfer.rs:158
-                    let _e213 = sums_4[24];
-                    blocked[(out_start_1 + 24u)] = (scale_1 * _e213);
-                    // glimt_render_gpu/src/kernels/transfer.rs:159
+                    // glimt_render_gpu/src/kernels/transfer.rs:188
+                    let _e265 = blocked[(out_start_1 + 16u)];
+                    let _e268 = sums_4[16];
+                    blocked[(out_start_1 + 16u)] = ((kept_1 * _e265) + (scale_1 * _e268));
+                    // glimt_render_gpu/src/kernels/transfer.rs:189
+                    let _e280 = blocked[(out_start_1 + 17u)];
+                    let _e283 = sums_4[17];
+                    blocked[(out_start_1 + 17u)] = ((kept_1 * _e280) + (scale_1 * _e283));
+                    // glimt_render_gpu/src/kernels/transfer.rs:190
+                    let _e295 = blocked[(out_start_1 + 18u)];
+                    let _e298 = sums_4[18];
+                    blocked[(out_start_1 + 18u)] = ((kept_1 * _e295) + (scale_1 * _e298));
+                    // glimt_render_gpu/src/kernels/transfer.rs:191
+                    let _e310 = blocked[(out_start_1 + 19u)];
+                    let _e313 = sums_4[19];
+                    blocked[(out_start_1 + 19u)] = ((kept_1 * _e310) + (scale_1 * _e313));
+                    // glimt_render_gpu/src/kernels/transfer.rs:192
+                    let _e325 = blocked[(out_start_1 + 20u)];
+                    let _e328 = sums_4[20];
+                    blocked[(out_start_1 + 20u)] = ((kept_1 * _e325) + (scale_1 * _e328));
+                    // glimt_render_gpu/src/kernels/transfer.rs:193
+                    let _e340 = blocked[(out_start_1 + 21u)];
+                    let _e343 = sums_4[21];
+                    blocked[(out_start_1 + 21u)] = ((kept_1 * _e340) + (scale_1 * _e343));
+                    // glimt_render_gpu/src/kernels/transfer.rs:194
+                    let _e355 = blocked[(out_start_1 + 22u)];
+                    let _e358 = sums_4[22];
+                    blocked[(out_start_1 + 22u)] = ((kept_1 * _e355) + (scale_1 * _e358));
+                    // glimt_render_gpu/src/kernels/transfer.rs:195
+                    let _e370 = blocked[(out_start_1 + 23u)];
+                    let _e373 = sums_4[23];
+                    blocked[(out_start_1 + 23u)] = ((kept_1 * _e370) + (scale_1 * _e373));
+                    // glimt_render_gpu/src/kernels/transfer.rs:196
+                    let _e385 = blocked[(out_start_1 + 24u)];
+                    let _e388 = sums_4[24];
+                    blocked[(out_start_1 + 24u)] = ((kept_1 * _e385) + (scale_1 * _e388));
+                    // glimt_render_gpu/src/kernels/transfer.rs:197
                     if (bands_2 > 5u) {
-                        // glimt_render_gpu/src/kernels/transfer.rs:160
-                        let _e224 = sums_4[25];
-                        blocked[(out_start_1 + 25u)] = (scale_1 * _e224);
-                        // glimt_render_gpu/src/kernels/transfer.rs:161
-                        let _e232 = sums_4[26];
-                        blocked[(out_start_1 + 26u)] = (scale_1 * _e232);
-                        // glimt_render_gpu/src/kernels/transfer.rs:162
-                        let _e240 = sums_4[27];
-                        blocked[(out_start_1 + 27u)] = (scale_1 * _e240);
-                        // glimt_render_gpu/src/kernels/transfer.rs:163
-                        let _e248 = sums_4[28];
-                        blocked[(out_start_1 + 28u)] = (scale_1 * _e248);
-                        // glimt_render_gpu/src/kernels/transfer.rs:164
-                        let _e256 = sums_4[29];
-                        blocked[(out_start_1 + 29u)] = (scale_1 * _e256);
-                        // glimt_render_gpu/src/kernels/transfer.rs:165
-                        let _e264 = sums_4[30];
-                        blocked[(out_start_1 + 30u)] = (scale_1 * _e264);
-                        // glimt_render_gpu/src/kernels/transfer.rs:166
-                        let _e272 = sums_4[31];
-                        blocked[(out_start_1 + 31u)] = (scale_1 * _e272);
-                        // glimt_render_gpu/src/kernels/transfer.rs:167
-                        let _e280 = sums_4[32];
-                        blocked[(out_start_1 + 32u)] = (scale_1 * _e280);
-                        // glimt_render_gpu/src/kernels/transfer.rs:168
-                        let _e288 = sums_4[33];
-                        blocked[(out_start_1 + 33u)] = (scale_1 * _e288);
-                        // glimt_render_gpu/src/kernels/transfer.rs:169
-                        let _e296 = sums_4[34];
-                        blocked[(out_start_1 + 34u)] = (scale_1 * _e296);
-                        // glimt_render_gpu/src/kernels/transfer.rs:170
-                        let _e304 = sums_4[35];
-                        blocked[(out_start_1 + 35u)] = (scale_1 * _e304);
+                        // glimt_render_gpu/src/kernels/transfer.rs:198
+                        let _e403 = blocked[(out_start_1 + 25u)];
+                        let _e406 = sums_4[25];
+                        blocked[(out_start_1 + 25u)] = ((kept_1 * _e403) + (scale_1 * _e406));
+                        // glimt_render_gpu/src/kernels/transfer.rs:199
+                        let _e418 = blocked[(out_start_1 + 26u)];
+                        let _e421 = sums_4[26];
+                        blocked[(out_start_1 + 26u)] = ((kept_1 * _e418) + (scale_1 * _e421));
+                        // glimt_render_gpu/src/kernels/transfer.rs:200
+                        let _e433 = blocked[(out_start_1 + 27u)];
+                        let _e436 = sums_4[27];
+                        blocked[(out_start_1 + 27u)] = ((kept_1 * _e433) + (scale_1 * _e436));
+                        // glimt_render_gpu/src/kernels/transfer.rs:201
+                        let _e448 = blocked[(out_start_1 + 28u)];
+                        let _e451 = sums_4[28];
+                        blocked[(out_start_1 + 28u)] = ((kept_1 * _e448) + (scale_1 * _e451));
+                        // glimt_render_gpu/src/kernels/transfer.rs:202
+                        let _e463 = blocked[(out_start_1 + 29u)];
+                        let _e466 = sums_4[29];
+                        blocked[(out_start_1 + 29u)] = ((kept_1 * _e463) + (scale_1 * _e466));
+                        // glimt_render_gpu/src/kernels/transfer.rs:203
+                        let _e478 = blocked[(out_start_1 + 30u)];
+                        let _e481 = sums_4[30];
+                        blocked[(out_start_1 + 30u)] = ((kept_1 * _e478) + (scale_1 * _e481));
+                        // glimt_render_gpu/src/kernels/transfer.rs:204
+                        let _e493 = blocked[(out_start_1 + 31u)];
+                        let _e496 = sums_4[31];
+                        blocked[(out_start_1 + 31u)] = ((kept_1 * _e493) + (scale_1 * _e496));
+                        // glimt_render_gpu/src/kernels/transfer.rs:205
+                        let _e508 = blocked[(out_start_1 + 32u)];
+                        let _e511 = sums_4[32];
+                        blocked[(out_start_1 + 32u)] = ((kept_1 * _e508) + (scale_1 * _e511));
+                        // glimt_render_gpu/src/kernels/transfer.rs:206
+                        let _e523 = blocked[(out_start_1 + 33u)];
+                        let _e526 = sums_4[33];
+                        blocked[(out_start_1 + 33u)] = ((kept_1 * _e523) + (scale_1 * _e526));
+                        // glimt_render_gpu/src/kernels/transfer.rs:207
+                        let _e538 = blocked[(out_start_1 + 34u)];
+                        let _e541 = sums_4[34];
+                        blocked[(out_start_1 + 34u)] = ((kept_1 * _e538) + (scale_1 * _e541));
+                        // glimt_render_gpu/src/kernels/transfer.rs:208
+                        let _e553 = blocked[(out_start_1 + 35u)];
+                        let _e556 = sums_4[35];
+                        blocked[(out_start_1 + 35u)] = ((kept_1 * _e553) + (scale_1 * _e556));
                     }
                 }
             }
@@ -1213,120 +1348,161 @@ fn store_1(bands_2: u32, scale_1: f32, sums_3: array<f32, 36>, out_start_1: u32,
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:56
-fn transfer_1(vertex: u32, params_1: TransferParams, lit_start: u32, lit_len: u32, blocked_start: u32, blocked_len: u32) -> u32 {
+// glimt_render_gpu/src/kernels/transfer.rs:64
+fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len: u32, lit_start: u32, lit_len: u32, blocked_start: u32, blocked_len: u32) -> u32 {
     var arrives: array<f32, 36>;
     var kept_away: array<f32, 36>;
     var rays: u32;
     var source: Xoshiro128PlusPlus;
+    var kept_2: f32;
     var counter_2: u32;
     var counter_3: u32;
-    var chosen_3: bool;
+    var chosen_4: bool;
     var either_1: bool;
 
-    // glimt_render_gpu/src/kernels/transfer.rs:65
-    let at = vertices[vertex];
-    // glimt_render_gpu/src/kernels/transfer.rs:66
-    let _e14 = Tuple_u32_u32_(params_1.directions, params_1.bands);
-    let n_2 = _e14.fa;
-    let bands_3 = _e14.fb;
-    // glimt_render_gpu/src/kernels/transfer.rs:67
-    arrives = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/transfer.rs:68
-    kept_away = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/transfer.rs:69
-    rays = 0u;
-    // glimt_render_gpu/src/kernels/transfer.rs:71
-    let _e33 = Ray_new(at.inner, (at.origin - at.inner));
-    // glimt_render_gpu/src/kernels/transfer.rs:72
-    let _e38 = any_hit_of(_e33, 1f, at.object, false);
-    // glimt_render_gpu/src/kernels/transfer.rs:73
-    let _e43 = Xoshiro128PlusPlus_stream(params_1.seed, 1953653102u, at.number);
-    source = _e43;
     // glimt_render_gpu/src/kernels/transfer.rs:74
-    counter_2 = 0u;
+    let at = vertices[vertex];
+    // glimt_render_gpu/src/kernels/transfer.rs:75
+    let _e16 = Tuple_u32_u32_(params_1.directions, params_1.bands);
+    let n_2 = _e16.fa;
+    let bands_3 = _e16.fb;
+    // glimt_render_gpu/src/kernels/transfer.rs:76
+    arrives = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/transfer.rs:77
+    kept_away = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/transfer.rs:78
+    rays = 0u;
+    // glimt_render_gpu/src/kernels/transfer.rs:81
+    let way = (at.origin - at.inner);
+    // glimt_render_gpu/src/kernels/transfer.rs:82
+    let _e36 = Ray_new(at.inner, way);
+    // glimt_render_gpu/src/kernels/transfer.rs:83
+    let others = Asked(at.object, false, 1f, way);
+    // glimt_render_gpu/src/kernels/transfer.rs:89
+    let _e44 = any_hit_of(_e36, 1f, others);
+    // glimt_render_gpu/src/kernels/transfer.rs:90
+    let own = Asked(others.object, true, 0f, others.way);
+    // glimt_render_gpu/src/kernels/transfer.rs:95
+    let height_2 = dot(at.normal, way);
+    // glimt_render_gpu/src/kernels/transfer.rs:96
+    let _e58 = Xoshiro128PlusPlus_stream(params_1.seed, 1953653102u, at.number);
+    source = _e58;
+    // glimt_render_gpu/src/kernels/transfer.rs:97
+    kept_2 = 0f;
+    // glimt_render_gpu/src/kernels/transfer.rs:98
+    if (params_1.first_row > 0u) {
+        // glimt_render_gpu/src/kernels/transfer.rs:99
+        let _e72 = state_1[(state_start + 0u)];
+        let _e77 = state_1[(state_start + 1u)];
+        let _e82 = state_1[(state_start + 2u)];
+        let _e87 = state_1[(state_start + 3u)];
+        let words = vec4<u32>(_e72, _e77, _e82, _e87);
+        // glimt_render_gpu/src/kernels/transfer.rs:100
+        let _e90 = Xoshiro128PlusPlus_from_state(words);
+        source = _e90;
+        // glimt_render_gpu/src/kernels/transfer.rs:101
+        kept_2 = 1f;
+    }
+    // glimt_render_gpu/src/kernels/transfer.rs:103
+    counter_2 = params_1.first_row;
     loop {
         let row_1 = counter_2;
-        if (row_1 >= params_1.rows) {
+        if (row_1 >= params_1.end_row) {
             break;
         }
-        // glimt_render_gpu/src/kernels/transfer.rs:75
-        let _e52 = strata_of_row(params_1, row_1);
-        // glimt_render_gpu/src/kernels/transfer.rs:76
-        let _e56 = Tuple_u32_u32_(_e52.x, _e52.y);
-        let first_2 = _e56.fa;
-        let columns_1 = _e56.fb;
-        // glimt_render_gpu/src/kernels/transfer.rs:77
+        // glimt_render_gpu/src/kernels/transfer.rs:104
+        let _e100 = strata_of_row(params_1, row_1);
+        // glimt_render_gpu/src/kernels/transfer.rs:105
+        let _e104 = Tuple_u32_u32_(_e100.x, _e100.y);
+        let first_2 = _e104.fa;
+        let columns_1 = _e104.fb;
+        // glimt_render_gpu/src/kernels/transfer.rs:106
         counter_3 = 0u;
         loop {
             let column_1 = counter_3;
             if (column_1 >= columns_1) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/transfer.rs:78
-            let _e65 = Xoshiro128PlusPlus_next_uvec2_((&source));
-            let _e66 = unit_vec2_(_e65);
-            // glimt_render_gpu/src/kernels/transfer.rs:79
-            let _e68 = stratified_direction(n_2, first_2, columns_1, column_1, _e66);
-            // glimt_render_gpu/src/kernels/transfer.rs:80
-            let cosine = dot(at.normal, _e68);
-            // glimt_render_gpu/src/kernels/transfer.rs:81
+            // glimt_render_gpu/src/kernels/transfer.rs:107
+            let _e113 = Xoshiro128PlusPlus_next_uvec2_((&source));
+            let _e114 = unit_vec2_(_e113);
+            // glimt_render_gpu/src/kernels/transfer.rs:108
+            let _e116 = stratified_direction(n_2, first_2, columns_1, column_1, _e114);
+            // glimt_render_gpu/src/kernels/transfer.rs:109
+            let cosine = dot(at.normal, _e116);
+            // glimt_render_gpu/src/kernels/transfer.rs:110
             if (cosine > 0f) {
-                // glimt_render_gpu/src/kernels/transfer.rs:82
-                let _e77 = rays;
-                rays = (_e77 + 1u);
-                // glimt_render_gpu/src/kernels/transfer.rs:83
-                let _e81 = Ray_new(at.origin, _e68);
-                // glimt_render_gpu/src/kernels/transfer.rs:84
-                if _e38 {
-                    // glimt_render_gpu/src/kernels/transfer.rs:85
-                    let _e86 = Ray_new(at.inner, _e68);
-                    // glimt_render_gpu/src/kernels/transfer.rs:86
-                    let _e91 = any_hit_of(_e86, 340282350000000000000000000000000000000f, at.object, false);
-                    either_1 = _e91;
-                    if _e91 {
+                // glimt_render_gpu/src/kernels/transfer.rs:111
+                let _e125 = rays;
+                rays = (_e125 + 1u);
+                // glimt_render_gpu/src/kernels/transfer.rs:112
+                let _e129 = Ray_new(at.origin, _e116);
+                // glimt_render_gpu/src/kernels/transfer.rs:113
+                if _e44 {
+                    // glimt_render_gpu/src/kernels/transfer.rs:115
+                    let above = Asked(others.object, others.own, (height_2 / cosine), others.way);
+                    // glimt_render_gpu/src/kernels/transfer.rs:119
+                    let _e140 = Ray_new(at.inner, _e116);
+                    // glimt_render_gpu/src/kernels/transfer.rs:120
+                    let _e143 = any_hit_of(_e140, 340282350000000000000000000000000000000f, above);
+                    either_1 = _e143;
+                    if _e143 {
                     } else {
-                        let _e96 = any_hit_of(_e81, 340282350000000000000000000000000000000f, at.object, true);
-                        either_1 = _e96;
+                        let _e146 = any_hit_of(_e129, 340282350000000000000000000000000000000f, own);
+                        either_1 = _e146;
                     }
-                    let _e97 = either_1;
-                    chosen_3 = _e97;
+                    let _e147 = either_1;
+                    chosen_4 = _e147;
                 } else {
-                    // glimt_render_gpu/src/kernels/transfer.rs:89
-                    let _e100 = any_hit(_e81, 340282350000000000000000000000000000000f);
-                    chosen_3 = _e100;
+                    // glimt_render_gpu/src/kernels/transfer.rs:123
+                    let _e150 = any_hit(_e129, 340282350000000000000000000000000000000f);
+                    chosen_4 = _e150;
                 }
-                let is_blocked = chosen_3;
-                // glimt_render_gpu/src/kernels/transfer.rs:91
+                let is_blocked = chosen_4;
+                // glimt_render_gpu/src/kernels/transfer.rs:125
                 if is_blocked {
-                    // glimt_render_gpu/src/kernels/transfer.rs:92
-                    add_basis(bands_3, _e68, cosine, (&kept_away));
+                    // glimt_render_gpu/src/kernels/transfer.rs:126
+                    add_basis(bands_3, _e116, cosine, (&kept_away));
                 } else {
-                    // glimt_render_gpu/src/kernels/transfer.rs:94
-                    add_basis(bands_3, _e68, cosine, (&arrives));
+                    // glimt_render_gpu/src/kernels/transfer.rs:128
+                    add_basis(bands_3, _e116, cosine, (&arrives));
                 }
             }
             continuing {
-                let _e105 = counter_3;
-                counter_3 = (_e105 + 1u);
+                let _e155 = counter_3;
+                counter_3 = (_e155 + 1u);
             }
         }
         continuing {
-            let _e108 = counter_2;
-            counter_2 = (_e108 + 1u);
+            let _e158 = counter_2;
+            counter_2 = (_e158 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/transfer.rs:99
+    // glimt_render_gpu/src/kernels/transfer.rs:133
     let scale_2 = ((4f * 3.1415927f) / f32(n_2));
-    // glimt_render_gpu/src/kernels/transfer.rs:100
-    let _e118 = arrives;
-    store(bands_3, scale_2, _e118, lit_start, lit_len);
-    // glimt_render_gpu/src/kernels/transfer.rs:101
-    let _e120 = kept_away;
-    store_1(bands_3, scale_2, _e120, blocked_start, blocked_len);
-    // glimt_render_gpu/src/kernels/transfer.rs:102
-    let _e122 = rays;
-    return _e122;
+    // glimt_render_gpu/src/kernels/transfer.rs:134
+    let _e168 = kept_2;
+    let _e169 = arrives;
+    store(bands_3, _e168, scale_2, _e169, lit_start, lit_len);
+    // glimt_render_gpu/src/kernels/transfer.rs:135
+    let _e171 = kept_2;
+    let _e172 = kept_away;
+    store_1(bands_3, _e171, scale_2, _e172, blocked_start, blocked_len);
+    // glimt_render_gpu/src/kernels/transfer.rs:136
+    let _e176 = source.state.x;
+    state_1[(state_start + 0u)] = _e176;
+    // glimt_render_gpu/src/kernels/transfer.rs:137
+    let _e184 = source.state.y;
+    state_1[(state_start + 1u)] = _e184;
+    // glimt_render_gpu/src/kernels/transfer.rs:138
+    let _e192 = source.state.z;
+    state_1[(state_start + 2u)] = _e192;
+    // glimt_render_gpu/src/kernels/transfer.rs:139
+    let _e200 = source.state.w;
+    state_1[(state_start + 3u)] = _e200;
+    // glimt_render_gpu/src/kernels/transfer.rs:140
+    let _e206 = rays;
+    return _e206;
 }
 
 @compute @workgroup_size(64, 1, 1) 
@@ -1338,8 +1514,9 @@ fn transfer(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroup
     }
     let _e14 = params_2.first;
     let _e17 = params_2.params;
-    let _e19 = params_2.lit_len;
-    let _e22 = params_2.blocked_len;
-    let _e24 = transfer_1((_e14 + local), _e17, (local * _e19), _e19, (local * _e22), _e22);
-    out[local] = _e24;
+    let _e19 = params_2.state_len;
+    let _e22 = params_2.lit_len;
+    let _e25 = params_2.blocked_len;
+    let _e27 = transfer_1((_e14 + local), _e17, (local * _e19), _e19, (local * _e22), _e22, (local * _e25), _e25);
+    out[local] = _e27;
 }

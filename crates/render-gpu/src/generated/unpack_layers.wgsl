@@ -67,21 +67,21 @@ var<storage, read_write> out: array<PixelLayers>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/raster.rs:210
+// glimt_render_gpu/src/kernels/raster.rs:216
 fn half(word: u32) -> f32 {
     var value: f32;
     var chosen: f32;
 
-    // glimt_render_gpu/src/kernels/raster.rs:211
+    // glimt_render_gpu/src/kernels/raster.rs:217
     let bits = (word & 32767u);
-    // glimt_render_gpu/src/kernels/raster.rs:212
+    // glimt_render_gpu/src/kernels/raster.rs:218
     value = (f32(bits) * (1f / 16777216f));
-    // glimt_render_gpu/src/kernels/raster.rs:213
+    // glimt_render_gpu/src/kernels/raster.rs:219
     if (bits >= 1024u) {
-        // glimt_render_gpu/src/kernels/raster.rs:215
+        // glimt_render_gpu/src/kernels/raster.rs:221
         value = bitcast<f32>(((bits << 13u) + 939524096u));
     }
-    // glimt_render_gpu/src/kernels/raster.rs:217
+    // glimt_render_gpu/src/kernels/raster.rs:223
     if ((word & 32768u) != 0u) {
         let _e28 = value;
         chosen = -(_e28);
@@ -93,15 +93,15 @@ fn half(word: u32) -> f32 {
     return _e31;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:195
+// glimt_render_gpu/src/kernels/raster.rs:201
 fn unpack(words: vec2<u32>, scale: f32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/raster.rs:196
+    // glimt_render_gpu/src/kernels/raster.rs:202
     let _e5 = half(words.x);
     let _e10 = half((words.x >> 16u));
     let _e12 = half(words.y);
     let radiance = vec3<f32>(_e5, _e10, _e12);
-    // glimt_render_gpu/src/kernels/raster.rs:197
+    // glimt_render_gpu/src/kernels/raster.rs:203
     let _e21 = half((words.y >> 16u));
     return vec4<f32>((radiance / vec3(scale)), _e21);
 }
@@ -210,33 +210,33 @@ fn RadianceMap_background(size_2: vec2<u32>, rotation: vec2<f32>, direction: vec
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:158
+// glimt_render_gpu/src/kernels/raster.rs:164
 fn unpack_layers_1(pixel_1: u32, frame: FrameParams, layout_: DrawnLayout, map_rotation: vec2<f32>) -> PixelLayers {
     var behind: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/raster.rs:168
+    // glimt_render_gpu/src/kernels/raster.rs:174
     let at = (((pixel_1 / frame.width) * layout_.pitch) + (pixel_1 % frame.width));
-    // glimt_render_gpu/src/kernels/raster.rs:169
+    // glimt_render_gpu/src/kernels/raster.rs:175
     let _e16 = object[at];
     let _e18 = unpack(_e16, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:170
+    // glimt_render_gpu/src/kernels/raster.rs:176
     let _e22 = lit[at];
     let _e24 = unpack(_e22, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:171
+    // glimt_render_gpu/src/kernels/raster.rs:177
     let _e28 = blocked[at];
     let _e30 = unpack(_e28, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:172
+    // glimt_render_gpu/src/kernels/raster.rs:178
     behind = vec3(0f);
-    // glimt_render_gpu/src/kernels/raster.rs:173
+    // glimt_render_gpu/src/kernels/raster.rs:179
     if ((frame.background == 0u) && (_e18.w < 1f)) {
-        // glimt_render_gpu/src/kernels/raster.rs:174
-        // glimt_render_gpu/src/kernels/raster.rs:179
-        let _e50 = FrameParams_direction(frame, (frame.first_pixel + pixel_1), vec2(0.5f));
         // glimt_render_gpu/src/kernels/raster.rs:180
+        // glimt_render_gpu/src/kernels/raster.rs:185
+        let _e50 = FrameParams_direction(frame, (frame.first_pixel + pixel_1), vec2(0.5f));
+        // glimt_render_gpu/src/kernels/raster.rs:186
         let _e52 = RadianceMap_background(layout_.map_size, map_rotation, _e50);
         behind = _e52;
     }
-    // glimt_render_gpu/src/kernels/raster.rs:182
+    // glimt_render_gpu/src/kernels/raster.rs:188
     let _e58 = behind;
     return PixelLayers(_e18, _e24.xyz, _e24.w, _e30.xyz, 0u, _e58, 0u);
 }

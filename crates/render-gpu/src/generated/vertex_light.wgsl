@@ -25,33 +25,33 @@ var<storage, read_write> out: array<VertexLight>;
 @group(0) @binding(0) 
 var<storage> params: Params;
 
-// glimt_render_gpu/src/kernels/prt.rs:46
+// glimt_render_gpu/src/kernels/prt.rs:45
 fn vertex_light_1(vertex: u32, coefficients: u32, shadows: u32) -> VertexLight {
     var arrives: vec3<f32>;
     var kept_away: vec3<f32>;
     var counter: u32;
 
-    // glimt_render_gpu/src/kernels/prt.rs:54
+    // glimt_render_gpu/src/kernels/prt.rs:53
     let first = (vertex * coefficients);
-    // glimt_render_gpu/src/kernels/prt.rs:55
+    // glimt_render_gpu/src/kernels/prt.rs:54
     arrives = vec3(0f);
-    // glimt_render_gpu/src/kernels/prt.rs:56
+    // glimt_render_gpu/src/kernels/prt.rs:55
     kept_away = vec3(0f);
-    // glimt_render_gpu/src/kernels/prt.rs:57
+    // glimt_render_gpu/src/kernels/prt.rs:56
     counter = 0u;
     loop {
         let k = counter;
         if (k >= coefficients) {
             break;
         }
-        // glimt_render_gpu/src/kernels/prt.rs:58
+        // glimt_render_gpu/src/kernels/prt.rs:57
         let _e22 = light[k];
         let radiance = _e22.xyz;
-        // glimt_render_gpu/src/kernels/prt.rs:59
+        // glimt_render_gpu/src/kernels/prt.rs:58
         let _e28 = lit[(first + k)];
         let _e30 = arrives;
         arrives = (_e30 + (radiance * _e28));
-        // glimt_render_gpu/src/kernels/prt.rs:60
+        // glimt_render_gpu/src/kernels/prt.rs:59
         let _e36 = blocked[(first + k)];
         let _e38 = kept_away;
         kept_away = (_e38 + (radiance * _e36));
@@ -60,16 +60,16 @@ fn vertex_light_1(vertex: u32, coefficients: u32, shadows: u32) -> VertexLight {
             counter = (_e40 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/prt.rs:62
+    // glimt_render_gpu/src/kernels/prt.rs:61
     if (shadows == 0u) {
-        // glimt_render_gpu/src/kernels/prt.rs:63
+        // glimt_render_gpu/src/kernels/prt.rs:62
         let _e47 = kept_away;
         let _e48 = arrives;
         arrives = (_e48 + _e47);
-        // glimt_render_gpu/src/kernels/prt.rs:64
+        // glimt_render_gpu/src/kernels/prt.rs:63
         kept_away = vec3(0f);
     }
-    // glimt_render_gpu/src/kernels/prt.rs:66
+    // glimt_render_gpu/src/kernels/prt.rs:65
     let _e54 = arrives;
     let _e56 = kept_away;
     return VertexLight(_e54, 0f, _e56, 0f);

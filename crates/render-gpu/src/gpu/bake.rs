@@ -8,10 +8,17 @@ use crate::host::bake::{BLOCK, BakeError, BakeSettings, Baked, for_kernels, room
 use crate::host::scene_build::SceneBuffers;
 use crate::kernels::transfer::TransferVertex;
 
-/// Vertices in the first dispatch: each has thousands of rays, and a GPU's pace is not known before.
+/// Vertices in the first dispatch: each has hundreds of rays, and a GPU's pace is not known before.
 const FIRST: usize = 64;
+/// Directions of a vertex in a dispatch, so that none takes long however many there are.
+const PART: u32 = 1024;
+/// The same on an adapter that is the CPU: llvmpipe ends the loops of an invocation after 2¹⁶ turns in all, and says nothing.
+const SOFTWARE_PART: u32 = 256;
+/// Words of a generator's state.
+const STATE: u32 = 4;
 
-/// As [`bake`](crate::host::bake::bake), on the GPU: a block of vertices at a time, so that buffers stay small.
+/// As [`bake`](crate::host::bake::bake), on the GPU: a block of vertices at a time, so that buffers stay small, and a part of their
+/// directions, so that dispatches stay short.
 ///
 /// # Errors
 /// A [`BakeError`].
@@ -25,7 +32,6 @@ pub fn bake(
     let total: usize = scene.vertex_counts().iter().sum();
     let mut made = room(total, settings.bands)?;
     let vertices = scene.vertices()?;
-    let params = settings.params();
     let count = made.coefficients();
     let block = BLOCK.min(total.max(1));
     let uploaded = GpuScene::new(context, scene)?;
@@ -33,6 +39,7 @@ pub fn bake(
     let list_bytes = (block * count * size_of::<f32>()) as u64;
     let lit = context.buffer("lit", list_bytes)?;
     let blocked = context.buffer("blocked", list_bytes)?;
+    let state = context.buffer("generators", block as u64 * u64::from(STATE) * 4)?;
     let traced = context.buffer("rays", (block * size_of::<u32>()) as u64)?;
     context.forget_pace(&TRANSFER)?;
 
@@ -44,20 +51,32 @@ pub fn bake(
         context.write(&known, &for_kernels(own, first))?;
         let chunk = count as u32;
         let mut args = vec![
-            ("params", Arg::Value(bytemuck::bytes_of(&params))),
             ("vertices", Arg::Buffer(&known)),
+            ("state", Arg::Chunk(&state, STATE)),
             ("lit", Arg::Chunk(&lit, chunk)),
             ("blocked", Arg::Chunk(&blocked, chunk)),
             ("out", Arg::Buffer(&traced)),
         ];
         args.extend(uploaded.tree_args());
-        let tell = |done: u32| progress((first + done as usize) as f32 / total as f32);
-        context.launch_telling(&TRANSFER, &args, 0, own.len() as u32, &tell)?;
+        let part = match context.adapter().is_software() {
+            true => SOFTWARE_PART,
+            false => PART,
+        };
+        for params in settings.parts(part) {
+            let mut args = args.clone();
+            args.push(("params", Arg::Value(bytemuck::bytes_of(&params))));
+            let tell = |done: u32| {
+                let rows = own.len() as f32 * params.first_row as f32
+                    + done as f32 * (params.end_row - params.first_row) as f32;
+                progress((first as f32 + rows / params.rows as f32) / total as f32);
+            };
+            context.launch_telling(&TRANSFER, &args, 0, own.len() as u32, &tell)?;
+            let own_rays: Vec<u32> = context.read(&traced, own.len())?;
+            rays += own_rays.into_iter().map(u64::from).sum::<u64>();
+        }
         let part = first * count..(first + own.len()) * count;
         made.lit[part.clone()].copy_from_slice(&context.read::<f32>(&lit, part.len())?);
         made.blocked[part.clone()].copy_from_slice(&context.read::<f32>(&blocked, part.len())?);
-        let own_rays: Vec<u32> = context.read(&traced, own.len())?;
-        rays += own_rays.into_iter().map(u64::from).sum::<u64>();
         first += own.len();
     }
     Ok(Baked {

@@ -206,8 +206,24 @@ impl GpuContext {
         Ok(values)
     }
 
-    /// Copies the start of a staging buffer to `target` once `submission`, which fills it, is done.
+    /// Copies the start of a staging buffer to `target` once `submission`, which fills it, is done. Whatever comes of it, the buffer
+    /// may be filled and read again.
     pub(super) fn read_mapped(
+        &self,
+        staging: &wgpu::Buffer,
+        target: &mut [u8],
+        submission: wgpu::SubmissionIndex,
+        what: impl Fn() -> String,
+    ) -> Result<(), GpuError> {
+        let done = self.copy_mapped(staging, target, submission, &what);
+        if done.is_err() {
+            // It may be mapped, or about to be, or neither.
+            let _ = self.guarded(&what, || staging.unmap());
+        }
+        done
+    }
+
+    fn copy_mapped(
         &self,
         staging: &wgpu::Buffer,
         target: &mut [u8],

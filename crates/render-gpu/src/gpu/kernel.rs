@@ -312,8 +312,12 @@ impl<'a> Arguments<'a> {
                 Some(_) => return Err(fail(format!("argument '{path}' must be a buffer"))),
                 None => return Err(fail(format!("argument '{path}' is missing"))),
             };
-            let there = buffer.len().saturating_sub(offset);
-            let len = window.unwrap_or(there);
+            let in_buffer = buffer.len().saturating_sub(offset);
+            let len = window.unwrap_or(in_buffer);
+            let there = match slot.writable {
+                true => in_buffer.min(len),
+                false => in_buffer,
+            };
             let needed =
                 bytes_per_element.map_or(stride.max(len), |bytes| bytes * u64::from(count));
             if there < needed {

@@ -19,7 +19,7 @@ pub enum Arg<'a> {
     Value(&'a [u8]),
     /// A slice that is read whole, or `out`, which has one value for each element of the launch.
     Buffer(&'a GpuBuffer),
-    /// The same of a part of a buffer: from the value of this index on, so many of them.
+    /// The same of a part of a buffer: from the value of this index on, so many of them, beyond which nothing is read or written.
     Window(&'a GpuBuffer, u32, u32),
     /// A slice that is cut into chunks of so many values, one chunk for each element. Sets `<path>_len`, too.
     Chunk(&'a GpuBuffer, u32),

@@ -10,7 +10,7 @@ use super::launch::Arg;
 use super::record::{ParamsPool, Recording};
 use crate::entry::{BufferSlot, Entry, ParamField};
 use crate::generated::{HALVE, LIGHT_COEFFICIENT, TAPS};
-use crate::host::env::PreparedEnv;
+use crate::host::env::{Brightness, PreparedEnv};
 use crate::host::light_sh::{level_sizes, light_params};
 use crate::host::render::PrtSettings;
 use crate::kernels::pyramid::Taps;
@@ -70,6 +70,9 @@ pub struct GpuLight {
     pub(super) map: GpuBuffer,
     pub(super) size: UVec2,
     pub(super) rotation: Vec2,
+    pub(super) brightness: Brightness,
+    /// [`Brightness::mean`] of what the coefficients that were made last are of: filtered over time, as they are.
+    pub(super) mean: f32,
     /// The maps halved, the largest first.
     levels: Vec<Level>,
     parts: GpuBuffer,
@@ -105,6 +108,11 @@ impl GpuLight {
             map: map_buffer(context, size)?,
             size,
             rotation: Vec2::X,
+            brightness: Brightness {
+                mean: 0.0,
+                largest: 0.0,
+            },
+            mean: 0.0,
             levels: Vec::new(),
             parts: context.buffer("partial sums", all)?,
             sums: context.buffer("sums", all)?,
@@ -130,6 +138,7 @@ impl GpuLight {
         }
         context.write(&self.map, map.texels)?;
         self.rotation = map.rotation;
+        self.brightness = env.brightness();
         Ok(())
     }
 
@@ -237,6 +246,8 @@ impl GpuLight {
             ("out", Arg::Buffer(&self.coefficients[1])),
         ];
         recording.dispatch(&LIGHT_COEFFICIENT, &args, 0, COEFFICIENTS)?;
+        let (alpha, now) = (light.temporal, self.brightness.mean);
+        self.mean = (now + alpha * self.mean) / (1.0 + alpha);
         self.before = Some(bands);
         Ok(())
     }

@@ -4,9 +4,11 @@
 //! All passes of a frame go into one command encoder: light map → pyramid → projection → its reduction → filter over time →
 //! light at the vertices → triangles drawn → layers → composite. Only who wants the image waits, and only for the image.
 
+use std::f32::consts::PI;
 use std::time::{Duration, Instant};
 
 use glam::{UVec2, Vec4};
+use rayon::prelude::*;
 
 use super::buffer::GpuBuffer;
 use super::device::GpuContext;
@@ -25,17 +27,18 @@ use crate::host::env::PreparedEnv;
 use crate::host::plate::Plate;
 use crate::host::render::{Filter, FrameImage, RenderError, RenderSettings, SettingsError};
 use crate::host::scene_build::SceneBuffers;
-use crate::host::transfer::SceneTransfer;
+use crate::host::transfer::{SceneTransfer, Transfer};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::PixelLayers;
 use crate::kernels::prt::VertexLight;
-use crate::kernels::raster::{DrawnLayout, RasterParams};
+use crate::kernels::raster::{DrawnLayout, HALF_MAX, RasterParams};
 
 /// Samples of a pixel where there are several: what every adapter has.
 const SAMPLES: u32 = 4;
-/// Nothing is drawn nearer to the eye's plane than this share of the farthest point's distance.
-const NEAR: f32 = 1e-5;
+/// Nothing is drawn nearer to the eye's plane than this share of the farthest point's distance. Depths are floats that grow towards the
+/// eye, so how small it is takes nothing from their precision.
+const NEAR: f32 = 1e-7;
 /// Bytes of the layers of a band of rows; all bands are recorded one after the other, and share them.
 const BAND_BYTES: u64 = 64 << 20;
 /// Parts of buffers begin at multiples of 256 bytes on any adapter, so bands at multiples of so many pixels: a display value has
@@ -113,7 +116,8 @@ impl GpuPrt {
     /// Frames that nobody waits for pile up: whoever draws many calls [`GpuContext::finish`] now and then.
     ///
     /// With one ray a pixel, or all of them through its centre, pixels have one sample, at their centre; else four. What is behind
-    /// objects is one value a pixel. Faces nearer to the eye's plane than 10⁻⁵ of the farthest point's distance are cut off.
+    /// objects is one value a pixel. Layers have 16 bits: of light that is mirrored, what is brighter than 10⁷ times the light's mean is
+    /// darkened, and in its presence shadows below 10⁻⁴ of the mean lose bits. Faces nearer to the eye's plane than 10⁻⁷ of the farthest point's distance are cut off.
     ///
     /// # Errors
     /// [`SettingsError::NoTransfer`], and what is wrong with the settings; [`GpuError::Limit`] where the light map, a buffer of the
@@ -255,8 +259,7 @@ impl GpuPrt {
         transfer.record(&mut recording, &self.light, settings.prt.shadows)?;
         recording.mark(self.marks.as_ref(), 1);
 
-        // Radiance in the display's units is what 16 bits should hold.
-        let scale = work.frame.exposure.clamp(1e-20, 1e20);
+        let scale = layer_scale(work.frame.exposure, &self.light, transfer);
         let params = RasterParams {
             frame: work.frame,
             map_size: self.light.size,
@@ -288,6 +291,27 @@ impl GpuPrt {
     }
 }
 
+/// The factor on radiance in the drawn layers, which have 16 bits: the exposure, or the power of two below it, within what the light
+/// calls for. It is at least so large that white under the light's mean is stored as 1/2 or more, since the linear image is not
+/// exposed, and shadows are in it; 2⁻¹² of that still have all 11 bits. It is so small that nothing drawn outgrows 65 504.
+///
+/// A mirrored sun takes from the shadows, up to 2⁻⁸ of that. What is brighter than 10⁷ times the mean is darkened.
+fn layer_scale(exposure: f32, light: &GpuLight, transfer: &GpuTransfer) -> f32 {
+    let mirrored = transfer.largest_reflection * light.brightness.largest;
+    scale_for(exposure, light.mean, transfer.largest_gain, mirrored)
+}
+
+/// As [`layer_scale`], for diffuse radiance of up to `gain` times the mean, and mirrored light.
+fn scale_for(exposure: f32, mean: f32, gain: f32, mirrored: f32) -> f32 {
+    let all = f64::from(mean) * f64::from(gain) + f64::from(mirrored);
+    let mean = f64::from(mean);
+    let scale = f64::from(exposure)
+        .max(1.0 / mean)
+        .min(f64::from(HALF_MAX) / all)
+        .max(1.0 / (256.0 * mean));
+    scale.log2().floor().clamp(-120.0, 120.0).exp2() as f32
+}
+
 /// What a frame's passes know beside the buffers.
 struct Work {
     frame: FrameParams,
@@ -312,6 +336,10 @@ struct GpuTransfer {
     id: u64,
     vertices: u32,
     coefficients: u32,
+    /// Diffuse radiance under light of mean 1 is at most this.
+    largest_gain: f32,
+    /// The largest c_k.
+    largest_reflection: f32,
     lit: GpuBuffer,
     blocked: GpuBuffer,
     corner_vertices: GpuBuffer,
@@ -327,6 +355,8 @@ impl GpuTransfer {
             id: known.id(),
             vertices,
             coefficients: transfer.coefficients() as u32,
+            largest_gain: largest_gain(transfer),
+            largest_reflection: surface.reflections.iter().copied().fold(0.0, f32::max),
             lit: bindable(context, "the transfer", &transfer.lit)?,
             blocked: bindable(context, "the blocked transfer", &transfer.blocked)?,
             corner_vertices: bindable(context, "the corners' vertices", surface.corner_vertices)?,
@@ -355,6 +385,27 @@ impl GpuTransfer {
         ];
         recording.dispatch(&VERTEX_LIGHT, &args, 0, self.vertices)
     }
+}
+
+/// The most that a white vertex with this transfer reflects of any light, with its objects or without them, by the light's mean.
+///
+/// Irradiance is `∫ L T`, T the band-limited transfer, of which no value exceeds the norm of its n² coefficients times n/√4π.
+fn largest_gain(transfer: &Transfer) -> f32 {
+    let n = transfer.coefficients();
+    let squares = |(lit, blocked): (&[f32], &[f32])| {
+        let pairs = lit.iter().zip(blocked);
+        let (own, all) = pairs.fold((0.0f32, 0.0f32), |(own, all), (lit, blocked)| {
+            (own + lit * lit, all + (lit + blocked) * (lit + blocked))
+        });
+        own.max(all)
+    };
+    let lists = transfer
+        .lit
+        .par_chunks(n)
+        .zip(transfer.blocked.par_chunks(n));
+    let largest = lists.map(squares).reduce(|| 0.0, f32::max);
+    // 4π of the mean's integral, 1/π of the reflection.
+    4.0 * largest.sqrt() * transfer.bands as f32 / (4.0 * PI).sqrt()
 }
 
 fn value<T: bytemuck::NoUninit>(value: &T) -> Arg<'_> {
@@ -488,7 +539,66 @@ fn band_rows(size: UVec2, bytes: u64) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec3;
+
     use super::*;
+
+    #[test]
+    fn layers_hold_what_is_drawn() {
+        for exposure in [0.0, 1e-30, 1e-9, 0.3, 1.0, 700.0, 1e30, f32::MAX] {
+            for mean in [1e-20, 1e-3, 1.0, 55.0, 1e9] {
+                for gain in [1.0, 8.0] {
+                    for sun in [0.0, 1.0, 1e3, 1e6] {
+                        let scale = scale_for(exposure, mean, gain, sun * mean);
+                        let largest = scale * mean * (gain + sun);
+                        assert!(
+                            largest <= HALF_MAX,
+                            "{exposure} {mean} {gain} {sun}: {scale}"
+                        );
+                        // The smallest number of all 11 bits is 2⁻¹⁴.
+                        assert!(
+                            scale * mean >= 1.0 / 512.0,
+                            "{exposure} {mean} {gain} {sun}"
+                        );
+                    }
+                }
+            }
+        }
+        // Where the exposure suits the light it is what decides.
+        assert_eq!(scale_for(8.0, 0.5, 8.0, 0.0), 8.0);
+        assert_eq!(scale_for(11.0, 0.5, 8.0, 100.0), 8.0);
+        for (mean, mirrored) in [(0.0, 0.0), (1e-40, 1e20), (1e20, 1e20)] {
+            let scale = scale_for(1.0, mean, 8.0, mirrored);
+            assert!(
+                scale > 0.0 && scale.is_finite(),
+                "{mean} {mirrored}: {scale}"
+            );
+        }
+    }
+
+    #[test]
+    fn no_direction_of_light_gains_more() {
+        for bands in 1..=6 {
+            let normal = Vec3::new(0.48, 0.6, -0.64);
+            let y = glimt_sh::basis(normal);
+            let lobe = |k: usize| glimt_sh::cosine_lobe(k.isqrt() as u32) * y[k];
+            let lit: Vec<f32> = (0..(bands * bands) as usize).map(lobe).collect();
+            // All light from where the normal shows, which is where the band-limited lobe is highest.
+            let highest: f32 = lit.iter().zip(y).map(|(t, y)| t * y).sum();
+            for share in [1.0, 0.25] {
+                let transfer = Transfer {
+                    bands,
+                    lit: lit.iter().map(|t| share * t).collect(),
+                    blocked: lit.iter().map(|t| (1.0 - share) * t).collect(),
+                };
+                let gain = largest_gain(&transfer);
+                assert!(
+                    gain >= 4.0 * highest * 0.999_99 && gain < 12.0 * highest,
+                    "{bands}"
+                );
+            }
+        }
+    }
 
     #[test]
     fn bands_begin_aligned_and_fit() {

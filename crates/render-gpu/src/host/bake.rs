@@ -95,15 +95,31 @@ impl BakeSettings {
         Ok(())
     }
 
-    /// As the kernel takes them.
+    /// As the kernel takes them, for all rows of strata at once.
     #[must_use]
     pub fn params(&self) -> TransferParams {
+        let rows = self.directions.isqrt();
         TransferParams {
             bands: self.bands,
             directions: self.directions,
-            rows: self.directions.isqrt(),
+            rows,
             seed: self.seed,
+            first_row: 0,
+            end_row: rows,
         }
+    }
+
+    /// As the kernel takes them, in parts of up to `directions` directions, but for rows that have more.
+    pub(crate) fn parts(&self, directions: u32) -> impl Iterator<Item = TransferParams> + use<> {
+        let whole = self.params();
+        let columns = self.directions.div_ceil(whole.rows.max(1));
+        let step = (directions / columns.max(1)).max(1);
+        let firsts = (0..whole.rows).step_by(step as usize);
+        firsts.map(move |first_row| TransferParams {
+            first_row,
+            end_row: (first_row + step).min(whole.rows),
+            ..whole
+        })
     }
 }
 
@@ -190,7 +206,10 @@ pub fn bake(
             let chunks = lit.chunks_mut(count).zip(blocked.chunks_mut(count));
             let traced = (0..).zip(chunks).map(|(i, (lit, blocked))| {
                 let (nodes, triangles) = (view.nodes, view.triangles);
-                u64::from(transfer(i, &params, nodes, triangles, &known, lit, blocked))
+                let state = &mut [0; 4];
+                u64::from(transfer(
+                    i, &params, nodes, triangles, &known, state, lit, blocked,
+                ))
             });
             rays.fetch_add(traced.sum(), Ordering::Relaxed);
             let own = own.len() as u64;
@@ -224,6 +243,28 @@ mod tests {
         }
         for directions in [0, MAX_DIRECTIONS + 1] {
             assert!(matches!(with(5, directions), Err(BakeError::Directions(_))));
+        }
+    }
+
+    #[test]
+    fn parts_are_the_whole() {
+        for directions in [1, 2, 37, 2500, MAX_DIRECTIONS] {
+            let settings = BakeSettings {
+                directions,
+                ..BakeSettings::default()
+            };
+            let rows = settings.params().rows;
+            for most in [1, 256, 1 << 30] {
+                let mut next = 0;
+                for part in settings.parts(most) {
+                    assert_eq!(part.first_row, next);
+                    assert!(part.end_row > next);
+                    let own = (part.end_row - next) * directions.div_ceil(rows);
+                    assert!(own <= most || part.end_row == next + 1);
+                    next = part.end_row;
+                }
+                assert_eq!(next, rows);
+            }
         }
     }
 

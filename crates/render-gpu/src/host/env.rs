@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use glam::{UVec2, Vec2, Vec4};
+use glam::{DVec3, UVec2, Vec2, Vec4};
 use glimt_envmap_cdf::{BuildError, EnvCdf, build_marginal_into, build_row_into, required_len};
 use glimt_probe::latlong::texel_solid_angle_sr;
 use glimt_probe::rotate::cos_sin_degrees;
@@ -19,6 +19,16 @@ pub const MAX_RADIANCE: f32 = 1e20;
 pub struct EnvMap {
     size: UVec2,
     texels: Vec<Vec4>,
+    brightness: Brightness,
+}
+
+/// How bright a light map is, in its brightest channel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Brightness {
+    /// The mean over all directions.
+    pub mean: f32,
+    /// The brightest texel's.
+    pub largest: f32,
 }
 
 /// Why a light map was refused.
@@ -67,7 +77,12 @@ impl EnvMap {
                 row: bad / size.x,
             });
         }
-        Ok(Self { size, texels })
+        let brightness = brightness(size, &texels);
+        Ok(Self {
+            size,
+            texels,
+            brightness,
+        })
     }
 
     /// Sets every channel that [`EnvMap::new`] would refuse to 0 and says how many texels had one.
@@ -110,6 +125,7 @@ impl EnvMap {
             conditional: vec![0; len.conditional],
             rotation: cos_sin_degrees(rotate_z_deg),
             mean_luminance: 0.0,
+            brightness: self.brightness,
         })
     }
 
@@ -119,7 +135,11 @@ impl EnvMap {
     /// # Errors
     /// [`EnvError::Table`] for a map wider or higher than [`glimt_envmap_cdf::MAX_SIZE`].
     pub fn prepare(self, rotate_z_deg: f32) -> Result<PreparedEnv, EnvError> {
-        let Self { size, texels } = self;
+        let Self {
+            size,
+            texels,
+            brightness,
+        } = self;
         let len = required_len(size.x, size.y)?;
         let mut marginal = vec![0; len.marginal];
         let mut conditional = vec![0; len.conditional];
@@ -145,6 +165,7 @@ impl EnvMap {
             conditional,
             rotation: cos_sin_degrees(rotate_z_deg),
             mean_luminance,
+            brightness,
         })
     }
 }
@@ -158,6 +179,7 @@ pub struct PreparedEnv {
     conditional: Vec<u32>,
     rotation: Vec2,
     mean_luminance: f32,
+    brightness: Brightness,
 }
 
 impl PreparedEnv {
@@ -165,6 +187,12 @@ impl PreparedEnv {
     #[must_use]
     pub fn mean_luminance(&self) -> f32 {
         self.mean_luminance
+    }
+
+    /// How bright the map is; known without tables, too.
+    #[must_use]
+    pub fn brightness(&self) -> Brightness {
+        self.brightness
     }
 
     /// What kernels see of it.
@@ -178,6 +206,32 @@ impl PreparedEnv {
             },
             rotation: self.rotation,
         }
+    }
+}
+
+fn brightness(size: UVec2, texels: &[Vec4]) -> Brightness {
+    let of_row = |(row, texels): (u32, &[Vec4])| {
+        let start = (Vec4::ZERO, Vec4::ZERO);
+        let add = |(sum, largest): (Vec4, Vec4), t: &Vec4| (sum + *t, largest.max(*t));
+        let (sum, largest) = texels.iter().fold(start, add);
+        let area = f64::from(texel_solid_angle_sr(row, size));
+        (
+            sum.truncate().as_dvec3() * area,
+            largest.truncate().max_element(),
+        )
+    };
+    let join =
+        |(flux, largest): (DVec3, f32), (row, own): (DVec3, f32)| (flux + row, largest.max(own));
+    let rows: Vec<_> = texels
+        .par_chunks(size.x as usize)
+        .enumerate()
+        .with_min_len(64)
+        .map(|(row, texels)| of_row((row as u32, texels)))
+        .collect();
+    let (flux, largest) = rows.into_iter().fold((DVec3::ZERO, 0.0), join);
+    Brightness {
+        mean: (flux.max_element() / (4.0 * PI)) as f32,
+        largest,
     }
 }
 

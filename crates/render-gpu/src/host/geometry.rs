@@ -6,14 +6,13 @@ use std::sync::Arc;
 use glam::{DMat3, Mat3, Mat4, Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 
-use super::attributes::{area_weighted_normals, uv_tangents};
 use super::scene::{Mesh, SceneDescription};
 use super::scene_build::MAX_COORDINATE;
 use super::scene_error::SceneError;
 use super::transfer::SurfaceVertex;
 use super::vertex_fans::Fans;
 use crate::kernels::scene::{Corner, MIRRORED};
-use crate::kernels::triangle::{CATCHER, Triangle};
+use crate::kernels::triangle::{CATCHER, INSIDE_OUT, Triangle};
 
 /// Rays that leave a surface start this fraction of the triangle's largest coordinate away from it: 64 units in the
 /// last place, of which about ten may be lost in the hit and in the next ray's test.
@@ -69,7 +68,9 @@ impl Geometry {
                 Some(known) => known,
                 None => {
                     check_mesh(mesh)?;
-                    let complete = Arc::new(completed(mesh));
+                    let mut complete = mesh.clone();
+                    complete.complete();
+                    let complete = Arc::new(complete);
                     meshes.insert(object.mesh, Arc::clone(&complete));
                     complete
                 }
@@ -182,6 +183,8 @@ impl Geometry {
                 .map_or(1.0, |t| f64::from(t.w));
             let mirrored = handedness * determinant < 0.0;
             let extent = v0.abs().max(v1.abs()).max(v2.abs()).max_element();
+            let up: Vec3 = face.iter().map(|i| corners[*i as usize].normal).sum();
+            let is_inside_out = (v1 - v0).cross(v2 - v0).dot(up) < 0.0;
             Some(Triangle {
                 v0,
                 material: if mirrored {
@@ -190,7 +193,10 @@ impl Geometry {
                     material
                 },
                 v1,
-                object: number,
+                object: match is_inside_out {
+                    true => number | INSIDE_OUT,
+                    false => number,
+                },
                 v2,
                 ray_offset: RAY_OFFSET * extent,
             })
@@ -216,18 +222,6 @@ impl Geometry {
         }
         Ok(flat)
     }
-}
-
-/// A mesh with normals; with tangents, where it has texture coordinates.
-fn completed(mesh: &Mesh) -> Mesh {
-    let mut mesh = mesh.clone();
-    if mesh.normals.is_empty() {
-        mesh.normals = area_weighted_normals(&mesh);
-    }
-    if mesh.tangents.is_empty() && !mesh.uvs.is_empty() {
-        mesh.tangents = uv_tangents(&mesh);
-    }
-    mesh
 }
 
 /// The materials that a mesh names itself.

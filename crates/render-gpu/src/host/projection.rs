@@ -81,7 +81,7 @@ impl Projector {
             })
             .collect::<Result<_, ShError>>()?;
         let mut all = black;
-        parts.iter().for_each(|part| all.merge(part));
+        parts.iter().try_for_each(|part| all.merge(part))?;
         Ok(all.coefficients())
     }
 }

@@ -162,8 +162,20 @@ fn visit_leaf(
     nearest
 }
 
-/// Whether anything of an object blocks the ray at a distance in `(0, t_max)`, or, where `own` is not set, anything of another
-/// object. Catchers do not.
+/// Of which triangles [`any_hit_of`] asks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Asked {
+    /// Those of this object; those of all others where `own` is not set.
+    pub object: u32,
+    /// See `object`.
+    pub own: bool,
+    /// Nearer than this, not those whose outside is where `way` leads.
+    pub near: f32,
+    /// See `near`.
+    pub way: Vec3,
+}
+
+/// Whether one of the triangles that are asked of blocks the ray at a distance in `(0, t_max)`. Catchers do not.
 ///
 /// For few rays: it visits nodes in no order.
 #[must_use]
@@ -172,8 +184,7 @@ pub fn any_hit_of(
     triangles: &[Triangle],
     ray: &Ray,
     t_max: f32,
-    object: u32,
-    own: bool,
+    asked: &Asked,
 ) -> bool {
     if nodes.is_empty() {
         return false;
@@ -191,9 +202,12 @@ pub fn any_hit_of(
             }
             for i in node.first..node.first + node.count {
                 let triangle = &triangles[i as usize];
-                let is_asked = !triangle.is_catcher() && (triangle.object == object) == own;
-                if is_asked && intersect(triangle, ray, t_max) < t_max {
-                    return true;
+                if !triangle.is_catcher() && (triangle.object_index() == asked.object) == asked.own
+                {
+                    let t = intersect(triangle, ray, t_max);
+                    if t < t_max && !(t < asked.near && triangle.outward().dot(asked.way) > 0.0) {
+                        return true;
+                    }
                 }
             }
         }

@@ -1,12 +1,8 @@
-//! Shared file: a light map as spherical harmonics (Hajisharif 2012, Eqs. 9 to 13): the factors of its projection, and the
-//! frame's coefficients made of the sums.
+//! Shared file: a frame's light as spherical harmonics, made of the sums over its map (Hajisharif 2012, Eqs. 9 to 13).
 
-use glam::{UVec2, Vec2, Vec3, Vec4};
-use glimt_probe::latlong::texel_solid_angle_sr;
-use glimt_probe::trig::cos_sin_pi;
+use glam::{Vec2, Vec3, Vec4};
 use glimt_sh::{
-    coefficient_band, coefficient_index, coefficient_order, hann, meridian, ring, rotate_z,
-    temporal_filter,
+    coefficient_band, coefficient_index, coefficient_order, hann, rotate_z, temporal_filter,
 };
 
 /// How sums over a map become the light of a frame. 32 bytes.
@@ -27,29 +23,6 @@ pub struct LightParams {
     pub unused_b: u32,
     /// Fills 16 bytes.
     pub unused_c: u32,
-}
-
-/// The factors of φ, [`ring`], at the centre of column `column` of a map that has `width`.
-#[inline]
-#[must_use]
-pub fn column_ring(column: u32, width: u32) -> [f32; 11] {
-    let phi = cos_sin_pi(1.0 - (2 * column + 1) as f32 / width as f32);
-    ring(phi.x, phi.y)
-}
-
-/// The factors of θ, [`meridian`], at the centre of row `row` of a map of size `size`.
-#[inline]
-#[must_use]
-pub fn row_meridian(row: u32, size: UVec2) -> [f32; 21] {
-    let theta = cos_sin_pi((2 * row + 1) as f32 / (2 * size.y) as f32);
-    meridian(theta.x, theta.y)
-}
-
-/// Solid angle of a texel of row `row`: `Δφ (cos θ₀ − cos θ₁)`. Differs from Eq. 12, which takes `2π² sin θ/(n_u n_v)`.
-#[inline]
-#[must_use]
-pub fn row_area(row: u32, size: UVec2) -> f32 {
-    texel_solid_angle_sr(row, size)
 }
 
 /// Coefficient k = l(l + 1) + m of a frame's light in world coordinates: the sums `Σ L y_k ΔΩ` over the map, turned with it,

@@ -10,7 +10,6 @@ use super::frame::{BACKGROUND_ENVIRONMENT, FrameParams};
 use super::layers::LayerSample;
 use super::ray::{Hit, Ray};
 use super::scene::{Scene, ShadingPoint};
-use super::triangle::CATCHER;
 
 /// Irradiance at a vertex by band-limited light, parted like [`Reflected`]. Either part may be negative, as band-limited
 /// light may. 32 bytes.
@@ -130,7 +129,7 @@ impl Surface<'_> {
     #[inline]
     #[must_use]
     pub fn reflection(&self, object: u32) -> f32 {
-        self.reflections[(object & !CATCHER) as usize]
+        self.reflections[object as usize]
     }
 }
 
@@ -185,7 +184,7 @@ pub fn at_hit(
 ) -> Reflected {
     let point = scene.shading_point(ray, hit);
     let at = surface.light_at(hit);
-    let c_k = surface.reflection(scene.triangles[hit.triangle as usize].object);
+    let c_k = surface.reflection(scene.triangles[hit.triangle as usize].object_index());
     reflected(&point, at.lit, at.blocked, c_k, map)
 }
 

@@ -36,7 +36,8 @@ pub struct RasterParams {
     pub unused_b: f32,
 }
 
-/// What is drawn at a point: values of the layers, at most [`HALF_MAX`].
+/// What is drawn at a point: values of the layers, at most [`HALF_MAX`]. What would be more is darkened in all channels alike, and a
+/// catcher's two layers together, so that its share of light stays what it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
     /// An object's radiance, and 1; else 0.
@@ -126,18 +127,23 @@ pub fn draw(
     };
     let light = at_hit(&ray, &hit, map, scene, surface);
     let sample = LayerSample::of(&light, at.is_catcher());
-    let radiance = stored(sample.radiance, raster.scale);
+    let scale = fitting_scale(sample.radiance.max(sample.blocked), raster.scale);
+    let radiance = sample.radiance * scale;
     Drawn {
         object: (radiance * sample.alpha).extend(sample.alpha),
         lit: (radiance * sample.catcher).extend(sample.catcher),
-        blocked: stored(sample.blocked, raster.scale).extend(0.0),
+        blocked: (sample.blocked * scale).extend(0.0),
     }
 }
 
-/// Radiance as 16 bits can hold it.
+/// `scale`, or as much less that 16 bits can hold what it makes of `radiance`.
 #[inline]
-fn stored(radiance: Vec3, scale: f32) -> Vec3 {
-    (radiance * scale).min(Vec3::splat(HALF_MAX))
+fn fitting_scale(radiance: Vec3, scale: f32) -> f32 {
+    let largest = radiance.max_element() * scale;
+    if largest > HALF_MAX {
+        return scale * (HALF_MAX / largest);
+    }
+    scale
 }
 
 /// How drawn layers lie in a buffer. 16 bytes.
@@ -228,6 +234,21 @@ mod tests {
         assert_eq!(core::mem::offset_of!(RasterParams, near), 128);
         assert_eq!(core::mem::size_of::<DrawnLayout>(), 16);
         assert_eq!(core::mem::offset_of!(DrawnLayout, pitch), 8);
+    }
+
+    #[test]
+    fn what_is_too_bright_keeps_its_colour() {
+        let radiance = Vec3::new(3.0, 1.0, 2.0);
+        assert_eq!(fitting_scale(radiance, 8.0), 8.0);
+        let stored = radiance * fitting_scale(radiance, 1e6);
+        assert!(
+            stored.x <= HALF_MAX && stored.x > 0.999 * HALF_MAX,
+            "{stored}"
+        );
+        assert!(
+            (stored / stored.x - radiance / 3.0).length() < 1e-6,
+            "{stored}"
+        );
     }
 
     #[test]

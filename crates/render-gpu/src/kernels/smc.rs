@@ -22,7 +22,6 @@ use super::past::{
 };
 use super::pattern::{PARTICLES, PatternSource, PixelPattern, RESAMPLE};
 use super::scene::{Scene, ShadingPoint};
-use super::triangle::CATCHER;
 
 /// [`SmcParams::path`]: linear.
 pub const PATH_LINEAR: u32 = 0;
@@ -320,7 +319,7 @@ pub fn shade_smc(
     let camera_ray = frame.camera_ray(&pattern);
     if let Some(hit) = scene.closest_hit(&camera_ray) {
         let point = scene.shading_point(&camera_ray, &hit);
-        let object = scene.triangles[hit.triangle as usize].object & !CATCHER;
+        let object = scene.triangles[hit.triangle as usize].object_index();
         let wo = -camera_ray.direction;
         let light = follow(
             &point, hit.t, wo, object, frame, smc, view, &pattern, env, before, scene, past, state,
@@ -354,7 +353,7 @@ pub fn shade_smc_layers(
     if let Some(hit) = scene.closest_hit(&camera_ray) {
         let point = scene.shading_point(&camera_ray, &hit);
         let triangle = &scene.triangles[hit.triangle as usize];
-        let object = triangle.object & !CATCHER;
+        let object = triangle.object_index();
         let wo = -camera_ray.direction;
         let light = follow(
             &point, hit.t, wo, object, frame, smc, view, &pattern, env, before, scene, past, state,

@@ -2,20 +2,20 @@
 
 use core::f32::consts::PI;
 
-use glam::{UVec2, Vec2, Vec3};
+use glam::{UVec2, UVec4, Vec2, Vec3};
 use glimt_probe::trig::cos_sin_pi;
 use glimt_sampling::uniform::{UniformSource, unit_vec2};
 use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
 use glimt_sh::basis::add_basis;
 
-use super::bvh::{BvhNode, any_hit, any_hit_of};
+use super::bvh::{Asked, BvhNode, any_hit, any_hit_of};
 use super::ray::Ray;
 use super::triangle::Triangle;
 
 /// Marks the streams of transfer: those of pixels have the frame's number in this place.
 const STREAM: u32 = 0x7472_616e;
 
-/// What is the same for all vertices. 16 bytes.
+/// What is the same for all vertices. 24 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct TransferParams {
@@ -27,6 +27,10 @@ pub struct TransferParams {
     pub rows: u32,
     /// Seed of the directions.
     pub seed: u32,
+    /// The first row that is computed now.
+    pub first_row: u32,
+    /// The row that comes after the last of them.
+    pub end_row: u32,
 }
 
 /// A vertex, as rays leave it. 48 bytes.
@@ -41,7 +45,8 @@ pub struct TransferVertex {
     pub normal: Vec3,
     /// Its number, which keys its stream.
     pub number: u32,
-    /// A point beneath the surface: what crosses the way from there to `origin`, and is another object's, touches the surface.
+    /// A point beneath the surface: what the way from there to `origin` crosses from outside, and is another object's, lies on the
+    /// surface.
     pub inner: Vec3,
     /// Fills 16 bytes.
     pub unused: f32,
@@ -52,6 +57,9 @@ pub struct TransferVertex {
 ///
 /// Both come from the same directions, so where nothing is blocked `blocked` is exactly 0, and where everything is, `lit`. A
 /// vertex without a normal has zeros. Catchers block no light.
+///
+/// The rows of strata may be gone through in parts, from the first on: what a part finds is added to `lit` and `blocked`, and `state`,
+/// four words, leads on to the next. The first part of all begins them.
 #[must_use]
 pub fn transfer(
     vertex: u32,
@@ -59,6 +67,7 @@ pub fn transfer(
     nodes: &[BvhNode],
     triangles: &[Triangle],
     vertices: &[TransferVertex],
+    state: &mut [u32],
     lit: &mut [f32],
     blocked: &mut [f32],
 ) -> u32 {
@@ -67,11 +76,31 @@ pub fn transfer(
     let mut arrives = [0.0_f32; 36];
     let mut kept_away = [0.0_f32; 36];
     let mut rays = 0;
-    // Where another object lies on the surface, no point is above the one and before the other.
-    let across = Ray::new(at.inner, at.origin - at.inner);
-    let touched = any_hit_of(nodes, triangles, &across, 1.0, at.object, false);
+    // Where another object lies on the surface, no point is above the one and before the other. What is crossed from inside lies
+    // under the surface, or in its plane and faces as it does: that keeps no light from it.
+    let way = at.origin - at.inner;
+    let across = Ray::new(at.inner, way);
+    let others = Asked {
+        object: at.object,
+        own: false,
+        near: 1.0,
+        way,
+    };
+    let touched = any_hit_of(nodes, triangles, &across, 1.0, &others);
+    let own = Asked {
+        own: true,
+        near: 0.0,
+        ..others
+    };
+    let height = at.normal.dot(way);
     let mut source = Xoshiro128PlusPlus::stream(params.seed, STREAM, at.number);
-    for row in 0..params.rows {
+    let mut kept = 0.0;
+    if params.first_row > 0 {
+        let words = UVec4::new(state[0], state[1], state[2], state[3]);
+        source = Xoshiro128PlusPlus::from_state(words);
+        kept = 1.0;
+    }
+    for row in params.first_row..params.end_row {
         let strata = strata_of_row(params, row);
         let (first, columns) = (strata.x, strata.y);
         for column in 0..columns {
@@ -82,9 +111,14 @@ pub fn transfer(
                 rays += 1;
                 let ray = Ray::new(at.origin, direction);
                 let is_blocked = if touched {
+                    // What lies under the surface is passed over until the ray has come through it.
+                    let above = Asked {
+                        near: height / cosine,
+                        ..others
+                    };
                     let beneath = Ray::new(at.inner, direction);
-                    any_hit_of(nodes, triangles, &beneath, f32::MAX, at.object, false)
-                        || any_hit_of(nodes, triangles, &ray, f32::MAX, at.object, true)
+                    any_hit_of(nodes, triangles, &beneath, f32::MAX, &above)
+                        || any_hit_of(nodes, triangles, &ray, f32::MAX, &own)
                 } else {
                     any_hit(nodes, triangles, &ray, f32::MAX)
                 };
@@ -97,8 +131,12 @@ pub fn transfer(
         }
     }
     let scale = 4.0 * PI / n as f32;
-    store(bands, scale, &arrives, lit);
-    store(bands, scale, &kept_away, blocked);
+    store(bands, kept, scale, &arrives, lit);
+    store(bands, kept, scale, &kept_away, blocked);
+    state[0] = source.state.x;
+    state[1] = source.state.y;
+    state[2] = source.state.z;
+    state[3] = source.state.w;
     rays
 }
 
@@ -125,49 +163,49 @@ pub fn stratified_direction(n: u32, first: u32, columns: u32, column: u32, u: Ve
     Vec3::new(around.x, around.y, 1.0 - 2.0 * down)
 }
 
-/// `out[k] = scale · sums[k]` for the coefficients of `bands` bands. Written out, as in [`add_basis`].
-fn store(bands: u32, scale: f32, sums: &[f32; 36], out: &mut [f32]) {
-    out[0] = scale * sums[0];
+/// `out[k] = kept · out[k] + scale · sums[k]` for the coefficients of `bands` bands. Written out, as in [`add_basis`].
+fn store(bands: u32, kept: f32, scale: f32, sums: &[f32; 36], out: &mut [f32]) {
+    out[0] = kept * out[0] + scale * sums[0];
     if bands > 1 {
-        out[1] = scale * sums[1];
-        out[2] = scale * sums[2];
-        out[3] = scale * sums[3];
+        out[1] = kept * out[1] + scale * sums[1];
+        out[2] = kept * out[2] + scale * sums[2];
+        out[3] = kept * out[3] + scale * sums[3];
         if bands > 2 {
-            out[4] = scale * sums[4];
-            out[5] = scale * sums[5];
-            out[6] = scale * sums[6];
-            out[7] = scale * sums[7];
-            out[8] = scale * sums[8];
+            out[4] = kept * out[4] + scale * sums[4];
+            out[5] = kept * out[5] + scale * sums[5];
+            out[6] = kept * out[6] + scale * sums[6];
+            out[7] = kept * out[7] + scale * sums[7];
+            out[8] = kept * out[8] + scale * sums[8];
             if bands > 3 {
-                out[9] = scale * sums[9];
-                out[10] = scale * sums[10];
-                out[11] = scale * sums[11];
-                out[12] = scale * sums[12];
-                out[13] = scale * sums[13];
-                out[14] = scale * sums[14];
-                out[15] = scale * sums[15];
+                out[9] = kept * out[9] + scale * sums[9];
+                out[10] = kept * out[10] + scale * sums[10];
+                out[11] = kept * out[11] + scale * sums[11];
+                out[12] = kept * out[12] + scale * sums[12];
+                out[13] = kept * out[13] + scale * sums[13];
+                out[14] = kept * out[14] + scale * sums[14];
+                out[15] = kept * out[15] + scale * sums[15];
                 if bands > 4 {
-                    out[16] = scale * sums[16];
-                    out[17] = scale * sums[17];
-                    out[18] = scale * sums[18];
-                    out[19] = scale * sums[19];
-                    out[20] = scale * sums[20];
-                    out[21] = scale * sums[21];
-                    out[22] = scale * sums[22];
-                    out[23] = scale * sums[23];
-                    out[24] = scale * sums[24];
+                    out[16] = kept * out[16] + scale * sums[16];
+                    out[17] = kept * out[17] + scale * sums[17];
+                    out[18] = kept * out[18] + scale * sums[18];
+                    out[19] = kept * out[19] + scale * sums[19];
+                    out[20] = kept * out[20] + scale * sums[20];
+                    out[21] = kept * out[21] + scale * sums[21];
+                    out[22] = kept * out[22] + scale * sums[22];
+                    out[23] = kept * out[23] + scale * sums[23];
+                    out[24] = kept * out[24] + scale * sums[24];
                     if bands > 5 {
-                        out[25] = scale * sums[25];
-                        out[26] = scale * sums[26];
-                        out[27] = scale * sums[27];
-                        out[28] = scale * sums[28];
-                        out[29] = scale * sums[29];
-                        out[30] = scale * sums[30];
-                        out[31] = scale * sums[31];
-                        out[32] = scale * sums[32];
-                        out[33] = scale * sums[33];
-                        out[34] = scale * sums[34];
-                        out[35] = scale * sums[35];
+                        out[25] = kept * out[25] + scale * sums[25];
+                        out[26] = kept * out[26] + scale * sums[26];
+                        out[27] = kept * out[27] + scale * sums[27];
+                        out[28] = kept * out[28] + scale * sums[28];
+                        out[29] = kept * out[29] + scale * sums[29];
+                        out[30] = kept * out[30] + scale * sums[30];
+                        out[31] = kept * out[31] + scale * sums[31];
+                        out[32] = kept * out[32] + scale * sums[32];
+                        out[33] = kept * out[33] + scale * sums[33];
+                        out[34] = kept * out[34] + scale * sums[34];
+                        out[35] = kept * out[35] + scale * sums[35];
                     }
                 }
             }
@@ -181,7 +219,7 @@ mod tests {
 
     #[test]
     fn layout_is_that_of_wgsl() {
-        assert_eq!(core::mem::size_of::<TransferParams>(), 16);
+        assert_eq!(core::mem::size_of::<TransferParams>(), 24);
         assert_eq!(core::mem::size_of::<TransferVertex>(), 48);
         assert_eq!(core::mem::offset_of!(TransferVertex, object), 12);
         assert_eq!(core::mem::offset_of!(TransferVertex, normal), 16);

@@ -8,6 +8,10 @@ use super::ray::Ray;
 /// light, since the light map was filmed with it in place. The rest is the object's index.
 pub const CATCHER: u32 = 1 << 31;
 
+/// Bit of [`Triangle::object`] that says that its corners run clockwise seen from where its vertices' normals point, as in a mesh
+/// that is mirrored.
+pub const INSIDE_OUT: u32 = 1 << 30;
+
 /// A triangle in world coordinates, in the order of the tree's leaves.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
@@ -18,7 +22,8 @@ pub struct Triangle {
     pub material: u32,
     /// Second corner.
     pub v1: Vec3,
-    /// Index of the object that it belongs to; with the bit [`CATCHER`] where that is a shadow catcher.
+    /// Index of the object that it belongs to, below 2³⁰; with the bits [`CATCHER`], where that is a shadow catcher, and
+    /// [`INSIDE_OUT`].
     pub object: u32,
     /// Third corner.
     pub v2: Vec3,
@@ -32,6 +37,25 @@ impl Triangle {
     #[must_use]
     pub fn is_catcher(&self) -> bool {
         self.object & CATCHER != 0
+    }
+
+    /// Index of the object that it belongs to.
+    #[inline]
+    #[must_use]
+    pub fn object_index(&self) -> u32 {
+        self.object & !(CATCHER | INSIDE_OUT)
+    }
+
+    /// Where its outside is: the face's normal on the side of its vertices' normals. Of any length.
+    #[inline]
+    #[must_use]
+    pub fn outward(&self) -> Vec3 {
+        let normal = self.area_normal();
+        if self.object & INSIDE_OUT != 0 {
+            -normal
+        } else {
+            normal
+        }
     }
 
     /// The normal of the face, right-handed about the corners' order; its length is twice the area.

@@ -311,6 +311,7 @@ fn times(outcome: &Outcome) -> String {
                 Hold::Free => "–".to_owned(),
                 Hold::Held => "within 5 %".to_owned(),
                 Hold::Granular => "<span class=\"bad\">nearest whole count</span>".to_owned(),
+                Hold::Fixed => "<span class=\"bad\">no count to change</span>".to_owned(),
                 Hold::Missed => "<span class=\"bad\">missed</span>".to_owned(),
             };
             let mut row = vec![
