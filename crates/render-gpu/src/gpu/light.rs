@@ -37,7 +37,7 @@ const fn slot(path: &'static str, binding: u32, writable: bool) -> BufferSlot {
 }
 
 /// Both stages of `projection.wgsl` have the same arguments.
-const PARAMS: &[ParamField] = &[
+pub(super) const PARAMS: &[ParamField] = &[
     field("size", 0, 8),
     field("bands", 8, 4),
     field("parts", 12, 4),
