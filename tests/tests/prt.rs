@@ -174,8 +174,11 @@ fn render(
         .unwrap()
 }
 
-/// Largest difference as a share of the largest value.
+/// Largest difference as a share of the largest value; without end where one is no number.
 fn distance(pairs: &[(DVec3, DVec3)]) -> f64 {
+    if pairs.iter().any(|(a, b)| !(a.is_finite() && b.is_finite())) {
+        return f64::INFINITY;
+    }
     let largest = pairs
         .iter()
         .map(|(_, b)| b.abs().max_element())

@@ -34,8 +34,11 @@ fn noise(size: UVec2, seed: u32, degrees: f32) -> PreparedEnv {
         .unwrap()
 }
 
-/// The largest difference of two lists, as a share of the largest coefficient.
+/// The largest difference of two lists, as a share of the largest coefficient; without end where one is no number.
 fn difference(a: &[Vec4], b: &[Vec4]) -> f32 {
+    if a.iter().chain(b).any(|c| !c.is_finite()) {
+        return f32::INFINITY;
+    }
     let largest = b.iter().map(|c| c.abs().max_element()).fold(0.0, f32::max);
     let off = a.iter().zip(b).map(|(a, b)| (*a - *b).abs().max_element());
     off.fold(0.0, f32::max) / largest
