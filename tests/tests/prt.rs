@@ -16,7 +16,7 @@ use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescrip
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer, TransferError};
 use glimt_render_gpu::kernels::prt::vertex_light;
-use glimt_sh::{basis, cosine_lobe};
+use glimt_sh::{ShError, basis, cosine_lobe};
 use glimt_tests::quadrature::integrate_sphere;
 
 const ALBEDO: Vec3 = Vec3::new(0.7, 0.5, 0.3);
@@ -174,8 +174,11 @@ fn render(
         .unwrap()
 }
 
-/// Largest difference as a share of the largest value.
+/// Largest difference as a share of the largest value; without end where one is no number.
 fn distance(pairs: &[(DVec3, DVec3)]) -> f64 {
+    if pairs.iter().any(|(a, b)| !(a.is_finite() && b.is_finite())) {
+        return f64::INFINITY;
+    }
     let largest = pairs
         .iter()
         .map(|(_, b)| b.abs().max_element())
@@ -463,6 +466,10 @@ fn what_does_not_fit_is_refused() {
             temporal: -1.0,
             ..PrtSettings::default()
         },
+        PrtSettings {
+            temporal: 1.1e6,
+            ..PrtSettings::default()
+        },
     ] {
         let bad = RenderSettings { prt, ..settings };
         let error = renderer
@@ -470,6 +477,17 @@ fn what_does_not_fit_is_refused() {
             .unwrap_err();
         assert_eq!(refused(error), SettingsError::Prt);
     }
+    let light = LightSh::default().project(&env, 7, &PrtSettings::default());
+    let bands = SettingsError::Harmonics(ShError::Bands(7));
+    assert_eq!(light.unwrap_err(), bands);
+    assert!(bands.to_string().contains("7 bands"), "{bands}");
+    // Kernels count in 32 bits.
+    let huge = Transfer {
+        bands: 6,
+        ..Transfer::default()
+    };
+    let count = (1 << 32) / 36 + 1;
+    assert_eq!(huge.check(count), Err(TransferError::TooMany(36 * count)));
     // An object that has moved has lost its transfer.
     scene.pose(&[Mat4::from_translation(Vec3::X)]).unwrap();
     let moved = renderer.render_frame(&scene, &env, &settings, &|_| ());

@@ -34,8 +34,11 @@ fn noise(size: UVec2, seed: u32, degrees: f32) -> PreparedEnv {
         .unwrap()
 }
 
-/// The largest difference of two lists, as a share of the largest coefficient.
+/// The largest difference of two lists, as a share of the largest coefficient; without end where one is no number.
 fn difference(a: &[Vec4], b: &[Vec4]) -> f32 {
+    if a.iter().chain(b).any(|c| !c.is_finite()) {
+        return f32::INFINITY;
+    }
     let largest = b.iter().map(|c| c.abs().max_element()).fold(0.0, f32::max);
     let off = a.iter().zip(b).map(|(a, b)| (*a - *b).abs().max_element());
     off.fold(0.0, f32::max) / largest
@@ -125,6 +128,15 @@ fn coefficients_are_the_cpus() {
     }
     let found = coefficients(&context, &mut light, &env, 4, &right);
     assert!(difference(&found, &expected) > TOLERANCE, "nothing is kept");
+
+    let endless = PrtSettings {
+        temporal: f32::MAX,
+        ..right
+    };
+    for (bands, settings, words) in [(7, right, "7 bands"), (4, endless, "temporal")] {
+        let error = light.project(&context, bands, &settings).unwrap_err();
+        assert!(error.to_string().contains(words), "{error}");
+    }
 }
 
 #[test]
@@ -683,26 +695,35 @@ fn a_frame_that_was_given_up_spoils_no_other() {
 
 #[test]
 fn bands_of_rows_change_no_bit() {
-    let small = GpuOptions {
-        max_binding_bytes: 256 << 10,
+    let small = |kilobytes: u64| GpuOptions {
+        max_binding_bytes: kilobytes << 10,
         ..GpuOptions::default()
     };
     let test = "bands_of_rows_change_no_bit";
-    let (Some(mut whole), Some(mut bands)) =
-        (renderer(test, GpuOptions::default()), renderer(test, small))
-    else {
+    let (Some(mut whole), Some(mut bands), Some(mut odd)) = (
+        renderer(test, GpuOptions::default()),
+        renderer(test, small(256)),
+        renderer(test, small(600)),
+    ) else {
         return;
     };
     let scene = scene(true, 0.0);
-    for layers in [false, true] {
+    let even = UVec2::new(192, 160);
+    // Of a width that shares no factor with what bands begin at multiples of.
+    let cases = [(even, false), (even, true), (UVec2::new(131, 97), true)];
+    for (size, layers) in cases {
+        let bands = match size == even {
+            true => &mut bands,
+            false => &mut odd,
+        };
         let settings = RenderSettings {
-            size: UVec2::new(192, 160),
+            size,
             layers,
             ..settings()
         };
         let plate = plate(settings.size);
         let [_, a] = both(&mut whole, &scene, Some(&plate), &settings);
-        let [_, b] = both(&mut bands, &scene, Some(&plate), &settings);
+        let [_, b] = both(bands, &scene, Some(&plate), &settings);
         assert_eq!(a.linear, b.linear);
         assert_eq!(a.display, b.display);
         assert_eq!(a.layers, b.layers);

@@ -133,8 +133,11 @@ fn reference(env: &PreparedEnv, bands: u32) -> [DVec3; 36] {
     sums
 }
 
-/// The largest difference of two lists, as a share of the largest coefficient.
+/// The largest difference of two lists, as a share of the largest coefficient; without end where one is no number.
 fn difference(a: &[DVec3], b: &[DVec3]) -> f64 {
+    if a.iter().chain(b).any(|c| !c.is_finite()) {
+        return f64::INFINITY;
+    }
     let largest = b.iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
     let pairs = a.iter().zip(b);
     let off = pairs.map(|(a, b)| (*a - *b).abs().max_element());

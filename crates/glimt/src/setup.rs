@@ -183,7 +183,9 @@ impl Setup {
                 SettingsError::Exposure => "image.exposure_ev",
                 SettingsError::FieldOfView => "camera.fov_x_deg",
                 SettingsError::Camera => "camera",
-                SettingsError::Prt | SettingsError::NoTransfer => "render.prt",
+                SettingsError::Prt | SettingsError::Harmonics(_) | SettingsError::NoTransfer => {
+                    "render.prt"
+                }
                 SettingsError::PlateSize => "backplate",
             };
             self.source.error(key, e)

@@ -32,10 +32,45 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Where objects stand still, light that arrives at their vertices may be computed once for any light, and frames by it alone
+//! (precomputed radiance transfer): [`host::bake`], then [`Method::Prt`](host::render::Method::Prt). The triangle of above again:
+//!
+//! ```
+//! # use glam::{Mat4, UVec2, Vec3, Vec4};
+//! # use glimt_render_gpu::cpu::CpuRenderer;
+//! # use glimt_render_gpu::host::env::EnvMap;
+//! # use glimt_render_gpu::host::render::{Method, RenderSettings, Renderer};
+//! # use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
+//! # use glimt_render_gpu::host::scene_build::SceneBuffers;
+//! use glimt_render_gpu::host::bake::{BakeSettings, bake};
+//! # let mut scene = SceneBuffers::build(&SceneDescription {
+//! #     meshes: vec![Mesh {
+//! #         positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
+//! #         indices: vec![[0, 1, 2]],
+//! #         materials: vec![0],
+//! #         ..Mesh::default()
+//! #     }],
+//! #     materials: vec![Material::BlinnPhong { diffuse: Vec3::splat(0.5), specular: Vec3::ZERO, exponent: 0.0 }],
+//! #     objects: vec![Object { mesh: 0, transform: Mat4::IDENTITY, material: None, catcher: false }],
+//! #     ..SceneDescription::default()
+//! # })?;
+//! # let camera = Camera { eye: Vec3::new(0.2, 0.2, 9.0), target: Vec3::new(0.2, 0.2, 0.0), up: Vec3::Y, fov_x: 0.01 };
+//! let baked = bake(&scene, &BakeSettings::default(), &|_| ())?;
+//! scene.set_transfer(baked.transfer.into(), &[])?;
+//! let settings = RenderSettings { method: Method::Prt, ..RenderSettings::new(UVec2::ONE, camera) };
+//! // No tables: such a frame draws no directions from its light.
+//! let sky = EnvMap::new(UVec2::new(8, 4), vec![Vec4::ONE; 32])?.untabled(0.0)?;
+//! let image = CpuRenderer::default().render_frame(&scene, &sky, &settings, &|_| ())?;
+//! assert!((image.linear[0].x - 0.5).abs() < 0.02);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Bibliography
 //!
 //! - J. Kronander, J. Dahlin, D. Jönsson, M. Kok, T. B. Schön, J. Unger: *Real-time video based lighting using GPU
 //!   raytracing*, EUSIPCO 2014 (Eqs. 1 and 2; the two passes of § 7).
+//! - S. Hajisharif, J. Kronander, E. Miandji, J. Unger: *Real-time image based lighting with streaming HDR-light probe sequences*,
+//!   SIGRAD 2012 (Eqs. 2, 3 and 8 to 15).
 //! - E. Veach, L. Guibas: *Optimally combining sampling techniques for Monte Carlo rendering*, SIGGRAPH 1995.
 //! - S. Woop, C. Benthin, I. Wald: *Watertight ray/triangle intersection*, JCGT 2(1), 2013.
 //! - T. Ize: *Robust BVH ray traversal*, JCGT 2(2), 2013.

@@ -2,6 +2,7 @@
 //! filter over time.
 
 use glam::{UVec2, Vec2, Vec4};
+use glimt_sh::{MAX_COEFFICIENTS, ShError};
 
 use super::buffer::GpuBuffer;
 use super::device::GpuContext;
@@ -12,13 +13,13 @@ use crate::entry::{BufferSlot, Entry, ParamField};
 use crate::generated::{HALVE, LIGHT_COEFFICIENT, TAPS};
 use crate::host::env::{Brightness, PreparedEnv};
 use crate::host::light_sh::{level_sizes, light_params};
-use crate::host::render::PrtSettings;
+use crate::host::render::{PrtSettings, SettingsError};
 use crate::kernels::pyramid::Taps;
 
 /// Rows and columns of texels that a workgroup of `projection.wgsl` projects.
 const GROUP: UVec2 = UVec2::new(256, 16);
 /// Coefficients of the most bands, and values that a workgroup leaves.
-const COEFFICIENTS: u32 = 36;
+const COEFFICIENTS: u32 = MAX_COEFFICIENTS as u32;
 
 const VALUE: u64 = size_of::<Vec4>() as u64;
 
@@ -36,7 +37,7 @@ const fn slot(path: &'static str, binding: u32, writable: bool) -> BufferSlot {
 }
 
 /// Both stages of `projection.wgsl` have the same arguments.
-const PARAMS: &[ParamField] = &[
+pub(super) const PARAMS: &[ParamField] = &[
     field("size", 0, 8),
     field("bands", 8, 4),
     field("parts", 12, 4),
@@ -153,7 +154,7 @@ impl GpuLight {
     /// Makes the coefficients of the map that was uploaded last, without waiting for them: [`GpuLight::read`].
     ///
     /// # Errors
-    /// [`GpuError::Argument`] where `bands` is not 1 to 6; those of [`GpuContext::launch`].
+    /// [`GpuError::Argument`] where `bands` is not 1 to 6, or the settings are refused; those of [`GpuContext::launch`].
     pub fn project(
         &mut self,
         context: &GpuContext,
@@ -190,11 +191,13 @@ impl GpuLight {
         bands: u32,
         settings: &PrtSettings,
     ) -> Result<(), GpuError> {
+        let refused = |error: SettingsError| GpuError::Argument {
+            entry: PROJECT.name.to_owned(),
+            problem: error.to_string(),
+        };
+        settings.check().map_err(refused)?;
         if !(1..=glimt_sh::MAX_BANDS).contains(&bands) {
-            return Err(GpuError::Argument {
-                entry: PROJECT.name.to_owned(),
-                problem: format!("there are 1 to 6 bands, not {bands}"),
-            });
+            return Err(refused(SettingsError::Harmonics(ShError::Bands(bands))));
         }
         let sizes = self.keep_levels(recording.context, settings.level)?;
         for (i, pair) in sizes.windows(2).enumerate() {

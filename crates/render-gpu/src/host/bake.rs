@@ -128,8 +128,8 @@ impl BakeSettings {
 /// ```
 /// use glimt_render_gpu::host::bake::required_bytes;
 /// // Two lists of 25 floats, and twice the vertex while the objects' are put together.
-/// assert_eq!(required_bytes(1, 5), 200 + 2 * 56);
-/// assert_eq!(required_bytes(10_000_000, 6), 4_000_000_000);
+/// assert_eq!(required_bytes(1, 5), 200 + 2 * 52);
+/// assert_eq!(required_bytes(10_000_000, 6), 3_920_000_000);
 /// ```
 #[must_use]
 pub fn required_bytes(vertices: u64, bands: u32) -> u64 {

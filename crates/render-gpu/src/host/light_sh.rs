@@ -67,18 +67,18 @@ impl LightSh {
     /// map, and filtered over time with the frame before, if that had as many bands. Those beyond `bands²` are 0.
     ///
     /// # Errors
-    /// [`SettingsError::Prt`]; also where `bands` is not 1 to 6.
+    /// [`SettingsError::Prt`]; [`SettingsError::Harmonics`] where `bands` is not 1 to 6, or the map is wider or higher than 2²⁰.
     pub fn project(
         &mut self,
         env: &PreparedEnv,
         bands: u32,
         settings: &PrtSettings,
-    ) -> Result<[Vec4; 36], SettingsError> {
+    ) -> Result<[Vec4; MAX_COEFFICIENTS], SettingsError> {
         settings.check()?;
         let map = env.view().map();
         let sums = self
             .sums(&map, bands, settings.level)
-            .map_err(|_| SettingsError::Prt)?;
+            .map_err(SettingsError::Harmonics)?;
         let (before, previous) = match self.previous {
             Some((bands, coefficients)) => (Some(bands), coefficients),
             None => (None, [Vec4::ZERO; MAX_COEFFICIENTS]),

@@ -55,9 +55,9 @@ pub struct BisSettings {
 pub struct PrtSettings {
     /// How often the light map is halved before it is projected.
     pub level: u32,
-    /// Width w of the Hann window on the light's coefficients; 0 for none.
+    /// Width w of the Hann window on the light's coefficients, at most 10⁶; 0 for none.
     pub window: f32,
-    /// Share α of the frame before in the filter over time (Eq. 13), at least 0; 0 for none.
+    /// Share α of the frame before in the filter over time (Eq. 13), from 0 to 10⁶; 0 for none.
     pub temporal: f32,
     /// Whether objects cast shadows.
     pub shadows: bool,
@@ -80,7 +80,7 @@ impl PrtSettings {
     /// # Errors
     /// [`SettingsError::Prt`].
     pub fn check(&self) -> Result<(), SettingsError> {
-        let in_range = |x: f32| x >= 0.0 && x <= f32::MAX;
+        let in_range = |x: f32| x >= 0.0 && x <= 1e6;
         if self.level > 31 || !in_range(self.window) || !in_range(self.temporal) {
             return Err(SettingsError::Prt);
         }

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use glam::{UVec2, Vec4};
+use glimt_sh::ShError;
 
 use super::env::PreparedEnv;
 pub use super::methods::{BisSettings, CandidateSource, Method, PrtSettings, SmcSettings};
@@ -223,8 +224,11 @@ pub enum SettingsError {
     )]
     Smc,
     /// A setting of precomputed radiance transfer is out of range.
-    #[error("level must be at most 31, window and temporal finite and at least 0")]
+    #[error("level must be at most 31, window and temporal from 0 to 1e6")]
     Prt,
+    /// The light has no such coefficients.
+    #[error("the light's spherical harmonics: {0}")]
+    Harmonics(ShError),
     /// The scene has no transfer, or lost it when an object moved.
     #[error("the scene has no precomputed transfer for where its objects stand")]
     NoTransfer,

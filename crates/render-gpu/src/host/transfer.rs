@@ -13,9 +13,7 @@ pub struct SurfaceVertex {
     pub position: Vec3,
     /// Its unit shading normal; zero where its mesh has none to speak of, as at a vertex without faces.
     pub normal: Vec3,
-    /// How far from the surface rays start that leave it.
-    pub ray_offset: f32,
-    /// Where rays start: so far above the surface, and where the surface ends, as much inside its edge. So walls that meet in an edge
+    /// Where rays start: a little above the surface, and where the surface ends, as much inside its edge. So walls that meet in an edge
     /// see each other, and what stands in the same plane is not missed.
     pub origin: Vec3,
     /// A point just beneath the surface.
@@ -57,6 +55,9 @@ pub enum TransferError {
     /// The scene is in a pose that has a tree of its own.
     #[error("objects have moved too far from where the scene was built: build it where they stand")]
     Moved,
+    /// Kernels count coefficients in 32 bits.
+    #[error("{0} coefficients in each list of a transfer; there may be 2^32")]
+    TooMany(usize),
     /// A coefficient is not finite.
     #[error("the transfer of vertex {0} is not finite")]
     NotFinite(usize),
@@ -77,7 +78,10 @@ impl Transfer {
         if !(1..=glimt_sh::MAX_BANDS).contains(&self.bands) {
             return Err(TransferError::Bands(self.bands));
         }
-        let expected = vertices * self.coefficients();
+        let expected = vertices.saturating_mul(self.coefficients());
+        if expected > 1 << 32 {
+            return Err(TransferError::TooMany(expected));
+        }
         for list in [&self.lit, &self.blocked] {
             if list.len() != expected {
                 return Err(TransferError::Length {

@@ -29,7 +29,7 @@ struct Fan {
     area: f32,
     /// The longest edge that meets the vertex.
     radius: f32,
-    /// A way along the surface that was found to lead above none of the triangles.
+    /// The way to the fan's middle leads below one of the triangles, so rays start straight above the vertex.
     is_edge_of_solid: bool,
 }
 
@@ -91,7 +91,6 @@ impl Fans {
         SurfaceVertex {
             position,
             normal: fan.normal,
-            ray_offset: offset,
             origin: position + fan.normal * offset + along,
             inner: position + inset - fan.normal * (2.0 * offset),
             object,

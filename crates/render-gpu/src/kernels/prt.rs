@@ -37,7 +37,7 @@ pub struct Surface<'a> {
     pub lights: &'a [VertexLight],
 }
 
-/// Light of the vertex `vertex`: the product of the light's coefficients and the transfer's (Eq. 14, without the albedo), with
+/// Light of the vertex `vertex`: the product of the light's coefficients and the transfer's (Eq. 14, without the albedo),
 /// without shadows where `shadows` is 0. Each vertex has `coefficients` of them.
 ///
 /// Since interpolation across a triangle is linear, interpolating these gives what interpolated coefficients would.
