@@ -13,7 +13,7 @@ use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::bvh::any_hit;
 use glimt_render_gpu::kernels::ray::Ray;
 use glimt_render_gpu::kernels::transfer::{
-    TransferParams, TransferVertex, strata_of_row, stratified_direction, transfer,
+    TransferParams, TransferVertex, direction_in_row, strata_of_row, transfer,
 };
 use glimt_render_gpu::kernels::triangle::{Triangle, intersect};
 use glimt_sampling::uniform::{UniformSource, unit_vec2};
@@ -230,7 +230,7 @@ fn rays_of(vertex: &TransferVertex, params: &TransferParams) -> Vec<Ray> {
         } = strata_of_row(params, row);
         for column in 0..columns {
             let u = unit_vec2(source.next_uvec2());
-            let direction = stratified_direction(params.directions, first, columns, column, u);
+            let direction = direction_in_row(params.directions, first, columns, column, u);
             if vertex.normal.dot(direction) > 0.0 {
                 rays.push(Ray::new(vertex.origin, direction));
             }

@@ -207,7 +207,7 @@ impl GpuLight {
             let size = ("size", Arg::Value(bytemuck::bytes_of(&pair[0])));
             if !level.has_taps {
                 let args = [size, ("out", Arg::Buffer(&level.taps))];
-                recording.dispatch(&TAPS, &args, 0, half.element_sum())?;
+                recording.dispatch(&TAPS, &args, half.element_sum())?;
                 level.has_taps = true;
             }
             let args = [
@@ -216,7 +216,7 @@ impl GpuLight {
                 ("texels", Arg::Buffer(from)),
                 ("out", Arg::Buffer(&level.texels)),
             ];
-            recording.dispatch(&HALVE, &args, 0, half.element_product())?;
+            recording.dispatch(&HALVE, &args, half.element_product())?;
         }
         let (size, texels) = match sizes.len() {
             1 => (&self.size, &self.map),
@@ -235,10 +235,10 @@ impl GpuLight {
         };
         let count = parts * COEFFICIENTS;
         let args = params(texels, &self.parts);
-        recording.dispatch_grid(&PROJECT, &args, 0, count, groups.to_array())?;
+        recording.dispatch_grid(&PROJECT, &args, count, groups.to_array())?;
         let args = params(&self.parts, &self.sums);
         let grid = [bands * bands, 1];
-        recording.dispatch_grid(&SUM_PARTS, &args, 0, COEFFICIENTS, grid)?;
+        recording.dispatch_grid(&SUM_PARTS, &args, COEFFICIENTS, grid)?;
 
         self.coefficients.swap(0, 1);
         let light = light_params(settings, self.rotation, bands, self.before);
@@ -248,7 +248,7 @@ impl GpuLight {
             ("previous", Arg::Buffer(&self.coefficients[0])),
             ("out", Arg::Buffer(&self.coefficients[1])),
         ];
-        recording.dispatch(&LIGHT_COEFFICIENT, &args, 0, COEFFICIENTS)?;
+        recording.dispatch(&LIGHT_COEFFICIENT, &args, COEFFICIENTS)?;
         let (alpha, now) = (light.temporal, self.brightness.mean);
         self.mean = (now + alpha * self.mean) / (1.0 + alpha);
         self.before = Some(bands);

@@ -383,7 +383,7 @@ impl GpuTransfer {
             ("blocked", Arg::Buffer(&self.blocked)),
             ("out", Arg::Buffer(&self.lights)),
         ];
-        recording.dispatch(&VERTEX_LIGHT, &args, 0, self.vertices)
+        recording.dispatch(&VERTEX_LIGHT, &args, self.vertices)
     }
 }
 
@@ -502,7 +502,7 @@ impl Room {
                 ("blocked", Arg::Buffer(blocked)),
                 ("out", layers),
             ];
-            recording.dispatch(&UNPACK_LAYERS, &args, 0, count)?;
+            recording.dispatch(&UNPACK_LAYERS, &args, count)?;
             let frame = ("frame", value(&frame));
             let layers = ("layers", layers);
             let linear = Arg::Window(&self.linear, first, count);
@@ -510,14 +510,14 @@ impl Room {
             if work.has_plate {
                 let plate = ("plate", Arg::Window(&self.plate, first, count));
                 let args = [frame, layers, plate, ("out", linear)];
-                recording.dispatch(&COMPOSITE_OVER_PLATE, &args, 0, count)?;
+                recording.dispatch(&COMPOSITE_OVER_PLATE, &args, count)?;
                 let args = [frame, layers, plate, display];
-                recording.dispatch(&DISPLAY_OVER_PLATE, &args, 0, count)?;
+                recording.dispatch(&DISPLAY_OVER_PLATE, &args, count)?;
             } else {
                 let args = [frame, layers, ("out", linear)];
-                recording.dispatch(&COMPOSITE_ALONE, &args, 0, count)?;
+                recording.dispatch(&COMPOSITE_ALONE, &args, count)?;
                 let args = [frame, ("linear", linear), display];
-                recording.dispatch(&TONEMAP, &args, 0, count)?;
+                recording.dispatch(&TONEMAP, &args, count)?;
             }
             row += rows;
         }

@@ -35,8 +35,7 @@ impl<'a> Recording<'a> {
         }
     }
 
-    /// Elements `first .. first + count` of `entry`, in one dispatch: element `first + i` fills the i-th value of `out` and of
-    /// each chunked argument.
+    /// Elements `0 .. count` of `entry`, in one dispatch: element i fills the i-th value of `out` and of each chunked argument.
     ///
     /// # Errors
     /// [`GpuError::Argument`] where the arguments are not the entry's, [`GpuError::Limit`] where one is larger than a binding
@@ -45,11 +44,10 @@ impl<'a> Recording<'a> {
         &mut self,
         entry: &Entry,
         args: &[(&str, Arg<'_>)],
-        first: u32,
         count: u32,
     ) -> Result<(), GpuError> {
         let grid = self.context.grid(entry, count);
-        self.dispatch_grid(entry, args, first, count, grid)
+        self.dispatch_grid(entry, args, count, grid)
     }
 
     /// As [`Recording::dispatch`], with a grid of so many columns and rows of workgroups, for entries written by hand.
@@ -57,7 +55,6 @@ impl<'a> Recording<'a> {
         &mut self,
         entry: &Entry,
         args: &[(&str, Arg<'_>)],
-        first: u32,
         count: u32,
         [columns, rows]: [u32; 2],
     ) -> Result<(), GpuError> {
@@ -73,7 +70,7 @@ impl<'a> Recording<'a> {
         for bound in &arguments.bound {
             check_bound(context, entry, bound, count)?;
         }
-        self.put_params(entry, arguments.params_for(entry, first, count))?;
+        self.put_params(entry, arguments.params_for(entry, 0, count))?;
         let params = &self.pool.buffers[self.used - 1];
         let bind_group = context.guarded(
             || format!("the arguments of {}", entry.name),

@@ -105,7 +105,7 @@ pub fn transfer(
         let (first, columns) = (strata.x, strata.y);
         for column in 0..columns {
             let u = unit_vec2(source.next_uvec2());
-            let direction = stratified_direction(n, first, columns, column, u);
+            let direction = direction_in_row(n, first, columns, column, u);
             let cosine = at.normal.dot(direction);
             if cosine > 0.0 {
                 rays += 1;
@@ -154,9 +154,11 @@ pub fn strata_of_row(params: &TransferParams, row: u32) -> UVec2 {
 
 /// A direction that is uniform in a stratum: that of column `column` in a row whose strata are `first`, `first + 1`, …, as many as
 /// `columns`, of `n` in all. Rows run from +z to −z, columns from −x by −y, +x and +y around.
+///
+/// [`glimt_sh::stratified_direction`] wants as many columns in each row; `n` may be any number here.
 #[inline]
 #[must_use]
-pub fn stratified_direction(n: u32, first: u32, columns: u32, column: u32, u: Vec2) -> Vec3 {
+pub fn direction_in_row(n: u32, first: u32, columns: u32, column: u32, u: Vec2) -> Vec3 {
     let down = (first as f32 + u.x * columns as f32) / n as f32;
     let radius = 2.0 * libm::sqrtf(down * (1.0 - down));
     let around = cos_sin_pi((column as f32 + u.y) * (2.0 / columns as f32) - 1.0) * radius;
