@@ -13,7 +13,7 @@ use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::bvh::any_hit;
 use glimt_render_gpu::kernels::ray::Ray;
 use glimt_render_gpu::kernels::transfer::{
-    TransferParams, TransferVertex, direction_in_row, strata_of_row, transfer,
+    STATE, TransferParams, TransferVertex, direction_in_row, strata_of_row, transfer,
 };
 use glimt_render_gpu::kernels::triangle::{Triangle, intersect};
 use glimt_sampling::uniform::{UniformSource, unit_vec2};
@@ -101,7 +101,7 @@ fn without_visibility(known: &[TransferVertex], params: &TransferParams) -> f32 
             &[],
             &[],
             known,
-            &mut [0; 4],
+            &mut [0; STATE],
             &mut lit,
             &mut blocked,
         );
@@ -183,7 +183,7 @@ fn against_obvhs(
                 nodes,
                 triangles,
                 &some,
-                &mut [0; 4],
+                &mut [0; STATE],
                 &mut lit,
                 &mut blocked,
             ))

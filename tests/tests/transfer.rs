@@ -1,11 +1,13 @@
 //! Host file: precomputed transfer against closed forms and quadrature, where surfaces meet and touch, and on both processors.
 
 use glam::{DVec3, Mat4, Vec3, vec3};
-use glimt_render_gpu::gpu;
-use glimt_render_gpu::host::bake::{BakeSettings, bake};
+use glimt_render_gpu::generated::TRANSFER;
+use glimt_render_gpu::gpu::{self, Arg, GpuScene};
+use glimt_render_gpu::host::bake::{BakeSettings, bake, for_kernels};
 use glimt_render_gpu::host::scene::{Material, Mesh, Object, SceneDescription};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::host::transfer::Transfer;
+use glimt_render_gpu::kernels::transfer::{STATE, transfer};
 use glimt_sh::{basis, cosine_lobe};
 use glimt_tests::gpu::adapter_or_skip;
 use std::f64::consts::PI;
@@ -399,6 +401,53 @@ fn wound_backwards(mut mesh: Mesh) -> Mesh {
         face.swap(1, 2);
     }
     mesh
+}
+
+/// An adapter may end loops early, as a software one does. Then the count of directions says so; where it is whole, so are the sums.
+#[test]
+fn directions_that_were_not_gone_through_are_missed() {
+    let Some(context) = adapter_or_skip("directions_that_were_not_gone_through_are_missed") else {
+        return;
+    };
+    let ball = sphere(vec3(0.0, 0.0, 1.5), 1.0, 64, 128);
+    let sheet = quad(vec3(-1.0, -1.0, 0.0), 2.0 * Vec3::X, 2.0 * Vec3::Y);
+    let scene = scene(vec![(sheet, false), (ball, false)]);
+    let known = &for_kernels(&scene.vertices().unwrap(), 0)[..4];
+    let uploaded = GpuScene::new(&context, &scene).unwrap();
+    let vertices = context.buffer_of("vertices", known).unwrap();
+    for directions in [100, 1 << 16] {
+        let params = settings(directions, 1).params();
+        let [lit, blocked] = [0; 2].map(|_| context.buffer("sums", 4 * 36 * 4).unwrap());
+        let state = context.buffer("state", 4 * 4 * STATE as u64).unwrap();
+        let rays = context.buffer("rays", 4 * 4).unwrap();
+        let mut args = vec![
+            ("params", Arg::Value(bytemuck::bytes_of(&params))),
+            ("vertices", Arg::Buffer(&vertices)),
+            ("state", Arg::Chunk(&state, STATE as u32)),
+            ("lit", Arg::Chunk(&lit, 36)),
+            ("blocked", Arg::Chunk(&blocked, 36)),
+            ("out", Arg::Buffer(&rays)),
+        ];
+        args.extend(uploaded.tree_args());
+        context.launch(&TRANSFER, &args, 0, 4).unwrap();
+        let gone: Vec<u32> = context.read(&state, 4 * STATE).unwrap();
+        let made: Vec<f32> = context.read(&lit, 4 * 36).unwrap();
+        for v in 0..4 {
+            let mut own = [[0.0; 36]; 2];
+            let [lit, blocked] = &mut own;
+            let (mut kept, view) = ([0; STATE], scene.view());
+            let at_v = v as u32;
+            let (nodes, triangles) = (view.nodes, view.triangles);
+            let _ = transfer(
+                at_v, &params, nodes, triangles, known, &mut kept, lit, blocked,
+            );
+            assert_eq!(kept[STATE - 1], directions);
+            let is_whole = gone[v * STATE + STATE - 1] == directions;
+            let error = rms(&at(&made, v), lit);
+            assert_eq!(is_whole, error < 1e-4, "{directions}: {error}");
+            assert!(is_whole || directions > 100);
+        }
+    }
 }
 
 /// Whether the transfer of a vertex is all there and nothing of it blocked.

@@ -41,7 +41,17 @@ fn choose<T>(
 ) -> Result<T> {
     match device {
         Device::Cpu => Ok(cpu()),
-        Device::Gpu => open_gpu().map_err(|e| gpu_failure(&e)),
+        Device::Gpu => {
+            let gpu = open_gpu().map_err(|e| gpu_failure(&e))?;
+            if let Some(adapter) = gpu::enumerate().first().filter(|a| a.is_software()) {
+                tracing::warn!(
+                    "{} is no GPU but a program: slower than --device cpu, and where a ray has hundreds of samples it may \
+                     leave some out",
+                    adapter.name
+                );
+            }
+            Ok(gpu)
+        }
         Device::Auto => {
             // Adapters come the fastest first.
             let real = gpu::enumerate().first().is_some_and(|a| !a.is_software());

@@ -5,7 +5,7 @@ use glimt_render_gpu::gpu::{Arg, GpuContext, GpuScene};
 use glimt_render_gpu::host::bake::{BakeSettings, for_kernels};
 use glimt_render_gpu::host::scene::{Material, Mesh, Object, SceneDescription};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::kernels::transfer::transfer;
+use glimt_render_gpu::kernels::transfer::{STATE, transfer};
 use naga_front_rust::Program;
 
 use super::{Output, Pair, launch, words};
@@ -69,12 +69,12 @@ pub fn transfer_pair(program: &Program, context: &GpuContext) -> Pair {
     let params = settings.params();
     let known = for_kernels(&scene.vertices().expect("vertices"), 0);
     let (count, n) = (known.len() as u32, 36);
-    let mut states = vec![0u32; known.len() * 4];
+    let mut states = vec![0u32; known.len() * STATE];
     let mut lists = [vec![0.0f32; known.len() * n], vec![0.0f32; known.len() * n]];
     let [lit, blocked] = &mut lists;
     let view = scene.view();
     let chunks = lit.chunks_mut(n).zip(blocked.chunks_mut(n));
-    let chunks = chunks.zip(states.chunks_mut(4));
+    let chunks = chunks.zip(states.chunks_mut(STATE));
     let rays: Vec<u32> = (0..)
         .zip(chunks)
         .map(|(v, ((lit, blocked), state))| {
@@ -95,11 +95,11 @@ pub fn transfer_pair(program: &Program, context: &GpuContext) -> Pair {
         .buffer_of("vertices", &known)
         .expect("a small buffer");
     let [lit, blocked] = [0; 2].map(|_| Output::new::<f32>(context, count * n as u32));
-    let state = Output::new::<u32>(context, count * 4);
+    let state = Output::new::<u32>(context, count * STATE as u32);
     let mut args = vec![
         ("params", Arg::Value(bytemuck::bytes_of(&params))),
         ("vertices", Arg::Buffer(&vertices)),
-        ("state", Arg::Chunk(&state.buffer, 4)),
+        ("state", Arg::Chunk(&state.buffer, STATE as u32)),
         ("lit", Arg::Chunk(&lit.buffer, n as u32)),
         ("blocked", Arg::Chunk(&blocked.buffer, n as u32)),
     ];

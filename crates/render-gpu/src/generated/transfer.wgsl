@@ -442,14 +442,14 @@ fn Xoshiro128PlusPlus_stream(seed: u32, frame: u32, pixel: u32) -> Xoshiro128Plu
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:149
+// glimt_render_gpu/src/kernels/transfer.rs:157
 fn strata_of_row(params: TransferParams, row: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/transfer.rs:150
+    // glimt_render_gpu/src/kernels/transfer.rs:158
     let first_1 = ((row * params.directions) / params.rows);
-    // glimt_render_gpu/src/kernels/transfer.rs:151
+    // glimt_render_gpu/src/kernels/transfer.rs:159
     let next = (((row + 1u) * params.directions) / params.rows);
-    // glimt_render_gpu/src/kernels/transfer.rs:152
+    // glimt_render_gpu/src/kernels/transfer.rs:160
     return vec2<u32>(first_1, (next - first_1));
 }
 
@@ -535,17 +535,17 @@ fn cos_sin_pi(x_3: f32) -> vec2<f32> {
     return _e77;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:161
+// glimt_render_gpu/src/kernels/transfer.rs:169
 fn direction_in_row(n_1: u32, first: u32, columns: u32, column: u32, u_2: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/transfer.rs:162
+    // glimt_render_gpu/src/kernels/transfer.rs:170
     let down = ((f32(first) + (u_2.x * f32(columns))) / f32(n_1));
-    // glimt_render_gpu/src/kernels/transfer.rs:163
+    // glimt_render_gpu/src/kernels/transfer.rs:171
     let radius = (2f * sqrt((down * (1f - down))));
-    // glimt_render_gpu/src/kernels/transfer.rs:164
+    // glimt_render_gpu/src/kernels/transfer.rs:172
     let _e31 = cos_sin_pi((((f32(column) + u_2.y) * (2f / f32(columns))) - 1f));
     let around = (_e31 * radius);
-    // glimt_render_gpu/src/kernels/transfer.rs:165
+    // glimt_render_gpu/src/kernels/transfer.rs:173
     return vec3<f32>(around.x, around.y, (1f - (2f * down)));
 }
 
@@ -1014,162 +1014,162 @@ fn add_basis(bands: u32, d: vec3<f32>, weight: f32, sums: ptr<function, array<f3
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:169
+// glimt_render_gpu/src/kernels/transfer.rs:177
 fn store(bands_1: u32, kept: f32, scale: f32, sums_1: array<f32, 36>, out_start: u32, out_len: u32) {
     var sums_2: array<f32, 36>;
 
     sums_2 = sums_1;
-    // glimt_render_gpu/src/kernels/transfer.rs:170
+    // glimt_render_gpu/src/kernels/transfer.rs:178
     let _e13 = lit[(out_start + 0u)];
     let _e16 = sums_2[0];
     lit[(out_start + 0u)] = ((kept * _e13) + (scale * _e16));
-    // glimt_render_gpu/src/kernels/transfer.rs:171
+    // glimt_render_gpu/src/kernels/transfer.rs:179
     if (bands_1 > 1u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:172
+        // glimt_render_gpu/src/kernels/transfer.rs:180
         let _e31 = lit[(out_start + 1u)];
         let _e34 = sums_2[1];
         lit[(out_start + 1u)] = ((kept * _e31) + (scale * _e34));
-        // glimt_render_gpu/src/kernels/transfer.rs:173
+        // glimt_render_gpu/src/kernels/transfer.rs:181
         let _e46 = lit[(out_start + 2u)];
         let _e49 = sums_2[2];
         lit[(out_start + 2u)] = ((kept * _e46) + (scale * _e49));
-        // glimt_render_gpu/src/kernels/transfer.rs:174
+        // glimt_render_gpu/src/kernels/transfer.rs:182
         let _e61 = lit[(out_start + 3u)];
         let _e64 = sums_2[3];
         lit[(out_start + 3u)] = ((kept * _e61) + (scale * _e64));
-        // glimt_render_gpu/src/kernels/transfer.rs:175
+        // glimt_render_gpu/src/kernels/transfer.rs:183
         if (bands_1 > 2u) {
-            // glimt_render_gpu/src/kernels/transfer.rs:176
+            // glimt_render_gpu/src/kernels/transfer.rs:184
             let _e79 = lit[(out_start + 4u)];
             let _e82 = sums_2[4];
             lit[(out_start + 4u)] = ((kept * _e79) + (scale * _e82));
-            // glimt_render_gpu/src/kernels/transfer.rs:177
+            // glimt_render_gpu/src/kernels/transfer.rs:185
             let _e94 = lit[(out_start + 5u)];
             let _e97 = sums_2[5];
             lit[(out_start + 5u)] = ((kept * _e94) + (scale * _e97));
-            // glimt_render_gpu/src/kernels/transfer.rs:178
+            // glimt_render_gpu/src/kernels/transfer.rs:186
             let _e109 = lit[(out_start + 6u)];
             let _e112 = sums_2[6];
             lit[(out_start + 6u)] = ((kept * _e109) + (scale * _e112));
-            // glimt_render_gpu/src/kernels/transfer.rs:179
+            // glimt_render_gpu/src/kernels/transfer.rs:187
             let _e124 = lit[(out_start + 7u)];
             let _e127 = sums_2[7];
             lit[(out_start + 7u)] = ((kept * _e124) + (scale * _e127));
-            // glimt_render_gpu/src/kernels/transfer.rs:180
+            // glimt_render_gpu/src/kernels/transfer.rs:188
             let _e139 = lit[(out_start + 8u)];
             let _e142 = sums_2[8];
             lit[(out_start + 8u)] = ((kept * _e139) + (scale * _e142));
-            // glimt_render_gpu/src/kernels/transfer.rs:181
+            // glimt_render_gpu/src/kernels/transfer.rs:189
             if (bands_1 > 3u) {
-                // glimt_render_gpu/src/kernels/transfer.rs:182
+                // glimt_render_gpu/src/kernels/transfer.rs:190
                 let _e157 = lit[(out_start + 9u)];
                 let _e160 = sums_2[9];
                 lit[(out_start + 9u)] = ((kept * _e157) + (scale * _e160));
-                // glimt_render_gpu/src/kernels/transfer.rs:183
+                // glimt_render_gpu/src/kernels/transfer.rs:191
                 let _e172 = lit[(out_start + 10u)];
                 let _e175 = sums_2[10];
                 lit[(out_start + 10u)] = ((kept * _e172) + (scale * _e175));
-                // glimt_render_gpu/src/kernels/transfer.rs:184
+                // glimt_render_gpu/src/kernels/transfer.rs:192
                 let _e187 = lit[(out_start + 11u)];
                 let _e190 = sums_2[11];
                 lit[(out_start + 11u)] = ((kept * _e187) + (scale * _e190));
-                // glimt_render_gpu/src/kernels/transfer.rs:185
+                // glimt_render_gpu/src/kernels/transfer.rs:193
                 let _e202 = lit[(out_start + 12u)];
                 let _e205 = sums_2[12];
                 lit[(out_start + 12u)] = ((kept * _e202) + (scale * _e205));
-                // glimt_render_gpu/src/kernels/transfer.rs:186
+                // glimt_render_gpu/src/kernels/transfer.rs:194
                 let _e217 = lit[(out_start + 13u)];
                 let _e220 = sums_2[13];
                 lit[(out_start + 13u)] = ((kept * _e217) + (scale * _e220));
-                // glimt_render_gpu/src/kernels/transfer.rs:187
+                // glimt_render_gpu/src/kernels/transfer.rs:195
                 let _e232 = lit[(out_start + 14u)];
                 let _e235 = sums_2[14];
                 lit[(out_start + 14u)] = ((kept * _e232) + (scale * _e235));
-                // glimt_render_gpu/src/kernels/transfer.rs:188
+                // glimt_render_gpu/src/kernels/transfer.rs:196
                 let _e247 = lit[(out_start + 15u)];
                 let _e250 = sums_2[15];
                 lit[(out_start + 15u)] = ((kept * _e247) + (scale * _e250));
-                // glimt_render_gpu/src/kernels/transfer.rs:189
+                // glimt_render_gpu/src/kernels/transfer.rs:197
                 if (bands_1 > 4u) {
-                    // glimt_render_gpu/src/kernels/transfer.rs:190
+                    // glimt_render_gpu/src/kernels/transfer.rs:198
                     let _e265 = lit[(out_start + 16u)];
                     let _e268 = sums_2[16];
                     lit[(out_start + 16u)] = ((kept * _e265) + (scale * _e268));
-                    // glimt_render_gpu/src/kernels/transfer.rs:191
+                    // glimt_render_gpu/src/kernels/transfer.rs:199
                     let _e280 = lit[(out_start + 17u)];
                     let _e283 = sums_2[17];
                     lit[(out_start + 17u)] = ((kept * _e280) + (scale * _e283));
-                    // glimt_render_gpu/src/kernels/transfer.rs:192
+                    // glimt_render_gpu/src/kernels/transfer.rs:200
                     let _e295 = lit[(out_start + 18u)];
                     let _e298 = sums_2[18];
                     lit[(out_start + 18u)] = ((kept * _e295) + (scale * _e298));
-                    // glimt_render_gpu/src/kernels/transfer.rs:193
+                    // glimt_render_gpu/src/kernels/transfer.rs:201
                     let _e310 = lit[(out_start + 19u)];
                     let _e313 = sums_2[19];
                     lit[(out_start + 19u)] = ((kept * _e310) + (scale * _e313));
-                    // glimt_render_gpu/src/kernels/transfer.rs:194
+                    // glimt_render_gpu/src/kernels/transfer.rs:202
                     let _e325 = lit[(out_start + 20u)];
                     let _e328 = sums_2[20];
                     lit[(out_start + 20u)] = ((kept * _e325) + (scale * _e328));
-                    // glimt_render_gpu/src/kernels/transfer.rs:195
+                    // glimt_render_gpu/src/kernels/transfer.rs:203
                     let _e340 = lit[(out_start + 21u)];
                     let _e343 = sums_2[21];
                     lit[(out_start + 21u)] = ((kept * _e340) + (scale * _e343));
-                    // glimt_render_gpu/src/kernels/transfer.rs:196
+                    // glimt_render_gpu/src/kernels/transfer.rs:204
                     let _e355 = lit[(out_start + 22u)];
                     let _e358 = sums_2[22];
                     lit[(out_start + 22u)] = ((kept * _e355) + (scale * _e358));
-                    // glimt_render_gpu/src/kernels/transfer.rs:197
+                    // glimt_render_gpu/src/kernels/transfer.rs:205
                     let _e370 = lit[(out_start + 23u)];
                     let _e373 = sums_2[23];
                     lit[(out_start + 23u)] = ((kept * _e370) + (scale * _e373));
-                    // glimt_render_gpu/src/kernels/transfer.rs:198
+                    // glimt_render_gpu/src/kernels/transfer.rs:206
                     let _e385 = lit[(out_start + 24u)];
                     let _e388 = sums_2[24];
                     lit[(out_start + 24u)] = ((kept * _e385) + (scale * _e388));
-                    // glimt_render_gpu/src/kernels/transfer.rs:199
+                    // glimt_render_gpu/src/kernels/transfer.rs:207
                     if (bands_1 > 5u) {
-                        // glimt_render_gpu/src/kernels/transfer.rs:200
+                        // glimt_render_gpu/src/kernels/transfer.rs:208
                         let _e403 = lit[(out_start + 25u)];
                         let _e406 = sums_2[25];
                         lit[(out_start + 25u)] = ((kept * _e403) + (scale * _e406));
-                        // glimt_render_gpu/src/kernels/transfer.rs:201
+                        // glimt_render_gpu/src/kernels/transfer.rs:209
                         let _e418 = lit[(out_start + 26u)];
                         let _e421 = sums_2[26];
                         lit[(out_start + 26u)] = ((kept * _e418) + (scale * _e421));
-                        // glimt_render_gpu/src/kernels/transfer.rs:202
+                        // glimt_render_gpu/src/kernels/transfer.rs:210
                         let _e433 = lit[(out_start + 27u)];
                         let _e436 = sums_2[27];
                         lit[(out_start + 27u)] = ((kept * _e433) + (scale * _e436));
-                        // glimt_render_gpu/src/kernels/transfer.rs:203
+                        // glimt_render_gpu/src/kernels/transfer.rs:211
                         let _e448 = lit[(out_start + 28u)];
                         let _e451 = sums_2[28];
                         lit[(out_start + 28u)] = ((kept * _e448) + (scale * _e451));
-                        // glimt_render_gpu/src/kernels/transfer.rs:204
+                        // glimt_render_gpu/src/kernels/transfer.rs:212
                         let _e463 = lit[(out_start + 29u)];
                         let _e466 = sums_2[29];
                         lit[(out_start + 29u)] = ((kept * _e463) + (scale * _e466));
-                        // glimt_render_gpu/src/kernels/transfer.rs:205
+                        // glimt_render_gpu/src/kernels/transfer.rs:213
                         let _e478 = lit[(out_start + 30u)];
                         let _e481 = sums_2[30];
                         lit[(out_start + 30u)] = ((kept * _e478) + (scale * _e481));
-                        // glimt_render_gpu/src/kernels/transfer.rs:206
+                        // glimt_render_gpu/src/kernels/transfer.rs:214
                         let _e493 = lit[(out_start + 31u)];
                         let _e496 = sums_2[31];
                         lit[(out_start + 31u)] = ((kept * _e493) + (scale * _e496));
-                        // glimt_render_gpu/src/kernels/transfer.rs:207
+                        // glimt_render_gpu/src/kernels/transfer.rs:215
                         let _e508 = lit[(out_start + 32u)];
                         let _e511 = sums_2[32];
                         lit[(out_start + 32u)] = ((kept * _e508) + (scale * _e511));
-                        // glimt_render_gpu/src/kernels/transfer.rs:208
+                        // glimt_render_gpu/src/kernels/transfer.rs:216
                         let _e523 = lit[(out_start + 33u)];
                         let _e526 = sums_2[33];
                         lit[(out_start + 33u)] = ((kept * _e523) + (scale * _e526));
-                        // glimt_render_gpu/src/kernels/transfer.rs:209
+                        // glimt_render_gpu/src/kernels/transfer.rs:217
                         let _e538 = lit[(out_start + 34u)];
                         let _e541 = sums_2[34];
                         lit[(out_start + 34u)] = ((kept * _e538) + (scale * _e541));
-                        // glimt_render_gpu/src/kernels/transfer.rs:210
+                        // glimt_render_gpu/src/kernels/transfer.rs:218
                         let _e553 = lit[(out_start + 35u)];
                         let _e556 = sums_2[35];
                         lit[(out_start + 35u)] = ((kept * _e553) + (scale * _e556));
@@ -1181,162 +1181,162 @@ fn store(bands_1: u32, kept: f32, scale: f32, sums_1: array<f32, 36>, out_start:
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:169
+// glimt_render_gpu/src/kernels/transfer.rs:177
 fn store_1(bands_2: u32, kept_1: f32, scale_1: f32, sums_3: array<f32, 36>, out_start_1: u32, out_len_1: u32) {
     var sums_4: array<f32, 36>;
 
     sums_4 = sums_3;
-    // glimt_render_gpu/src/kernels/transfer.rs:170
+    // glimt_render_gpu/src/kernels/transfer.rs:178
     let _e13 = blocked[(out_start_1 + 0u)];
     let _e16 = sums_4[0];
     blocked[(out_start_1 + 0u)] = ((kept_1 * _e13) + (scale_1 * _e16));
-    // glimt_render_gpu/src/kernels/transfer.rs:171
+    // glimt_render_gpu/src/kernels/transfer.rs:179
     if (bands_2 > 1u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:172
+        // glimt_render_gpu/src/kernels/transfer.rs:180
         let _e31 = blocked[(out_start_1 + 1u)];
         let _e34 = sums_4[1];
         blocked[(out_start_1 + 1u)] = ((kept_1 * _e31) + (scale_1 * _e34));
-        // glimt_render_gpu/src/kernels/transfer.rs:173
+        // glimt_render_gpu/src/kernels/transfer.rs:181
         let _e46 = blocked[(out_start_1 + 2u)];
         let _e49 = sums_4[2];
         blocked[(out_start_1 + 2u)] = ((kept_1 * _e46) + (scale_1 * _e49));
-        // glimt_render_gpu/src/kernels/transfer.rs:174
+        // glimt_render_gpu/src/kernels/transfer.rs:182
         let _e61 = blocked[(out_start_1 + 3u)];
         let _e64 = sums_4[3];
         blocked[(out_start_1 + 3u)] = ((kept_1 * _e61) + (scale_1 * _e64));
-        // glimt_render_gpu/src/kernels/transfer.rs:175
+        // glimt_render_gpu/src/kernels/transfer.rs:183
         if (bands_2 > 2u) {
-            // glimt_render_gpu/src/kernels/transfer.rs:176
+            // glimt_render_gpu/src/kernels/transfer.rs:184
             let _e79 = blocked[(out_start_1 + 4u)];
             let _e82 = sums_4[4];
             blocked[(out_start_1 + 4u)] = ((kept_1 * _e79) + (scale_1 * _e82));
-            // glimt_render_gpu/src/kernels/transfer.rs:177
+            // glimt_render_gpu/src/kernels/transfer.rs:185
             let _e94 = blocked[(out_start_1 + 5u)];
             let _e97 = sums_4[5];
             blocked[(out_start_1 + 5u)] = ((kept_1 * _e94) + (scale_1 * _e97));
-            // glimt_render_gpu/src/kernels/transfer.rs:178
+            // glimt_render_gpu/src/kernels/transfer.rs:186
             let _e109 = blocked[(out_start_1 + 6u)];
             let _e112 = sums_4[6];
             blocked[(out_start_1 + 6u)] = ((kept_1 * _e109) + (scale_1 * _e112));
-            // glimt_render_gpu/src/kernels/transfer.rs:179
+            // glimt_render_gpu/src/kernels/transfer.rs:187
             let _e124 = blocked[(out_start_1 + 7u)];
             let _e127 = sums_4[7];
             blocked[(out_start_1 + 7u)] = ((kept_1 * _e124) + (scale_1 * _e127));
-            // glimt_render_gpu/src/kernels/transfer.rs:180
+            // glimt_render_gpu/src/kernels/transfer.rs:188
             let _e139 = blocked[(out_start_1 + 8u)];
             let _e142 = sums_4[8];
             blocked[(out_start_1 + 8u)] = ((kept_1 * _e139) + (scale_1 * _e142));
-            // glimt_render_gpu/src/kernels/transfer.rs:181
+            // glimt_render_gpu/src/kernels/transfer.rs:189
             if (bands_2 > 3u) {
-                // glimt_render_gpu/src/kernels/transfer.rs:182
+                // glimt_render_gpu/src/kernels/transfer.rs:190
                 let _e157 = blocked[(out_start_1 + 9u)];
                 let _e160 = sums_4[9];
                 blocked[(out_start_1 + 9u)] = ((kept_1 * _e157) + (scale_1 * _e160));
-                // glimt_render_gpu/src/kernels/transfer.rs:183
+                // glimt_render_gpu/src/kernels/transfer.rs:191
                 let _e172 = blocked[(out_start_1 + 10u)];
                 let _e175 = sums_4[10];
                 blocked[(out_start_1 + 10u)] = ((kept_1 * _e172) + (scale_1 * _e175));
-                // glimt_render_gpu/src/kernels/transfer.rs:184
+                // glimt_render_gpu/src/kernels/transfer.rs:192
                 let _e187 = blocked[(out_start_1 + 11u)];
                 let _e190 = sums_4[11];
                 blocked[(out_start_1 + 11u)] = ((kept_1 * _e187) + (scale_1 * _e190));
-                // glimt_render_gpu/src/kernels/transfer.rs:185
+                // glimt_render_gpu/src/kernels/transfer.rs:193
                 let _e202 = blocked[(out_start_1 + 12u)];
                 let _e205 = sums_4[12];
                 blocked[(out_start_1 + 12u)] = ((kept_1 * _e202) + (scale_1 * _e205));
-                // glimt_render_gpu/src/kernels/transfer.rs:186
+                // glimt_render_gpu/src/kernels/transfer.rs:194
                 let _e217 = blocked[(out_start_1 + 13u)];
                 let _e220 = sums_4[13];
                 blocked[(out_start_1 + 13u)] = ((kept_1 * _e217) + (scale_1 * _e220));
-                // glimt_render_gpu/src/kernels/transfer.rs:187
+                // glimt_render_gpu/src/kernels/transfer.rs:195
                 let _e232 = blocked[(out_start_1 + 14u)];
                 let _e235 = sums_4[14];
                 blocked[(out_start_1 + 14u)] = ((kept_1 * _e232) + (scale_1 * _e235));
-                // glimt_render_gpu/src/kernels/transfer.rs:188
+                // glimt_render_gpu/src/kernels/transfer.rs:196
                 let _e247 = blocked[(out_start_1 + 15u)];
                 let _e250 = sums_4[15];
                 blocked[(out_start_1 + 15u)] = ((kept_1 * _e247) + (scale_1 * _e250));
-                // glimt_render_gpu/src/kernels/transfer.rs:189
+                // glimt_render_gpu/src/kernels/transfer.rs:197
                 if (bands_2 > 4u) {
-                    // glimt_render_gpu/src/kernels/transfer.rs:190
+                    // glimt_render_gpu/src/kernels/transfer.rs:198
                     let _e265 = blocked[(out_start_1 + 16u)];
                     let _e268 = sums_4[16];
                     blocked[(out_start_1 + 16u)] = ((kept_1 * _e265) + (scale_1 * _e268));
-                    // glimt_render_gpu/src/kernels/transfer.rs:191
+                    // glimt_render_gpu/src/kernels/transfer.rs:199
                     let _e280 = blocked[(out_start_1 + 17u)];
                     let _e283 = sums_4[17];
                     blocked[(out_start_1 + 17u)] = ((kept_1 * _e280) + (scale_1 * _e283));
-                    // glimt_render_gpu/src/kernels/transfer.rs:192
+                    // glimt_render_gpu/src/kernels/transfer.rs:200
                     let _e295 = blocked[(out_start_1 + 18u)];
                     let _e298 = sums_4[18];
                     blocked[(out_start_1 + 18u)] = ((kept_1 * _e295) + (scale_1 * _e298));
-                    // glimt_render_gpu/src/kernels/transfer.rs:193
+                    // glimt_render_gpu/src/kernels/transfer.rs:201
                     let _e310 = blocked[(out_start_1 + 19u)];
                     let _e313 = sums_4[19];
                     blocked[(out_start_1 + 19u)] = ((kept_1 * _e310) + (scale_1 * _e313));
-                    // glimt_render_gpu/src/kernels/transfer.rs:194
+                    // glimt_render_gpu/src/kernels/transfer.rs:202
                     let _e325 = blocked[(out_start_1 + 20u)];
                     let _e328 = sums_4[20];
                     blocked[(out_start_1 + 20u)] = ((kept_1 * _e325) + (scale_1 * _e328));
-                    // glimt_render_gpu/src/kernels/transfer.rs:195
+                    // glimt_render_gpu/src/kernels/transfer.rs:203
                     let _e340 = blocked[(out_start_1 + 21u)];
                     let _e343 = sums_4[21];
                     blocked[(out_start_1 + 21u)] = ((kept_1 * _e340) + (scale_1 * _e343));
-                    // glimt_render_gpu/src/kernels/transfer.rs:196
+                    // glimt_render_gpu/src/kernels/transfer.rs:204
                     let _e355 = blocked[(out_start_1 + 22u)];
                     let _e358 = sums_4[22];
                     blocked[(out_start_1 + 22u)] = ((kept_1 * _e355) + (scale_1 * _e358));
-                    // glimt_render_gpu/src/kernels/transfer.rs:197
+                    // glimt_render_gpu/src/kernels/transfer.rs:205
                     let _e370 = blocked[(out_start_1 + 23u)];
                     let _e373 = sums_4[23];
                     blocked[(out_start_1 + 23u)] = ((kept_1 * _e370) + (scale_1 * _e373));
-                    // glimt_render_gpu/src/kernels/transfer.rs:198
+                    // glimt_render_gpu/src/kernels/transfer.rs:206
                     let _e385 = blocked[(out_start_1 + 24u)];
                     let _e388 = sums_4[24];
                     blocked[(out_start_1 + 24u)] = ((kept_1 * _e385) + (scale_1 * _e388));
-                    // glimt_render_gpu/src/kernels/transfer.rs:199
+                    // glimt_render_gpu/src/kernels/transfer.rs:207
                     if (bands_2 > 5u) {
-                        // glimt_render_gpu/src/kernels/transfer.rs:200
+                        // glimt_render_gpu/src/kernels/transfer.rs:208
                         let _e403 = blocked[(out_start_1 + 25u)];
                         let _e406 = sums_4[25];
                         blocked[(out_start_1 + 25u)] = ((kept_1 * _e403) + (scale_1 * _e406));
-                        // glimt_render_gpu/src/kernels/transfer.rs:201
+                        // glimt_render_gpu/src/kernels/transfer.rs:209
                         let _e418 = blocked[(out_start_1 + 26u)];
                         let _e421 = sums_4[26];
                         blocked[(out_start_1 + 26u)] = ((kept_1 * _e418) + (scale_1 * _e421));
-                        // glimt_render_gpu/src/kernels/transfer.rs:202
+                        // glimt_render_gpu/src/kernels/transfer.rs:210
                         let _e433 = blocked[(out_start_1 + 27u)];
                         let _e436 = sums_4[27];
                         blocked[(out_start_1 + 27u)] = ((kept_1 * _e433) + (scale_1 * _e436));
-                        // glimt_render_gpu/src/kernels/transfer.rs:203
+                        // glimt_render_gpu/src/kernels/transfer.rs:211
                         let _e448 = blocked[(out_start_1 + 28u)];
                         let _e451 = sums_4[28];
                         blocked[(out_start_1 + 28u)] = ((kept_1 * _e448) + (scale_1 * _e451));
-                        // glimt_render_gpu/src/kernels/transfer.rs:204
+                        // glimt_render_gpu/src/kernels/transfer.rs:212
                         let _e463 = blocked[(out_start_1 + 29u)];
                         let _e466 = sums_4[29];
                         blocked[(out_start_1 + 29u)] = ((kept_1 * _e463) + (scale_1 * _e466));
-                        // glimt_render_gpu/src/kernels/transfer.rs:205
+                        // glimt_render_gpu/src/kernels/transfer.rs:213
                         let _e478 = blocked[(out_start_1 + 30u)];
                         let _e481 = sums_4[30];
                         blocked[(out_start_1 + 30u)] = ((kept_1 * _e478) + (scale_1 * _e481));
-                        // glimt_render_gpu/src/kernels/transfer.rs:206
+                        // glimt_render_gpu/src/kernels/transfer.rs:214
                         let _e493 = blocked[(out_start_1 + 31u)];
                         let _e496 = sums_4[31];
                         blocked[(out_start_1 + 31u)] = ((kept_1 * _e493) + (scale_1 * _e496));
-                        // glimt_render_gpu/src/kernels/transfer.rs:207
+                        // glimt_render_gpu/src/kernels/transfer.rs:215
                         let _e508 = blocked[(out_start_1 + 32u)];
                         let _e511 = sums_4[32];
                         blocked[(out_start_1 + 32u)] = ((kept_1 * _e508) + (scale_1 * _e511));
-                        // glimt_render_gpu/src/kernels/transfer.rs:208
+                        // glimt_render_gpu/src/kernels/transfer.rs:216
                         let _e523 = blocked[(out_start_1 + 33u)];
                         let _e526 = sums_4[33];
                         blocked[(out_start_1 + 33u)] = ((kept_1 * _e523) + (scale_1 * _e526));
-                        // glimt_render_gpu/src/kernels/transfer.rs:209
+                        // glimt_render_gpu/src/kernels/transfer.rs:217
                         let _e538 = blocked[(out_start_1 + 34u)];
                         let _e541 = sums_4[34];
                         blocked[(out_start_1 + 34u)] = ((kept_1 * _e538) + (scale_1 * _e541));
-                        // glimt_render_gpu/src/kernels/transfer.rs:210
+                        // glimt_render_gpu/src/kernels/transfer.rs:218
                         let _e553 = blocked[(out_start_1 + 35u)];
                         let _e556 = sums_4[35];
                         blocked[(out_start_1 + 35u)] = ((kept_1 * _e553) + (scale_1 * _e556));
@@ -1348,161 +1348,173 @@ fn store_1(bands_2: u32, kept_1: f32, scale_1: f32, sums_3: array<f32, 36>, out_
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:64
+// glimt_render_gpu/src/kernels/transfer.rs:68
 fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len: u32, lit_start: u32, lit_len: u32, blocked_start: u32, blocked_len: u32) -> u32 {
     var arrives: array<f32, 36>;
     var kept_away: array<f32, 36>;
     var rays: u32;
     var source: Xoshiro128PlusPlus;
     var kept_2: f32;
+    var gone: u32;
     var counter_2: u32;
     var counter_3: u32;
     var chosen_4: bool;
     var either_1: bool;
 
-    // glimt_render_gpu/src/kernels/transfer.rs:74
+    // glimt_render_gpu/src/kernels/transfer.rs:78
     let at = vertices[vertex];
-    // glimt_render_gpu/src/kernels/transfer.rs:75
+    // glimt_render_gpu/src/kernels/transfer.rs:79
     let _e16 = Tuple_u32_u32_(params_1.directions, params_1.bands);
     let n_2 = _e16.fa;
     let bands_3 = _e16.fb;
-    // glimt_render_gpu/src/kernels/transfer.rs:76
+    // glimt_render_gpu/src/kernels/transfer.rs:80
     arrives = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/transfer.rs:77
-    kept_away = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/transfer.rs:78
-    rays = 0u;
     // glimt_render_gpu/src/kernels/transfer.rs:81
-    let way = (at.origin - at.inner);
+    kept_away = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
     // glimt_render_gpu/src/kernels/transfer.rs:82
+    rays = 0u;
+    // glimt_render_gpu/src/kernels/transfer.rs:85
+    let way = (at.origin - at.inner);
+    // glimt_render_gpu/src/kernels/transfer.rs:86
     let _e36 = Ray_new(at.inner, way);
-    // glimt_render_gpu/src/kernels/transfer.rs:83
+    // glimt_render_gpu/src/kernels/transfer.rs:87
     let others = Asked(at.object, false, 1f, way);
-    // glimt_render_gpu/src/kernels/transfer.rs:89
+    // glimt_render_gpu/src/kernels/transfer.rs:93
     let _e44 = any_hit_of(_e36, 1f, others);
-    // glimt_render_gpu/src/kernels/transfer.rs:90
+    // glimt_render_gpu/src/kernels/transfer.rs:94
     let own = Asked(others.object, true, 0f, others.way);
-    // glimt_render_gpu/src/kernels/transfer.rs:95
+    // glimt_render_gpu/src/kernels/transfer.rs:99
     let height_2 = dot(at.normal, way);
-    // glimt_render_gpu/src/kernels/transfer.rs:96
+    // glimt_render_gpu/src/kernels/transfer.rs:100
     let _e58 = Xoshiro128PlusPlus_stream(params_1.seed, 1953653102u, at.number);
     source = _e58;
-    // glimt_render_gpu/src/kernels/transfer.rs:97
+    // glimt_render_gpu/src/kernels/transfer.rs:101
     kept_2 = 0f;
-    // glimt_render_gpu/src/kernels/transfer.rs:98
-    if (params_1.first_row > 0u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:99
-        let _e72 = state_1[(state_start + 0u)];
-        let _e77 = state_1[(state_start + 1u)];
-        let _e82 = state_1[(state_start + 2u)];
-        let _e87 = state_1[(state_start + 3u)];
-        let words = vec4<u32>(_e72, _e77, _e82, _e87);
-        // glimt_render_gpu/src/kernels/transfer.rs:100
-        let _e90 = Xoshiro128PlusPlus_from_state(words);
-        source = _e90;
-        // glimt_render_gpu/src/kernels/transfer.rs:101
-        kept_2 = 1f;
-    }
+    // glimt_render_gpu/src/kernels/transfer.rs:102
+    gone = 0u;
     // glimt_render_gpu/src/kernels/transfer.rs:103
+    if (params_1.first_row > 0u) {
+        // glimt_render_gpu/src/kernels/transfer.rs:104
+        let _e75 = state_1[(state_start + 0u)];
+        let _e80 = state_1[(state_start + 1u)];
+        let _e85 = state_1[(state_start + 2u)];
+        let _e90 = state_1[(state_start + 3u)];
+        let words = vec4<u32>(_e75, _e80, _e85, _e90);
+        // glimt_render_gpu/src/kernels/transfer.rs:105
+        let _e93 = Xoshiro128PlusPlus_from_state(words);
+        source = _e93;
+        // glimt_render_gpu/src/kernels/transfer.rs:106
+        kept_2 = 1f;
+        // glimt_render_gpu/src/kernels/transfer.rs:107
+        let _e101 = state_1[(state_start + 4u)];
+        gone = _e101;
+    }
+    // glimt_render_gpu/src/kernels/transfer.rs:109
     counter_2 = params_1.first_row;
     loop {
         let row_1 = counter_2;
         if (row_1 >= params_1.end_row) {
             break;
         }
-        // glimt_render_gpu/src/kernels/transfer.rs:104
-        let _e100 = strata_of_row(params_1, row_1);
-        // glimt_render_gpu/src/kernels/transfer.rs:105
-        let _e104 = Tuple_u32_u32_(_e100.x, _e100.y);
-        let first_2 = _e104.fa;
-        let columns_1 = _e104.fb;
-        // glimt_render_gpu/src/kernels/transfer.rs:106
+        // glimt_render_gpu/src/kernels/transfer.rs:110
+        let _e109 = strata_of_row(params_1, row_1);
+        // glimt_render_gpu/src/kernels/transfer.rs:111
+        let _e113 = Tuple_u32_u32_(_e109.x, _e109.y);
+        let first_2 = _e113.fa;
+        let columns_1 = _e113.fb;
+        // glimt_render_gpu/src/kernels/transfer.rs:112
         counter_3 = 0u;
         loop {
             let column_1 = counter_3;
             if (column_1 >= columns_1) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/transfer.rs:107
-            let _e113 = Xoshiro128PlusPlus_next_uvec2_((&source));
-            let _e114 = unit_vec2_(_e113);
-            // glimt_render_gpu/src/kernels/transfer.rs:108
-            let _e116 = direction_in_row(n_2, first_2, columns_1, column_1, _e114);
-            // glimt_render_gpu/src/kernels/transfer.rs:109
-            let cosine = dot(at.normal, _e116);
-            // glimt_render_gpu/src/kernels/transfer.rs:110
+            // glimt_render_gpu/src/kernels/transfer.rs:113
+            let _e123 = gone;
+            gone = (_e123 + 1u);
+            // glimt_render_gpu/src/kernels/transfer.rs:114
+            let _e126 = Xoshiro128PlusPlus_next_uvec2_((&source));
+            let _e127 = unit_vec2_(_e126);
+            // glimt_render_gpu/src/kernels/transfer.rs:115
+            let _e129 = direction_in_row(n_2, first_2, columns_1, column_1, _e127);
+            // glimt_render_gpu/src/kernels/transfer.rs:116
+            let cosine = dot(at.normal, _e129);
+            // glimt_render_gpu/src/kernels/transfer.rs:117
             if (cosine > 0f) {
-                // glimt_render_gpu/src/kernels/transfer.rs:111
-                let _e125 = rays;
-                rays = (_e125 + 1u);
-                // glimt_render_gpu/src/kernels/transfer.rs:112
-                let _e129 = Ray_new(at.origin, _e116);
-                // glimt_render_gpu/src/kernels/transfer.rs:113
+                // glimt_render_gpu/src/kernels/transfer.rs:118
+                let _e138 = rays;
+                rays = (_e138 + 1u);
+                // glimt_render_gpu/src/kernels/transfer.rs:119
+                let _e142 = Ray_new(at.origin, _e129);
+                // glimt_render_gpu/src/kernels/transfer.rs:120
                 if _e44 {
-                    // glimt_render_gpu/src/kernels/transfer.rs:115
+                    // glimt_render_gpu/src/kernels/transfer.rs:122
                     let above = Asked(others.object, others.own, (height_2 / cosine), others.way);
-                    // glimt_render_gpu/src/kernels/transfer.rs:119
-                    let _e140 = Ray_new(at.inner, _e116);
-                    // glimt_render_gpu/src/kernels/transfer.rs:120
-                    let _e143 = any_hit_of(_e140, 340282350000000000000000000000000000000f, above);
-                    either_1 = _e143;
-                    if _e143 {
+                    // glimt_render_gpu/src/kernels/transfer.rs:126
+                    let _e153 = Ray_new(at.inner, _e129);
+                    // glimt_render_gpu/src/kernels/transfer.rs:127
+                    let _e156 = any_hit_of(_e153, 340282350000000000000000000000000000000f, above);
+                    either_1 = _e156;
+                    if _e156 {
                     } else {
-                        let _e146 = any_hit_of(_e129, 340282350000000000000000000000000000000f, own);
-                        either_1 = _e146;
+                        let _e159 = any_hit_of(_e142, 340282350000000000000000000000000000000f, own);
+                        either_1 = _e159;
                     }
-                    let _e147 = either_1;
-                    chosen_4 = _e147;
+                    let _e160 = either_1;
+                    chosen_4 = _e160;
                 } else {
-                    // glimt_render_gpu/src/kernels/transfer.rs:123
-                    let _e150 = any_hit(_e129, 340282350000000000000000000000000000000f);
-                    chosen_4 = _e150;
+                    // glimt_render_gpu/src/kernels/transfer.rs:130
+                    let _e163 = any_hit(_e142, 340282350000000000000000000000000000000f);
+                    chosen_4 = _e163;
                 }
                 let is_blocked = chosen_4;
-                // glimt_render_gpu/src/kernels/transfer.rs:125
+                // glimt_render_gpu/src/kernels/transfer.rs:132
                 if is_blocked {
-                    // glimt_render_gpu/src/kernels/transfer.rs:126
-                    add_basis(bands_3, _e116, cosine, (&kept_away));
+                    // glimt_render_gpu/src/kernels/transfer.rs:133
+                    add_basis(bands_3, _e129, cosine, (&kept_away));
                 } else {
-                    // glimt_render_gpu/src/kernels/transfer.rs:128
-                    add_basis(bands_3, _e116, cosine, (&arrives));
+                    // glimt_render_gpu/src/kernels/transfer.rs:135
+                    add_basis(bands_3, _e129, cosine, (&arrives));
                 }
             }
             continuing {
-                let _e155 = counter_3;
-                counter_3 = (_e155 + 1u);
+                let _e168 = counter_3;
+                counter_3 = (_e168 + 1u);
             }
         }
         continuing {
-            let _e158 = counter_2;
-            counter_2 = (_e158 + 1u);
+            let _e171 = counter_2;
+            counter_2 = (_e171 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/transfer.rs:133
-    let scale_2 = ((4f * 3.1415927f) / f32(n_2));
-    // glimt_render_gpu/src/kernels/transfer.rs:134
-    let _e168 = kept_2;
-    let _e169 = arrives;
-    store(bands_3, _e168, scale_2, _e169, lit_start, lit_len);
-    // glimt_render_gpu/src/kernels/transfer.rs:135
-    let _e171 = kept_2;
-    let _e172 = kept_away;
-    store_1(bands_3, _e171, scale_2, _e172, blocked_start, blocked_len);
-    // glimt_render_gpu/src/kernels/transfer.rs:136
-    let _e176 = source.state.x;
-    state_1[(state_start + 0u)] = _e176;
-    // glimt_render_gpu/src/kernels/transfer.rs:137
-    let _e184 = source.state.y;
-    state_1[(state_start + 1u)] = _e184;
-    // glimt_render_gpu/src/kernels/transfer.rs:138
-    let _e192 = source.state.z;
-    state_1[(state_start + 2u)] = _e192;
-    // glimt_render_gpu/src/kernels/transfer.rs:139
-    let _e200 = source.state.w;
-    state_1[(state_start + 3u)] = _e200;
     // glimt_render_gpu/src/kernels/transfer.rs:140
-    let _e206 = rays;
-    return _e206;
+    let scale_2 = ((4f * 3.1415927f) / f32(n_2));
+    // glimt_render_gpu/src/kernels/transfer.rs:141
+    let _e181 = kept_2;
+    let _e182 = arrives;
+    store(bands_3, _e181, scale_2, _e182, lit_start, lit_len);
+    // glimt_render_gpu/src/kernels/transfer.rs:142
+    let _e184 = kept_2;
+    let _e185 = kept_away;
+    store_1(bands_3, _e184, scale_2, _e185, blocked_start, blocked_len);
+    // glimt_render_gpu/src/kernels/transfer.rs:143
+    let _e189 = source.state.x;
+    state_1[(state_start + 0u)] = _e189;
+    // glimt_render_gpu/src/kernels/transfer.rs:144
+    let _e197 = source.state.y;
+    state_1[(state_start + 1u)] = _e197;
+    // glimt_render_gpu/src/kernels/transfer.rs:145
+    let _e205 = source.state.z;
+    state_1[(state_start + 2u)] = _e205;
+    // glimt_render_gpu/src/kernels/transfer.rs:146
+    let _e213 = source.state.w;
+    state_1[(state_start + 3u)] = _e213;
+    // glimt_render_gpu/src/kernels/transfer.rs:147
+    let _e219 = gone;
+    state_1[(state_start + 4u)] = _e219;
+    // glimt_render_gpu/src/kernels/transfer.rs:148
+    let _e225 = rays;
+    return _e225;
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -1,21 +1,21 @@
 //! Host file: transfer at all vertices of a scene by wgpu.
 
 use super::device::GpuContext;
+use super::error::GpuError;
 use super::launch::Arg;
 use super::upload::GpuScene;
 use crate::generated::TRANSFER;
 use crate::host::bake::{BLOCK, BakeError, BakeSettings, Baked, for_kernels, room};
 use crate::host::scene_build::SceneBuffers;
-use crate::kernels::transfer::TransferVertex;
+use crate::kernels::transfer::{STATE, TransferVertex};
 
 /// Vertices in the first dispatch: each has hundreds of rays, and a GPU's pace is not known before.
 const FIRST: usize = 64;
 /// Directions of a vertex in a dispatch, so that none takes long however many there are.
 const PART: u32 = 1024;
-/// The same on an adapter that is the CPU: llvmpipe ends the loops of an invocation after 2¹⁶ turns in all, and says nothing.
-const SOFTWARE_PART: u32 = 256;
-/// Words of a generator's state.
-const STATE: u32 = 4;
+/// The same on an adapter that is the CPU: llvmpipe ends the loops of an invocation after 2¹⁶ turns in all, and says nothing. A
+/// ray takes hundreds.
+const SOFTWARE_PART: u32 = 32;
 
 /// As [`bake`](crate::host::bake::bake), on the GPU: a block of vertices at a time, so that buffers stay small, and a part of their
 /// directions, so that dispatches stay short.
@@ -39,7 +39,7 @@ pub fn bake(
     let list_bytes = (block * count * size_of::<f32>()) as u64;
     let lit = context.buffer("lit", list_bytes)?;
     let blocked = context.buffer("blocked", list_bytes)?;
-    let state = context.buffer("generators", block as u64 * u64::from(STATE) * 4)?;
+    let state = context.buffer("generators", (block * STATE * size_of::<u32>()) as u64)?;
     let traced = context.buffer("rays", (block * size_of::<u32>()) as u64)?;
     context.forget_pace(&TRANSFER)?;
 
@@ -52,7 +52,7 @@ pub fn bake(
         let chunk = count as u32;
         let mut args = vec![
             ("vertices", Arg::Buffer(&known)),
-            ("state", Arg::Chunk(&state, STATE)),
+            ("state", Arg::Chunk(&state, STATE as u32)),
             ("lit", Arg::Chunk(&lit, chunk)),
             ("blocked", Arg::Chunk(&blocked, chunk)),
             ("out", Arg::Buffer(&traced)),
@@ -73,6 +73,14 @@ pub fn bake(
             context.launch_telling(&TRANSFER, &args, 0, own.len() as u32, &tell)?;
             let own_rays: Vec<u32> = context.read(&traced, own.len())?;
             rays += own_rays.into_iter().map(u64::from).sum::<u64>();
+        }
+        let states: Vec<u32> = context.read(&state, own.len() * STATE)?;
+        let gone = |state: &[u32]| state[STATE - 1] == settings.directions;
+        if !states.chunks(STATE).all(gone) {
+            return Err(BakeError::Gpu(GpuError::Unfinished {
+                adapter: context.adapter().name.clone(),
+                what: format!("{} directions a vertex", settings.directions),
+            }));
         }
         let part = first * count..(first + own.len()) * count;
         made.lit[part.clone()].copy_from_slice(&context.read::<f32>(&lit, part.len())?);

@@ -93,6 +93,9 @@ impl AdapterSummary {
     }
 
     /// Whether the adapter runs on the CPU, where the CPU executor is the better choice.
+    ///
+    /// Mesa's llvmpipe ends all loops of an invocation after 2¹⁶ turns in total, without an error: a ray of some hundred samples,
+    /// each with its way through the tree, is cut short there.
     #[must_use]
     pub fn is_software(&self) -> bool {
         self.kind == "software"

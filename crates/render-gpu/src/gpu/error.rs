@@ -68,6 +68,14 @@ pub enum GpuError {
         /// The time-out.
         after: Duration,
     },
+    /// A kernel came to its end before its work did.
+    #[error("{adapter} ends loops early, so {what} were not all gone through; use the CPU")]
+    Unfinished {
+        /// The adapter's name.
+        adapter: String,
+        /// What was being done.
+        what: String,
+    },
     /// wgpu refused a shader or a command.
     #[error("{adapter} refused {what}: {reason}")]
     Refused {

@@ -9,7 +9,7 @@ use super::scene_build::SceneBuffers;
 use super::scene_error::SceneError;
 use super::transfer::{SurfaceVertex, Transfer};
 use crate::gpu::GpuError;
-use crate::kernels::transfer::{TransferParams, TransferVertex, transfer};
+use crate::kernels::transfer::{STATE, TransferParams, TransferVertex, transfer};
 
 /// The most bands of a transfer.
 pub const MAX_BANDS: u32 = glimt_sh::MAX_BANDS;
@@ -206,7 +206,7 @@ pub fn bake(
             let chunks = lit.chunks_mut(count).zip(blocked.chunks_mut(count));
             let traced = (0..).zip(chunks).map(|(i, (lit, blocked))| {
                 let (nodes, triangles) = (view.nodes, view.triangles);
-                let state = &mut [0; 4];
+                let state = &mut [0; STATE];
                 u64::from(transfer(
                     i, &params, nodes, triangles, &known, state, lit, blocked,
                 ))

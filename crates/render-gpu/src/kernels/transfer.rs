@@ -15,6 +15,9 @@ use super::triangle::Triangle;
 /// Marks the streams of transfer: those of pixels have the frame's number in this place.
 const STREAM: u32 = 0x7472_616e;
 
+/// Words that a vertex keeps from part to part.
+pub const STATE: usize = 5;
+
 /// What is the same for all vertices. 24 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
@@ -59,7 +62,8 @@ pub struct TransferVertex {
 /// vertex without a normal has zeros. Catchers block no light.
 ///
 /// The rows of strata may be gone through in parts, from the first on: what a part finds is added to `lit` and `blocked`, and `state`,
-/// four words, leads on to the next. The first part of all begins them.
+/// [`STATE`] words, leads on to the next. The first part of all begins them. The last word is how many directions have been gone
+/// through.
 #[must_use]
 pub fn transfer(
     vertex: u32,
@@ -95,15 +99,18 @@ pub fn transfer(
     let height = at.normal.dot(way);
     let mut source = Xoshiro128PlusPlus::stream(params.seed, STREAM, at.number);
     let mut kept = 0.0;
+    let mut gone = 0;
     if params.first_row > 0 {
         let words = UVec4::new(state[0], state[1], state[2], state[3]);
         source = Xoshiro128PlusPlus::from_state(words);
         kept = 1.0;
+        gone = state[4];
     }
     for row in params.first_row..params.end_row {
         let strata = strata_of_row(params, row);
         let (first, columns) = (strata.x, strata.y);
         for column in 0..columns {
+            gone += 1;
             let u = unit_vec2(source.next_uvec2());
             let direction = direction_in_row(n, first, columns, column, u);
             let cosine = at.normal.dot(direction);
@@ -137,6 +144,7 @@ pub fn transfer(
     state[1] = source.state.y;
     state[2] = source.state.z;
     state[3] = source.state.w;
+    state[4] = gone;
     rays
 }
 
