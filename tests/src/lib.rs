@@ -13,6 +13,7 @@ pub mod harmonics;
     reason = "each form of the language is there to be lowered, the unusual ones above all"
 )]
 pub mod kernels;
+pub mod light;
 pub mod sampler_sets;
 pub mod sampler_step;
 pub mod shared_image;

@@ -18,6 +18,7 @@ use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer, TransferError};
 use glimt_render_gpu::kernels::prt::vertex_light;
 use glimt_sh::{ShError, basis, cosine_lobe};
 use glimt_tests::quadrature::integrate_sphere;
+use glimt_tests::worst::largest_share;
 
 const ALBEDO: Vec3 = Vec3::new(0.7, 0.5, 0.3);
 
@@ -176,18 +177,7 @@ fn render(
 
 /// Largest difference as a share of the largest value; without end where one is no number.
 fn distance(pairs: &[(DVec3, DVec3)]) -> f64 {
-    if pairs.iter().any(|(a, b)| !(a.is_finite() && b.is_finite())) {
-        return f64::INFINITY;
-    }
-    let largest = pairs
-        .iter()
-        .map(|(_, b)| b.abs().max_element())
-        .fold(0.0, f64::max);
-    pairs
-        .iter()
-        .map(|(a, b)| (*a - *b).abs().max_element())
-        .fold(0.0, f64::max)
-        / largest
+    largest_share(pairs.iter().map(|(a, b)| (a.extend(0.0), b.extend(0.0))))
 }
 
 #[test]

@@ -18,30 +18,18 @@ use glimt_render_gpu::host::scene::{
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer};
 use glimt_tests::gpu::adapter_or_skip;
+use glimt_tests::light;
+use glimt_tests::worst::largest_share;
 
-/// A map like noise, with a small sun.
+/// A map like noise, turned.
 fn noise(size: UVec2, seed: u32, degrees: f32) -> PreparedEnv {
-    let texel = |i: u32| {
-        let word = glimt_sampling::hash::hash3(seed, i, 7);
-        let part = |shift: u32| ((word >> shift) & 0xff) as f32 / 255.0;
-        let sun = if i == size.x * size.y / 3 { 1e3 } else { 0.0 };
-        Vec4::new(part(0) + sun, part(8) + sun, part(16) + 0.5 * sun, 1.0)
-    };
-    let texels = (0..size.x * size.y).map(texel).collect();
-    EnvMap::new(size, texels)
-        .unwrap()
-        .untabled(degrees)
-        .unwrap()
+    let map = EnvMap::new(size, light::noise(size, seed)).unwrap();
+    map.untabled(degrees).unwrap()
 }
 
 /// The largest difference of two lists, as a share of the largest coefficient; without end where one is no number.
 fn difference(a: &[Vec4], b: &[Vec4]) -> f32 {
-    if a.iter().chain(b).any(|c| !c.is_finite()) {
-        return f32::INFINITY;
-    }
-    let largest = b.iter().map(|c| c.abs().max_element()).fold(0.0, f32::max);
-    let off = a.iter().zip(b).map(|(a, b)| (*a - *b).abs().max_element());
-    off.fold(0.0, f32::max) / largest
+    largest_share(a.iter().zip(b).map(|(a, b)| (a.as_dvec4(), b.as_dvec4()))) as f32
 }
 
 fn coefficients(

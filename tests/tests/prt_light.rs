@@ -7,6 +7,8 @@ use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::light_sh::LightSh;
 use glimt_render_gpu::host::render::PrtSettings;
 use glimt_render_gpu::kernels::pyramid::{Taps, half_size, halve, taps};
+use glimt_tests::light::noise;
+use glimt_tests::worst::largest_share;
 
 /// Sizes that are multiples of nothing, and the smallest.
 const SIZES: [UVec2; 9] = [
@@ -20,17 +22,6 @@ const SIZES: [UVec2; 9] = [
     UVec2::new(3, 2),
     UVec2::ONE,
 ];
-
-/// A map like noise, with a small sun.
-fn noise(size: UVec2, seed: u32) -> Vec<Vec4> {
-    let texel = |i: u32| {
-        let word = glimt_sampling::hash::hash3(seed, i, 7);
-        let part = |shift: u32| ((word >> shift) & 0xff) as f32 / 255.0;
-        let sun = if i == size.x * size.y / 3 { 1e3 } else { 0.0 };
-        Vec4::new(part(0) + sun, part(8) + sun, part(16) + 0.5 * sun, 1.0)
-    };
-    (0..size.x * size.y).map(texel).collect()
-}
 
 /// A map with a broad sun, and little that changes within a texel of the smallest of maps.
 fn smooth(size: UVec2) -> Vec<Vec4> {
@@ -135,13 +126,8 @@ fn reference(env: &PreparedEnv, bands: u32) -> [DVec3; 36] {
 
 /// The largest difference of two lists, as a share of the largest coefficient; without end where one is no number.
 fn difference(a: &[DVec3], b: &[DVec3]) -> f64 {
-    if a.iter().chain(b).any(|c| !c.is_finite()) {
-        return f64::INFINITY;
-    }
-    let largest = b.iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
     let pairs = a.iter().zip(b);
-    let off = pairs.map(|(a, b)| (*a - *b).abs().max_element());
-    off.fold(0.0, f64::max) / largest
+    largest_share(pairs.map(|(a, b)| (a.extend(0.0), b.extend(0.0))))
 }
 
 fn wide(c: &[Vec4; 36]) -> [DVec3; 36] {

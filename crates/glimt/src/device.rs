@@ -17,7 +17,7 @@ pub fn open(device: Device) -> Result<Box<dyn Renderer>> {
     choose(
         device,
         || Box::new(CpuRenderer::default()) as Box<dyn Renderer>,
-        || Ok(Box::new(GpuRenderer::new(AdapterPreference::Fastest)?)),
+        |context| Ok(Box::new(GpuRenderer::on(context)?)),
     )
 }
 
@@ -26,36 +26,37 @@ pub fn open(device: Device) -> Result<Box<dyn Renderer>> {
 /// # Errors
 /// A GPU is asked for, and there is none that can be used.
 pub fn open_processor(device: Device) -> Result<Processor> {
-    let open_gpu = || GpuContext::new(AdapterPreference::Fastest);
     choose(
         device,
         || Processor::Cpu,
-        || Ok(Processor::Gpu(Box::new(open_gpu()?))),
+        |context| Ok(Processor::Gpu(Box::new(context))),
     )
 }
 
 fn choose<T>(
     device: Device,
     cpu: impl FnOnce() -> T,
-    open_gpu: impl FnOnce() -> std::result::Result<T, GpuError>,
+    on_gpu: impl FnOnce(GpuContext) -> std::result::Result<T, GpuError>,
 ) -> Result<T> {
+    let open = || GpuContext::new(AdapterPreference::Fastest);
     match device {
         Device::Cpu => Ok(cpu()),
         Device::Gpu => {
-            let gpu = open_gpu().map_err(|e| gpu_failure(&e))?;
-            if let Some(adapter) = gpu::enumerate().first().filter(|a| a.is_software()) {
+            let context = open().map_err(|e| gpu_failure(&e))?;
+            let adapter = context.adapter();
+            if adapter.is_software() {
                 tracing::warn!(
                     "{} is no GPU but a program: slower than --device cpu, and where a ray has hundreds of samples it may \
                      leave some out",
                     adapter.name
                 );
             }
-            Ok(gpu)
+            on_gpu(context).map_err(|e| gpu_failure(&e))
         }
         Device::Auto => {
             // Adapters come the fastest first.
             let real = gpu::enumerate().first().is_some_and(|a| !a.is_software());
-            match real.then(open_gpu) {
+            match real.then(|| open().and_then(on_gpu)) {
                 Some(Ok(gpu)) => return Ok(gpu),
                 Some(Err(e)) => tracing::warn!("the GPU is not used: {e}"),
                 None => {}

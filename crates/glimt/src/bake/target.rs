@@ -2,6 +2,7 @@
 
 use super::stored::is_transfer;
 use crate::error::{Error, Result};
+use crate::output::atomic::is_same_file;
 use crate::shot::Shot;
 use crate::shot::parse::Source;
 use std::fs;
@@ -27,15 +28,11 @@ pub(super) fn refuse_other(out: &Path, shot: &Shot, source: &Source) -> Result<(
         return refused("this is no file that can be replaced");
     }
     let base = source.file.parent().unwrap_or(Path::new(""));
-    let is_out = |file: &Path| match (file.canonicalize(), out.canonicalize()) {
-        (Ok(file), Ok(out)) => file == out,
-        _ => false,
-    };
-    if is_out(&source.file) {
+    if is_same_file(&source.file, out) {
         return refused("this is the shot itself");
     }
     let mut objects = shot.objects.iter().enumerate();
-    if let Some((i, _)) = objects.find(|(_, object)| is_out(&base.join(&object.mesh))) {
+    if let Some((i, _)) = objects.find(|(_, object)| is_same_file(&base.join(&object.mesh), out)) {
         return refused(&format!("this is the mesh of object.{i}"));
     }
     match there.len() == 0 || is_transfer(out)? {

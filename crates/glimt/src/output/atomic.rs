@@ -130,6 +130,13 @@ fn is_gone(process: u32) -> bool {
     processes.join("self").exists() && !processes.join(process.to_string()).exists()
 }
 
+/// Whether two paths lead to one file that is there.
+#[must_use]
+pub fn is_same_file(a: &Path, b: &Path) -> bool {
+    b.canonicalize()
+        .is_ok_and(|b| a.canonicalize().is_ok_and(|a| a == b))
+}
+
 /// Makes a folder, and sees that it can be written to.
 ///
 /// # Errors

@@ -6,8 +6,8 @@ mod text;
 use crate::cli::{ShConvention, ShFlags, ShFormat, Up};
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
-use crate::output::atomic::Pending;
-use crate::report::{FrameStatus, Reporter, count};
+use crate::output::atomic::{Pending, is_same_file};
+use crate::report::{FrameStatus, Reporter, count, shown};
 use glam::{Mat3, UVec2};
 use glimt_render_gpu::host::env::EnvMap;
 use glimt_render_gpu::host::projection::Projector;
@@ -54,8 +54,8 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
     let lights = found.open(&mut notes, &looked);
     reporter.notes(notes.take());
     let lights = lights?;
-    let shown = flags.out.as_deref().unwrap_or(Path::new("standard output"));
-    reporter.start_filming(lights.len(), shown, "the CPU");
+    let into = flags.out.as_deref().unwrap_or(Path::new("standard output"));
+    reporter.start_filming(lights.len(), into, "the CPU");
 
     // From a map's own directions to those of what is written.
     let axes = match flags.up {
@@ -106,14 +106,14 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
         None => print(&written)?,
     }
     let seconds = began.elapsed().as_secs_f64();
-    let out = flags.out.as_ref().map(|out| out.display().to_string());
+    let out = flags.out.as_deref().map(shown);
     let summary = json!({
         "projected": projected.len(), "bands": bands, "seconds": seconds, "out": out,
     });
     let text = format!(
         "{} in {seconds:.1} s: {}",
         count(projected.len(), "light"),
-        shown.display()
+        into.display()
     );
     reporter.finish(summary, &text);
     Ok(())
@@ -157,14 +157,11 @@ fn begin(out: &Path, inputs: &[PathBuf], found: &Found) -> Result<Pending> {
     if out.is_dir() {
         return refused("this is a folder");
     }
-    if let Ok(out_path) = out.canonicalize() {
-        let same = |path: &Path| path.canonicalize().is_ok_and(|path| path == out_path);
-        if found.has(same) {
-            return refused("this is one of the lights, and would be written over");
-        }
-        if inputs.iter().any(|input| same(input)) {
-            return refused("this is the shot that is read, and would be written over");
-        }
+    if found.has(|path| is_same_file(path, out)) {
+        return refused("this is one of the lights, and would be written over");
+    }
+    if inputs.iter().any(|input| is_same_file(input, out)) {
+        return refused("this is the shot that is read, and would be written over");
     }
     Pending::create(out)
 }

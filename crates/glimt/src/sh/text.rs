@@ -3,6 +3,7 @@
 use super::Projected;
 use crate::cli::{ShConvention, ShFlags, Up};
 use crate::output::SOFTWARE;
+use crate::report::shown;
 use glam::{Mat3, Vec3};
 use glimt_sh::{
     coefficient_band, coefficient_count, coefficient_order, condon_shortley, filament_irradiance,
@@ -83,8 +84,7 @@ pub(super) fn csv(frames: &[Projected], flags: &ShFlags, axes: &Mat3) -> String 
     let mut out = format!("# {SOFTWARE} sh, {}\n", filters(flags));
     let _ = writeln!(out, "# {}", meaning(flags.convention, axes));
     for frame in frames.iter().filter(|frame| frame.still) {
-        let file = frame.file.display().to_string();
-        let file = file.replace(char::is_control, " ");
+        let file = shown(&frame.file).replace(char::is_control, " ");
         let _ = writeln!(out, "# frame {}: {file}", frame.frame);
     }
     out.push_str("frame,l,m,r,g,b\n");
@@ -137,7 +137,7 @@ fn with_frames(value: &Value, frames: impl Iterator<Item = Value>) -> String {
 
 fn entry(frame: &Projected, name: &str, coefficients: &[Vec3]) -> Value {
     let list: Vec<Value> = coefficients.iter().map(|c| numbers(*c)).collect();
-    let file = frame.file.display().to_string();
+    let file = shown(&frame.file);
     json!({"frame": frame.frame, "file": file, "size": frame.size.to_array(), name: list})
 }
 

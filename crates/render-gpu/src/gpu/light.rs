@@ -2,7 +2,7 @@
 //! filter over time.
 
 use glam::{UVec2, Vec2, Vec4};
-use glimt_sh::{MAX_COEFFICIENTS, ShError};
+use glimt_sh::{MAX_COEFFICIENTS, ShError, temporal_filter};
 
 use super::buffer::GpuBuffer;
 use super::device::GpuContext;
@@ -109,10 +109,7 @@ impl GpuLight {
             map: map_buffer(context, size)?,
             size,
             rotation: Vec2::X,
-            brightness: Brightness {
-                mean: 0.0,
-                largest: 0.0,
-            },
+            brightness: Brightness::default(),
             mean: 0.0,
             levels: Vec::new(),
             parts: context.buffer("partial sums", all)?,
@@ -249,8 +246,7 @@ impl GpuLight {
             ("out", Arg::Buffer(&self.coefficients[1])),
         ];
         recording.dispatch(&LIGHT_COEFFICIENT, &args, COEFFICIENTS)?;
-        let (alpha, now) = (light.temporal, self.brightness.mean);
-        self.mean = (now + alpha * self.mean) / (1.0 + alpha);
+        self.mean = temporal_filter(self.brightness.mean, self.mean, light.temporal);
         self.before = Some(bands);
         Ok(())
     }

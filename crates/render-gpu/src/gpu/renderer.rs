@@ -101,7 +101,16 @@ impl GpuRenderer {
         preference: AdapterPreference<'_>,
         options: GpuOptions,
     ) -> Result<Self, GpuError> {
-        let context = Arc::new(GpuContext::with_options(preference, options)?);
+        Self::on(GpuContext::with_options(preference, options)?)
+    }
+
+    /// On a GPU that is open.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Refused`] where wgpu finds fault with a shader, and other failures of the device.
+    pub fn on(context: GpuContext) -> Result<Self, GpuError> {
+        let context = Arc::new(context);
         for entry in [&SHADE_MIS, &RECONSTRUCT, &TONEMAP] {
             context.prepare(entry)?;
         }

@@ -19,11 +19,10 @@ pub const MAX_RADIANCE: f32 = 1e20;
 pub struct EnvMap {
     size: UVec2,
     texels: Vec<Vec4>,
-    brightness: Brightness,
 }
 
 /// How bright a light map is, in its brightest channel.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Brightness {
     /// The mean over all directions.
     pub mean: f32,
@@ -77,12 +76,7 @@ impl EnvMap {
                 row: bad / size.x,
             });
         }
-        let brightness = brightness(size, &texels);
-        Ok(Self {
-            size,
-            texels,
-            brightness,
-        })
+        Ok(Self { size, texels })
     }
 
     /// Sets every channel that [`EnvMap::new`] would refuse to 0 and says how many texels had one.
@@ -125,7 +119,6 @@ impl EnvMap {
             conditional: vec![0; len.conditional],
             rotation: cos_sin_degrees(rotate_z_deg),
             mean_luminance: 0.0,
-            brightness: self.brightness,
         })
     }
 
@@ -135,11 +128,7 @@ impl EnvMap {
     /// # Errors
     /// [`EnvError::Table`] for a map wider or higher than [`glimt_envmap_cdf::MAX_SIZE`].
     pub fn prepare(self, rotate_z_deg: f32) -> Result<PreparedEnv, EnvError> {
-        let Self {
-            size,
-            texels,
-            brightness,
-        } = self;
+        let Self { size, texels } = self;
         let len = required_len(size.x, size.y)?;
         let mut marginal = vec![0; len.marginal];
         let mut conditional = vec![0; len.conditional];
@@ -165,7 +154,6 @@ impl EnvMap {
             conditional,
             rotation: cos_sin_degrees(rotate_z_deg),
             mean_luminance,
-            brightness,
         })
     }
 }
@@ -179,7 +167,6 @@ pub struct PreparedEnv {
     conditional: Vec<u32>,
     rotation: Vec2,
     mean_luminance: f32,
-    brightness: Brightness,
 }
 
 impl PreparedEnv {
@@ -189,10 +176,10 @@ impl PreparedEnv {
         self.mean_luminance
     }
 
-    /// How bright the map is; known without tables, too.
+    /// How bright the map is: goes through all texels.
     #[must_use]
     pub fn brightness(&self) -> Brightness {
-        self.brightness
+        brightness(self.size, &self.texels)
     }
 
     /// What kernels see of it.
