@@ -2,7 +2,7 @@
 
 use bytemuck::NoUninit;
 use glam::{IVec4, Mat4, UVec4, Vec4};
-use glimt_render_gpu::entry::{BufferSlot, Entry};
+use glimt_executor::Entry;
 use glimt_render_gpu::gpu::{Arg, GpuContext};
 
 use crate::kernels::input::PER_ELEMENT;
@@ -116,12 +116,15 @@ impl Case {
             let floats = context.buffer_of("floats", &inputs.floats)?;
             let words = self.words.len() * inputs.count as usize;
             let out = context.buffer("out", words as u64 * 4)?;
-            let bind = |slot: &BufferSlot| match slot.path {
-                "ints" | "_ints" => (slot.path, Arg::Buffer(&ints)),
-                "floats" | "_floats" => (slot.path, Arg::Buffer(&floats)),
-                path => (path, Arg::Buffer(&out)),
+            let buffer = |path: &str| match path {
+                "ints" | "_ints" => Arg::Buffer(&ints),
+                "floats" | "_floats" => Arg::Buffer(&floats),
+                _ => Arg::Buffer(&out),
             };
-            let args: Vec<_> = entry.buffers.iter().map(bind).collect();
+            let slots = entry.buffers.iter();
+            let args: Vec<_> = slots
+                .map(|slot| (&*slot.path, buffer(&slot.path)))
+                .collect();
             context.launch(entry, &args, 0, inputs.count)?;
             context.read(&out, words)
         };

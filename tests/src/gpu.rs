@@ -1,8 +1,6 @@
-//! Host file: GPU tests: an adapter or a visible skip, and entries that are made at run time.
+//! Host file: GPU tests: an adapter or a visible skip.
 
-use glimt_render_gpu::entry::{BufferSlot, Entry, ParamField};
 use glimt_render_gpu::gpu::{AdapterPreference, GpuContext, GpuError, GpuOptions};
-use naga_front_rust::Shader;
 
 /// The machine's fastest adapter, or `None` after a line on standard error where there is none.
 ///
@@ -31,85 +29,4 @@ pub fn adapter_or_skip_with(test: &str, options: GpuOptions) -> Option<GpuContex
         }
         Err(error) => panic!("{test}: {error}"),
     }
-}
-
-/// An entry whose texts are made at run time.
-#[derive(Clone, Debug, Default)]
-pub struct OwnedEntry {
-    /// Name of the entry point.
-    pub name: String,
-    /// The shader.
-    pub wgsl: String,
-    /// Invocations in a workgroup.
-    pub workgroup_size: u32,
-    /// Bytes of the params buffer.
-    pub params_size: u32,
-    /// Path, offset and size of each plain argument.
-    pub params: Vec<(String, u32, u32)>,
-    /// Path, binding, stride and whether it is written, of each slice.
-    pub buffers: Vec<(String, u32, u32, bool)>,
-}
-
-impl OwnedEntry {
-    /// As an [`Entry`], which lives as long as the test program.
-    #[must_use]
-    pub fn leak(self) -> Entry {
-        let text = |text: String| -> &'static str { text.leak() };
-        let field = |(path, offset, size)| ParamField {
-            path: text(path),
-            offset,
-            size,
-        };
-        let slot = |(path, binding, stride, writable)| BufferSlot {
-            path: text(path),
-            binding,
-            stride,
-            writable,
-        };
-        Entry {
-            name: text(self.name),
-            kernel: "",
-            wgsl: text(self.wgsl),
-            workgroup_size: self.workgroup_size,
-            params_size: self.params_size,
-            params: self
-                .params
-                .into_iter()
-                .map(field)
-                .collect::<Vec<_>>()
-                .leak(),
-            buffers: self
-                .buffers
-                .into_iter()
-                .map(slot)
-                .collect::<Vec<_>>()
-                .leak(),
-        }
-    }
-}
-
-/// A shader that the front end has just made, as an [`Entry`].
-#[must_use]
-pub fn entry_of(shader: &Shader) -> Entry {
-    let params = shader
-        .params
-        .iter()
-        .map(|param| (param.path.clone(), param.offset, param.size));
-    let buffers = shader.buffers.iter().map(|buffer| {
-        (
-            buffer.path.clone(),
-            buffer.binding,
-            buffer.stride,
-            buffer.writable,
-        )
-    });
-    OwnedEntry {
-        name: shader.entry_point.clone(),
-        wgsl: shader.wgsl.clone(),
-        workgroup_size: shader.workgroup_size,
-        params_size: shader.params_size,
-        params: params.collect(),
-        buffers: buffers.collect(),
-    }
-    .leak()
 }

@@ -1,12 +1,11 @@
 //! Host file: the kernels of [`crate::sampler_step`] for many sets at once, on either processor.
 
 use glam::UVec4;
-use glimt_render_gpu::entry::Entry;
+use glimt_executor::Entry;
 use glimt_render_gpu::gpu::{Arg, GpuContext, GpuError};
 use glimt_smc::Particle;
 use naga_front_rust::{EntryDesc, Program};
 
-use crate::gpu::entry_of;
 use crate::sampler_step::{self, Outcome, Plan};
 
 /// The kernels' text, as a crate for the front end.
@@ -117,7 +116,7 @@ impl<'a> SamplerShaders<'a> {
                 kernel: &kernel,
                 workgroup_size: 64,
             };
-            entry_of(
+            Entry::from(
                 &program
                     .entry(&desc)
                     .unwrap_or_else(|error| panic!("{error}")),

@@ -3,10 +3,10 @@
 use std::sync::OnceLock;
 
 use glam::{UVec2, Vec4};
-use glimt_render_gpu::entry::{BufferSlot, Entry};
+use glimt_executor::Entry;
 use glimt_render_gpu::gpu::{Arg, GpuContext};
 use glimt_tests::differential::{Case, Inputs, SHADER_SOURCE, Word, compare, words_of};
-use glimt_tests::gpu::{adapter_or_skip, entry_of};
+use glimt_tests::gpu::adapter_or_skip;
 use glimt_tests::kernels;
 use naga_front_rust::{CrateSource, EntryDesc, Program};
 
@@ -47,7 +47,7 @@ fn entry(kernel: &str) -> Result<Entry, String> {
         workgroup_size: 64,
     };
     let shader = PROGRAM.with(|program| program.entry(&desc).map_err(|error| error.to_string()))?;
-    Ok(entry_of(&shader))
+    Ok(Entry::from(&shader))
 }
 
 fn check(cases: &[Case]) {
@@ -334,12 +334,15 @@ fn chunks() {
     let gpu_ints = context.buffer_of("ints", ints).unwrap();
     let gpu_floats = context.buffer_of("floats", floats).unwrap();
     let run = |entry: &Entry, own: &[(&str, Arg<'_>)]| {
-        let bind = |slot: &BufferSlot| match slot.path.trim_start_matches('_') {
-            "ints" => (slot.path, Arg::Buffer(&gpu_ints)),
-            "floats" => (slot.path, Arg::Buffer(&gpu_floats)),
-            path => own.iter().copied().find(|(name, _)| *name == path).unwrap(),
+        let buffer = |path: &str| match path.trim_start_matches('_') {
+            "ints" => Arg::Buffer(&gpu_ints),
+            "floats" => Arg::Buffer(&gpu_floats),
+            path => own.iter().find(|(name, _)| *name == path).unwrap().1,
         };
-        let args: Vec<_> = entry.buffers.iter().map(bind).collect();
+        let slots = entry.buffers.iter();
+        let args: Vec<_> = slots
+            .map(|slot| (&*slot.path, buffer(&slot.path)))
+            .collect();
         context
             .launch(entry, &args, 0, COUNT)
             .unwrap_or_else(|error| panic!("{error}\n{}", entry.wgsl));

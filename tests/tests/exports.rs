@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use glam::{UVec2, Vec2, Vec3, Vec4};
 use glimt_brdf::{BlinnPhong, Lambert};
 use glimt_envmap_cdf::EnvCdf;
+use glimt_executor::{BufferSlot, Entry, ParamField, ParamsSpace};
 use glimt_probe::latlong;
 use glimt_render_gpu::gpu::{Arg, GpuContext};
 use glimt_render_gpu::host::env::EnvMap;
@@ -12,7 +13,7 @@ use glimt_sampling::resample::{Comb, Scheme};
 use glimt_sampling::ris::{RisPicks, RisSum};
 use glimt_sampling::{OwenSobol, UniformSource, Xoshiro128PlusPlus, unit_vec2};
 use glimt_smc::{Bridge, Endpoints, Particle};
-use glimt_tests::gpu::{OwnedEntry, adapter_or_skip};
+use glimt_tests::gpu::adapter_or_skip;
 use glimt_tests::worst::worst;
 
 const COUNT: u32 = 10_000;
@@ -41,25 +42,27 @@ fn run(
     size: UVec2,
 ) -> Vec<Vec4> {
     let uses_tables = shipped.contains("@group");
-    let slot = |path: &str, binding, stride, writable| (path.to_owned(), binding, stride, writable);
+    let slot = BufferSlot::new;
     let mut buffers = vec![slot("out", 3, 16, true)];
     if uses_tables {
         buffers.push(slot("marginal", 1, 4, false));
         buffers.push(slot("conditional", 2, 4, false));
     }
-    let entry = OwnedEntry {
+    let entry = Entry {
         name: "main".into(),
-        wgsl: format!("{shipped}{MAIN}{by_hand}"),
+        kernel: "".into(),
+        params_space: ParamsSpace::Storage,
+        wgsl: format!("{shipped}{MAIN}{by_hand}").into(),
         workgroup_size: 64,
         params_size: 16,
         params: vec![
-            ("first".into(), 0, 4),
-            ("count".into(), 4, 4),
-            ("size".into(), 8, 8),
-        ],
-        buffers,
-    }
-    .leak();
+            ParamField::new("first", 0, 4),
+            ParamField::new("count", 4, 4),
+            ParamField::new("size", 8, 8),
+        ]
+        .into(),
+        buffers: buffers.into(),
+    };
     let out = context.buffer("out", u64::from(COUNT) * 16).unwrap();
     let marginal = context.buffer_of("marginal", tables[0]).unwrap();
     let conditional = context.buffer_of("conditional", tables[1]).unwrap();

@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
-use glimt_render_gpu::entry::Entry;
+use glimt_executor::{BufferSlot, Entry, ParamField, ParamsSpace};
 use glimt_render_gpu::gpu::{AdapterPreference, Arg, GpuContext, GpuError, GpuOptions};
-use glimt_tests::gpu::{OwnedEntry, adapter_or_skip, adapter_or_skip_with};
+use glimt_tests::gpu::{adapter_or_skip, adapter_or_skip_with};
 
 /// `out[local] = input[(first + local) % 8] * factor + id`, and a chunk of `parts` that holds `id * 100 + k`.
 const WGSL: &str = "
@@ -25,26 +25,28 @@ fn work(@builtin(global_invocation_id) gid: vec3<u32>, @builtin(num_workgroups) 
 }";
 
 fn entry() -> Entry {
-    let slot = |path: &str, binding, writable| (path.to_owned(), binding, 4, writable);
-    let field = |path: &str, offset| (path.to_owned(), offset, 4);
-    OwnedEntry {
+    let field = |path, offset| ParamField::new(path, offset, 4);
+    Entry {
         name: "work".into(),
+        kernel: "".into(),
         wgsl: WGSL.into(),
         workgroup_size: 64,
         params_size: 16,
+        params_space: ParamsSpace::Storage,
         params: vec![
             field("first", 0),
             field("count", 4),
             field("factor", 8),
             field("parts_len", 12),
-        ],
+        ]
+        .into(),
         buffers: vec![
-            slot("input", 1, false),
-            slot("parts", 2, true),
-            slot("out", 3, true),
-        ],
+            BufferSlot::new("input", 1, 4, false),
+            BufferSlot::new("parts", 2, 4, true),
+            BufferSlot::new("out", 3, 4, true),
+        ]
+        .into(),
     }
-    .leak()
 }
 
 const INPUT: [u32; 8] = [3, 1, 4, 1, 5, 9, 2, 6];
@@ -272,8 +274,8 @@ fn what_the_adapter_cannot_do_names_it_and_the_limit() {
         "max_compute_workgroup_size_x",
     );
     let broken = Entry {
-        name: "broken",
-        wgsl: "fn broken() { nonsense }",
+        name: "broken".into(),
+        wgsl: "fn broken() { nonsense }".into(),
         ..entry()
     };
     says(
@@ -281,7 +283,7 @@ fn what_the_adapter_cannot_do_names_it_and_the_limit() {
         "refused shader broken",
     );
     let nameless = Entry {
-        name: "absent",
+        name: "absent".into(),
         ..entry()
     };
     says(context.prepare(&nameless).unwrap_err(), "absent");
@@ -318,8 +320,10 @@ fn a_dispatch_that_takes_too_long_is_an_error() {
         return;
     };
     let count = 100_000;
-    let slow = OwnedEntry {
+    let slow = Entry {
         name: "slow".into(),
+        kernel: "".into(),
+        params_space: ParamsSpace::Storage,
         wgsl: "
 @group(0) @binding(0) var<storage, read> params: vec4<u32>;
 @group(0) @binding(1) var<storage, read_write> out: array<u32>;
@@ -332,10 +336,13 @@ fn slow(@builtin(global_invocation_id) gid: vec3<u32>) {
         .into(),
         workgroup_size: 64,
         params_size: 16,
-        params: vec![("first".into(), 0, 4), ("count".into(), 4, 4)],
-        buffers: vec![("out".into(), 1, 4, true)],
-    }
-    .leak();
+        params: vec![
+            ParamField::new("first", 0, 4),
+            ParamField::new("count", 4, 4),
+        ]
+        .into(),
+        buffers: vec![BufferSlot::new("out", 1, 4, true)].into(),
+    };
     let out = context.buffer("out", count * 4).unwrap();
     match context.launch(&slow, &[("out", Arg::Buffer(&out))], 0, count as u32) {
         Err(error) => {

@@ -5,7 +5,7 @@
 
 use bytemuck::{AnyBitPattern, NoUninit};
 use glam::{Mat4, UVec2, UVec4, Vec3, Vec4};
-use glimt_render_gpu::entry::Entry;
+use glimt_executor::Entry;
 use glimt_render_gpu::generated;
 use glimt_render_gpu::gpu::{Arg, GpuContext, GpuEnv, GpuScene};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
@@ -178,7 +178,7 @@ fn near3(a: Vec3, b: Vec3, tolerance: f32) -> bool {
 #[test]
 fn uniforms_are_the_same_bits() {
     let Some(f) = Fixture::new() else { return };
-    let gpu: Vec<[u32; 4]> = f.run(&generated::DIAGNOSE_UNIFORMS);
+    let gpu: Vec<[u32; 4]> = f.run(&generated::entries::DIAGNOSE_UNIFORMS);
     let cpu = |ray| diagnose::uniforms(ray, &f.frame).to_array();
     hold("uniforms", &gpu, cpu, 0.0, |a, b| a == b).unwrap();
     let other = |ray| diagnose::uniforms(ray + 1, &f.frame).to_array();
@@ -189,7 +189,7 @@ fn uniforms_are_the_same_bits() {
 #[test]
 fn environment_samples_are_the_same_texels() {
     let Some(f) = Fixture::new() else { return };
-    let gpu: Vec<EnvRecord> = f.run(&generated::DIAGNOSE_ENV_SAMPLE);
+    let gpu: Vec<EnvRecord> = f.run(&generated::entries::DIAGNOSE_ENV_SAMPLE);
     let view = f.env.view();
     let cpu = |ray| diagnose::env_sample(ray, &f.frame, view);
     hold("texel drawn", &gpu, cpu, 0.0, |a, b| a.texel == b.texel).unwrap();
@@ -213,7 +213,7 @@ fn environment_samples_are_the_same_texels() {
 fn hits_and_surfaces_agree() {
     let Some(f) = Fixture::new() else { return };
     let view = f.scene.view();
-    let gpu: Vec<HitRecord> = f.run(&generated::DIAGNOSE_PRIMARY_HIT);
+    let gpu: Vec<HitRecord> = f.run(&generated::entries::DIAGNOSE_PRIMARY_HIT);
     let cpu = |ray| diagnose::primary_hit(ray, &f.frame, view);
     hold("triangle", &gpu, cpu, DECISIONS, |a, b| {
         a.triangle == b.triangle
@@ -229,7 +229,7 @@ fn hits_and_surfaces_agree() {
         "{hits} hits of {}",
         gpu.len()
     );
-    let gpu: Vec<SurfaceRecord> = f.run(&generated::DIAGNOSE_SURFACE);
+    let gpu: Vec<SurfaceRecord> = f.run(&generated::entries::DIAGNOSE_SURFACE);
     let cpu = |ray| diagnose::surface(ray, &f.frame, view);
     hold("where shadow rays start", &gpu, cpu, DECISIONS, |a, b| {
         near3(a.origin, b.origin, 8.0 * FLOATS)
@@ -248,7 +248,7 @@ fn hits_and_surfaces_agree() {
 #[test]
 fn brdf_samples_agree() {
     let Some(f) = Fixture::new() else { return };
-    let gpu: Vec<[f32; 4]> = f.run(&generated::DIAGNOSE_BRDF_SAMPLE);
+    let gpu: Vec<[f32; 4]> = f.run(&generated::entries::DIAGNOSE_BRDF_SAMPLE);
     let cpu = |ray| diagnose::brdf_sample(ray, &f.frame, f.scene.view()).to_array();
     let largest = (0..f.rays).map(|ray| cpu(ray)[3]).fold(0.0, f32::max);
     assert!(largest > 1.0);
@@ -278,7 +278,7 @@ fn layers_agree() {
         ..description.objects[0].clone()
     });
     f.scene = SceneBuffers::build(&description).unwrap();
-    let gpu: Vec<LayerSample> = f.run(&generated::SHADE_MIS_LAYERS);
+    let gpu: Vec<LayerSample> = f.run(&generated::entries::SHADE_MIS_LAYERS);
     let shade = |ray| shade_mis_layers(ray, &f.frame, f.env.view(), f.scene.view());
     let samples: Vec<LayerSample> = (0..f.rays).map(shade).collect();
     let cpu = |ray: u32| samples[ray as usize];
@@ -312,7 +312,7 @@ fn layers_agree() {
 #[test]
 fn radiance_agrees() {
     let Some(f) = Fixture::new() else { return };
-    let gpu: Vec<[f32; 4]> = f.run(&generated::SHADE_MIS);
+    let gpu: Vec<[f32; 4]> = f.run(&generated::entries::SHADE_MIS);
     let shade = |ray| {
         glimt_render_gpu::kernels::shade::shade_mis(ray, &f.frame, f.env.view(), f.scene.view())
             .to_array()

@@ -16,7 +16,7 @@ use glimt::job::Job;
 use glimt::notes::Notes;
 use glimt::report::Reporter;
 use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::generated::SHADE_MIS;
+use glimt_render_gpu::generated::entries::SHADE_MIS;
 use glimt_render_gpu::gpu::{Arg, GpuContext, GpuEnv, GpuRenderer, GpuScene};
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::render::{RenderSettings, Renderer};

@@ -1,7 +1,7 @@
 //! Host file: precomputed transfer against closed forms and quadrature, where surfaces meet and touch, and on both processors.
 
 use glam::{DVec3, Mat4, Vec3, vec3};
-use glimt_render_gpu::generated::TRANSFER;
+use glimt_render_gpu::generated::entries::TRANSFER;
 use glimt_render_gpu::gpu::{self, Arg, GpuScene};
 use glimt_render_gpu::host::bake::{BakeSettings, bake, for_kernels};
 use glimt_render_gpu::host::scene::{Material, Mesh, Object, SceneDescription};

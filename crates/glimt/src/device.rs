@@ -3,10 +3,10 @@
 use crate::cli::Device;
 use crate::error::{Error, Kind, Result};
 use crate::synth::Processor;
+use glimt_executor::HostError;
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::{self, AdapterPreference, GpuContext, GpuError, GpuRenderer};
 use glimt_render_gpu::host::render::{RenderError, Renderer};
-use std::collections::TryReserveError;
 
 /// Opens a device. `auto` takes a GPU where a real one is found that works: a software one is slower than the CPU
 /// renderer.
@@ -72,8 +72,8 @@ pub fn failure(error: RenderError) -> Error {
         RenderError::Settings(e) => Error::new(Kind::Usage, e),
         RenderError::Device(e) => match e.downcast_ref::<GpuError>() {
             Some(e) => gpu_failure(e),
-            None if e.is::<TryReserveError>() => {
-                Error::device("there is not enough memory for the image")
+            None if matches!(e.downcast_ref(), Some(HostError::Memory { .. })) => {
+                Error::device(format!("{e} of the image"))
                     .fix("render a smaller one, as --set image.size=[1280,720]")
             }
             None => Error::device(e),

@@ -79,13 +79,14 @@
 
 pub mod cpu;
 pub mod entries;
-pub mod entry;
+mod film;
 // As the front end writes it.
 #[rustfmt::skip]
 pub mod generated;
 pub mod gpu;
 pub mod host;
 pub mod kernels;
+mod methods;
 pub mod sequence;
 
 /// The crate's name and its shared files, `(path below src/, text)`, for a front end that lowers them to WGSL.

@@ -16,10 +16,10 @@ mod transfer;
 use bytemuck::NoUninit;
 use glam::{UVec2, Vec4};
 use glimt_envmap_cdf::{CompensatedCdf, build_compensated_into, required_len};
+use glimt_executor::Entry;
 use glimt_render_gpu::gpu::{Arg, GpuBuffer, GpuContext};
 use naga_front_rust::{EntryDesc, Program};
 
-use crate::gpu::entry_of;
 use crate::{golden, sampler_sets};
 
 pub use capture::capture_pair;
@@ -69,7 +69,7 @@ fn launch(
         workgroup_size: 64,
     };
     let shader = program.entry(&desc);
-    let entry = entry_of(&shader.unwrap_or_else(|error| panic!("{error}")));
+    let entry = Entry::from(&shader.unwrap_or_else(|error| panic!("{error}")));
     let known = |path: &str| {
         entry.params.iter().any(|param| param.path == path)
             || entry.buffers.iter().any(|slot| slot.path == path)

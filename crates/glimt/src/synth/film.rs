@@ -6,14 +6,14 @@ use super::world::{Base, World};
 use crate::device;
 use crate::error::Result;
 use glam::{UVec2, Vec3, Vec4};
-use glimt_render_gpu::entry::Entry;
-use glimt_render_gpu::generated::{EXPOSE, FILM_BALL, FILM_LATLONG, FILM_PLATE};
-use glimt_render_gpu::gpu::{Arg, GpuContext, GpuError};
+use glimt_executor::gpu::{Direct, GpuContext};
+use glimt_executor::{Cpu, Device, Executor, Memory, Pass, Rayon};
+use glimt_render_gpu::generated::passes::{Expose, FilmBall, FilmLatlong, FilmPlate, StageArg};
 use glimt_render_gpu::host::render::{FrameImage, RenderError, RenderSettings};
-use glimt_render_gpu::kernels::capture::{LatLongParams, film_ball, film_latlong, film_plate};
+use glimt_render_gpu::kernels::capture::{CaptureParams, LatLongParams};
 use glimt_render_gpu::kernels::film::tonemap;
 use glimt_render_gpu::kernels::frame::FrameParams;
-use glimt_render_gpu::kernels::sensor::{SensorParams, expose};
+use glimt_render_gpu::kernels::sensor::SensorParams;
 use glimt_render_gpu::kernels::stage::Stage;
 use rayon::prelude::*;
 use std::sync::OnceLock;
@@ -114,28 +114,12 @@ impl Filming {
         let size = UVec2::from(self.synth.capture.size);
         let count = size.x * size.y;
         let stage = world.stage();
+        let shoot = Shoot { stage, count };
         let pixels = match processor {
-            Processor::Cpu => {
-                let filmed = on_threads(count, |i| film_ball(i, &capture, stage));
-                match sensor.exposures {
-                    0 => filmed,
-                    _ => on_threads(count, |i| expose(i, &sensor, &filmed)),
-                }
-            }
-            Processor::Gpu(gpu) => on_gpu(|| {
-                let filmed = buffer(gpu, "radiance", count)?;
-                let param = ("capture", Arg::Value(bytemuck::bytes_of(&capture)));
-                launch(gpu, &FILM_BALL, param, stage, &filmed, count)?;
-                let exposed = buffer(gpu, "exposed", count)?;
-                let args = [
-                    ("sensor", Arg::Value(bytemuck::bytes_of(&sensor))),
-                    ("radiance", Arg::Buffer(&filmed)),
-                    ("out", Arg::Buffer(&exposed)),
-                ];
-                gpu.launch(&EXPOSE, &args, 0, count)?;
-                gpu.read(&exposed, count as usize)
-            })?,
+            Processor::Cpu => shoot.ball(&Cpu, &mut threads(), &capture, &sensor),
+            Processor::Gpu(gpu) => shoot.ball(&**gpu, &mut Direct::new(gpu), &capture, &sensor),
         };
+        let pixels = pixels.map_err(device::failure)?;
         Ok(SynthFrame {
             size,
             pixels,
@@ -167,15 +151,12 @@ impl Filming {
             .map_err(|e| device::failure(RenderError::Settings(e)))?;
         let stage = self.panorama.as_ref().unwrap_or(world).stage();
         let count = size.x * size.y;
+        let shoot = Shoot { stage, count };
         let linear = match processor {
-            Processor::Cpu => on_threads(count, |i| film_plate(i, &params, stage)),
-            Processor::Gpu(gpu) => on_gpu(|| {
-                let out = buffer(gpu, "plate", count)?;
-                let param = ("frame", Arg::Value(bytemuck::bytes_of(&params)));
-                launch(gpu, &FILM_PLATE, param, stage, &out, count)?;
-                gpu.read(&out, count as usize)
-            })?,
+            Processor::Cpu => shoot.plate(&Cpu, &mut threads(), &params),
+            Processor::Gpu(gpu) => shoot.plate(&**gpu, &mut Direct::new(gpu), &params),
         };
+        let linear = linear.map_err(device::failure)?;
         let display = |i| tonemap(i, &params, &linear).to_le_bytes();
         let display = (0..count).into_par_iter().map(display).collect();
         Ok(FrameImage {
@@ -211,15 +192,12 @@ impl Filming {
             unused: UVec2::ZERO,
         };
         let count = size.x * size.y;
-        match processor {
-            Processor::Cpu => Ok(on_threads(count, |i| film_latlong(i, &params, stage))),
-            Processor::Gpu(gpu) => on_gpu(|| {
-                let out = buffer(gpu, "truth", count)?;
-                let param = ("latlong", Arg::Value(bytemuck::bytes_of(&params)));
-                launch(gpu, &FILM_LATLONG, param, stage, &out, count)?;
-                gpu.read(&out, count as usize)
-            }),
-        }
+        let shoot = Shoot { stage, count };
+        let map = match processor {
+            Processor::Cpu => shoot.map(&Cpu, &mut threads(), &params),
+            Processor::Gpu(gpu) => shoot.map(&**gpu, &mut Direct::new(gpu), &params),
+        };
+        map.map_err(device::failure)
     }
 
     /// Radiance at which the shortest exposure clips: as it is set, or a quarter above the brightest that there is in the
@@ -268,45 +246,125 @@ impl Filming {
     }
 }
 
-/// Elements `0..count`, computed by all threads.
-fn on_threads(count: u32, element: impl Fn(u32) -> Vec4 + Send + Sync) -> Vec<Vec4> {
-    (0..count)
-        .into_par_iter()
-        .with_min_len(64)
-        .map(element)
-        .collect()
+/// All threads, with enough pixels for each at a time to be worth handing out.
+fn threads() -> Rayon {
+    Rayon { grain: 64 }
 }
 
-fn on_gpu<T>(work: impl FnOnce() -> std::result::Result<T, GpuError>) -> Result<T> {
-    work().map_err(|e| device::failure(RenderError::Device(Box::new(e))))
-}
-
-fn buffer(
-    gpu: &GpuContext,
-    label: &str,
+/// Pixels that look at a stage.
+#[derive(Clone, Copy)]
+struct Shoot<'a> {
+    stage: Stage<'a>,
     count: u32,
-) -> std::result::Result<glimt_render_gpu::gpu::GpuBuffer, GpuError> {
-    gpu.buffer(label, u64::from(count) * size_of::<Vec4>() as u64)
 }
 
-/// Runs a kernel that looks at a stage.
-fn launch(
-    gpu: &GpuContext,
-    entry: &Entry,
-    param: (&'static str, Arg<'_>),
-    stage: Stage<'_>,
-    out: &glimt_render_gpu::gpu::GpuBuffer,
-    count: u32,
-) -> std::result::Result<(), GpuError> {
-    let texels = gpu.buffer_of("stage.texels", stage.texels)?;
-    let args = [
-        param,
-        (
-            "stage.params",
-            Arg::Value(bytemuck::bytes_of(&stage.params)),
-        ),
-        ("stage.texels", Arg::Buffer(&texels)),
-        ("out", Arg::Buffer(out)),
-    ];
-    gpu.launch(entry, &args, 0, count).map(drop)
+impl Shoot<'_> {
+    /// A frame of the ball, as a sensor records it; without exposures, its radiance.
+    fn ball<D: Device, E: Executor<Memory = D::Memory>>(
+        self,
+        device: &D,
+        executor: &mut E,
+        capture: &CaptureParams,
+        sensor: &SensorParams,
+    ) -> std::result::Result<Vec<Vec4>, RenderError> {
+        let texels = self.texels(device)?;
+        let stage = self.arg::<D>(&texels);
+        let mut filmed = self.room(device)?;
+        let out = self.out::<D>(&mut filmed);
+        let pass = FilmBall {
+            capture,
+            stage,
+            out,
+        };
+        self.run::<D, E>(executor, pass)?;
+        if sensor.exposures == 0 {
+            return self.read(device, &filmed);
+        }
+        let mut exposed = self.room(device)?;
+        let pass = Expose {
+            sensor,
+            radiance: D::Memory::slice(&filmed, 0..self.count as usize),
+            out: self.out::<D>(&mut exposed),
+        };
+        self.run::<D, E>(executor, pass)?;
+        self.read(device, &exposed)
+    }
+
+    /// The backplate.
+    fn plate<D: Device, E: Executor<Memory = D::Memory>>(
+        self,
+        device: &D,
+        executor: &mut E,
+        frame: &FrameParams,
+    ) -> std::result::Result<Vec<Vec4>, RenderError> {
+        let texels = self.texels(device)?;
+        let stage = self.arg::<D>(&texels);
+        let mut filmed = self.room(device)?;
+        let out = self.out::<D>(&mut filmed);
+        self.run::<D, E>(executor, FilmPlate { frame, stage, out })?;
+        self.read(device, &filmed)
+    }
+
+    /// The map of an ideal probe.
+    fn map<D: Device, E: Executor<Memory = D::Memory>>(
+        self,
+        device: &D,
+        executor: &mut E,
+        latlong: &LatLongParams,
+    ) -> std::result::Result<Vec<Vec4>, RenderError> {
+        let texels = self.texels(device)?;
+        let stage = self.arg::<D>(&texels);
+        let mut filmed = self.room(device)?;
+        let out = self.out::<D>(&mut filmed);
+        let pass = FilmLatlong {
+            latlong,
+            stage,
+            out,
+        };
+        self.run::<D, E>(executor, pass)?;
+        self.read(device, &filmed)
+    }
+
+    fn texels<D: Device>(self, device: &D) -> std::result::Result<Buffer<D>, RenderError> {
+        device
+            .holding("stage.texels", self.stage.texels)
+            .map_err(failed)
+    }
+
+    fn arg<D: Device>(self, texels: &Buffer<D>) -> StageArg<'_, D::Memory> {
+        StageArg {
+            params: self.stage.params,
+            texels: D::Memory::slice(texels, 0..self.stage.texels.len()),
+        }
+    }
+
+    fn room<D: Device>(self, device: &D) -> std::result::Result<Buffer<D>, RenderError> {
+        device.zeroed("pixels", self.count as usize).map_err(failed)
+    }
+
+    fn out<D: Device>(self, room: &mut Buffer<D>) -> <D::Memory as Memory>::Chunks<'_, Vec4> {
+        D::Memory::chunks(room, 0..self.count as usize, 1)
+    }
+
+    fn run<D: Device, E: Executor<Memory = D::Memory>>(
+        self,
+        executor: &mut E,
+        pass: impl Pass<Memory = D::Memory>,
+    ) -> std::result::Result<(), RenderError> {
+        executor.run(pass, 0..self.count).map_err(failed)
+    }
+
+    fn read<D: Device>(
+        self,
+        device: &D,
+        pixels: &Buffer<D>,
+    ) -> std::result::Result<Vec<Vec4>, RenderError> {
+        device.get(pixels, self.count as usize).map_err(failed)
+    }
+}
+
+type Buffer<D> = <<D as Device>::Memory as Memory>::Buffer<Vec4>;
+
+fn failed<E: std::error::Error + Send + Sync + 'static>(error: E) -> RenderError {
+    RenderError::Device(Box::new(error))
 }

@@ -17,7 +17,7 @@ use crate::report::{FrameStatus, Reporter, count, shown};
 use crate::shot::digest::{self, Hash};
 use crate::shot::{Mapping, parse, range};
 use glam::{UVec2, Vec4};
-use glimt_render_gpu::generated::{EXPOSE, FILM_BALL, FILM_LATLONG, FILM_PLATE};
+use glimt_render_gpu::generated::entries::{EXPOSE, FILM_BALL, FILM_LATLONG, FILM_PLATE};
 use rayon::prelude::*;
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -134,7 +134,7 @@ impl Job {
 
         let mut hasher = Sha256::new();
         hasher.update(digest::VERSION.as_bytes());
-        for entry in [FILM_BALL, FILM_PLATE, FILM_LATLONG, EXPOSE] {
+        for entry in [&FILM_BALL, &FILM_PLATE, &FILM_LATLONG, &EXPOSE] {
             hasher.update(entry.wgsl.as_bytes());
         }
         let mut plain = synth.clone();

@@ -1,10 +1,11 @@
 //! Host file: transfer at all vertices of a scene by wgpu.
 
-use super::device::GpuContext;
-use super::error::GpuError;
-use super::launch::Arg;
+use glimt_executor::Executor;
+use glimt_executor::gpu::{Direct, GpuContext, GpuError};
+
 use super::upload::GpuScene;
-use crate::generated::TRANSFER;
+use crate::generated::entries::TRANSFER;
+use crate::generated::passes::Transfer;
 use crate::host::bake::{BLOCK, BakeError, BakeSettings, Baked, for_kernels, room};
 use crate::host::scene_build::SceneBuffers;
 use crate::kernels::transfer::{STATE, TransferVertex};
@@ -35,12 +36,11 @@ pub fn bake(
     let count = made.coefficients();
     let block = BLOCK.min(total.max(1));
     let uploaded = GpuScene::new(context, scene)?;
-    let known = context.buffer("vertices", (block * size_of::<TransferVertex>()) as u64)?;
-    let list_bytes = (block * count * size_of::<f32>()) as u64;
-    let lit = context.buffer("lit", list_bytes)?;
-    let blocked = context.buffer("blocked", list_bytes)?;
-    let state = context.buffer("generators", (block * STATE * size_of::<u32>()) as u64)?;
-    let traced = context.buffer("rays", (block * size_of::<u32>()) as u64)?;
+    let known = context.zeroed::<TransferVertex>("vertices", block as u64)?;
+    let lit = context.zeroed::<f32>("lit", (block * count) as u64)?;
+    let blocked = context.zeroed::<f32>("blocked", (block * count) as u64)?;
+    let state = context.zeroed::<u32>("generators", (block * STATE) as u64)?;
+    let traced = context.zeroed::<u32>("rays", block as u64)?;
     context.forget_pace(&TRANSFER)?;
 
     let mut rays = 0;
@@ -49,28 +49,28 @@ pub fn bake(
         let length = if first == 0 { FIRST } else { block };
         let own = &vertices[first..(first + length).min(total)];
         context.write(&known, &for_kernels(own, first))?;
-        let chunk = count as u32;
-        let mut args = vec![
-            ("vertices", Arg::Buffer(&known)),
-            ("state", Arg::Chunk(&state, STATE as u32)),
-            ("lit", Arg::Chunk(&lit, chunk)),
-            ("blocked", Arg::Chunk(&blocked, chunk)),
-            ("out", Arg::Buffer(&traced)),
-        ];
-        args.extend(uploaded.tree_args());
+        let (nodes, triangles) = uploaded.tree();
         let part = match context.adapter().is_software() {
             true => SOFTWARE_PART,
             false => PART,
         };
         for params in settings.parts(part) {
-            let mut args = args.clone();
-            args.push(("params", Arg::Value(bytemuck::bytes_of(&params))));
             let tell = |done: u32| {
                 let rows = own.len() as f32 * params.first_row as f32
                     + done as f32 * (params.end_row - params.first_row) as f32;
                 progress((first as f32 + rows / params.rows as f32) / total as f32);
             };
-            context.launch_telling(&TRANSFER, &args, 0, own.len() as u32, &tell)?;
+            let pass = Transfer {
+                params: &params,
+                nodes,
+                triangles,
+                vertices: known.all(),
+                state: state.all().written(STATE as u32),
+                lit: lit.all().written(count as u32),
+                blocked: blocked.all().written(count as u32),
+                out: traced.out(),
+            };
+            Direct::with_progress(context, &tell).run(pass, 0..own.len() as u32)?;
             let own_rays: Vec<u32> = context.read(&traced, own.len())?;
             rays += own_rays.into_iter().map(u64::from).sum::<u64>();
         }

@@ -4,45 +4,33 @@
 use glam::{UVec2, Vec2, Vec4};
 use glimt_sh::{MAX_COEFFICIENTS, ShError, temporal_filter};
 
-use super::buffer::GpuBuffer;
-use super::device::GpuContext;
-use super::error::GpuError;
-use super::launch::Arg;
-use super::record::{ParamsPool, Recording};
-use crate::entry::{BufferSlot, Entry, ParamField};
-use crate::generated::{HALVE, LIGHT_COEFFICIENT, TAPS};
+use std::borrow::Cow::Borrowed;
+
+use glimt_executor::gpu::{Arg, GpuContext, GpuError, GpuVec, ParamsPool, Recording};
+use glimt_executor::{BufferSlot, Entry, Executor, ParamField, ParamsSpace};
+
+use crate::generated::entries::{HALVE, LIGHT_COEFFICIENT, TAPS};
+use crate::generated::passes::{Halve, LightCoefficient, Taps};
 use crate::host::env::{Brightness, PreparedEnv};
 use crate::host::light_sh::{level_sizes, light_params};
 use crate::host::render::{PrtSettings, SettingsError};
-use crate::kernels::pyramid::Taps;
+use crate::kernels::pyramid;
 
 /// Rows and columns of texels that a workgroup of `projection.wgsl` projects.
 const GROUP: UVec2 = UVec2::new(256, 16);
 /// Coefficients of the most bands, and values that a workgroup leaves.
 const COEFFICIENTS: u32 = MAX_COEFFICIENTS as u32;
 
-const VALUE: u64 = size_of::<Vec4>() as u64;
-
-const fn field(path: &'static str, offset: u32, size: u32) -> ParamField {
-    ParamField { path, offset, size }
-}
-
-const fn slot(path: &'static str, binding: u32, writable: bool) -> BufferSlot {
-    BufferSlot {
-        path,
-        binding,
-        stride: 16,
-        writable,
-    }
-}
-
 /// Both stages of `projection.wgsl` have the same arguments.
 pub(super) const PARAMS: &[ParamField] = &[
-    field("size", 0, 8),
-    field("bands", 8, 4),
-    field("parts", 12, 4),
+    ParamField::new("size", 0, 8),
+    ParamField::new("bands", 8, 4),
+    ParamField::new("parts", 12, 4),
 ];
-const BUFFERS: &[BufferSlot] = &[slot("values", 1, false), slot("out", 2, true)];
+const BUFFERS: &[BufferSlot] = &[
+    BufferSlot::new("values", 1, 16, false),
+    BufferSlot::new("out", 2, 16, true),
+];
 
 pub(super) const WGSL: &str = concat!(
     include_str!("../generated/projection_functions.wgsl"),
@@ -51,24 +39,25 @@ pub(super) const WGSL: &str = concat!(
 
 const fn by_hand(name: &'static str) -> Entry {
     Entry {
-        name,
-        kernel: "",
-        wgsl: WGSL,
+        name: Borrowed(name),
+        kernel: Borrowed(""),
+        wgsl: Borrowed(WGSL),
         workgroup_size: 256,
         params_size: 16,
-        params: PARAMS,
-        buffers: BUFFERS,
+        params_space: ParamsSpace::Storage,
+        params: Borrowed(PARAMS),
+        buffers: Borrowed(BUFFERS),
     }
 }
 
-const PROJECT: Entry = by_hand("project");
-const SUM_PARTS: Entry = by_hand("sum_parts");
+static PROJECT: Entry = by_hand("project");
+static SUM_PARTS: Entry = by_hand("sum_parts");
 
 /// A light map on the GPU without tables, and the coefficients that are made of it, frame after frame: what
 /// [`LightSh`](crate::host::light_sh::LightSh) is on the CPU.
 #[derive(Debug)]
 pub struct GpuLight {
-    pub(super) map: GpuBuffer,
+    pub(super) map: GpuVec<Vec4>,
     pub(super) size: UVec2,
     pub(super) rotation: Vec2,
     pub(super) brightness: Brightness,
@@ -76,10 +65,10 @@ pub struct GpuLight {
     pub(super) mean: f32,
     /// The maps halved, the largest first.
     levels: Vec<Level>,
-    parts: GpuBuffer,
-    sums: GpuBuffer,
+    parts: GpuVec<Vec4>,
+    sums: GpuVec<Vec4>,
     /// Of the frame before and of this one.
-    coefficients: [GpuBuffer; 2],
+    coefficients: [GpuVec<Vec4>; 2],
     /// Bands of the frame before.
     before: Option<u32>,
     pool: ParamsPool,
@@ -89,8 +78,8 @@ pub struct GpuLight {
 #[derive(Debug)]
 struct Level {
     /// Of the map that it is half of.
-    taps: GpuBuffer,
-    texels: GpuBuffer,
+    taps: GpuVec<pyramid::Taps>,
+    texels: GpuVec<Vec4>,
     /// Whether there are taps: they are made with the first map.
     has_taps: bool,
 }
@@ -104,7 +93,7 @@ impl GpuLight {
         for entry in [&TAPS, &HALVE, &PROJECT, &SUM_PARTS, &LIGHT_COEFFICIENT] {
             context.prepare(entry)?;
         }
-        let all = u64::from(COEFFICIENTS) * VALUE;
+        let all = u64::from(COEFFICIENTS);
         Ok(Self {
             map: map_buffer(context, size)?,
             size,
@@ -112,11 +101,11 @@ impl GpuLight {
             brightness: Brightness::default(),
             mean: 0.0,
             levels: Vec::new(),
-            parts: context.buffer("partial sums", all)?,
-            sums: context.buffer("sums", all)?,
+            parts: context.zeroed("partial sums", all)?,
+            sums: context.zeroed("sums", all)?,
             coefficients: [
-                context.buffer("previous", all)?,
-                context.buffer("coefficients", all)?,
+                context.zeroed("previous", all)?,
+                context.zeroed("coefficients", all)?,
             ],
             before: None,
             pool: ParamsPool::default(),
@@ -178,7 +167,7 @@ impl GpuLight {
     }
 
     /// The coefficients that were made last.
-    pub(super) fn coefficients(&self) -> &GpuBuffer {
+    pub(super) fn coefficients(&self) -> &GpuVec<Vec4> {
         &self.coefficients[1]
     }
 
@@ -189,31 +178,31 @@ impl GpuLight {
         settings: &PrtSettings,
     ) -> Result<(), GpuError> {
         let refused = |error: SettingsError| GpuError::Argument {
-            entry: PROJECT.name.to_owned(),
+            entry: PROJECT.name.clone().into_owned(),
             problem: error.to_string(),
         };
         settings.check().map_err(refused)?;
         if !(1..=glimt_sh::MAX_BANDS).contains(&bands) {
             return Err(refused(SettingsError::Harmonics(ShError::Bands(bands))));
         }
-        let sizes = self.keep_levels(recording.context, settings.level)?;
+        let sizes = self.keep_levels(recording.context(), settings.level)?;
         for (i, pair) in sizes.windows(2).enumerate() {
             let (done, rest) = self.levels.split_at_mut(i);
             let from = done.last().map_or(&self.map, |level| &level.texels);
             let (level, half) = (&mut rest[0], pair[1]);
-            let size = ("size", Arg::Value(bytemuck::bytes_of(&pair[0])));
+            let size = pair[0];
             if !level.has_taps {
-                let args = [size, ("out", Arg::Buffer(&level.taps))];
-                recording.dispatch(&TAPS, &args, half.element_sum())?;
+                let out = level.taps.out();
+                recording.run(Taps { size, out }, 0..half.element_sum())?;
                 level.has_taps = true;
             }
-            let args = [
+            let pass = Halve {
                 size,
-                ("taps", Arg::Buffer(&level.taps)),
-                ("texels", Arg::Buffer(from)),
-                ("out", Arg::Buffer(&level.texels)),
-            ];
-            recording.dispatch(&HALVE, &args, half.element_product())?;
+                taps: level.taps.all(),
+                texels: from.all(),
+                out: level.texels.out(),
+            };
+            recording.run(pass, 0..half.element_product())?;
         }
         let (size, texels) = match sizes.len() {
             1 => (&self.size, &self.map),
@@ -221,31 +210,35 @@ impl GpuLight {
         };
         let groups = groups(*size);
         let parts = groups.element_product();
-        let params = |values, out| {
-            [
-                ("size", Arg::Value(bytemuck::bytes_of(size))),
-                ("bands", Arg::Value(bytemuck::bytes_of(&bands))),
-                ("parts", Arg::Value(bytemuck::bytes_of(&parts))),
-                ("values", Arg::Buffer(values)),
-                ("out", Arg::Buffer(out)),
-            ]
-        };
+        let params = [
+            ("size", Arg::Value(bytemuck::bytes_of(size))),
+            ("bands", Arg::Value(bytemuck::bytes_of(&bands))),
+            ("parts", Arg::Value(bytemuck::bytes_of(&parts))),
+        ];
         let count = parts * COEFFICIENTS;
-        let args = params(texels, &self.parts);
+        let slices = [
+            ("values", Arg::Buffer(texels)),
+            ("out", Arg::Buffer(&self.parts)),
+        ];
+        let args = [&params[..], &slices].concat();
         recording.dispatch_grid(&PROJECT, &args, count, groups.to_array())?;
-        let args = params(&self.parts, &self.sums);
+        let slices = [
+            ("values", Arg::Buffer(&self.parts)),
+            ("out", Arg::Buffer(&self.sums)),
+        ];
+        let args = [&params[..], &slices].concat();
         let grid = [bands * bands, 1];
         recording.dispatch_grid(&SUM_PARTS, &args, COEFFICIENTS, grid)?;
 
         self.coefficients.swap(0, 1);
         let light = light_params(settings, self.rotation, bands, self.before);
-        let args = [
-            ("light", Arg::Value(bytemuck::bytes_of(&light))),
-            ("sums", Arg::Buffer(&self.sums)),
-            ("previous", Arg::Buffer(&self.coefficients[0])),
-            ("out", Arg::Buffer(&self.coefficients[1])),
-        ];
-        recording.dispatch(&LIGHT_COEFFICIENT, &args, COEFFICIENTS)?;
+        let pass = LightCoefficient {
+            light: &light,
+            sums: self.sums.all(),
+            previous: self.coefficients[0].all(),
+            out: self.coefficients[1].out(),
+        };
+        recording.run(pass, 0..COEFFICIENTS)?;
         self.mean = temporal_filter(self.brightness.mean, self.mean, light.temporal);
         self.before = Some(bands);
         Ok(())
@@ -255,17 +248,16 @@ impl GpuLight {
     fn keep_levels(&mut self, context: &GpuContext, level: u32) -> Result<Vec<UVec2>, GpuError> {
         let sizes = level_sizes(self.size, level);
         for size in &sizes[(self.levels.len() + 1).min(sizes.len())..] {
-            let taps = u64::from(size.element_sum()) * size_of::<Taps>() as u64;
             self.levels.push(Level {
-                taps: context.buffer("taps", taps)?,
+                taps: context.zeroed("taps", size.element_sum().into())?,
                 texels: map_buffer(context, *size)?,
                 has_taps: false,
             });
         }
         let parts = groups(sizes[sizes.len() - 1]).element_product();
-        let bytes = u64::from(parts * COEFFICIENTS) * VALUE;
-        if self.parts.len() < bytes {
-            self.parts = context.buffer("partial sums", bytes)?;
+        let values = u64::from(parts * COEFFICIENTS);
+        if self.parts.count() < values {
+            self.parts = context.zeroed("partial sums", values)?;
         }
         Ok(sizes)
     }
@@ -276,12 +268,6 @@ fn groups(size: UVec2) -> UVec2 {
     UVec2::new(size.x.div_ceil(GROUP.x), size.y.div_ceil(GROUP.y))
 }
 
-fn map_buffer(context: &GpuContext, size: UVec2) -> Result<GpuBuffer, GpuError> {
-    let bytes = u64::from(size.x) * u64::from(size.y) * VALUE;
-    let allowed = context.max_binding_bytes();
-    if bytes > allowed {
-        let limit = "max_storage_buffer_binding_size";
-        return Err(context.limit_error("the light map".to_owned(), bytes, limit, allowed));
-    }
-    context.buffer("the light map", bytes)
+fn map_buffer(context: &GpuContext, size: UVec2) -> Result<GpuVec<Vec4>, GpuError> {
+    context.zeroed_binding("the light map", u64::from(size.x) * u64::from(size.y))
 }

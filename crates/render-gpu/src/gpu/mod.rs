@@ -1,22 +1,13 @@
-//! Host file: the wgpu executor.
+//! Host file: frames on a GPU.
 //!
-//! [`GpuContext`] opens an adapter with the adapter's own limits; [`GpuContext::launch`] runs a generated
-//! [`Entry`](crate::entry::Entry) over any number of elements, cut into dispatches that fit the adapter's limits and
-//! stay short; [`GpuRenderer`] renders frames by it. Everything that can go wrong is a [`GpuError`] that names the adapter and the limit.
+//! [`GpuRenderer`] renders frames by the passes that the CPU runs, too; [`GpuPrt`] draws triangles instead, by a rasteriser. What
+//! opens the GPU and launches passes is [`glimt_executor::gpu`]; its names stand here, too.
 
 mod bake;
-mod buffer;
-mod device;
-mod error;
-mod kernel;
-mod launch;
 mod light;
 mod prt;
 mod raster;
-mod record;
 mod renderer;
-mod smc;
-mod timing;
 mod unwarp;
 mod upload;
 
@@ -24,10 +15,10 @@ mod upload;
 pub const HAND_WRITTEN: [&str; 2] = [light::WGSL, raster::WGSL];
 
 pub use bake::bake;
-pub use buffer::GpuBuffer;
-pub use device::{AdapterPreference, AdapterSummary, GpuContext, GpuOptions, enumerate};
-pub use error::GpuError;
-pub use launch::{Arg, LaunchReport};
+pub use glimt_executor::gpu::{
+    AdapterPreference, AdapterSummary, Arg, GpuBuffer, GpuContext, GpuError, GpuOptions, GpuVec,
+    LaunchReport, enumerate,
+};
 pub use light::GpuLight;
 pub use prt::{DrawTimes, GpuPrt};
 pub use renderer::{FrameTimes, GpuRenderer};
@@ -76,7 +67,7 @@ mod tests {
         assert_eq!(layout(raster::WGSL, "RasterParams"), (raster, size));
         let fields: Vec<_> = light::PARAMS
             .iter()
-            .map(|field| (field.path, field.offset as usize))
+            .map(|field| (&*field.path, field.offset as usize))
             .collect();
         assert_eq!(layout(light::WGSL, "Projection"), (own(&fields), 16));
     }

@@ -8,21 +8,19 @@ use std::f32::consts::PI;
 use std::time::{Duration, Instant};
 
 use glam::{UVec2, Vec4};
+use glimt_executor::gpu::{
+    Gpu, GpuBuffer, GpuContext, GpuError, GpuVec, ParamsPool, Recording, Stopwatch,
+};
+use glimt_executor::{Executor, Memory};
 use rayon::prelude::*;
 
-use super::buffer::GpuBuffer;
-use super::device::GpuContext;
-use super::error::GpuError;
-use super::launch::Arg;
 use super::light::GpuLight;
 use super::raster::{LAYERS, PIXEL, Rasteriser, Targets, pitch};
-use super::record::{ParamsPool, Recording};
 use super::renderer::device;
-use super::timing::Stopwatch;
-use super::upload::{GpuScene, bindable};
-use crate::generated::{
-    COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DISPLAY_OVER_PLATE, TONEMAP, UNPACK_LAYERS, VERTEX_LIGHT,
-};
+use super::upload::GpuScene;
+use crate::film::Pixels;
+use crate::generated::entries::{UNPACK_LAYERS, VERTEX_LIGHT};
+use crate::generated::passes::{UnpackLayers, VertexLight};
 use crate::host::env::PreparedEnv;
 use crate::host::plate::Plate;
 use crate::host::render::{Filter, FrameImage, RenderError, RenderSettings, SettingsError};
@@ -31,7 +29,7 @@ use crate::host::transfer::{SceneTransfer, Transfer};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::PixelLayers;
-use crate::kernels::prt::VertexLight;
+use crate::kernels::prt;
 use crate::kernels::raster::{DrawnLayout, HALF_MAX, RasterParams};
 
 /// Samples of a pixel where there are several: what every adapter has.
@@ -61,13 +59,12 @@ pub struct DrawTimes {
 }
 
 /// Draws scenes that have a transfer.
-#[derive(Debug)]
 pub struct GpuPrt {
     light: GpuLight,
     transfer: Option<GpuTransfer>,
     /// For one sample, and for several.
     rasterisers: [Option<Rasteriser>; 2],
-    room: Option<Room>,
+    canvas: Option<Canvas>,
     pool: ParamsPool,
     marks: Option<Stopwatch>,
     drawn: Option<wgpu::SubmissionIndex>,
@@ -83,7 +80,7 @@ impl GpuPrt {
         for entry in [&VERTEX_LIGHT, &UNPACK_LAYERS] {
             context.prepare(entry)?;
         }
-        let marks = match context.has_timestamps {
+        let marks = match context.has_timestamps() {
             true => Some(Stopwatch::new(context, MARKS)?),
             false => None,
         };
@@ -91,7 +88,7 @@ impl GpuPrt {
             light: GpuLight::new(context, UVec2::ONE)?,
             transfer: None,
             rasterisers: [None, None],
-            room: None,
+            canvas: None,
             pool: ParamsPool::default(),
             marks,
             drawn: None,
@@ -135,11 +132,13 @@ impl GpuPrt {
         let known = scene.transfer().ok_or(SettingsError::NoTransfer)?;
         self.drawn = None;
         self.keep_transfer(context, known).map_err(device)?;
-        self.keep_room(context, settings, plate).map_err(device)?;
+        self.keep_canvas(context, settings, plate).map_err(device)?;
         let started = Instant::now();
         self.light.upload(context, env).map_err(device)?;
-        if let (Some(plate), Some(room)) = (plate, &self.room) {
-            context.write(&room.plate, plate.pixels()).map_err(device)?;
+        if let (Some(plate), Some(canvas)) = (plate, &self.canvas) {
+            context
+                .write(&canvas.plate, plate.pixels())
+                .map_err(device)?;
         }
         let work = Work {
             frame,
@@ -166,7 +165,7 @@ impl GpuPrt {
     /// # Errors
     /// [`GpuError::Argument`] where none was; as [`GpuContext::read`].
     pub fn read(&mut self, context: &GpuContext) -> Result<FrameImage, GpuError> {
-        let (Some(room), Some(submission)) = (&self.room, self.drawn.clone()) else {
+        let (Some(canvas), Some(submission)) = (&self.canvas, self.drawn.clone()) else {
             return Err(GpuError::Argument {
                 entry: "a drawn frame".to_owned(),
                 problem: "none was drawn".to_owned(),
@@ -177,13 +176,13 @@ impl GpuPrt {
             let passed = marks.read(context, submission)?;
             (self.times.light, self.times.draw) = (passed[0], passed[1]);
         }
-        let pixels = room.size.element_product() as usize;
+        let pixels = canvas.size.element_product() as usize;
         let image = FrameImage {
-            size: room.size,
-            linear: context.read::<Vec4>(&room.linear, pixels)?,
-            display: context.read::<[u8; 4]>(&room.display, pixels)?,
-            layers: match room.keeps_layers {
-                true => Some(context.read::<PixelLayers>(&room.layers, pixels)?),
+            size: canvas.size,
+            linear: context.read::<Vec4>(&canvas.pixels.linear, pixels)?,
+            display: context.read::<[u8; 4]>(&canvas.pixels.display, pixels)?,
+            layers: match canvas.keeps_layers {
+                true => Some(context.read::<PixelLayers>(&canvas.pixels.layers, pixels)?),
                 false => None,
             },
             diagnostics: None,
@@ -210,7 +209,7 @@ impl GpuPrt {
         Ok(())
     }
 
-    fn keep_room(
+    fn keep_canvas(
         &mut self,
         context: &GpuContext,
         settings: &RenderSettings,
@@ -224,15 +223,15 @@ impl GpuPrt {
         if rasteriser.is_none() {
             *rasteriser = Some(Rasteriser::new(context, samples)?);
         }
-        let fits = |room: &Room| {
-            room.size == settings.size
-                && room.samples == samples
-                && room.keeps_layers == settings.layers
-                && (room.has_plate || plate.is_none())
+        let fits = |canvas: &Canvas| {
+            canvas.size == settings.size
+                && canvas.samples == samples
+                && canvas.keeps_layers == settings.layers
+                && (canvas.has_plate || plate.is_none())
         };
-        if !self.room.as_ref().is_some_and(fits) {
-            self.room = None;
-            self.room = Some(Room::new(context, settings, samples, plate.is_some())?);
+        if !self.canvas.as_ref().is_some_and(fits) {
+            self.canvas = None;
+            self.canvas = Some(Canvas::new(context, settings, samples, plate.is_some())?);
         }
         Ok(())
     }
@@ -246,11 +245,11 @@ impl GpuPrt {
         work: &Work,
         settings: &RenderSettings,
     ) -> Result<wgpu::SubmissionIndex, GpuError> {
-        let (Some(transfer), Some(room)) = (&self.transfer, &self.room) else {
+        let (Some(transfer), Some(canvas)) = (&self.transfer, &mut self.canvas) else {
             unreachable!("both are kept before");
         };
-        let Some(rasteriser) = &self.rasterisers[usize::from(room.samples > 1)] else {
-            unreachable!("it is kept with the room");
+        let Some(rasteriser) = &self.rasterisers[usize::from(canvas.samples > 1)] else {
+            unreachable!("it is kept with the canvas");
         };
         let mut recording = Recording::new(context, pool);
         recording.mark(self.marks.as_ref(), 0);
@@ -269,23 +268,22 @@ impl GpuPrt {
             unused_a: 0.0,
             unused_b: 0.0,
         };
-        let [triangles, corners, materials, texels] = scene.surface();
-        let buffers = [
-            triangles,
-            corners,
-            materials,
-            texels,
+        let buffers: [&GpuBuffer; 8] = [
+            &scene.triangles,
+            &scene.corners,
+            &scene.materials,
+            &scene.texels,
             &transfer.corner_vertices,
             &transfer.reflections,
             &transfer.lights,
             &self.light.map,
         ];
         let count = scene.triangles();
-        rasteriser.record(&mut recording, &room.targets, &params, buffers, count)?;
-        room.composite(&mut recording, &self.light, work, scale)?;
+        rasteriser.record(&mut recording, &canvas.targets, &params, buffers, count)?;
+        canvas.composite(&mut recording, &self.light, work, scale)?;
         recording.mark(self.marks.as_ref(), 2);
         if let Some(marks) = &self.marks {
-            marks.resolve(&mut recording.encoder);
+            marks.resolve(recording.encoder());
         }
         recording.submit()
     }
@@ -340,11 +338,11 @@ struct GpuTransfer {
     largest_gain: f32,
     /// The largest c_k.
     largest_reflection: f32,
-    lit: GpuBuffer,
-    blocked: GpuBuffer,
-    corner_vertices: GpuBuffer,
-    reflections: GpuBuffer,
-    lights: GpuBuffer,
+    lit: GpuVec<f32>,
+    blocked: GpuVec<f32>,
+    corner_vertices: GpuVec<u32>,
+    reflections: GpuVec<f32>,
+    lights: GpuVec<prt::VertexLight>,
 }
 
 impl GpuTransfer {
@@ -357,14 +355,12 @@ impl GpuTransfer {
             coefficients: transfer.coefficients() as u32,
             largest_gain: largest_gain(transfer),
             largest_reflection: surface.reflections.iter().copied().fold(0.0, f32::max),
-            lit: bindable(context, "the transfer", &transfer.lit)?,
-            blocked: bindable(context, "the blocked transfer", &transfer.blocked)?,
-            corner_vertices: bindable(context, "the corners' vertices", surface.corner_vertices)?,
-            reflections: bindable(context, "the objects' reflections", surface.reflections)?,
-            lights: context.buffer(
-                "light at vertices",
-                u64::from(vertices) * size_of::<VertexLight>() as u64,
-            )?,
+            lit: context.binding_of("the transfer", &transfer.lit)?,
+            blocked: context.binding_of("the blocked transfer", &transfer.blocked)?,
+            corner_vertices: context
+                .binding_of("the corners' vertices", surface.corner_vertices)?,
+            reflections: context.binding_of("the objects' reflections", surface.reflections)?,
+            lights: context.zeroed("light at vertices", vertices.into())?,
         })
     }
 
@@ -374,16 +370,15 @@ impl GpuTransfer {
         light: &GpuLight,
         shadows: bool,
     ) -> Result<(), GpuError> {
-        let shadows = u32::from(shadows);
-        let args = [
-            ("coefficients", value(&self.coefficients)),
-            ("shadows", value(&shadows)),
-            ("light", Arg::Buffer(light.coefficients())),
-            ("lit", Arg::Buffer(&self.lit)),
-            ("blocked", Arg::Buffer(&self.blocked)),
-            ("out", Arg::Buffer(&self.lights)),
-        ];
-        recording.dispatch(&VERTEX_LIGHT, &args, self.vertices)
+        let pass = VertexLight {
+            coefficients: self.coefficients,
+            shadows: u32::from(shadows),
+            light: light.coefficients().all(),
+            lit: self.lit.all(),
+            blocked: self.blocked.all(),
+            out: self.lights.out(),
+        };
+        recording.run(pass, 0..self.vertices)
     }
 }
 
@@ -408,31 +403,25 @@ fn largest_gain(transfer: &Transfer) -> f32 {
     4.0 * largest.sqrt() * transfer.bands as f32 / (4.0 * PI).sqrt()
 }
 
-fn value<T: bytemuck::NoUninit>(value: &T) -> Arg<'_> {
-    Arg::Value(bytemuck::bytes_of(value))
-}
-
 /// What an image of one size is drawn and composited in.
-#[derive(Debug)]
-struct Room {
+struct Canvas {
     size: UVec2,
     samples: u32,
-    /// Whether [`Room::layers`] is the whole image's and not a band's.
+    /// Whether the layers is the whole image's and not a band's.
     keeps_layers: bool,
     has_plate: bool,
     targets: Targets,
     /// Rows of the image that are composited at a time.
     band: u32,
     /// A band's drawn layers.
-    drawn: [GpuBuffer; LAYERS],
-    layers: GpuBuffer,
-    linear: GpuBuffer,
-    display: GpuBuffer,
+    drawn: [GpuVec<UVec2>; LAYERS],
+    /// The whole image's, but for the layers where those are not kept.
+    pixels: Pixels<Gpu>,
     /// Of one pixel where there is none.
-    plate: GpuBuffer,
+    plate: GpuVec<PlatePixel>,
 }
 
-impl Room {
+impl Canvas {
     fn new(
         context: &GpuContext,
         settings: &RenderSettings,
@@ -441,12 +430,11 @@ impl Room {
     ) -> Result<Self, GpuError> {
         let size = settings.size;
         let band = band_rows(size, context.max_binding_bytes().min(BAND_BYTES));
-        let pixels = u64::from(size.element_product());
-        let in_band = u64::from(size.x) * u64::from(band);
-        let bytes_of = |bytes: usize, pixels: u64| pixels * bytes as u64;
+        let pixels = size.element_product() as usize;
+        let in_band = size.x as usize * band as usize;
         let of_band = || {
-            let bytes = u64::from(pitch(size.x)) * u64::from(band) * PIXEL;
-            context.buffer("drawn layers", bytes)
+            let values = u64::from(pitch(size.x)) * u64::from(band);
+            context.zeroed("drawn layers", values)
         };
         let with_layers = if settings.layers { pixels } else { in_band };
         let with_plate = if has_plate { pixels } else { 1 };
@@ -458,16 +446,14 @@ impl Room {
             targets: Targets::new(context, size, samples)?,
             band,
             drawn: [of_band()?, of_band()?, of_band()?],
-            layers: context.buffer("layers", bytes_of(size_of::<PixelLayers>(), with_layers))?,
-            linear: context.buffer("linear", bytes_of(size_of::<Vec4>(), pixels))?,
-            display: context.buffer("display", bytes_of(4, pixels))?,
-            plate: context.buffer("plate", bytes_of(size_of::<PlatePixel>(), with_plate))?,
+            pixels: Pixels::new(context, pixels, with_layers)?,
+            plate: context.zeroed("plate", with_plate as u64)?,
         })
     }
 
     /// From what was drawn to the image, a band of rows after the other.
     fn composite(
-        &self,
+        &mut self,
         recording: &mut Recording<'_>,
         light: &GpuLight,
         work: &Work,
@@ -487,38 +473,27 @@ impl Room {
                 first_pixel: first,
                 ..work.frame
             };
+            let part = first as usize..(first + count) as usize;
             let layers = match self.keeps_layers {
-                true => Arg::Window(&self.layers, first, count),
-                false => Arg::Window(&self.layers, 0, count),
+                true => part.clone(),
+                false => 0..count as usize,
             };
             let [object, lit, blocked] = &self.drawn;
-            let args = [
-                ("frame", value(&frame)),
-                ("layout", value(&layout)),
-                ("map_rotation", value(&light.rotation)),
-                ("map_texels", Arg::Buffer(&light.map)),
-                ("object", Arg::Buffer(object)),
-                ("lit", Arg::Buffer(lit)),
-                ("blocked", Arg::Buffer(blocked)),
-                ("out", layers),
-            ];
-            recording.dispatch(&UNPACK_LAYERS, &args, count)?;
-            let frame = ("frame", value(&frame));
-            let layers = ("layers", layers);
-            let linear = Arg::Window(&self.linear, first, count);
-            let display = ("out", Arg::Window(&self.display, first, count));
-            if work.has_plate {
-                let plate = ("plate", Arg::Window(&self.plate, first, count));
-                let args = [frame, layers, plate, ("out", linear)];
-                recording.dispatch(&COMPOSITE_OVER_PLATE, &args, count)?;
-                let args = [frame, layers, plate, display];
-                recording.dispatch(&DISPLAY_OVER_PLATE, &args, count)?;
-            } else {
-                let args = [frame, layers, ("out", linear)];
-                recording.dispatch(&COMPOSITE_ALONE, &args, count)?;
-                let args = [frame, ("linear", linear), display];
-                recording.dispatch(&TONEMAP, &args, count)?;
-            }
+            let pass = UnpackLayers {
+                frame: &frame,
+                layout: &layout,
+                map_rotation: light.rotation,
+                map_texels: light.map.all(),
+                object: object.all(),
+                lit: lit.all(),
+                blocked: blocked.all(),
+                out: Gpu::chunks(&mut self.pixels.layers, layers.clone(), 1),
+            };
+            recording.run(pass, 0..count)?;
+            let plate = &self.plate;
+            let plate = work.has_plate.then(|| Gpu::slice(plate, part.clone()));
+            self.pixels
+                .composite(recording, &frame, plate, layers, part)?;
             row += rows;
         }
         Ok(())

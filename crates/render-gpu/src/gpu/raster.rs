@@ -2,10 +2,8 @@
 
 use glam::UVec2;
 
-use super::buffer::GpuBuffer;
-use super::device::GpuContext;
-use super::error::GpuError;
-use super::record::Recording;
+use glimt_executor::gpu::{GpuBuffer, GpuContext, GpuError, GpuVec, Recording};
+
 use crate::kernels::raster::RasterParams;
 
 /// Layers that are drawn at once: objects, catchers, what catchers lack.
@@ -35,7 +33,7 @@ pub(super) struct Rasteriser {
 
 impl Rasteriser {
     pub(super) fn new(context: &GpuContext, samples: u32) -> Result<Self, GpuError> {
-        let limits = &context.limits;
+        let limits = context.limits();
         if limits.max_storage_buffers_per_shader_stage < BUFFERS as u32 {
             return Err(context.limit_error(
                 "drawing".to_owned(),
@@ -62,7 +60,7 @@ impl Rasteriser {
             count: None,
         };
         let slots: Vec<_> = (0..=BUFFERS as u32).map(slot).collect();
-        let device = &context.device;
+        let device = context.device();
         context.guarded(
             || format!("the stages that draw with {samples} samples"),
             || {
@@ -141,7 +139,7 @@ impl Rasteriser {
         buffers: [&GpuBuffer; BUFFERS],
         triangles: u32,
     ) -> Result<(), GpuError> {
-        let context = recording.context;
+        let context = recording.context();
         let most = context.max_binding_bytes();
         for buffer in buffers {
             if buffer.len() > most {
@@ -150,7 +148,7 @@ impl Rasteriser {
                 return Err(context.limit_error(what, buffer.len(), limit, most));
             }
         }
-        let raw = buffers.iter().map(|buffer| &buffer.raw);
+        let raw = buffers.iter().map(|buffer| buffer.raw());
         let each = (0..).zip(std::iter::once(&self.params).chain(raw));
         let bound: Vec<_> = each
             .map(|(binding, buffer)| wgpu::BindGroupEntry {
@@ -162,10 +160,10 @@ impl Rasteriser {
             || "the arguments of drawing".to_owned(),
             || {
                 context
-                    .queue
+                    .queue()
                     .write_buffer(&self.params, 0, bytemuck::bytes_of(params));
                 context
-                    .device
+                    .device()
                     .create_bind_group(&wgpu::BindGroupDescriptor {
                         label: Some("raster"),
                         layout: &self.layout,
@@ -175,7 +173,7 @@ impl Rasteriser {
         )?;
         let attachments = targets.attachments();
         let mut pass = recording
-            .encoder
+            .encoder()
             .begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some("raster"),
                 color_attachments: &attachments,
@@ -211,14 +209,14 @@ pub(super) struct Targets {
 
 impl Targets {
     pub(super) fn new(context: &GpuContext, size: UVec2, samples: u32) -> Result<Self, GpuError> {
-        let most = context.limits.max_texture_dimension_2d;
+        let most = context.limits().max_texture_dimension_2d;
         if size.max_element() > most {
             let (limit, needed) = ("max_texture_dimension_2d", size.max_element().into());
             let what = "an image that is drawn".to_owned();
             return Err(context.limit_error(what, needed, limit, most.into()));
         }
         let texture = |label, format, samples, usage| {
-            context.device.create_texture(&wgpu::TextureDescriptor {
+            context.device().create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
                 size: extent(size),
                 mip_level_count: 1,
@@ -284,10 +282,10 @@ impl Targets {
         recording: &mut Recording<'_>,
         first: u32,
         rows: u32,
-        to: &[GpuBuffer; LAYERS],
+        to: &[GpuVec<UVec2>; LAYERS],
     ) {
         for ((texture, _), buffer) in self.layers.iter().zip(to) {
-            recording.encoder.copy_texture_to_buffer(
+            recording.encoder().copy_texture_to_buffer(
                 wgpu::TexelCopyTextureInfo {
                     texture,
                     mip_level: 0,
@@ -299,7 +297,7 @@ impl Targets {
                     aspect: wgpu::TextureAspect::All,
                 },
                 wgpu::TexelCopyBufferInfo {
-                    buffer: &buffer.raw,
+                    buffer: buffer.raw(),
                     layout: wgpu::TexelCopyBufferLayout {
                         offset: 0,
                         bytes_per_row: Some(self.pitch() * PIXEL as u32),

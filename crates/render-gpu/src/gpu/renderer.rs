@@ -4,18 +4,17 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use glam::Vec4;
+use glimt_executor::gpu::{
+    AdapterPreference, Direct, Gpu, GpuContext, GpuError, GpuOptions, GpuVec, LaunchReport,
+};
+use glimt_executor::{Device, Entry, Memory};
+use glimt_smc::Particle;
 
-use super::device::{AdapterPreference, GpuContext};
-use super::error::GpuError;
-use super::launch::{Arg, LaunchReport};
 use super::prt::{DrawTimes, GpuPrt};
-use super::smc::{self, GpuSmc};
 use super::upload::{GpuEnv, GpuScene};
-use super::{GpuBuffer, GpuOptions};
-use crate::entry::Entry;
-use crate::generated::{
-    COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DIAGNOSE_SMC, DISPLAY_OVER_PLATE, RECONSTRUCT,
-    RECONSTRUCT_LAYERS, SHADE_BIS, SHADE_BIS_LAYERS, SHADE_MIS, SHADE_MIS_LAYERS, SHADE_SMC,
+use crate::film::{Pixels, Samples};
+use crate::generated::entries::{
+    RECONSTRUCT, SHADE_BIS, SHADE_BIS_LAYERS, SHADE_MIS, SHADE_MIS_LAYERS, SHADE_SMC,
     SHADE_SMC_LAYERS, TONEMAP,
 };
 use crate::host::env::PreparedEnv;
@@ -25,9 +24,13 @@ use crate::host::render::{
 };
 use crate::host::scene_build::SceneBuffers;
 use crate::host::smc_state::{PastFrame, SmcState};
+use crate::kernels::bis::Bis;
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
+use crate::kernels::past::RayState;
+use crate::methods::smc::{Following, Own, TILE_GRANULE};
+use crate::methods::{Inputs, TileMethod};
 
 /// Bytes of a tile's rays: enough to fill any GPU, few enough for any memory.
 const SAMPLE_BYTES: u64 = 64 << 20;
@@ -48,38 +51,32 @@ pub struct FrameTimes {
 }
 
 /// Renders on a GPU.
-#[derive(Debug)]
 pub struct GpuRenderer {
     context: Arc<GpuContext>,
     scene: Option<GpuScene>,
     /// Two, so that a frame's light is never written over that of the frame before.
     envs: [Option<GpuEnv>; 2],
     tile: Option<TileBuffers>,
-    /// What the sequential sampler goes on from.
-    smc: Option<GpuSmc>,
+    /// What the sequential sampler continues from.
+    smc: Option<Following<Gpu>>,
     /// What draws frames by precomputed transfer.
     prt: Option<GpuPrt>,
-    /// What the cost of a ray hung on in the last frame.
+    /// What the cost of a ray depended on in the last frame.
     cost: Option<Cost>,
     times: FrameTimes,
 }
 
-/// What the cost of a ray hangs on: the scene, the method and its counts of samples.
+/// What the cost of a ray depends on: the scene, the method and its counts of samples.
 type Cost = (u64, Method, [u32; 4]);
 
 /// What one tile is computed in.
-#[derive(Debug)]
 struct TileBuffers {
-    pixels: u32,
+    count: u32,
     rays_per_pixel: u32,
-    in_layers: bool,
-    samples: GpuBuffer,
-    linear: GpuBuffer,
-    display: GpuBuffer,
-    /// For frames in layers; of one pixel for others.
-    layers: GpuBuffer,
-    plate: GpuBuffer,
-    diagnostics: GpuBuffer,
+    samples: Samples<Gpu>,
+    pixels: Pixels<Gpu>,
+    plate: GpuVec<PlatePixel>,
+    diagnostics: GpuVec<Vec4>,
 }
 
 impl GpuRenderer {
@@ -163,7 +160,7 @@ impl GpuRenderer {
         &mut self,
         scene: &SceneBuffers,
         env: &GpuEnv,
-        smc: Option<&GpuSmc>,
+        mut following: Option<&mut Following<Gpu>>,
         plate: Option<&Plate>,
         settings: &RenderSettings,
         progress: &(dyn Fn(f32) + Sync),
@@ -173,78 +170,58 @@ impl GpuRenderer {
         self.keep_scene(scene).map_err(device)?;
         self.keep_tile(&whole, in_layers, settings)
             .map_err(device)?;
-        let (Some(uploaded), Some(tile)) = (&self.scene, &self.tile) else {
-            unreachable!("both were just made");
-        };
         let bis = match settings.method {
             Method::Bis => Some(settings.bis.params()?),
             _ => None,
         };
-        let shade = match (settings.method, in_layers) {
-            (Method::Mis, false) => &SHADE_MIS,
-            (Method::Mis, true) => &SHADE_MIS_LAYERS,
-            (Method::Bis, false) => &SHADE_BIS,
-            (Method::Bis, true) => &SHADE_BIS_LAYERS,
-            (Method::Smc, false) => &SHADE_SMC,
-            (Method::Smc, true) => &SHADE_SMC_LAYERS,
-            (Method::Prt, _) => return Err(device(host_light())),
-        };
-        let counts = match settings.method {
-            Method::Mis => [whole.brdf_samples, whole.env_samples, 0, 0],
-            Method::Bis => [settings.bis.candidates, settings.bis.samples, 0, 0],
-            Method::Prt => [0; 4],
-            Method::Smc => {
-                // The first frame of a sequence has nothing to go on from, and another cost.
-                let steps = match smc {
-                    Some(smc) if smc.has_past() => settings.smc.intermediate + 1,
-                    _ => 0,
-                };
-                [settings.smc.particles, settings.smc.candidates, steps, 0]
-            }
-        };
+        let has_past = following.as_ref().is_some_and(|f| f.has_past());
+        let (shade, counts) = shading(settings, in_layers, has_past).map_err(device)?;
         let cost = Some((scene.surface_id(), settings.method, counts));
         if self.cost != cost {
             self.context.forget_pace(shade).map_err(device)?;
             self.cost = cost;
         }
+        let (Some(uploaded), Some(tile)) = (&self.scene, &mut self.tile) else {
+            unreachable!("both were just made");
+        };
         let pixels = whole.width * whole.height;
         let mut image = FrameImage {
             size: settings.size,
             linear: Vec::with_capacity(pixels as usize),
             display: Vec::with_capacity(pixels as usize),
             layers: settings.layers.then(Vec::new),
-            diagnostics: (settings.diagnostics && smc.is_some()).then(Vec::new),
+            diagnostics: (settings.diagnostics && following.is_some()).then(Vec::new),
         };
+        let fitting = fitting_pixels(&self.context, settings);
         let mut first = 0;
         while first < pixels {
-            let frame = FrameParams {
-                first_pixel: first,
-                ..whole
-            };
-            let count = tile.pixels.min(pixels - first);
+            let count = tile.count.min(pixels - first);
             let rays = f64::from(pixels) * f64::from(whole.rays_per_pixel);
             let before = f64::from(first) * f64::from(whole.rays_per_pixel);
             let tell = |done: u32| progress(((before + f64::from(done)) / rays) as f32);
-            let fitting = GpuSmc::fitting_pixels(&self.context, settings);
-            let window = smc.map(|smc| smc.window(fitting, first, count));
-            let of_method = match (&bis, smc, &window) {
-                (Some(bis), ..) => vec![("bis", Arg::Value(bytemuck::bytes_of(bis)))],
-                (None, Some(smc), Some(window)) => smc.args(&frame, window, count),
-                _ => Vec::new(),
-            };
-            let work = Work {
+            let work = TileWork {
                 context: &self.context,
-                scene: uploaded,
-                env,
-                of_method,
-                smc,
-                tile,
-                frame: &frame,
+                inputs: Inputs {
+                    frame: &FrameParams {
+                        first_pixel: first,
+                        ..whole
+                    },
+                    env: env.arg(),
+                    scene: uploaded.arg(),
+                },
                 count,
                 plate: plate.map(|plate| &plate.pixels()[first as usize..(first + count) as usize]),
             };
-            work.render(shade, &tell, &mut self.times, &mut image)
-                .map_err(device)?;
+            let following = following.as_deref_mut();
+            work.render(
+                bis,
+                following.map(|f| (f, fitting)),
+                tile,
+                &tell,
+                &mut self.times,
+            )
+            .and_then(|()| work.read(tile, &mut self.times, &mut image))
+            .map_err(device)?;
             first += count;
         }
         Ok(image)
@@ -314,8 +291,8 @@ impl GpuRenderer {
         let pixels = frame.width * frame.height;
         let fits = |tile: &TileBuffers| {
             tile.rays_per_pixel == frame.rays_per_pixel
-                && tile.in_layers == in_layers
-                && (tile.pixels == pixels || tile.pixels == largest)
+                && matches!(tile.samples, Samples::Layered(_)) == in_layers
+                && (tile.count == pixels || tile.count == largest)
         };
         if !self.tile.as_ref().is_some_and(fits) {
             self.tile = None;
@@ -340,7 +317,7 @@ impl GpuRenderer {
         let pixels = u64::from(frame.width * frame.height);
         // One pixel at least; where its rays do not fit, the launch says so.
         let fitting = fitting.clamp(1, pixels);
-        let rays = GpuSmc::fitting_pixels(&self.context, settings);
+        let rays = fitting_pixels(&self.context, settings);
         if settings.method != Method::Smc || fitting.min(rays) == pixels {
             return fitting as u32;
         }
@@ -349,7 +326,7 @@ impl GpuRenderer {
             true => pixels,
             false => rays / 2,
         };
-        let granule = u64::from(smc::TILE_GRANULE);
+        let granule = u64::from(TILE_GRANULE);
         (fitting.min(half) / granule * granule).max(granule) as u32
     }
 }
@@ -384,20 +361,37 @@ impl Renderer for GpuRenderer {
             upload: started.elapsed(),
             ..FrameTimes::default()
         };
-        let mut smc = match settings.method {
+        let mut following = match settings.method {
             Method::Smc => {
                 let known = self.smc.take();
-                Some(GpuSmc::begin(known, &self.context, scene, env, settings)?)
+                let context = &*self.context;
+                Some(Following::begin(known, context, scene, env, settings)?)
             }
             _ => None,
         };
-        let image = self.render_tiles(scene, &current, smc.as_ref(), plate, settings, progress);
-        if let (Some(smc), Ok(_)) = (&mut smc, &image) {
-            let past = PastFrame::new(settings, scene, env)?;
-            smc.end(&self.context, &current, past).map_err(device)?;
+        let image = self.render_tiles(
+            scene,
+            &current,
+            following.as_mut(),
+            plate,
+            settings,
+            progress,
+        );
+        if let (Some(following), Ok(_)) = (&mut following, &image) {
+            let (light, texels) = (following.light_mut(), current.texels());
+            if light.len() != texels.len() {
+                *light = self
+                    .context
+                    .zeroed("before.texels", texels.count())
+                    .map_err(device)?;
+            }
+            self.context
+                .copy(texels, light, texels.len())
+                .map_err(device)?;
+            following.end(PastFrame::new(settings, scene, env)?);
         }
-        if let Some(smc) = smc {
-            self.smc = Some(smc);
+        if let Some(following) = following {
+            self.smc = Some(following);
         }
         self.envs[0] = Some(current);
         image
@@ -424,7 +418,7 @@ impl Renderer for GpuRenderer {
 
     fn smc_state(&mut self) -> Result<Option<SmcState>, RenderError> {
         match &self.smc {
-            Some(smc) => smc.read(&self.context).map_err(device),
+            Some(following) => following.read(&*self.context).map_err(device),
             None => Ok(None),
         }
     }
@@ -435,7 +429,7 @@ impl Renderer for GpuRenderer {
             prt.forget();
         }
         if let Some(state) = state {
-            self.smc = Some(GpuSmc::upload(&self.context, state).map_err(device)?);
+            self.smc = Some(Following::resume(&*self.context, state).map_err(device)?);
         }
         Ok(())
     }
@@ -453,25 +447,59 @@ pub(super) fn device(error: GpuError) -> RenderError {
     RenderError::Device(Box::new(error))
 }
 
+/// Pixels whose rays' particles and states a binding holds.
+fn fitting_pixels(context: &GpuContext, settings: &RenderSettings) -> u64 {
+    let set = u64::from(settings.smc.particles) * size_of::<Particle>() as u64;
+    let ray = set.max(size_of::<RayState>() as u64);
+    context.max_binding_bytes() / (ray * u64::from(settings.rays_per_pixel))
+}
+
+/// The entry of a frame's first pass, and the counts that its cost depends on.
+fn shading(
+    settings: &RenderSettings,
+    in_layers: bool,
+    has_past: bool,
+) -> Result<(&'static Entry, [u32; 4]), GpuError> {
+    let (entries, counts) = match settings.method {
+        Method::Mis => {
+            let counts = [settings.brdf_samples, settings.env_samples, 0, 0];
+            ([&SHADE_MIS, &SHADE_MIS_LAYERS], counts)
+        }
+        Method::Bis => {
+            let counts = [settings.bis.candidates, settings.bis.samples, 0, 0];
+            ([&SHADE_BIS, &SHADE_BIS_LAYERS], counts)
+        }
+        Method::Smc => {
+            let smc = &settings.smc;
+            // The first frame of a sequence has nothing to continue from, and another cost.
+            let steps = if has_past { smc.intermediate + 1 } else { 0 };
+            let counts = [smc.particles, smc.candidates, steps, 0];
+            ([&SHADE_SMC, &SHADE_SMC_LAYERS], counts)
+        }
+        Method::Prt => return Err(host_light()),
+    };
+    Ok((entries[usize::from(in_layers)], counts))
+}
+
 impl TileBuffers {
     fn new(
         context: &GpuContext,
-        pixels: u32,
+        count: u32,
         rays_per_pixel: u32,
         in_layers: bool,
     ) -> Result<Self, GpuError> {
-        let (count, rays) = (u64::from(pixels), u64::from(rays_per_pixel));
-        let layered = if in_layers { count } else { 1 };
+        let (pixels, rays) = (count as usize, u64::from(count) * u64::from(rays_per_pixel));
+        let layered = if in_layers { pixels } else { 1 };
         Ok(Self {
-            pixels,
+            count,
             rays_per_pixel,
-            in_layers,
-            samples: context.buffer("samples", count * rays * sample_bytes(in_layers))?,
-            linear: context.buffer("linear", count * size_of::<Vec4>() as u64)?,
-            display: context.buffer("display", count * 4)?,
-            layers: context.buffer("layers", layered * size_of::<PixelLayers>() as u64)?,
-            diagnostics: context.buffer("diagnostics", count * size_of::<Vec4>() as u64)?,
-            plate: context.buffer("plate", layered * size_of::<PlatePixel>() as u64)?,
+            samples: match in_layers {
+                false => Samples::Flat(context.zeroed("samples", rays)?),
+                true => Samples::Layered(context.zeroed("samples", rays)?),
+            },
+            pixels: Pixels::new(context, pixels, layered)?,
+            diagnostics: context.zeroed("diagnostics", pixels as u64)?,
+            plate: context.zeroed("plate", layered as u64)?,
         })
     }
 }
@@ -485,128 +513,84 @@ fn sample_bytes(in_layers: bool) -> u64 {
 }
 
 /// One tile to render.
-struct Work<'a> {
+struct TileWork<'a> {
     context: &'a GpuContext,
-    scene: &'a GpuScene,
-    env: &'a GpuEnv,
-    /// Arguments of the method's own.
-    of_method: Vec<(&'static str, Arg<'a>)>,
-    smc: Option<&'a GpuSmc>,
-    tile: &'a TileBuffers,
-    frame: &'a FrameParams,
+    inputs: Inputs<'a, Gpu>,
     count: u32,
     /// The tile's part of the plate.
     plate: Option<&'a [PlatePixel]>,
 }
 
-impl Work<'_> {
+impl TileWork<'_> {
     fn render(
         &self,
-        shade: &Entry,
+        bis: Option<Bis>,
+        following: Option<(&mut Following<Gpu>, u64)>,
+        tile: &mut TileBuffers,
         progress: &dyn Fn(u32),
         times: &mut FrameTimes,
-        image: &mut FrameImage,
     ) -> Result<(), GpuError> {
-        let tile = self.tile;
-        let frame = ("frame", Arg::Value(bytemuck::bytes_of(self.frame)));
-        let mut args = vec![frame, ("out", Arg::Buffer(&tile.samples))];
-        args.extend(self.scene.args());
-        args.extend(self.env.args());
-        args.extend(&self.of_method);
-        let rays = self.count * tile.rays_per_pixel;
-        times.shade += self
-            .context
-            .launch_telling(shade, &args, 0, rays, progress)?;
-
-        if tile.in_layers {
-            self.composite(times)?;
-        } else {
-            let samples = ("samples", Arg::Buffer(&tile.samples));
-            self.film(&RECONSTRUCT, &[samples], &tile.linear, times)?;
+        let (frame, count) = (self.inputs.frame, self.count);
+        let rays = count * frame.rays_per_pixel;
+        if let Some(plate) = self.plate {
+            let started = Instant::now();
+            self.context.write(&tile.plate, plate)?;
+            times.upload += started.elapsed();
         }
-        match self.plate {
-            Some(_) => self.film(
-                &DISPLAY_OVER_PLATE,
-                &self.over_plate(),
-                &tile.display,
-                times,
-            )?,
-            None => {
-                let linear = ("linear", Arg::Buffer(&tile.linear));
-                self.film(&TONEMAP, &[linear], &tile.display, times)?;
+        let mut executor = Direct::with_progress(self.context, progress);
+        let out = tile.samples.out(rays);
+        match (bis, following) {
+            (Some(bis), _) => TileMethod::Bis(bis).shade(&mut executor, self.inputs, rays, out)?,
+            (None, None) => TileMethod::Mis.shade(&mut executor, self.inputs, rays, out)?,
+            (None, Some((following, fitting))) => {
+                let first = frame.first_pixel as usize * frame.rays_per_pixel as usize;
+                let own_rays = first..first + rays as usize;
+                let view = following.window(fitting, frame.first_pixel, count);
+                let n = following.particles();
+                let (now, reading) = following.parts();
+                let sets = own_rays.start * n as usize..own_rays.end * n as usize;
+                let own = Own {
+                    states: Gpu::chunks(&mut now.states, own_rays.clone(), 1),
+                    particles: Gpu::chunks(&mut now.particles, sets, n),
+                };
+                let smc = reading.tile(&view, count, own);
+                TileMethod::Smc(smc).shade(&mut executor, self.inputs, rays, out)?;
+                let mut film = Direct::new(self.context);
+                let out = Gpu::chunks(&mut tile.diagnostics, 0..count as usize, 1);
+                following.diagnose(&mut film, frame, own_rays, out, count)?;
+                times.film += film.take_report();
             }
         }
-
-        if let (Some(smc), Some(diagnostics)) = (self.smc, &mut image.diagnostics) {
-            let args = smc.diagnose_args(self.frame, self.count);
-            self.film(&DIAGNOSE_SMC, &args, &tile.diagnostics, times)?;
-            diagnostics.extend(
-                self.context
-                    .read::<Vec4>(&tile.diagnostics, self.count as usize)?,
-            );
-        }
-        let started = Instant::now();
-        image.linear.extend(
-            self.context
-                .read::<Vec4>(&tile.linear, self.count as usize)?,
-        );
-        image.display.extend(
-            self.context
-                .read::<[u8; 4]>(&tile.display, self.count as usize)?,
-        );
-        if let Some(layers) = &mut image.layers {
-            layers.extend(
-                self.context
-                    .read::<PixelLayers>(&tile.layers, self.count as usize)?,
-            );
-        }
-        times.read_back += started.elapsed();
+        times.shade += executor.take_report();
+        let mut executor = Direct::new(self.context);
+        let plate = &tile.plate;
+        let plate = self.plate.map(|_| Gpu::slice(plate, 0..count as usize));
+        let (env, samples) = (self.inputs.env, &tile.samples);
+        tile.pixels
+            .develop(&mut executor, frame, env, samples, plate, count)?;
+        times.film += executor.take_report();
         Ok(())
     }
 
-    /// Linear values of the tile by way of its layers.
-    fn composite(&self, times: &mut FrameTimes) -> Result<(), GpuError> {
-        let tile = self.tile;
-        let mut args = vec![("samples", Arg::Buffer(&tile.samples))];
-        args.extend(self.env.args());
-        self.film(&RECONSTRUCT_LAYERS, &args, &tile.layers, times)?;
-        match self.plate {
-            Some(plate) => {
-                let started = Instant::now();
-                self.context.write(&tile.plate, plate)?;
-                times.upload += started.elapsed();
-                self.film(
-                    &COMPOSITE_OVER_PLATE,
-                    &self.over_plate(),
-                    &tile.linear,
-                    times,
-                )
-            }
-            None => {
-                let layers = ("layers", Arg::Buffer(&tile.layers));
-                self.film(&COMPOSITE_ALONE, &[layers], &tile.linear, times)
-            }
-        }
-    }
-
-    fn over_plate(&self) -> [(&str, Arg<'_>); 2] {
-        [
-            ("layers", Arg::Buffer(&self.tile.layers)),
-            ("plate", Arg::Buffer(&self.tile.plate)),
-        ]
-    }
-
-    /// Runs a kernel of pass 2, one call a pixel.
-    fn film(
+    /// Copies the tile to the end of the image.
+    fn read(
         &self,
-        entry: &Entry,
-        inputs: &[(&str, Arg<'_>)],
-        out: &GpuBuffer,
+        tile: &TileBuffers,
         times: &mut FrameTimes,
+        image: &mut FrameImage,
     ) -> Result<(), GpuError> {
-        let frame = ("frame", Arg::Value(bytemuck::bytes_of(self.frame)));
-        let args = [&[frame, ("out", Arg::Buffer(out))], inputs].concat();
-        times.film += self.context.launch(entry, &args, 0, self.count)?;
+        let (started, count) = (Instant::now(), self.count as usize);
+        let (context, pixels) = (self.context, &tile.pixels);
+        image.linear.extend(context.get(&pixels.linear, count)?);
+        let codes: Vec<[u8; 4]> = context.read(&pixels.display, count)?;
+        image.display.extend(codes);
+        if let Some(layers) = &mut image.layers {
+            layers.extend(context.get(&pixels.layers, count)?);
+        }
+        if let Some(diagnostics) = &mut image.diagnostics {
+            diagnostics.extend(context.get(&tile.diagnostics, count)?);
+        }
+        times.read_back += started.elapsed();
         Ok(())
     }
 }

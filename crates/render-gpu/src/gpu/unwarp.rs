@@ -1,21 +1,20 @@
 //! Host file: photographs of a mirror ball to light maps by wgpu.
 
 use glam::Vec4;
+use glimt_executor::Executor;
+use glimt_executor::gpu::{Direct, GpuContext, GpuError, GpuVec, LaunchReport};
+use glimt_probe::gather::TexelTaps;
 
-use super::buffer::GpuBuffer;
-use super::device::GpuContext;
-use super::error::GpuError;
-use super::launch::{Arg, LaunchReport};
-use crate::generated::UNWARP;
+use crate::generated::passes::{GatherMapArg, Unwarp};
 use crate::host::unwarp::{Look, UnwarpMap};
 
 /// An [`UnwarpMap`] on the GPU, with room for one photograph and its light map.
 #[derive(Debug)]
 pub struct GpuUnwarp {
-    texels: GpuBuffer,
-    taps: GpuBuffer,
-    photo: GpuBuffer,
-    out: GpuBuffer,
+    texels: GpuVec<TexelTaps>,
+    taps: GpuVec<u32>,
+    photo: GpuVec<Vec4>,
+    out: GpuVec<Vec4>,
     count: u32,
 }
 
@@ -29,25 +28,11 @@ impl GpuUnwarp {
         let view = map.view();
         let count = map.size().x * map.size().y;
         let photo = u64::from(map.photo().x) * u64::from(map.photo().y);
-        let vec4 = size_of::<Vec4>() as u64;
-        for (what, bytes) in [
-            ("the photograph", photo * vec4),
-            (
-                "the table of an unwarped map",
-                size_of_val(view.taps) as u64,
-            ),
-        ] {
-            let allowed = context.max_binding_bytes();
-            if bytes > allowed {
-                let limit = "max_storage_buffer_binding_size";
-                return Err(context.limit_error(what.to_owned(), bytes, limit, allowed));
-            }
-        }
         Ok(Self {
-            texels: context.buffer_of("map.texels", view.texels)?,
-            taps: context.buffer_of("map.taps", view.taps)?,
-            photo: context.buffer("pixels", photo * vec4)?,
-            out: context.buffer("light map", u64::from(count) * vec4)?,
+            texels: context.binding_of("the texels of an unwarped map", view.texels)?,
+            taps: context.binding_of("the table of an unwarped map", view.taps)?,
+            photo: context.zeroed_binding("the photograph", photo)?,
+            out: context.zeroed("light map", count.into())?,
             count,
         })
     }
@@ -63,21 +48,24 @@ impl GpuUnwarp {
         look: &Look,
     ) -> Result<LaunchReport, GpuError> {
         context.write(&self.photo, pixels)?;
-        let reflectance = look.reflectance.extend(1.0);
-        let args = [
-            ("colour", Arg::Value(bytemuck::bytes_of(&look.colour))),
-            ("reflectance", Arg::Value(bytemuck::bytes_of(&reflectance))),
-            ("map.texels", Arg::Buffer(&self.texels)),
-            ("map.taps", Arg::Buffer(&self.taps)),
-            ("pixels", Arg::Buffer(&self.photo)),
-            ("out", Arg::Buffer(&self.out)),
-        ];
-        context.launch(&UNWARP, &args, 0, self.count)
+        let pass = Unwarp {
+            colour: &look.colour,
+            reflectance: look.reflectance.extend(1.0),
+            map: GatherMapArg {
+                texels: self.texels.all(),
+                taps: self.taps.all(),
+            },
+            pixels: self.photo.all(),
+            out: self.out.out(),
+        };
+        let mut executor = Direct::new(context);
+        executor.run(pass, 0..self.count)?;
+        Ok(executor.take_report())
     }
 
     /// The light map that was made last.
     #[must_use]
-    pub fn light(&self) -> &GpuBuffer {
+    pub fn light(&self) -> &GpuVec<Vec4> {
         &self.out
     }
 

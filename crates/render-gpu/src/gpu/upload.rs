@@ -1,14 +1,15 @@
 //! Host file: scenes and lights on the GPU, bound by the paths that kernels know them by.
 
-use bytemuck::NoUninit;
-use glam::{UVec2, Vec2};
+use glam::{UVec2, Vec2, Vec4};
+use glimt_executor::Element;
+use glimt_executor::gpu::{Arg, Gpu, GpuContext, GpuError, GpuSlice, GpuVec};
 
-use super::buffer::GpuBuffer;
-use super::device::GpuContext;
-use super::error::GpuError;
-use super::launch::Arg;
+use crate::generated::passes::{EnvCdfArg, EnvironmentArg, SceneArg};
 use crate::host::env::PreparedEnv;
 use crate::host::scene_build::SceneBuffers;
+use crate::kernels::bvh::BvhNode;
+use crate::kernels::material::Material;
+use crate::kernels::scene::Corner;
 use crate::kernels::triangle::Triangle;
 
 /// A scene's buffers.
@@ -16,11 +17,11 @@ use crate::kernels::triangle::Triangle;
 pub struct GpuScene {
     id: u64,
     surface_id: u64,
-    nodes: GpuBuffer,
-    triangles: GpuBuffer,
-    corners: GpuBuffer,
-    materials: GpuBuffer,
-    texels: GpuBuffer,
+    nodes: GpuVec<BvhNode>,
+    pub(super) triangles: GpuVec<Triangle>,
+    pub(super) corners: GpuVec<Corner>,
+    pub(super) materials: GpuVec<Material>,
+    pub(super) texels: GpuVec<u32>,
 }
 
 impl GpuScene {
@@ -34,11 +35,11 @@ impl GpuScene {
         Ok(Self {
             id: scene.id(),
             surface_id: scene.surface_id(),
-            nodes: bindable(context, "scene.nodes", view.nodes)?,
-            triangles: bindable(context, "scene.triangles", view.triangles)?,
-            corners: bindable(context, "scene.corners", view.corners)?,
-            materials: bindable(context, "scene.materials", view.materials)?,
-            texels: bindable(context, "scene.texels", view.texels)?,
+            nodes: context.binding_of("scene.nodes", view.nodes)?,
+            triangles: context.binding_of("scene.triangles", view.triangles)?,
+            corners: context.binding_of("scene.corners", view.corners)?,
+            materials: context.binding_of("scene.materials", view.materials)?,
+            texels: context.binding_of("scene.texels", view.texels)?,
         })
     }
 
@@ -76,19 +77,26 @@ impl GpuScene {
         self.surface_id
     }
 
-    /// What drawing reads: triangles, corners, materials, texels.
-    pub(super) fn surface(&self) -> [&GpuBuffer; 4] {
-        [
-            &self.triangles,
-            &self.corners,
-            &self.materials,
-            &self.texels,
-        ]
-    }
-
     /// How many triangles there are.
     pub(super) fn triangles(&self) -> u32 {
-        (self.triangles.len() / size_of::<Triangle>() as u64) as u32
+        self.triangles.count() as u32
+    }
+
+    /// What a pass takes as `scene`.
+    #[must_use]
+    pub fn arg(&self) -> SceneArg<'_, Gpu> {
+        SceneArg {
+            nodes: self.nodes.all(),
+            triangles: self.triangles.all(),
+            corners: self.corners.all(),
+            materials: self.materials.all(),
+            texels: self.texels.all(),
+        }
+    }
+
+    /// The tree alone: nodes and triangles.
+    pub(super) fn tree(&self) -> (GpuSlice<'_, BvhNode>, GpuSlice<'_, Triangle>) {
+        (self.nodes.all(), self.triangles.all())
     }
 
     /// The arguments of a kernel that takes `scene`.
@@ -120,9 +128,9 @@ impl GpuScene {
 pub struct GpuEnv {
     size: UVec2,
     rotation: Vec2,
-    texels: GpuBuffer,
-    marginal: GpuBuffer,
-    conditional: GpuBuffer,
+    texels: GpuVec<Vec4>,
+    marginal: GpuVec<u32>,
+    conditional: GpuVec<u32>,
 }
 
 impl GpuEnv {
@@ -136,9 +144,9 @@ impl GpuEnv {
         Ok(Self {
             size: view.cdf.size,
             rotation: view.rotation,
-            texels: bindable(context, "env.texels", view.texels)?,
-            marginal: bindable(context, "env.cdf.marginal", view.cdf.marginal)?,
-            conditional: bindable(context, "env.cdf.conditional", view.cdf.conditional)?,
+            texels: context.binding_of("env.texels", view.texels)?,
+            marginal: context.binding_of("env.cdf.marginal", view.cdf.marginal)?,
+            conditional: context.binding_of("env.cdf.conditional", view.cdf.conditional)?,
         })
     }
 
@@ -161,8 +169,22 @@ impl GpuEnv {
     }
 
     /// Its texels.
-    pub(super) fn texels(&self) -> &GpuBuffer {
+    pub(super) fn texels(&self) -> &GpuVec<Vec4> {
         &self.texels
+    }
+
+    /// What a pass takes as `env`.
+    #[must_use]
+    pub fn arg(&self) -> EnvironmentArg<'_, Gpu> {
+        EnvironmentArg {
+            texels: self.texels.all(),
+            cdf: EnvCdfArg {
+                size: self.size,
+                marginal: self.marginal.all(),
+                conditional: self.conditional.all(),
+            },
+            rotation: self.rotation,
+        }
     }
 
     /// The arguments of a kernel that takes `env`.
@@ -182,29 +204,15 @@ impl GpuEnv {
 }
 
 /// Puts other values in a buffer, or in one that replaces it where their number differs.
-fn rewrite<T: NoUninit>(
+fn rewrite<T: Element>(
     context: &GpuContext,
-    buffer: &mut GpuBuffer,
+    buffer: &mut GpuVec<T>,
     values: &[T],
 ) -> Result<(), GpuError> {
-    if buffer.len() == size_of_val(values) as u64 {
+    if buffer.count() == values.len() as u64 {
         return context.write(buffer, values);
     }
     let label = buffer.label().to_owned();
-    *buffer = bindable(context, &label, values)?;
+    *buffer = context.binding_of(&label, values)?;
     Ok(())
-}
-
-/// A buffer that is checked now to fit a binding, before the frames that would find out.
-pub(super) fn bindable<T: NoUninit>(
-    context: &GpuContext,
-    path: &str,
-    values: &[T],
-) -> Result<GpuBuffer, GpuError> {
-    let (needed, allowed) = (size_of_val(values) as u64, context.max_binding_bytes());
-    if needed > allowed {
-        let limit = "max_storage_buffer_binding_size";
-        return Err(context.limit_error(path.to_owned(), needed, limit, allowed));
-    }
-    context.buffer_of(path, values)
 }

@@ -195,6 +195,13 @@ pub enum RenderError {
     Device(Box<dyn std::error::Error + Send + Sync>),
 }
 
+impl RenderError {
+    /// The failure of a device.
+    pub(crate) fn device<E: std::error::Error + Send + Sync + 'static>(error: E) -> Self {
+        Self::Device(Box::new(error))
+    }
+}
+
 /// Why settings were refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SettingsError {

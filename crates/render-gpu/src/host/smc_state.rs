@@ -69,6 +69,11 @@ impl SmcKey {
             objects: scene.transforms().len() as u32,
         }
     }
+
+    /// Rays of the image.
+    pub(crate) fn rays(&self) -> usize {
+        self.size.element_product() as usize * self.rays_per_pixel as usize
+    }
 }
 
 impl PastFrame {

@@ -153,12 +153,12 @@ struct Heard {
 /// An open GPU: its device and queue, and the pipelines compiled so far. It can be shared between threads.
 #[derive(Debug)]
 pub struct GpuContext {
-    pub(super) device: wgpu::Device,
-    pub(super) queue: wgpu::Queue,
-    pub(super) limits: wgpu::Limits,
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    limits: wgpu::Limits,
     pub(super) options: GpuOptions,
     pub(super) kernels: KernelCache,
-    pub(super) has_timestamps: bool,
+    has_timestamps: bool,
     summary: AdapterSummary,
     heard: Arc<Mutex<Heard>>,
     waits: AtomicU64,
@@ -276,6 +276,30 @@ impl GpuContext {
             .min(self.options.max_binding_bytes)
     }
 
+    /// What wgpu knows the device by, for resources of one's own.
+    #[must_use]
+    pub fn device(&self) -> &wgpu::Device {
+        &self.device
+    }
+
+    /// Its queue.
+    #[must_use]
+    pub fn queue(&self) -> &wgpu::Queue {
+        &self.queue
+    }
+
+    /// What the adapter allows.
+    #[must_use]
+    pub fn limits(&self) -> &wgpu::Limits {
+        &self.limits
+    }
+
+    /// Whether the GPU's own time can be measured here, and is to be.
+    #[must_use]
+    pub fn has_timestamps(&self) -> bool {
+        self.has_timestamps
+    }
+
     /// How often anyone has waited for this GPU, or asked how far it is, since it was opened: every way back from it counts.
     #[must_use]
     pub fn waits(&self) -> u64 {
@@ -290,7 +314,9 @@ impl GpuContext {
         let _ = self.device.poll(wgpu::PollType::wait_indefinitely());
     }
 
-    pub(super) fn limit_error(
+    /// The error of something that needs more than a limit allows. `limit` is WebGPU's name of it.
+    #[must_use]
+    pub fn limit_error(
         &self,
         what: String,
         needed: u64,
@@ -307,7 +333,11 @@ impl GpuContext {
     }
 
     /// Runs `f`, and turns what wgpu finds wrong with it into an error. `what` names the work in that error.
-    pub(super) fn guarded<T>(
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Refused`], [`GpuError::OutOfMemory`], [`GpuError::Lost`].
+    pub fn guarded<T>(
         &self,
         what: impl Fn() -> String,
         f: impl FnOnce() -> T,

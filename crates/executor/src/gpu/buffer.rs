@@ -1,10 +1,14 @@
-//! Host file: storage buffers, and the ways in and out of them.
+//! Host file: buffers, and the ways in and out of them.
 
+use std::marker::PhantomData;
+use std::ops::Deref;
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use super::device::GpuContext;
 use super::error::GpuError;
+use super::memory::Gpu;
+use crate::memory::{Device, Element};
 
 /// The most bytes of a copy back to the host at a time, so that staging stays small.
 const STAGING_BYTES: u64 = 64 << 20;
@@ -12,8 +16,31 @@ const STAGING_BYTES: u64 = 64 << 20;
 /// A storage buffer on the GPU.
 #[derive(Debug)]
 pub struct GpuBuffer {
-    pub(super) raw: wgpu::Buffer,
+    raw: wgpu::Buffer,
     label: String,
+}
+
+/// A storage buffer that holds values of one type: what a `Vec` is on the CPU, but for its length, which is fixed.
+#[derive(Debug)]
+pub struct GpuVec<T> {
+    buffer: GpuBuffer,
+    values: PhantomData<fn() -> T>,
+}
+
+impl<T> Deref for GpuVec<T> {
+    type Target = GpuBuffer;
+
+    fn deref(&self) -> &GpuBuffer {
+        &self.buffer
+    }
+}
+
+impl<T: Element> GpuVec<T> {
+    /// How many values there are.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.buffer.len() / size_of::<T>().max(1) as u64
+    }
 }
 
 impl GpuBuffer {
@@ -34,6 +61,12 @@ impl GpuBuffer {
     pub fn label(&self) -> &str {
         &self.label
     }
+
+    /// What wgpu knows it by, for passes of one's own.
+    #[must_use]
+    pub fn raw(&self) -> &wgpu::Buffer {
+        &self.raw
+    }
 }
 
 impl GpuContext {
@@ -52,13 +85,13 @@ impl GpuContext {
                 problem,
             });
         }
-        if bytes > self.limits.max_buffer_size {
+        if bytes > self.limits().max_buffer_size {
             let what = format!("buffer '{label}'");
             return Err(self.limit_error(
                 what,
                 bytes,
                 "max_buffer_size",
-                self.limits.max_buffer_size,
+                self.limits().max_buffer_size,
             ));
         }
         let usage = wgpu::BufferUsages::STORAGE
@@ -72,12 +105,55 @@ impl GpuContext {
         };
         let raw = self.guarded(
             || format!("making buffer '{label}' of {bytes} bytes"),
-            || self.device.create_buffer(&descriptor),
+            || self.device().create_buffer(&descriptor),
         )?;
         Ok(GpuBuffer {
             raw,
             label: label.to_owned(),
         })
+    }
+
+    /// Room for `count` values, all bytes zero.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::buffer`].
+    pub fn zeroed<T: Element>(&self, label: &str, count: u64) -> Result<GpuVec<T>, GpuError> {
+        let bytes = count.saturating_mul(size_of::<T>() as u64);
+        Ok(GpuVec {
+            buffer: self.buffer(label, bytes)?,
+            values: PhantomData,
+        })
+    }
+
+    /// As [`Self::zeroed`], for what a shader binds whole: refused now where it does not fit a binding.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::buffer`], and [`GpuError::Limit`] where it is larger than a binding may be.
+    pub fn zeroed_binding<T: Element>(
+        &self,
+        label: &str,
+        count: u64,
+    ) -> Result<GpuVec<T>, GpuError> {
+        let bytes = count.saturating_mul(size_of::<T>() as u64);
+        let allowed = self.max_binding_bytes();
+        if bytes > allowed {
+            let limit = "max_storage_buffer_binding_size";
+            return Err(self.limit_error(label.to_owned(), bytes, limit, allowed));
+        }
+        self.zeroed(label, count)
+    }
+
+    /// The values of a list, for what a shader binds whole.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::zeroed_binding`].
+    pub fn binding_of<T: Element>(&self, label: &str, values: &[T]) -> Result<GpuVec<T>, GpuError> {
+        let made = self.zeroed_binding(label, values.len() as u64)?;
+        self.write(&made, values)?;
+        Ok(made)
     }
 
     /// A buffer that holds `values`.
@@ -105,10 +181,25 @@ impl GpuContext {
         buffer: &GpuBuffer,
         values: &[T],
     ) -> Result<(), GpuError> {
+        self.write_at(buffer, 0, values)
+    }
+
+    /// As [`Self::write`], from byte `offset` of the buffer on.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Argument`] when they do not fit, or the offset is not a multiple of 4.
+    pub fn write_at<T: bytemuck::NoUninit>(
+        &self,
+        buffer: &GpuBuffer,
+        offset: u64,
+        values: &[T],
+    ) -> Result<(), GpuError> {
         let bytes: &[u8] = bytemuck::cast_slice(values);
-        if bytes.len() as u64 > buffer.len() || !bytes.len().is_multiple_of(4) {
+        let end = offset.saturating_add(bytes.len() as u64);
+        if end > buffer.len() || !bytes.len().is_multiple_of(4) || !offset.is_multiple_of(4) {
             let problem = format!(
-                "{} bytes written to a buffer of {}",
+                "{} bytes written to byte {offset} of a buffer of {}",
                 bytes.len(),
                 buffer.len()
             );
@@ -119,7 +210,7 @@ impl GpuContext {
         }
         self.guarded(
             || format!("writing {} bytes to '{}'", bytes.len(), buffer.label),
-            || self.queue.write_buffer(&buffer.raw, 0, bytes),
+            || self.queue().write_buffer(&buffer.raw, offset, bytes),
         )
     }
 
@@ -145,10 +236,10 @@ impl GpuContext {
             || format!("copying {bytes} bytes from '{}'", from.label),
             || {
                 let mut encoder = self
-                    .device
+                    .device()
                     .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
                 encoder.copy_buffer_to_buffer(&from.raw, 0, &to.raw, 0, bytes);
-                self.queue.submit([encoder.finish()]);
+                self.queue().submit([encoder.finish()]);
             },
         )
     }
@@ -185,12 +276,12 @@ impl GpuContext {
             usage,
             mapped_at_creation: false,
         };
-        let staging = self.guarded(what, || self.device.create_buffer(&descriptor))?;
+        let staging = self.guarded(what, || self.device().create_buffer(&descriptor))?;
         for (index, piece) in target.chunks_mut(STAGING_BYTES as usize).enumerate() {
             let size = piece.len() as u64;
             let submission = self.guarded(what, || {
                 let mut encoder = self
-                    .device
+                    .device()
                     .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
                 encoder.copy_buffer_to_buffer(
                     &buffer.raw,
@@ -199,7 +290,7 @@ impl GpuContext {
                     0,
                     size,
                 );
-                self.queue.submit([encoder.finish()])
+                self.queue().submit([encoder.finish()])
             })?;
             self.read_mapped(&staging, piece, submission, what)?;
         }
@@ -262,5 +353,36 @@ impl GpuContext {
         }
         staging.unmap();
         Ok(())
+    }
+}
+
+impl Device for GpuContext {
+    type Memory = Gpu;
+    type Error = GpuError;
+
+    fn zeroed<T: Element + bytemuck::Zeroable>(
+        &self,
+        label: &str,
+        count: usize,
+    ) -> Result<GpuVec<T>, GpuError> {
+        Self::zeroed(self, label, count.max(1) as u64)
+    }
+
+    fn holding<T: Element>(&self, label: &str, values: &[T]) -> Result<GpuVec<T>, GpuError> {
+        let made = Self::zeroed(self, label, values.len() as u64)?;
+        self.write(&made, values)?;
+        Ok(made)
+    }
+
+    fn put<T: Element>(&self, buffer: &mut GpuVec<T>, values: &[T]) -> Result<(), GpuError> {
+        self.write(buffer, values)
+    }
+
+    fn get<T: Element + bytemuck::AnyBitPattern>(
+        &self,
+        buffer: &GpuVec<T>,
+        count: usize,
+    ) -> Result<Vec<T>, GpuError> {
+        self.read(buffer, count)
     }
 }

@@ -1,31 +1,18 @@
 //! Host file: running an entry over many elements in dispatches that fit the adapter and stay short.
 
 use std::collections::VecDeque;
-use std::ops::AddAssign;
+use std::ops::{AddAssign, Range};
 use std::sync::{Arc, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::buffer::GpuBuffer;
+use super::arguments::{Arg, Arguments};
 use super::device::GpuContext;
 use super::error::GpuError;
-use super::kernel::{Arguments, Kernel};
+use super::kernel::Kernel;
+use super::memory::Gpu;
 use super::timing::Stopwatch;
-use crate::entry::Entry;
-
-/// An argument of a launch, bound by its path.
-#[derive(Clone, Copy, Debug)]
-pub enum Arg<'a> {
-    /// The bytes of a plain value, as `bytemuck::bytes_of` gives them.
-    Value(&'a [u8]),
-    /// A slice that is read whole, or `out`, which has one value for each element of the launch.
-    Buffer(&'a GpuBuffer),
-    /// The same of a part of a buffer: from the value of this index on, so many of them, beyond which nothing is read or written.
-    Window(&'a GpuBuffer, u32, u32),
-    /// A slice that is cut into chunks of so many values, one chunk for each element. Sets `<path>_len`, too.
-    Chunk(&'a GpuBuffer, u32),
-    /// The same, with the first element's chunk so many chunks from the buffer's start.
-    ChunkFrom(&'a GpuBuffer, u32, u32),
-}
+use crate::entry::{Entry, ParamsSpace};
+use crate::pass::{Executor, Pass};
 
 /// How a launch went.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -91,18 +78,15 @@ impl GpuContext {
         first: u32,
         count: u32,
     ) -> Result<LaunchReport, GpuError> {
-        self.launch_telling(entry, args, first, count, &|_| ())
+        let arguments = Arguments::by_path(entry, args, count)?;
+        self.launch_bound(entry, arguments, first, count, &|_| ())
     }
 
-    /// As [`Self::launch`]; `progress` is told, after each dispatch, how many elements are done.
-    ///
-    /// # Errors
-    ///
-    /// As [`Self::launch`].
-    pub fn launch_telling(
+    /// Launches entries whose arguments are checked. `progress` hears, after each dispatch, how many elements are done.
+    fn launch_bound(
         &self,
         entry: &Entry,
-        args: &[(&str, Arg<'_>)],
+        mut arguments: Arguments,
         first: u32,
         count: u32,
         progress: &dyn Fn(u32),
@@ -110,21 +94,17 @@ impl GpuContext {
         if first.checked_add(count).is_none() {
             let problem = format!("elements {first} and {count} more are beyond u32");
             return Err(GpuError::Argument {
-                entry: entry.name.to_owned(),
+                entry: entry.name.clone().into_owned(),
                 problem,
             });
         }
         let kernel = self.kernel(entry)?;
-        let mut arguments = Arguments::new(entry, args, count)?;
         let tiles = self.tiles(entry, &arguments)?;
-        let params = self.buffer(
-            entry.name,
-            u64::from(entry.params_size.max(4)).next_multiple_of(16),
-        )?;
+        let params = self.params_buffer(entry)?;
 
         let started = Instant::now();
         let mut report = LaunchReport {
-            gpu: self.has_timestamps.then_some(Duration::ZERO),
+            gpu: self.has_timestamps().then_some(Duration::ZERO),
             ..Default::default()
         };
         let mut flights = VecDeque::new();
@@ -136,9 +116,9 @@ impl GpuContext {
             let elements = tiles
                 .next(pace, self.options.dispatch_target)
                 .min(count - done);
-            self.write(&params, arguments.params_for(entry, first + done, elements))?;
+            self.write_params(entry, &params, arguments.params_for(first + done, elements))?;
             let stopwatch = match stopwatches.pop() {
-                None if self.has_timestamps => Some(Stopwatch::new(self, 2)?),
+                None if self.has_timestamps() => Some(Stopwatch::new(self, 2)?),
                 used => used,
             };
             let flight = self.dispatch(&kernel, &arguments, &params, done, elements, stopwatch)?;
@@ -158,6 +138,37 @@ impl GpuContext {
         Ok(report)
     }
 
+    /// A buffer for an entry's plain arguments.
+    pub(super) fn params_buffer(&self, entry: &Entry) -> Result<wgpu::Buffer, GpuError> {
+        let space = match entry.params_space {
+            ParamsSpace::Uniform => wgpu::BufferUsages::UNIFORM,
+            ParamsSpace::Storage => wgpu::BufferUsages::STORAGE,
+        };
+        let descriptor = wgpu::BufferDescriptor {
+            label: Some(&entry.name),
+            size: u64::from(entry.params_size.max(4)).next_multiple_of(16),
+            usage: space | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        };
+        self.guarded(
+            || format!("the params of {}", entry.name),
+            || self.device().create_buffer(&descriptor),
+        )
+    }
+
+    /// Puts an entry's plain arguments into their buffer, after the launches so far.
+    pub(super) fn write_params(
+        &self,
+        entry: &Entry,
+        buffer: &wgpu::Buffer,
+        bytes: &[u8],
+    ) -> Result<(), GpuError> {
+        self.guarded(
+            || format!("the params of {}", entry.name),
+            || self.queue().write_buffer(buffer, 0, bytes),
+        )
+    }
+
     /// Forgets how fast `entry` ran, where its next elements may be far slower: its dispatches begin small again.
     ///
     /// # Errors
@@ -170,17 +181,18 @@ impl GpuContext {
     }
 
     /// What bounds the dispatches of a launch.
-    fn tiles(&self, entry: &Entry, arguments: &Arguments<'_>) -> Result<Tiles, GpuError> {
-        let groups = u64::from(self.limits.max_compute_workgroups_per_dimension);
+    fn tiles(&self, entry: &Entry, arguments: &Arguments) -> Result<Tiles, GpuError> {
+        let groups = u64::from(self.limits().max_compute_workgroups_per_dimension);
         // The linear index is computed in 32 bits.
         let grid = (groups * groups * u64::from(entry.workgroup_size)).min(1 << 31);
         let mut largest = grid.min(self.options.max_elements.max(1).into());
         let mut granule = 1;
         let binding = self.max_binding_bytes();
-        let alignment = u64::from(self.limits.min_storage_buffer_offset_alignment);
+        let alignment = u64::from(self.limits().min_storage_buffer_offset_alignment);
         for bound in &arguments.bound {
             bound.check_alignment(entry, alignment)?;
-            let what = || format!("argument '{}' of {}", bound.slot.path, entry.name);
+            let path = &entry.buffers[bound.slot].path;
+            let what = || format!("argument '{path}' of {}", entry.name);
             let limit = "max_storage_buffer_binding_size";
             match bound.bytes_per_element {
                 None if bound.len > binding => {
@@ -211,8 +223,8 @@ impl GpuContext {
     fn dispatch(
         &self,
         kernel: &Kernel,
-        arguments: &Arguments<'_>,
-        params: &GpuBuffer,
+        arguments: &Arguments,
+        params: &wgpu::Buffer,
         done: u32,
         elements: u32,
         stopwatch: Option<Stopwatch>,
@@ -223,13 +235,14 @@ impl GpuContext {
         let submission = self.guarded(
             || format!("{elements} elements of {}", entry.name),
             || {
-                let bind_group = self.bind_group(kernel, params, &arguments.bound, done, elements);
+                let bind_group =
+                    self.bind_group(&kernel.layout, params, &arguments.bound, done, elements);
                 let mut encoder = self
-                    .device
+                    .device()
                     .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
                 {
                     let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
-                        label: Some(entry.name),
+                        label: Some(&entry.name),
                         timestamp_writes: stopwatch.as_ref().map(Stopwatch::writes),
                     });
                     pass.set_pipeline(&kernel.pipeline);
@@ -239,7 +252,7 @@ impl GpuContext {
                 if let Some(stopwatch) = &stopwatch {
                     stopwatch.resolve(&mut encoder);
                 }
-                self.queue.submit([encoder.finish()])
+                self.queue().submit([encoder.finish()])
             },
         )?;
         Ok(Flight {
@@ -280,6 +293,54 @@ impl GpuContext {
         };
         *kernel.pace.lock().unwrap_or_else(PoisonError::into_inner) = Some(pace);
         Ok(stopwatch)
+    }
+}
+
+/// Runs passes at once: each is cut into dispatches that stay short, and is done when the call returns.
+pub struct Direct<'a> {
+    context: &'a GpuContext,
+    progress: Option<&'a dyn Fn(u32)>,
+    report: LaunchReport,
+}
+
+impl<'a> Direct<'a> {
+    /// On an open GPU.
+    #[must_use]
+    pub fn new(context: &'a GpuContext) -> Self {
+        Self {
+            context,
+            progress: None,
+            report: LaunchReport::default(),
+        }
+    }
+
+    /// `progress` hears, after each dispatch, how many elements of a pass are done.
+    #[must_use]
+    pub fn with_progress(context: &'a GpuContext, progress: &'a dyn Fn(u32)) -> Self {
+        Self {
+            progress: Some(progress),
+            ..Self::new(context)
+        }
+    }
+
+    /// How the passes went since this was asked last.
+    pub fn take_report(&mut self) -> LaunchReport {
+        std::mem::take(&mut self.report)
+    }
+}
+
+impl Executor for Direct<'_> {
+    type Memory = Gpu;
+    type Error = GpuError;
+
+    fn run<P: Pass<Memory = Gpu>>(&mut self, pass: P, range: Range<u32>) -> Result<(), GpuError> {
+        let count = range.len() as u32;
+        let arguments = Arguments::of_pass(&pass, count)?;
+        let progress = self.progress.unwrap_or(&|_| ());
+        self.report +=
+            self.context
+                .launch_bound(P::entry(), arguments, range.start, count, progress)?;
+        Ok(())
     }
 }
 

@@ -1,40 +1,15 @@
-//! Host file: what the front end makes of the workspace's kernels: the files under `generated/` and `wgsl/`.
-//!
-//! `cargo run --release -p glimt-tests --bin regenerate` writes them; the test `golden` compares.
-
-use std::fmt::Write;
-use std::path::{Path, PathBuf};
-
-use glimt_render_gpu::entries::{ENTRIES, EntrySpec};
-use naga_front_rust::{
-    CrateSource, Diagnostic, EntryDesc, ExportDesc, Program, Shader, StructLayout,
-};
-
-/// The shared sources of every crate of the workspace that has them.
-pub const SOURCES: [(&str, &[(&str, &str)]); 7] = [
-    glimt_probe::SHADER_SOURCE,
-    glimt_sampling::SHADER_SOURCE,
-    glimt_envmap_cdf::SHADER_SOURCE,
-    glimt_brdf::SHADER_SOURCE,
-    glimt_smc::SHADER_SOURCE,
-    glimt_sh::SHADER_SOURCE,
-    glimt_render_gpu::SHADER_SOURCE,
-];
-
-/// Where the renderer's entries are written.
-const ENTRY_FOLDER: &str = "crates/render-gpu/src/generated";
-const COMMAND: &str = "cargo run --release -p glimt-tests --bin regenerate";
+//! Host file: functions that are exported for shaders that people write themselves.
 
 /// A crate's functions for people who write their own shaders.
-struct Export {
+pub(super) struct Export {
     /// File, from the workspace's root.
-    file: &'static str,
-    functions: &'static [(&'static str, &'static str)],
+    pub(super) file: &'static str,
+    pub(super) functions: &'static [(&'static str, &'static str)],
     /// Group and binding of each buffer.
-    buffers: &'static [(&'static str, u32, u32)],
+    pub(super) buffers: &'static [(&'static str, u32, u32)],
 }
 
-const EXPORTS: &[Export] = &[
+pub(super) const EXPORTS: &[Export] = &[
     Export {
         file: "crates/envmap-cdf/wgsl/envmap_cdf.wgsl",
         functions: &[
@@ -214,148 +189,3 @@ const EXPORTS: &[Export] = &[
         ],
     },
 ];
-
-/// Parses the given crates; `SOURCES` for the workspace as it was compiled.
-///
-/// # Errors
-///
-/// The front end's own.
-pub fn program(sources: &[(&str, &[(&str, &str)])]) -> Result<Program, Diagnostic> {
-    let crates: Vec<CrateSource<'_>> = sources.iter().map(|&s| s.into()).collect();
-    Program::parse(&crates)
-}
-
-/// Lowers one entry of the renderer.
-///
-/// # Errors
-///
-/// The front end's own.
-pub fn lower(program: &Program, spec: &EntrySpec) -> Result<Shader, Diagnostic> {
-    program.entry(&EntryDesc {
-        name: spec.name,
-        kernel: spec.kernel,
-        workgroup_size: spec.workgroup_size,
-    })
-}
-
-/// Every generated file: its path from the workspace's root, and its text.
-///
-/// # Errors
-///
-/// The front end's own.
-pub fn files() -> Result<Vec<(PathBuf, String)>, Diagnostic> {
-    let program = program(&SOURCES)?;
-    let folder = Path::new(ENTRY_FOLDER);
-    let head = format!(
-        "// Made from Rust by naga-front-rust; do not edit. To make it anew: {COMMAND}\n\n"
-    );
-    let mut out = Vec::new();
-    let mut structs: Vec<StructLayout> = Vec::new();
-    let mut consts = String::new();
-    for spec in ENTRIES {
-        let shader = lower(&program, spec)?;
-        for s in &shader.structs {
-            if !structs.contains(s) {
-                structs.push(s.clone());
-            }
-        }
-        entry_const(&mut consts, spec, &shader);
-        out.push((
-            folder.join(format!("{}.wgsl", spec.name)),
-            format!("{head}{}", shader.wgsl),
-        ));
-    }
-    out.push((folder.join("mod.rs"), module(&consts, &structs)));
-    for export in EXPORTS {
-        let shader = program.exports(&ExportDesc {
-            functions: export.functions,
-            buffers: export.buffers,
-        })?;
-        out.push((export.file.into(), format!("{head}{}", shader.wgsl)));
-    }
-    Ok(out)
-}
-
-/// What lies in the folders of generated files and is none of `files`, as paths from the workspace's root: what an entry or
-/// an export that was renamed or removed left behind.
-///
-/// # Errors
-///
-/// A folder cannot be read.
-pub fn stale(files: &[(PathBuf, String)]) -> std::io::Result<Vec<PathBuf>> {
-    let mut folders = vec![PathBuf::from(ENTRY_FOLDER)];
-    for krate in std::fs::read_dir(root().join("crates"))? {
-        let folder = Path::new("crates").join(krate?.file_name()).join("wgsl");
-        if root().join(&folder).is_dir() {
-            folders.push(folder);
-        }
-    }
-    let mut out = Vec::new();
-    for folder in folders {
-        for file in std::fs::read_dir(root().join(&folder))? {
-            let path = folder.join(file?.file_name());
-            if files.iter().all(|(known, _)| *known != path) {
-                out.push(path);
-            }
-        }
-    }
-    out.sort();
-    Ok(out)
-}
-
-fn entry_const(out: &mut String, spec: &EntrySpec, shader: &Shader) {
-    let name = spec.name;
-    let _ = write!(
-        out,
-        "\n/// [`{}`](crate{}) as a compute entry point.\npub const {}: Entry = Entry {{\n    name: \"{name}\",\n    kernel: \"{}\",\n    wgsl: include_str!(\"{name}.wgsl\"),\n    workgroup_size: {},\n    params_size: {},\n    params: &[\n",
-        spec.kernel.rsplit("::").next().unwrap_or(name),
-        spec.kernel.trim_start_matches("glimt_render_gpu"),
-        name.to_uppercase(),
-        spec.kernel,
-        shader.workgroup_size,
-        shader.params_size,
-    );
-    for p in &shader.params {
-        let _ = writeln!(
-            out,
-            "        param(\"{}\", {}, {}),",
-            p.path, p.offset, p.size
-        );
-    }
-    let _ = write!(out, "    ],\n    buffers: &[\n");
-    for b in &shader.buffers {
-        let _ = writeln!(
-            out,
-            "        slot(\"{}\", {}, {}, {}),",
-            b.path, b.binding, b.stride, b.writable
-        );
-    }
-    let _ = write!(out, "    ],\n}};\n");
-}
-
-fn module(consts: &str, structs: &[StructLayout]) -> String {
-    let mut out = format!(
-        "//! Host file: the renderer's entry points, made from Rust by naga-front-rust. Do not edit; to make it anew:\n//! `{COMMAND}`\n\n#[cfg(test)]\nuse core::mem::{{offset_of, size_of}};\n\nuse crate::entry::{{BufferSlot, Entry, ParamField}};\n\nconst fn param(path: &'static str, offset: u32, size: u32) -> ParamField {{\n    ParamField {{ path, offset, size }}\n}}\n\nconst fn slot(path: &'static str, binding: u32, stride: u32, writable: bool) -> BufferSlot {{\n    BufferSlot {{\n        path,\n        binding,\n        stride,\n        writable,\n    }}\n}}\n"
-    );
-    out.push_str(consts);
-    out.push_str(
-        "\n// The same bytes in Rust and in WGSL. Checked where tests are built, since a struct that has just changed must not\n// keep this file from being made anew.\n#[cfg(test)]\nconst _: () = {\n",
-    );
-    let mut sorted: Vec<&StructLayout> = structs.iter().collect();
-    sorted.sort_by(|a, b| a.path.cmp(&b.path));
-    for s in sorted {
-        let path = s.path.replace("glimt_render_gpu::", "crate::");
-        let _ = writeln!(out, "    assert!(size_of::<{path}>() == {});", s.size);
-        for (field, offset) in &s.fields {
-            let _ = writeln!(out, "    assert!(offset_of!({path}, {field}) == {offset});");
-        }
-    }
-    out.push_str("};\n");
-    out
-}
-
-/// The workspace's root.
-#[must_use]
-pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}

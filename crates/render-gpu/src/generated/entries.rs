@@ -1,0 +1,685 @@
+//! Host file: the compute shaders.
+//!
+//! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
+
+
+use std::borrow::Cow::Borrowed;
+
+use glimt_executor::{BufferSlot, Entry, ParamField, ParamsSpace};
+
+/// `shade::shade_mis` as a compute entry point.
+pub static SHADE_MIS: Entry = Entry {
+    name: Borrowed("shade_mis"),
+    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade_mis"),
+    wgsl: Borrowed(include_str!("shade_mis.wgsl")),
+    workgroup_size: 64,
+    params_size: 144,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("env.cdf.size", 128, 8),
+        ParamField::new("env.rotation", 136, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.cdf.marginal", 2, 4, false),
+        BufferSlot::new("env.cdf.conditional", 3, 4, false),
+        BufferSlot::new("scene.nodes", 4, 32, false),
+        BufferSlot::new("scene.triangles", 5, 48, false),
+        BufferSlot::new("scene.corners", 6, 32, false),
+        BufferSlot::new("scene.materials", 7, 96, false),
+        BufferSlot::new("scene.texels", 8, 4, false),
+        BufferSlot::new("out", 9, 16, true),
+    ]),
+};
+
+/// `shade::shade_bis` as a compute entry point.
+pub static SHADE_BIS: Entry = Entry {
+    name: Borrowed("shade_bis"),
+    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade_bis"),
+    wgsl: Borrowed(include_str!("shade_bis.wgsl")),
+    workgroup_size: 64,
+    params_size: 160,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("bis", 128, 16),
+        ParamField::new("env.cdf.size", 144, 8),
+        ParamField::new("env.rotation", 152, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.cdf.marginal", 2, 4, false),
+        BufferSlot::new("env.cdf.conditional", 3, 4, false),
+        BufferSlot::new("scene.nodes", 4, 32, false),
+        BufferSlot::new("scene.triangles", 5, 48, false),
+        BufferSlot::new("scene.corners", 6, 32, false),
+        BufferSlot::new("scene.materials", 7, 96, false),
+        BufferSlot::new("scene.texels", 8, 4, false),
+        BufferSlot::new("out", 9, 16, true),
+    ]),
+};
+
+/// `shade::shade_bis_layers` as a compute entry point.
+pub static SHADE_BIS_LAYERS: Entry = Entry {
+    name: Borrowed("shade_bis_layers"),
+    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade_bis_layers"),
+    wgsl: Borrowed(include_str!("shade_bis_layers.wgsl")),
+    workgroup_size: 64,
+    params_size: 160,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("bis", 128, 16),
+        ParamField::new("env.cdf.size", 144, 8),
+        ParamField::new("env.rotation", 152, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.cdf.marginal", 2, 4, false),
+        BufferSlot::new("env.cdf.conditional", 3, 4, false),
+        BufferSlot::new("scene.nodes", 4, 32, false),
+        BufferSlot::new("scene.triangles", 5, 48, false),
+        BufferSlot::new("scene.corners", 6, 32, false),
+        BufferSlot::new("scene.materials", 7, 96, false),
+        BufferSlot::new("scene.texels", 8, 4, false),
+        BufferSlot::new("out", 9, 32, true),
+    ]),
+};
+
+/// `smc::shade_smc` as a compute entry point.
+pub static SHADE_SMC: Entry = Entry {
+    name: Borrowed("shade_smc"),
+    kernel: Borrowed("glimt_render_gpu::kernels::smc::shade_smc"),
+    wgsl: Borrowed(include_str!("shade_smc.wgsl")),
+    workgroup_size: 64,
+    params_size: 288,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("state_len", 8, 4),
+        ParamField::new("particles_len", 12, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("smc", 128, 64),
+        ParamField::new("view", 192, 64),
+        ParamField::new("env.cdf.size", 256, 8),
+        ParamField::new("env.rotation", 264, 8),
+        ParamField::new("before.size", 272, 8),
+        ParamField::new("before.rotation", 280, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.cdf.marginal", 2, 4, false),
+        BufferSlot::new("env.cdf.conditional", 3, 4, false),
+        BufferSlot::new("before.texels", 4, 16, false),
+        BufferSlot::new("scene.nodes", 5, 32, false),
+        BufferSlot::new("scene.triangles", 6, 48, false),
+        BufferSlot::new("scene.corners", 7, 32, false),
+        BufferSlot::new("scene.materials", 8, 96, false),
+        BufferSlot::new("scene.texels", 9, 4, false),
+        BufferSlot::new("past.motions", 10, 64, false),
+        BufferSlot::new("past.states", 11, 64, false),
+        BufferSlot::new("past.particles", 12, 16, false),
+        BufferSlot::new("state", 13, 64, true),
+        BufferSlot::new("particles", 14, 16, true),
+        BufferSlot::new("out", 15, 16, true),
+    ]),
+};
+
+/// `smc::shade_smc_layers` as a compute entry point.
+pub static SHADE_SMC_LAYERS: Entry = Entry {
+    name: Borrowed("shade_smc_layers"),
+    kernel: Borrowed("glimt_render_gpu::kernels::smc::shade_smc_layers"),
+    wgsl: Borrowed(include_str!("shade_smc_layers.wgsl")),
+    workgroup_size: 64,
+    params_size: 288,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("state_len", 8, 4),
+        ParamField::new("particles_len", 12, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("smc", 128, 64),
+        ParamField::new("view", 192, 64),
+        ParamField::new("env.cdf.size", 256, 8),
+        ParamField::new("env.rotation", 264, 8),
+        ParamField::new("before.size", 272, 8),
+        ParamField::new("before.rotation", 280, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.cdf.marginal", 2, 4, false),
+        BufferSlot::new("env.cdf.conditional", 3, 4, false),
+        BufferSlot::new("before.texels", 4, 16, false),
+        BufferSlot::new("scene.nodes", 5, 32, false),
+        BufferSlot::new("scene.triangles", 6, 48, false),
+        BufferSlot::new("scene.corners", 7, 32, false),
+        BufferSlot::new("scene.materials", 8, 96, false),
+        BufferSlot::new("scene.texels", 9, 4, false),
+        BufferSlot::new("past.motions", 10, 64, false),
+        BufferSlot::new("past.states", 11, 64, false),
+        BufferSlot::new("past.particles", 12, 16, false),
+        BufferSlot::new("state", 13, 64, true),
+        BufferSlot::new("particles", 14, 16, true),
+        BufferSlot::new("out", 15, 32, true),
+    ]),
+};
+
+/// `smc::diagnose_smc` as a compute entry point.
+pub static DIAGNOSE_SMC: Entry = Entry {
+    name: Borrowed("diagnose_smc"),
+    kernel: Borrowed("glimt_render_gpu::kernels::smc::diagnose_smc"),
+    wgsl: Borrowed(include_str!("diagnose_smc.wgsl")),
+    workgroup_size: 64,
+    params_size: 144,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("particles_per_ray", 128, 4),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("states", 1, 64, false),
+        BufferSlot::new("out", 2, 16, true),
+    ]),
+};
+
+/// `film::reconstruct` as a compute entry point.
+pub static RECONSTRUCT: Entry = Entry {
+    name: Borrowed("reconstruct"),
+    kernel: Borrowed("glimt_render_gpu::kernels::film::reconstruct"),
+    wgsl: Borrowed(include_str!("reconstruct.wgsl")),
+    workgroup_size: 64,
+    params_size: 128,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("samples", 1, 16, false),
+        BufferSlot::new("out", 2, 16, true),
+    ]),
+};
+
+/// `film::tonemap` as a compute entry point.
+pub static TONEMAP: Entry = Entry {
+    name: Borrowed("tonemap"),
+    kernel: Borrowed("glimt_render_gpu::kernels::film::tonemap"),
+    wgsl: Borrowed(include_str!("tonemap.wgsl")),
+    workgroup_size: 64,
+    params_size: 128,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("linear", 1, 16, false),
+        BufferSlot::new("out", 2, 4, true),
+    ]),
+};
+
+/// `transfer::transfer` as a compute entry point.
+pub static TRANSFER: Entry = Entry {
+    name: Borrowed("transfer"),
+    kernel: Borrowed("glimt_render_gpu::kernels::transfer::transfer"),
+    wgsl: Borrowed(include_str!("transfer.wgsl")),
+    workgroup_size: 64,
+    params_size: 44,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("state_len", 8, 4),
+        ParamField::new("lit_len", 12, 4),
+        ParamField::new("blocked_len", 16, 4),
+        ParamField::new("params", 20, 24),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("nodes", 1, 32, false),
+        BufferSlot::new("triangles", 2, 48, false),
+        BufferSlot::new("vertices", 3, 48, false),
+        BufferSlot::new("state", 4, 4, true),
+        BufferSlot::new("lit", 5, 4, true),
+        BufferSlot::new("blocked", 6, 4, true),
+        BufferSlot::new("out", 7, 4, true),
+    ]),
+};
+
+/// `unwarp::unwarp` as a compute entry point.
+pub static UNWARP: Entry = Entry {
+    name: Borrowed("unwarp"),
+    kernel: Borrowed("glimt_render_gpu::kernels::unwarp::unwarp"),
+    wgsl: Borrowed(include_str!("unwarp.wgsl")),
+    workgroup_size: 64,
+    params_size: 80,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("colour", 16, 48),
+        ParamField::new("reflectance", 64, 16),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("map.texels", 1, 12, false),
+        BufferSlot::new("map.taps", 2, 4, false),
+        BufferSlot::new("pixels", 3, 16, false),
+        BufferSlot::new("out", 4, 16, true),
+    ]),
+};
+
+/// `shade::shade_mis_layers` as a compute entry point.
+pub static SHADE_MIS_LAYERS: Entry = Entry {
+    name: Borrowed("shade_mis_layers"),
+    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade_mis_layers"),
+    wgsl: Borrowed(include_str!("shade_mis_layers.wgsl")),
+    workgroup_size: 64,
+    params_size: 144,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("env.cdf.size", 128, 8),
+        ParamField::new("env.rotation", 136, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.cdf.marginal", 2, 4, false),
+        BufferSlot::new("env.cdf.conditional", 3, 4, false),
+        BufferSlot::new("scene.nodes", 4, 32, false),
+        BufferSlot::new("scene.triangles", 5, 48, false),
+        BufferSlot::new("scene.corners", 6, 32, false),
+        BufferSlot::new("scene.materials", 7, 96, false),
+        BufferSlot::new("scene.texels", 8, 4, false),
+        BufferSlot::new("out", 9, 32, true),
+    ]),
+};
+
+/// `layers::reconstruct_layers` as a compute entry point.
+pub static RECONSTRUCT_LAYERS: Entry = Entry {
+    name: Borrowed("reconstruct_layers"),
+    kernel: Borrowed("glimt_render_gpu::kernels::layers::reconstruct_layers"),
+    wgsl: Borrowed(include_str!("reconstruct_layers.wgsl")),
+    workgroup_size: 64,
+    params_size: 144,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("env.cdf.size", 128, 8),
+        ParamField::new("env.rotation", 136, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.cdf.marginal", 2, 4, false),
+        BufferSlot::new("env.cdf.conditional", 3, 4, false),
+        BufferSlot::new("samples", 4, 32, false),
+        BufferSlot::new("out", 5, 64, true),
+    ]),
+};
+
+/// `composite::composite_over_plate` as a compute entry point.
+pub static COMPOSITE_OVER_PLATE: Entry = Entry {
+    name: Borrowed("composite_over_plate"),
+    kernel: Borrowed("glimt_render_gpu::kernels::composite::composite_over_plate"),
+    wgsl: Borrowed(include_str!("composite_over_plate.wgsl")),
+    workgroup_size: 64,
+    params_size: 128,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("layers", 1, 64, false),
+        BufferSlot::new("plate", 2, 16, false),
+        BufferSlot::new("out", 3, 16, true),
+    ]),
+};
+
+/// `composite::display_over_plate` as a compute entry point.
+pub static DISPLAY_OVER_PLATE: Entry = Entry {
+    name: Borrowed("display_over_plate"),
+    kernel: Borrowed("glimt_render_gpu::kernels::composite::display_over_plate"),
+    wgsl: Borrowed(include_str!("display_over_plate.wgsl")),
+    workgroup_size: 64,
+    params_size: 128,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("layers", 1, 64, false),
+        BufferSlot::new("plate", 2, 16, false),
+        BufferSlot::new("out", 3, 4, true),
+    ]),
+};
+
+/// `composite::composite_alone` as a compute entry point.
+pub static COMPOSITE_ALONE: Entry = Entry {
+    name: Borrowed("composite_alone"),
+    kernel: Borrowed("glimt_render_gpu::kernels::composite::composite_alone"),
+    wgsl: Borrowed(include_str!("composite_alone.wgsl")),
+    workgroup_size: 64,
+    params_size: 128,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("layers", 1, 64, false),
+        BufferSlot::new("out", 2, 16, true),
+    ]),
+};
+
+/// `pyramid::taps` as a compute entry point.
+pub static TAPS: Entry = Entry {
+    name: Borrowed("taps"),
+    kernel: Borrowed("glimt_render_gpu::kernels::pyramid::taps"),
+    wgsl: Borrowed(include_str!("taps.wgsl")),
+    workgroup_size: 64,
+    params_size: 16,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("size", 8, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("out", 1, 32, true),
+    ]),
+};
+
+/// `pyramid::halve` as a compute entry point.
+pub static HALVE: Entry = Entry {
+    name: Borrowed("halve"),
+    kernel: Borrowed("glimt_render_gpu::kernels::pyramid::halve"),
+    wgsl: Borrowed(include_str!("halve.wgsl")),
+    workgroup_size: 64,
+    params_size: 16,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("size", 8, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("taps", 1, 32, false),
+        BufferSlot::new("texels", 2, 16, false),
+        BufferSlot::new("out", 3, 16, true),
+    ]),
+};
+
+/// `light_sh::light_coefficient` as a compute entry point.
+pub static LIGHT_COEFFICIENT: Entry = Entry {
+    name: Borrowed("light_coefficient"),
+    kernel: Borrowed("glimt_render_gpu::kernels::light_sh::light_coefficient"),
+    wgsl: Borrowed(include_str!("light_coefficient.wgsl")),
+    workgroup_size: 64,
+    params_size: 40,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("light", 8, 32),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("sums", 1, 16, false),
+        BufferSlot::new("previous", 2, 16, false),
+        BufferSlot::new("out", 3, 16, true),
+    ]),
+};
+
+/// `prt::vertex_light` as a compute entry point.
+pub static VERTEX_LIGHT: Entry = Entry {
+    name: Borrowed("vertex_light"),
+    kernel: Borrowed("glimt_render_gpu::kernels::prt::vertex_light"),
+    wgsl: Borrowed(include_str!("vertex_light.wgsl")),
+    workgroup_size: 64,
+    params_size: 16,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("coefficients", 8, 4),
+        ParamField::new("shadows", 12, 4),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("light", 1, 16, false),
+        BufferSlot::new("lit", 2, 4, false),
+        BufferSlot::new("blocked", 3, 4, false),
+        BufferSlot::new("out", 4, 32, true),
+    ]),
+};
+
+/// `raster::unpack_layers` as a compute entry point.
+pub static UNPACK_LAYERS: Entry = Entry {
+    name: Borrowed("unpack_layers"),
+    kernel: Borrowed("glimt_render_gpu::kernels::raster::unpack_layers"),
+    wgsl: Borrowed(include_str!("unpack_layers.wgsl")),
+    workgroup_size: 64,
+    params_size: 160,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("layout", 128, 16),
+        ParamField::new("map_rotation", 144, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("map_texels", 1, 16, false),
+        BufferSlot::new("object", 2, 8, false),
+        BufferSlot::new("lit", 3, 8, false),
+        BufferSlot::new("blocked", 4, 8, false),
+        BufferSlot::new("out", 5, 64, true),
+    ]),
+};
+
+/// `capture::film_ball` as a compute entry point.
+pub static FILM_BALL: Entry = Entry {
+    name: Borrowed("film_ball"),
+    kernel: Borrowed("glimt_render_gpu::kernels::capture::film_ball"),
+    wgsl: Borrowed(include_str!("film_ball.wgsl")),
+    workgroup_size: 64,
+    params_size: 256,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("capture", 16, 176),
+        ParamField::new("stage.params", 192, 64),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("stage.texels", 1, 16, false),
+        BufferSlot::new("out", 2, 16, true),
+    ]),
+};
+
+/// `capture::film_plate` as a compute entry point.
+pub static FILM_PLATE: Entry = Entry {
+    name: Borrowed("film_plate"),
+    kernel: Borrowed("glimt_render_gpu::kernels::capture::film_plate"),
+    wgsl: Borrowed(include_str!("film_plate.wgsl")),
+    workgroup_size: 64,
+    params_size: 192,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("stage.params", 128, 64),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("stage.texels", 1, 16, false),
+        BufferSlot::new("out", 2, 16, true),
+    ]),
+};
+
+/// `capture::film_latlong` as a compute entry point.
+pub static FILM_LATLONG: Entry = Entry {
+    name: Borrowed("film_latlong"),
+    kernel: Borrowed("glimt_render_gpu::kernels::capture::film_latlong"),
+    wgsl: Borrowed(include_str!("film_latlong.wgsl")),
+    workgroup_size: 64,
+    params_size: 112,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("latlong", 16, 32),
+        ParamField::new("stage.params", 48, 64),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("stage.texels", 1, 16, false),
+        BufferSlot::new("out", 2, 16, true),
+    ]),
+};
+
+/// `sensor::expose` as a compute entry point.
+pub static EXPOSE: Entry = Entry {
+    name: Borrowed("expose"),
+    kernel: Borrowed("glimt_render_gpu::kernels::sensor::expose"),
+    wgsl: Borrowed(include_str!("expose.wgsl")),
+    workgroup_size: 64,
+    params_size: 56,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("sensor", 8, 48),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("radiance", 1, 16, false),
+        BufferSlot::new("out", 2, 16, true),
+    ]),
+};
+
+/// `diagnose::uniforms` as a compute entry point.
+pub static DIAGNOSE_UNIFORMS: Entry = Entry {
+    name: Borrowed("diagnose_uniforms"),
+    kernel: Borrowed("glimt_render_gpu::kernels::diagnose::uniforms"),
+    wgsl: Borrowed(include_str!("diagnose_uniforms.wgsl")),
+    workgroup_size: 64,
+    params_size: 128,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("out", 1, 16, true),
+    ]),
+};
+
+/// `diagnose::env_sample` as a compute entry point.
+pub static DIAGNOSE_ENV_SAMPLE: Entry = Entry {
+    name: Borrowed("diagnose_env_sample"),
+    kernel: Borrowed("glimt_render_gpu::kernels::diagnose::env_sample"),
+    wgsl: Borrowed(include_str!("diagnose_env_sample.wgsl")),
+    workgroup_size: 64,
+    params_size: 144,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("env.cdf.size", 128, 8),
+        ParamField::new("env.rotation", 136, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.cdf.marginal", 2, 4, false),
+        BufferSlot::new("env.cdf.conditional", 3, 4, false),
+        BufferSlot::new("out", 4, 32, true),
+    ]),
+};
+
+/// `diagnose::primary_hit` as a compute entry point.
+pub static DIAGNOSE_PRIMARY_HIT: Entry = Entry {
+    name: Borrowed("diagnose_primary_hit"),
+    kernel: Borrowed("glimt_render_gpu::kernels::diagnose::primary_hit"),
+    wgsl: Borrowed(include_str!("diagnose_primary_hit.wgsl")),
+    workgroup_size: 64,
+    params_size: 128,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("scene.nodes", 1, 32, false),
+        BufferSlot::new("scene.triangles", 2, 48, false),
+        BufferSlot::new("scene.corners", 3, 32, false),
+        BufferSlot::new("scene.materials", 4, 96, false),
+        BufferSlot::new("scene.texels", 5, 4, false),
+        BufferSlot::new("out", 6, 16, true),
+    ]),
+};
+
+/// `diagnose::surface` as a compute entry point.
+pub static DIAGNOSE_SURFACE: Entry = Entry {
+    name: Borrowed("diagnose_surface"),
+    kernel: Borrowed("glimt_render_gpu::kernels::diagnose::surface"),
+    wgsl: Borrowed(include_str!("diagnose_surface.wgsl")),
+    workgroup_size: 64,
+    params_size: 128,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("scene.nodes", 1, 32, false),
+        BufferSlot::new("scene.triangles", 2, 48, false),
+        BufferSlot::new("scene.corners", 3, 32, false),
+        BufferSlot::new("scene.materials", 4, 96, false),
+        BufferSlot::new("scene.texels", 5, 4, false),
+        BufferSlot::new("out", 6, 64, true),
+    ]),
+};
+
+/// `diagnose::brdf_sample` as a compute entry point.
+pub static DIAGNOSE_BRDF_SAMPLE: Entry = Entry {
+    name: Borrowed("diagnose_brdf_sample"),
+    kernel: Borrowed("glimt_render_gpu::kernels::diagnose::brdf_sample"),
+    wgsl: Borrowed(include_str!("diagnose_brdf_sample.wgsl")),
+    workgroup_size: 64,
+    params_size: 128,
+    params_space: ParamsSpace::Storage,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("scene.nodes", 1, 32, false),
+        BufferSlot::new("scene.triangles", 2, 48, false),
+        BufferSlot::new("scene.corners", 3, 32, false),
+        BufferSlot::new("scene.materials", 4, 96, false),
+        BufferSlot::new("scene.texels", 5, 4, false),
+        BufferSlot::new("out", 6, 16, true),
+    ]),
+};

@@ -1,0 +1,2077 @@
+//! Host file: the kernels with their arguments, for executors.
+//!
+//! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
+
+
+use glimt_executor::{Binder, Entry, Host, HostMemory, Memory, Pass};
+
+use super::entries;
+
+/// [`glimt_envmap_cdf::EnvCdf`] in some memory.
+#[derive(Clone, Copy)]
+pub struct EnvCdfArg<'a, M: Memory> {
+    /// Its `size`.
+    pub size: glam::UVec2,
+    /// Its `marginal`.
+    pub marginal: M::Slice<'a, u32>,
+    /// Its `conditional`.
+    pub conditional: M::Slice<'a, u32>,
+}
+
+impl<'a, M: Memory> EnvCdfArg<'a, M> {
+    /// The same for a shorter time: [`Memory::shorten`].
+    #[must_use]
+    pub fn shorten<'b>(self) -> EnvCdfArg<'b, M>
+    where
+        'a: 'b,
+    {
+        EnvCdfArg {
+            size: self.size,
+            marginal: M::shorten(self.marginal),
+            conditional: M::shorten(self.conditional),
+        }
+    }
+}
+
+impl<'a, M: HostMemory> EnvCdfArg<'a, M> {
+    /// What the kernel takes.
+    #[inline]
+    pub fn view(self) -> glimt_envmap_cdf::EnvCdf<'a> {
+        glimt_envmap_cdf::EnvCdf {
+            size: self.size,
+            marginal: M::values(self.marginal),
+            conditional: M::values(self.conditional),
+        }
+    }
+}
+
+impl<'a> From<glimt_envmap_cdf::EnvCdf<'a>> for EnvCdfArg<'a, Host> {
+    fn from(view: glimt_envmap_cdf::EnvCdf<'a>) -> Self {
+        Self {
+            size: view.size,
+            marginal: view.marginal,
+            conditional: view.conditional,
+        }
+    }
+}
+
+/// [`crate::kernels::environment::Environment`] in some memory.
+#[derive(Clone, Copy)]
+pub struct EnvironmentArg<'a, M: Memory> {
+    /// Its `texels`.
+    pub texels: M::Slice<'a, glam::Vec4>,
+    /// Its `cdf`.
+    pub cdf: EnvCdfArg<'a, M>,
+    /// Its `rotation`.
+    pub rotation: glam::Vec2,
+}
+
+impl<'a, M: Memory> EnvironmentArg<'a, M> {
+    /// The same for a shorter time: [`Memory::shorten`].
+    #[must_use]
+    pub fn shorten<'b>(self) -> EnvironmentArg<'b, M>
+    where
+        'a: 'b,
+    {
+        EnvironmentArg {
+            texels: M::shorten(self.texels),
+            cdf: self.cdf.shorten(),
+            rotation: self.rotation,
+        }
+    }
+}
+
+impl<'a, M: HostMemory> EnvironmentArg<'a, M> {
+    /// What the kernel takes.
+    #[inline]
+    pub fn view(self) -> crate::kernels::environment::Environment<'a> {
+        crate::kernels::environment::Environment {
+            texels: M::values(self.texels),
+            cdf: self.cdf.view(),
+            rotation: self.rotation,
+        }
+    }
+}
+
+impl<'a> From<crate::kernels::environment::Environment<'a>> for EnvironmentArg<'a, Host> {
+    fn from(view: crate::kernels::environment::Environment<'a>) -> Self {
+        Self {
+            texels: view.texels,
+            cdf: view.cdf.into(),
+            rotation: view.rotation,
+        }
+    }
+}
+
+/// [`crate::kernels::scene::Scene`] in some memory.
+#[derive(Clone, Copy)]
+pub struct SceneArg<'a, M: Memory> {
+    /// Its `nodes`.
+    pub nodes: M::Slice<'a, crate::kernels::bvh::BvhNode>,
+    /// Its `triangles`.
+    pub triangles: M::Slice<'a, crate::kernels::triangle::Triangle>,
+    /// Its `corners`.
+    pub corners: M::Slice<'a, crate::kernels::scene::Corner>,
+    /// Its `materials`.
+    pub materials: M::Slice<'a, crate::kernels::material::Material>,
+    /// Its `texels`.
+    pub texels: M::Slice<'a, u32>,
+}
+
+impl<'a, M: Memory> SceneArg<'a, M> {
+    /// The same for a shorter time: [`Memory::shorten`].
+    #[must_use]
+    pub fn shorten<'b>(self) -> SceneArg<'b, M>
+    where
+        'a: 'b,
+    {
+        SceneArg {
+            nodes: M::shorten(self.nodes),
+            triangles: M::shorten(self.triangles),
+            corners: M::shorten(self.corners),
+            materials: M::shorten(self.materials),
+            texels: M::shorten(self.texels),
+        }
+    }
+}
+
+impl<'a, M: HostMemory> SceneArg<'a, M> {
+    /// What the kernel takes.
+    #[inline]
+    pub fn view(self) -> crate::kernels::scene::Scene<'a> {
+        crate::kernels::scene::Scene {
+            nodes: M::values(self.nodes),
+            triangles: M::values(self.triangles),
+            corners: M::values(self.corners),
+            materials: M::values(self.materials),
+            texels: M::values(self.texels),
+        }
+    }
+}
+
+impl<'a> From<crate::kernels::scene::Scene<'a>> for SceneArg<'a, Host> {
+    fn from(view: crate::kernels::scene::Scene<'a>) -> Self {
+        Self {
+            nodes: view.nodes,
+            triangles: view.triangles,
+            corners: view.corners,
+            materials: view.materials,
+            texels: view.texels,
+        }
+    }
+}
+
+/// [`crate::kernels::environment::RadianceMap`] in some memory.
+#[derive(Clone, Copy)]
+pub struct RadianceMapArg<'a, M: Memory> {
+    /// Its `texels`.
+    pub texels: M::Slice<'a, glam::Vec4>,
+    /// Its `size`.
+    pub size: glam::UVec2,
+    /// Its `rotation`.
+    pub rotation: glam::Vec2,
+}
+
+impl<'a, M: Memory> RadianceMapArg<'a, M> {
+    /// The same for a shorter time: [`Memory::shorten`].
+    #[must_use]
+    pub fn shorten<'b>(self) -> RadianceMapArg<'b, M>
+    where
+        'a: 'b,
+    {
+        RadianceMapArg {
+            texels: M::shorten(self.texels),
+            size: self.size,
+            rotation: self.rotation,
+        }
+    }
+}
+
+impl<'a, M: HostMemory> RadianceMapArg<'a, M> {
+    /// What the kernel takes.
+    #[inline]
+    pub fn view(self) -> crate::kernels::environment::RadianceMap<'a> {
+        crate::kernels::environment::RadianceMap {
+            texels: M::values(self.texels),
+            size: self.size,
+            rotation: self.rotation,
+        }
+    }
+}
+
+impl<'a> From<crate::kernels::environment::RadianceMap<'a>> for RadianceMapArg<'a, Host> {
+    fn from(view: crate::kernels::environment::RadianceMap<'a>) -> Self {
+        Self {
+            texels: view.texels,
+            size: view.size,
+            rotation: view.rotation,
+        }
+    }
+}
+
+/// [`crate::kernels::past::Past`] in some memory.
+#[derive(Clone, Copy)]
+pub struct PastArg<'a, M: Memory> {
+    /// Its `motions`.
+    pub motions: M::Slice<'a, glam::Mat4>,
+    /// Its `states`.
+    pub states: M::Slice<'a, crate::kernels::past::RayState>,
+    /// Its `particles`.
+    pub particles: M::Slice<'a, glimt_smc::particle::Particle>,
+}
+
+impl<'a, M: Memory> PastArg<'a, M> {
+    /// The same for a shorter time: [`Memory::shorten`].
+    #[must_use]
+    pub fn shorten<'b>(self) -> PastArg<'b, M>
+    where
+        'a: 'b,
+    {
+        PastArg {
+            motions: M::shorten(self.motions),
+            states: M::shorten(self.states),
+            particles: M::shorten(self.particles),
+        }
+    }
+}
+
+impl<'a, M: HostMemory> PastArg<'a, M> {
+    /// What the kernel takes.
+    #[inline]
+    pub fn view(self) -> crate::kernels::past::Past<'a> {
+        crate::kernels::past::Past {
+            motions: M::values(self.motions),
+            states: M::values(self.states),
+            particles: M::values(self.particles),
+        }
+    }
+}
+
+impl<'a> From<crate::kernels::past::Past<'a>> for PastArg<'a, Host> {
+    fn from(view: crate::kernels::past::Past<'a>) -> Self {
+        Self {
+            motions: view.motions,
+            states: view.states,
+            particles: view.particles,
+        }
+    }
+}
+
+/// [`glimt_probe::gather::GatherMap`] in some memory.
+#[derive(Clone, Copy)]
+pub struct GatherMapArg<'a, M: Memory> {
+    /// Its `texels`.
+    pub texels: M::Slice<'a, glimt_probe::gather::TexelTaps>,
+    /// Its `taps`.
+    pub taps: M::Slice<'a, u32>,
+}
+
+impl<'a, M: Memory> GatherMapArg<'a, M> {
+    /// The same for a shorter time: [`Memory::shorten`].
+    #[must_use]
+    pub fn shorten<'b>(self) -> GatherMapArg<'b, M>
+    where
+        'a: 'b,
+    {
+        GatherMapArg {
+            texels: M::shorten(self.texels),
+            taps: M::shorten(self.taps),
+        }
+    }
+}
+
+impl<'a, M: HostMemory> GatherMapArg<'a, M> {
+    /// What the kernel takes.
+    #[inline]
+    pub fn view(self) -> glimt_probe::gather::GatherMap<'a> {
+        glimt_probe::gather::GatherMap {
+            texels: M::values(self.texels),
+            taps: M::values(self.taps),
+        }
+    }
+}
+
+impl<'a> From<glimt_probe::gather::GatherMap<'a>> for GatherMapArg<'a, Host> {
+    fn from(view: glimt_probe::gather::GatherMap<'a>) -> Self {
+        Self {
+            texels: view.texels,
+            taps: view.taps,
+        }
+    }
+}
+
+/// [`crate::kernels::stage::Stage`] in some memory.
+#[derive(Clone, Copy)]
+pub struct StageArg<'a, M: Memory> {
+    /// Its `texels`.
+    pub texels: M::Slice<'a, glam::Vec4>,
+    /// Its `params`.
+    pub params: crate::kernels::stage::StageParams,
+}
+
+impl<'a, M: Memory> StageArg<'a, M> {
+    /// The same for a shorter time: [`Memory::shorten`].
+    #[must_use]
+    pub fn shorten<'b>(self) -> StageArg<'b, M>
+    where
+        'a: 'b,
+    {
+        StageArg {
+            texels: M::shorten(self.texels),
+            params: self.params,
+        }
+    }
+}
+
+impl<'a, M: HostMemory> StageArg<'a, M> {
+    /// What the kernel takes.
+    #[inline]
+    pub fn view(self) -> crate::kernels::stage::Stage<'a> {
+        crate::kernels::stage::Stage {
+            texels: M::values(self.texels),
+            params: self.params,
+        }
+    }
+}
+
+impl<'a> From<crate::kernels::stage::Stage<'a>> for StageArg<'a, Host> {
+    fn from(view: crate::kernels::stage::Stage<'a>) -> Self {
+        Self {
+            texels: view.texels,
+            params: view.params,
+        }
+    }
+}
+
+/// `shade::shade_mis` with its arguments.
+pub struct ShadeMis<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for ShadeMis<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SHADE_MIS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, &self.env.cdf.size);
+        binder.value(4, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.cdf.marginal);
+        binder.slice(2, self.env.cdf.conditional);
+        binder.slice(3, self.scene.nodes);
+        binder.slice(4, self.scene.triangles);
+        binder.slice(5, self.scene.corners);
+        binder.slice(6, self.scene.materials);
+        binder.slice(7, self.scene.texels);
+        binder.out(8, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, env: self.env, scene: self.scene, out },
+            Self { frame: self.frame, env: self.env, scene: self.scene, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::shade::shade_mis(id, self.frame, env, scene);
+        }
+    }
+}
+
+/// `shade::shade_bis` with its arguments.
+pub struct ShadeBis<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `bis`.
+    pub bis: &'a crate::kernels::bis::Bis,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for ShadeBis<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SHADE_BIS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, self.bis);
+        binder.value(4, &self.env.cdf.size);
+        binder.value(5, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.cdf.marginal);
+        binder.slice(2, self.env.cdf.conditional);
+        binder.slice(3, self.scene.nodes);
+        binder.slice(4, self.scene.triangles);
+        binder.slice(5, self.scene.corners);
+        binder.slice(6, self.scene.materials);
+        binder.slice(7, self.scene.texels);
+        binder.out(8, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, bis: self.bis, env: self.env, scene: self.scene, out },
+            Self { frame: self.frame, bis: self.bis, env: self.env, scene: self.scene, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::shade::shade_bis(id, self.frame, self.bis, env, scene);
+        }
+    }
+}
+
+/// `shade::shade_bis_layers` with its arguments.
+pub struct ShadeBisLayers<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `bis`.
+    pub bis: &'a crate::kernels::bis::Bis,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::layers::LayerSample>,
+}
+
+impl<'a, M: Memory> Pass for ShadeBisLayers<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SHADE_BIS_LAYERS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, self.bis);
+        binder.value(4, &self.env.cdf.size);
+        binder.value(5, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.cdf.marginal);
+        binder.slice(2, self.env.cdf.conditional);
+        binder.slice(3, self.scene.nodes);
+        binder.slice(4, self.scene.triangles);
+        binder.slice(5, self.scene.corners);
+        binder.slice(6, self.scene.materials);
+        binder.slice(7, self.scene.texels);
+        binder.out(8, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, bis: self.bis, env: self.env, scene: self.scene, out },
+            Self { frame: self.frame, bis: self.bis, env: self.env, scene: self.scene, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::shade::shade_bis_layers(id, self.frame, self.bis, env, scene);
+        }
+    }
+}
+
+/// `smc::shade_smc` with its arguments.
+pub struct ShadeSmc<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `smc`.
+    pub smc: &'a crate::kernels::smc::SmcParams,
+    /// The kernel's `view`.
+    pub view: &'a crate::kernels::past::PastView,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `before`.
+    pub before: RadianceMapArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// The kernel's `past`.
+    pub past: PastArg<'a, M>,
+    /// The kernel's own `state`.
+    pub state: M::Chunks<'a, crate::kernels::past::RayState>,
+    /// The kernel's own `particles`.
+    pub particles: M::Chunks<'a, glimt_smc::particle::Particle>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for ShadeSmc<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SHADE_SMC
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(4, self.frame);
+        binder.value(5, self.smc);
+        binder.value(6, self.view);
+        binder.value(7, &self.env.cdf.size);
+        binder.value(8, &self.env.rotation);
+        binder.value(9, &self.before.size);
+        binder.value(10, &self.before.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.cdf.marginal);
+        binder.slice(2, self.env.cdf.conditional);
+        binder.slice(3, self.before.texels);
+        binder.slice(4, self.scene.nodes);
+        binder.slice(5, self.scene.triangles);
+        binder.slice(6, self.scene.corners);
+        binder.slice(7, self.scene.materials);
+        binder.slice(8, self.scene.texels);
+        binder.slice(9, self.past.motions);
+        binder.slice(10, self.past.states);
+        binder.slice(11, self.past.particles);
+        binder.chunks(12, 2, &self.state);
+        binder.chunks(13, 3, &self.particles);
+        binder.out(14, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.state).min(M::count(&self.particles)).min(M::count(&self.out))
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (state, rest_of_state) = M::split_at(self.state, at);
+        let (particles, rest_of_particles) = M::split_at(self.particles, at);
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, smc: self.smc, view: self.view, env: self.env, before: self.before, scene: self.scene, past: self.past, state, particles, out },
+            Self { frame: self.frame, smc: self.smc, view: self.view, env: self.env, before: self.before, scene: self.scene, past: self.past, state: rest_of_state, particles: rest_of_particles, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let before = self.before.view();
+        let scene = self.scene.view();
+        let past = self.past.view();
+        for (((id, state), particles), out) in (first..).zip(M::each(self.state)).zip(M::each(self.particles)).zip(M::each(self.out)) {
+            out[0] = crate::kernels::smc::shade_smc(id, self.frame, self.smc, self.view, env, before, scene, past, state, particles);
+        }
+    }
+}
+
+/// `smc::shade_smc_layers` with its arguments.
+pub struct ShadeSmcLayers<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `smc`.
+    pub smc: &'a crate::kernels::smc::SmcParams,
+    /// The kernel's `view`.
+    pub view: &'a crate::kernels::past::PastView,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `before`.
+    pub before: RadianceMapArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// The kernel's `past`.
+    pub past: PastArg<'a, M>,
+    /// The kernel's own `state`.
+    pub state: M::Chunks<'a, crate::kernels::past::RayState>,
+    /// The kernel's own `particles`.
+    pub particles: M::Chunks<'a, glimt_smc::particle::Particle>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::layers::LayerSample>,
+}
+
+impl<'a, M: Memory> Pass for ShadeSmcLayers<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SHADE_SMC_LAYERS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(4, self.frame);
+        binder.value(5, self.smc);
+        binder.value(6, self.view);
+        binder.value(7, &self.env.cdf.size);
+        binder.value(8, &self.env.rotation);
+        binder.value(9, &self.before.size);
+        binder.value(10, &self.before.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.cdf.marginal);
+        binder.slice(2, self.env.cdf.conditional);
+        binder.slice(3, self.before.texels);
+        binder.slice(4, self.scene.nodes);
+        binder.slice(5, self.scene.triangles);
+        binder.slice(6, self.scene.corners);
+        binder.slice(7, self.scene.materials);
+        binder.slice(8, self.scene.texels);
+        binder.slice(9, self.past.motions);
+        binder.slice(10, self.past.states);
+        binder.slice(11, self.past.particles);
+        binder.chunks(12, 2, &self.state);
+        binder.chunks(13, 3, &self.particles);
+        binder.out(14, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.state).min(M::count(&self.particles)).min(M::count(&self.out))
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (state, rest_of_state) = M::split_at(self.state, at);
+        let (particles, rest_of_particles) = M::split_at(self.particles, at);
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, smc: self.smc, view: self.view, env: self.env, before: self.before, scene: self.scene, past: self.past, state, particles, out },
+            Self { frame: self.frame, smc: self.smc, view: self.view, env: self.env, before: self.before, scene: self.scene, past: self.past, state: rest_of_state, particles: rest_of_particles, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let before = self.before.view();
+        let scene = self.scene.view();
+        let past = self.past.view();
+        for (((id, state), particles), out) in (first..).zip(M::each(self.state)).zip(M::each(self.particles)).zip(M::each(self.out)) {
+            out[0] = crate::kernels::smc::shade_smc_layers(id, self.frame, self.smc, self.view, env, before, scene, past, state, particles);
+        }
+    }
+}
+
+/// `smc::diagnose_smc` with its arguments.
+pub struct DiagnoseSmc<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `states`.
+    pub states: M::Slice<'a, crate::kernels::past::RayState>,
+    /// The kernel's `particles_per_ray`.
+    pub particles_per_ray: u32,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for DiagnoseSmc<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::DIAGNOSE_SMC
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, &self.particles_per_ray);
+        binder.slice(0, self.states);
+        binder.out(1, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, states: self.states, particles_per_ray: self.particles_per_ray, out },
+            Self { frame: self.frame, states: self.states, particles_per_ray: self.particles_per_ray, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let states = M::values(self.states);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::smc::diagnose_smc(id, self.frame, states, self.particles_per_ray);
+        }
+    }
+}
+
+/// `film::reconstruct` with its arguments.
+pub struct Reconstruct<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `samples`.
+    pub samples: M::Slice<'a, glam::Vec4>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for Reconstruct<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::RECONSTRUCT
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.slice(0, self.samples);
+        binder.out(1, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, samples: self.samples, out },
+            Self { frame: self.frame, samples: self.samples, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let samples = M::values(self.samples);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::film::reconstruct(id, self.frame, samples);
+        }
+    }
+}
+
+/// `film::tonemap` with its arguments.
+pub struct Tonemap<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `linear`.
+    pub linear: M::Slice<'a, glam::Vec4>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, u32>,
+}
+
+impl<'a, M: Memory> Pass for Tonemap<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::TONEMAP
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.slice(0, self.linear);
+        binder.out(1, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, linear: self.linear, out },
+            Self { frame: self.frame, linear: self.linear, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let linear = M::values(self.linear);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::film::tonemap(id, self.frame, linear);
+        }
+    }
+}
+
+/// `transfer::transfer` with its arguments.
+pub struct Transfer<'a, M: Memory> {
+    /// The kernel's `params`.
+    pub params: &'a crate::kernels::transfer::TransferParams,
+    /// The kernel's `nodes`.
+    pub nodes: M::Slice<'a, crate::kernels::bvh::BvhNode>,
+    /// The kernel's `triangles`.
+    pub triangles: M::Slice<'a, crate::kernels::triangle::Triangle>,
+    /// The kernel's `vertices`.
+    pub vertices: M::Slice<'a, crate::kernels::transfer::TransferVertex>,
+    /// The kernel's own `state`.
+    pub state: M::Chunks<'a, u32>,
+    /// The kernel's own `lit`.
+    pub lit: M::Chunks<'a, f32>,
+    /// The kernel's own `blocked`.
+    pub blocked: M::Chunks<'a, f32>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, u32>,
+}
+
+impl<'a, M: Memory> Pass for Transfer<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::TRANSFER
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(5, self.params);
+        binder.slice(0, self.nodes);
+        binder.slice(1, self.triangles);
+        binder.slice(2, self.vertices);
+        binder.chunks(3, 2, &self.state);
+        binder.chunks(4, 3, &self.lit);
+        binder.chunks(5, 4, &self.blocked);
+        binder.out(6, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.state).min(M::count(&self.lit)).min(M::count(&self.blocked)).min(M::count(&self.out))
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (state, rest_of_state) = M::split_at(self.state, at);
+        let (lit, rest_of_lit) = M::split_at(self.lit, at);
+        let (blocked, rest_of_blocked) = M::split_at(self.blocked, at);
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { params: self.params, nodes: self.nodes, triangles: self.triangles, vertices: self.vertices, state, lit, blocked, out },
+            Self { params: self.params, nodes: self.nodes, triangles: self.triangles, vertices: self.vertices, state: rest_of_state, lit: rest_of_lit, blocked: rest_of_blocked, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let nodes = M::values(self.nodes);
+        let triangles = M::values(self.triangles);
+        let vertices = M::values(self.vertices);
+        for ((((id, state), lit), blocked), out) in (first..).zip(M::each(self.state)).zip(M::each(self.lit)).zip(M::each(self.blocked)).zip(M::each(self.out)) {
+            out[0] = crate::kernels::transfer::transfer(id, self.params, nodes, triangles, vertices, state, lit, blocked);
+        }
+    }
+}
+
+/// `unwarp::unwarp` with its arguments.
+pub struct Unwarp<'a, M: Memory> {
+    /// The kernel's `map`.
+    pub map: GatherMapArg<'a, M>,
+    /// The kernel's `colour`.
+    pub colour: &'a glimt_probe::gather::ColourMatrix,
+    /// The kernel's `reflectance`.
+    pub reflectance: glam::Vec4,
+    /// The kernel's `pixels`.
+    pub pixels: M::Slice<'a, glam::Vec4>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for Unwarp<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::UNWARP
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.colour);
+        binder.value(3, &self.reflectance);
+        binder.slice(0, self.map.texels);
+        binder.slice(1, self.map.taps);
+        binder.slice(2, self.pixels);
+        binder.out(3, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { map: self.map, colour: self.colour, reflectance: self.reflectance, pixels: self.pixels, out },
+            Self { map: self.map, colour: self.colour, reflectance: self.reflectance, pixels: self.pixels, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let map = self.map.view();
+        let pixels = M::values(self.pixels);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::unwarp::unwarp(id, map, self.colour, self.reflectance, pixels);
+        }
+    }
+}
+
+/// `shade::shade_mis_layers` with its arguments.
+pub struct ShadeMisLayers<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::layers::LayerSample>,
+}
+
+impl<'a, M: Memory> Pass for ShadeMisLayers<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SHADE_MIS_LAYERS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, &self.env.cdf.size);
+        binder.value(4, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.cdf.marginal);
+        binder.slice(2, self.env.cdf.conditional);
+        binder.slice(3, self.scene.nodes);
+        binder.slice(4, self.scene.triangles);
+        binder.slice(5, self.scene.corners);
+        binder.slice(6, self.scene.materials);
+        binder.slice(7, self.scene.texels);
+        binder.out(8, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, env: self.env, scene: self.scene, out },
+            Self { frame: self.frame, env: self.env, scene: self.scene, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::shade::shade_mis_layers(id, self.frame, env, scene);
+        }
+    }
+}
+
+/// `layers::reconstruct_layers` with its arguments.
+pub struct ReconstructLayers<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `samples`.
+    pub samples: M::Slice<'a, crate::kernels::layers::LayerSample>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::layers::PixelLayers>,
+}
+
+impl<'a, M: Memory> Pass for ReconstructLayers<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::RECONSTRUCT_LAYERS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, &self.env.cdf.size);
+        binder.value(4, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.cdf.marginal);
+        binder.slice(2, self.env.cdf.conditional);
+        binder.slice(3, self.samples);
+        binder.out(4, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, env: self.env, samples: self.samples, out },
+            Self { frame: self.frame, env: self.env, samples: self.samples, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let samples = M::values(self.samples);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::layers::reconstruct_layers(id, self.frame, env, samples);
+        }
+    }
+}
+
+/// `composite::composite_over_plate` with its arguments.
+pub struct CompositeOverPlate<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `layers`.
+    pub layers: M::Slice<'a, crate::kernels::layers::PixelLayers>,
+    /// The kernel's `plate`.
+    pub plate: M::Slice<'a, crate::kernels::composite::PlatePixel>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for CompositeOverPlate<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::COMPOSITE_OVER_PLATE
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.slice(0, self.layers);
+        binder.slice(1, self.plate);
+        binder.out(2, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, layers: self.layers, plate: self.plate, out },
+            Self { frame: self.frame, layers: self.layers, plate: self.plate, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let layers = M::values(self.layers);
+        let plate = M::values(self.plate);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::composite::composite_over_plate(id, self.frame, layers, plate);
+        }
+    }
+}
+
+/// `composite::display_over_plate` with its arguments.
+pub struct DisplayOverPlate<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `layers`.
+    pub layers: M::Slice<'a, crate::kernels::layers::PixelLayers>,
+    /// The kernel's `plate`.
+    pub plate: M::Slice<'a, crate::kernels::composite::PlatePixel>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, u32>,
+}
+
+impl<'a, M: Memory> Pass for DisplayOverPlate<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::DISPLAY_OVER_PLATE
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.slice(0, self.layers);
+        binder.slice(1, self.plate);
+        binder.out(2, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, layers: self.layers, plate: self.plate, out },
+            Self { frame: self.frame, layers: self.layers, plate: self.plate, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let layers = M::values(self.layers);
+        let plate = M::values(self.plate);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::composite::display_over_plate(id, self.frame, layers, plate);
+        }
+    }
+}
+
+/// `composite::composite_alone` with its arguments.
+pub struct CompositeAlone<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `layers`.
+    pub layers: M::Slice<'a, crate::kernels::layers::PixelLayers>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for CompositeAlone<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::COMPOSITE_ALONE
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.slice(0, self.layers);
+        binder.out(1, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, layers: self.layers, out },
+            Self { frame: self.frame, layers: self.layers, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let layers = M::values(self.layers);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::composite::composite_alone(id, self.frame, layers);
+        }
+    }
+}
+
+/// `pyramid::taps` with its arguments.
+pub struct Taps<'a, M: Memory> {
+    /// The kernel's `size`.
+    pub size: glam::UVec2,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::pyramid::Taps>,
+}
+
+impl<'a, M: Memory> Pass for Taps<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::TAPS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, &self.size);
+        binder.out(0, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { size: self.size, out },
+            Self { size: self.size, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::pyramid::taps(id, self.size);
+        }
+    }
+}
+
+/// `pyramid::halve` with its arguments.
+pub struct Halve<'a, M: Memory> {
+    /// The kernel's `size`.
+    pub size: glam::UVec2,
+    /// The kernel's `taps`.
+    pub taps: M::Slice<'a, crate::kernels::pyramid::Taps>,
+    /// The kernel's `texels`.
+    pub texels: M::Slice<'a, glam::Vec4>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for Halve<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::HALVE
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, &self.size);
+        binder.slice(0, self.taps);
+        binder.slice(1, self.texels);
+        binder.out(2, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { size: self.size, taps: self.taps, texels: self.texels, out },
+            Self { size: self.size, taps: self.taps, texels: self.texels, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let taps = M::values(self.taps);
+        let texels = M::values(self.texels);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::pyramid::halve(id, self.size, taps, texels);
+        }
+    }
+}
+
+/// `light_sh::light_coefficient` with its arguments.
+pub struct LightCoefficient<'a, M: Memory> {
+    /// The kernel's `light`.
+    pub light: &'a crate::kernels::light_sh::LightParams,
+    /// The kernel's `sums`.
+    pub sums: M::Slice<'a, glam::Vec4>,
+    /// The kernel's `previous`.
+    pub previous: M::Slice<'a, glam::Vec4>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for LightCoefficient<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::LIGHT_COEFFICIENT
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.light);
+        binder.slice(0, self.sums);
+        binder.slice(1, self.previous);
+        binder.out(2, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { light: self.light, sums: self.sums, previous: self.previous, out },
+            Self { light: self.light, sums: self.sums, previous: self.previous, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let sums = M::values(self.sums);
+        let previous = M::values(self.previous);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::light_sh::light_coefficient(id, self.light, sums, previous);
+        }
+    }
+}
+
+/// `prt::vertex_light` with its arguments.
+pub struct VertexLight<'a, M: Memory> {
+    /// The kernel's `coefficients`.
+    pub coefficients: u32,
+    /// The kernel's `shadows`.
+    pub shadows: u32,
+    /// The kernel's `light`.
+    pub light: M::Slice<'a, glam::Vec4>,
+    /// The kernel's `lit`.
+    pub lit: M::Slice<'a, f32>,
+    /// The kernel's `blocked`.
+    pub blocked: M::Slice<'a, f32>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::prt::VertexLight>,
+}
+
+impl<'a, M: Memory> Pass for VertexLight<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::VERTEX_LIGHT
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, &self.coefficients);
+        binder.value(3, &self.shadows);
+        binder.slice(0, self.light);
+        binder.slice(1, self.lit);
+        binder.slice(2, self.blocked);
+        binder.out(3, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { coefficients: self.coefficients, shadows: self.shadows, light: self.light, lit: self.lit, blocked: self.blocked, out },
+            Self { coefficients: self.coefficients, shadows: self.shadows, light: self.light, lit: self.lit, blocked: self.blocked, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let light = M::values(self.light);
+        let lit = M::values(self.lit);
+        let blocked = M::values(self.blocked);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::prt::vertex_light(id, self.coefficients, self.shadows, light, lit, blocked);
+        }
+    }
+}
+
+/// `raster::unpack_layers` with its arguments.
+pub struct UnpackLayers<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `layout`.
+    pub layout: &'a crate::kernels::raster::DrawnLayout,
+    /// The kernel's `map_rotation`.
+    pub map_rotation: glam::Vec2,
+    /// The kernel's `map_texels`.
+    pub map_texels: M::Slice<'a, glam::Vec4>,
+    /// The kernel's `object`.
+    pub object: M::Slice<'a, glam::UVec2>,
+    /// The kernel's `lit`.
+    pub lit: M::Slice<'a, glam::UVec2>,
+    /// The kernel's `blocked`.
+    pub blocked: M::Slice<'a, glam::UVec2>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::layers::PixelLayers>,
+}
+
+impl<'a, M: Memory> Pass for UnpackLayers<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::UNPACK_LAYERS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, self.layout);
+        binder.value(4, &self.map_rotation);
+        binder.slice(0, self.map_texels);
+        binder.slice(1, self.object);
+        binder.slice(2, self.lit);
+        binder.slice(3, self.blocked);
+        binder.out(4, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, layout: self.layout, map_rotation: self.map_rotation, map_texels: self.map_texels, object: self.object, lit: self.lit, blocked: self.blocked, out },
+            Self { frame: self.frame, layout: self.layout, map_rotation: self.map_rotation, map_texels: self.map_texels, object: self.object, lit: self.lit, blocked: self.blocked, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let map_texels = M::values(self.map_texels);
+        let object = M::values(self.object);
+        let lit = M::values(self.lit);
+        let blocked = M::values(self.blocked);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::raster::unpack_layers(id, self.frame, self.layout, self.map_rotation, map_texels, object, lit, blocked);
+        }
+    }
+}
+
+/// `capture::film_ball` with its arguments.
+pub struct FilmBall<'a, M: Memory> {
+    /// The kernel's `capture`.
+    pub capture: &'a crate::kernels::capture::CaptureParams,
+    /// The kernel's `stage`.
+    pub stage: StageArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for FilmBall<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::FILM_BALL
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.capture);
+        binder.value(3, &self.stage.params);
+        binder.slice(0, self.stage.texels);
+        binder.out(1, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { capture: self.capture, stage: self.stage, out },
+            Self { capture: self.capture, stage: self.stage, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let stage = self.stage.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::capture::film_ball(id, self.capture, stage);
+        }
+    }
+}
+
+/// `capture::film_plate` with its arguments.
+pub struct FilmPlate<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `stage`.
+    pub stage: StageArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for FilmPlate<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::FILM_PLATE
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, &self.stage.params);
+        binder.slice(0, self.stage.texels);
+        binder.out(1, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, stage: self.stage, out },
+            Self { frame: self.frame, stage: self.stage, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let stage = self.stage.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::capture::film_plate(id, self.frame, stage);
+        }
+    }
+}
+
+/// `capture::film_latlong` with its arguments.
+pub struct FilmLatlong<'a, M: Memory> {
+    /// The kernel's `latlong`.
+    pub latlong: &'a crate::kernels::capture::LatLongParams,
+    /// The kernel's `stage`.
+    pub stage: StageArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for FilmLatlong<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::FILM_LATLONG
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.latlong);
+        binder.value(3, &self.stage.params);
+        binder.slice(0, self.stage.texels);
+        binder.out(1, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { latlong: self.latlong, stage: self.stage, out },
+            Self { latlong: self.latlong, stage: self.stage, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let stage = self.stage.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::capture::film_latlong(id, self.latlong, stage);
+        }
+    }
+}
+
+/// `sensor::expose` with its arguments.
+pub struct Expose<'a, M: Memory> {
+    /// The kernel's `sensor`.
+    pub sensor: &'a crate::kernels::sensor::SensorParams,
+    /// The kernel's `radiance`.
+    pub radiance: M::Slice<'a, glam::Vec4>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for Expose<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::EXPOSE
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.sensor);
+        binder.slice(0, self.radiance);
+        binder.out(1, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { sensor: self.sensor, radiance: self.radiance, out },
+            Self { sensor: self.sensor, radiance: self.radiance, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let radiance = M::values(self.radiance);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::sensor::expose(id, self.sensor, radiance);
+        }
+    }
+}
+
+/// `diagnose::uniforms` with its arguments.
+pub struct DiagnoseUniforms<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::UVec4>,
+}
+
+impl<'a, M: Memory> Pass for DiagnoseUniforms<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::DIAGNOSE_UNIFORMS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.out(0, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, out },
+            Self { frame: self.frame, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::diagnose::uniforms(id, self.frame);
+        }
+    }
+}
+
+/// `diagnose::env_sample` with its arguments.
+pub struct DiagnoseEnvSample<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::diagnose::EnvRecord>,
+}
+
+impl<'a, M: Memory> Pass for DiagnoseEnvSample<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::DIAGNOSE_ENV_SAMPLE
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, &self.env.cdf.size);
+        binder.value(4, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.cdf.marginal);
+        binder.slice(2, self.env.cdf.conditional);
+        binder.out(3, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, env: self.env, out },
+            Self { frame: self.frame, env: self.env, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::diagnose::env_sample(id, self.frame, env);
+        }
+    }
+}
+
+/// `diagnose::primary_hit` with its arguments.
+pub struct DiagnosePrimaryHit<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::diagnose::HitRecord>,
+}
+
+impl<'a, M: Memory> Pass for DiagnosePrimaryHit<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::DIAGNOSE_PRIMARY_HIT
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.slice(0, self.scene.nodes);
+        binder.slice(1, self.scene.triangles);
+        binder.slice(2, self.scene.corners);
+        binder.slice(3, self.scene.materials);
+        binder.slice(4, self.scene.texels);
+        binder.out(5, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, scene: self.scene, out },
+            Self { frame: self.frame, scene: self.scene, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let scene = self.scene.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::diagnose::primary_hit(id, self.frame, scene);
+        }
+    }
+}
+
+/// `diagnose::surface` with its arguments.
+pub struct DiagnoseSurface<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::diagnose::SurfaceRecord>,
+}
+
+impl<'a, M: Memory> Pass for DiagnoseSurface<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::DIAGNOSE_SURFACE
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.slice(0, self.scene.nodes);
+        binder.slice(1, self.scene.triangles);
+        binder.slice(2, self.scene.corners);
+        binder.slice(3, self.scene.materials);
+        binder.slice(4, self.scene.texels);
+        binder.out(5, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, scene: self.scene, out },
+            Self { frame: self.frame, scene: self.scene, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let scene = self.scene.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::diagnose::surface(id, self.frame, scene);
+        }
+    }
+}
+
+/// `diagnose::brdf_sample` with its arguments.
+pub struct DiagnoseBrdfSample<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for DiagnoseBrdfSample<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::DIAGNOSE_BRDF_SAMPLE
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.slice(0, self.scene.nodes);
+        binder.slice(1, self.scene.triangles);
+        binder.slice(2, self.scene.corners);
+        binder.slice(3, self.scene.materials);
+        binder.slice(4, self.scene.texels);
+        binder.out(5, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, scene: self.scene, out },
+            Self { frame: self.frame, scene: self.scene, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let scene = self.scene.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::diagnose::brdf_sample(id, self.frame, scene);
+        }
+    }
+}
