@@ -8,6 +8,7 @@ use naga::{
     TypeInner,
 };
 
+use crate::argument::Signature;
 use crate::check::Checker;
 use crate::diag::{R, Span, err};
 use crate::hir::{Body, Expr, Instance, Kind};
@@ -30,6 +31,7 @@ pub(crate) struct Bound {
     pub(crate) params: Vec<Param>,
     pub(crate) params_size: u32,
     pub(crate) buffers: Vec<Buffer>,
+    pub(crate) signature: Signature,
     /// Types of params members.
     members: Vec<(String, Ty)>,
 }
@@ -242,6 +244,8 @@ impl Lowerer<'_> {
                 ));
             }
             sources.push(self.source(ty, &name, &mut bound, chunks[i], at)?);
+            let argument = self.argument(&f.sig.inputs[i], &name, ty, chunks[i], at)?;
+            bound.signature.arguments.push(argument);
         }
         let mut shapes = vec![Shape::Plain];
         shapes.extend(
@@ -258,6 +262,7 @@ impl Lowerer<'_> {
                 let stride = self.check_buffer_type(ty, "a slice", span)?;
                 let binding = bound.buffers.len() as u32 + 1;
                 let global = self.storage("out", ty, 0, binding, true, span)?;
+                bound.signature.out = Some(self.rust_path(ty));
                 bound.buffers.push(Buffer {
                     path: "out".into(),
                     group: 0,

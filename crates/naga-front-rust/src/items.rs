@@ -94,6 +94,7 @@ pub(crate) struct StructItem {
 
 #[derive(Debug)]
 pub(crate) struct EnumItem {
+    pub(crate) module: ModId,
     pub(crate) file: usize,
     pub(crate) item: syn::ItemEnum,
 }

@@ -33,6 +33,7 @@
 //! writes `out[local]`; those at or beyond `count` do nothing. A chunk argument gets
 //! `chunk[local * len .. (local + 1) * len]`.
 
+mod argument;
 mod builtins;
 mod check;
 mod diag;
@@ -47,6 +48,7 @@ mod resolve;
 mod ty;
 mod wgsl;
 
+pub use argument::{Argument, ArgumentType};
 pub use diag::{Diagnostic, Location};
 
 use diag::{Error, R};
@@ -148,6 +150,10 @@ pub struct Shader {
     pub params_size: u32,
     /// The other buffers, in the order of their bindings.
     pub buffers: Vec<Buffer>,
+    /// What the kernel takes after the element's index, as its Rust signature says; empty for exports.
+    pub arguments: Vec<Argument>,
+    /// Path of the type of the elements that the kernel returns; none where it fills chunks alone.
+    pub out: Option<String>,
     /// The structs that lie in buffers.
     pub structs: Vec<StructLayout>,
 }
@@ -229,6 +235,8 @@ impl Program {
                 params: bound.params,
                 params_size: bound.params_size,
                 buffers: bound.buffers,
+                arguments: bound.signature.arguments,
+                out: bound.signature.out,
                 module: plain.module,
                 structs: plain.buffer_structs.into_values().collect(),
             })

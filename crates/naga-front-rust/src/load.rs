@@ -256,7 +256,7 @@ impl Loader<'_> {
             syn::Item::Enum(item) => {
                 let id = it.enums.len();
                 let name = item.ident.to_string();
-                it.enums.push(EnumItem { file, item });
+                it.enums.push(EnumItem { module, file, item });
                 it.name(module, name, Target::Def(Def::Enum(id)), gate);
             }
             syn::Item::Const(mut c) => {
