@@ -32,9 +32,15 @@ pub(crate) struct Bound {
     pub(crate) params_size: u32,
     pub(crate) buffers: Vec<Buffer>,
     pub(crate) signature: Signature,
+    pub(crate) exports: Vec<naga::Handle<naga::Function>>,
+    /// Buffers of exports that nobody named a binding for, and whose they are.
+    pub(crate) unnamed: Vec<(Buffer, Span)>,
     /// Types of params members.
     members: Vec<(String, Ty)>,
 }
+
+/// The group of buffers that nobody named a binding for.
+const NO_GROUP: u32 = u32::MAX;
 
 impl Lowerer<'_> {
     fn storage(
@@ -489,6 +495,7 @@ impl Lowerer<'_> {
                 return plain("is another export's function", "export each function once");
             }
             self.module.functions.get_mut(lowered.handle).name = Some((*name).to_string());
+            bound.exports.push(lowered.handle);
             if !matches!(lowered.ret, Shape::Plain | Shape::Unit) {
                 return Err(err(
                     span,
@@ -521,22 +528,24 @@ impl Lowerer<'_> {
                         whole: true,
                     });
                 }
-                let Some((_, group, binding)) = desc.buffers.iter().find(|(n, _, _)| *n == name)
-                else {
-                    return Err(err(
-                        span,
-                        format!("the buffer `{name}` has no binding"),
-                        "name its group and binding in `ExportDesc::buffers`",
-                    ));
+                let given = desc.buffers.iter().find(|(n, _, _)| *n == name);
+                let (group, binding) = match given {
+                    Some((_, group, binding)) => (*group, *binding),
+                    // Enough for a slice that no export reaches.
+                    None => (NO_GROUP, bound.unnamed.len() as u32),
                 };
-                let global = self.storage(&name, elem, *group, *binding, false, span)?;
-                bound.buffers.push(Buffer {
+                let global = self.storage(&name, elem, group, binding, false, span)?;
+                let buffer = Buffer {
                     path: name.clone(),
-                    group: *group,
-                    binding: *binding,
+                    group,
+                    binding,
                     stride,
                     writable: false,
-                });
+                };
+                match given {
+                    Some(_) => bound.buffers.push(buffer),
+                    None => bound.unnamed.push((buffer, span)),
+                }
                 made.push((name, global, (**elem).clone()));
                 Ok(Shape::Slice {
                     global,

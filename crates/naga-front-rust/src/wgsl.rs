@@ -4,9 +4,8 @@ use std::fmt::Write;
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-use crate::diag::{Error, R};
+use crate::diag::{Error, R, Span};
 use crate::items::Items;
-use crate::lower::Lowerer;
 
 fn internal(what: &str, detail: String) -> Box<Error> {
     Box::new(Error {
@@ -32,14 +31,13 @@ pub(crate) fn validate(module: &naga::Module) -> R<ModuleInfo> {
 }
 
 /// Writes a module that was lowered with markers.
-pub(crate) fn write(lowerer: &Lowerer<'_>) -> R<String> {
-    let module = &lowerer.module;
+pub(crate) fn write(module: &naga::Module, items: &Items) -> R<String> {
     let info = validate(module)?;
     let text =
         naga::back::wgsl::write_string(module, &info, naga::back::wgsl::WriterFlags::empty())
             .map_err(|e| internal("naga cannot write the module", e.to_string()))?;
     // naga may rename a function; it writes them in the order of the arena.
-    let mut origins = lowerer.origins.iter();
+    let mut functions = module.functions.iter();
     let mut out = String::with_capacity(text.len());
     for line in text.lines() {
         let trimmed = line.trim_start();
@@ -49,22 +47,30 @@ pub(crate) fn write(lowerer: &Lowerer<'_>) -> R<String> {
         if let Some(code) = marker_code(trimmed) {
             let indent = &line[..line.len() - trimmed.len()];
             let (file, at) = (code >> 20, code & 0xf_ffff);
-            let _ = writeln!(
-                out,
-                "{indent}// {}:{at}",
-                place(lowerer.items, file as usize)
-            );
+            let _ = writeln!(out, "{indent}// {}:{at}", place(items, file as usize));
             continue;
         }
         if line.starts_with("fn ")
-            && let Some((_, span)) = origins.next()
+            && let Some((handle, _)) = functions.next()
+            && let Some((file, at)) = origin(module.functions.get_span(handle))
         {
-            let _ = writeln!(out, "// {}:{}", place(lowerer.items, span.file), span.line);
+            let _ = writeln!(out, "// {}:{at}", place(items, file));
         }
         out.push_str(line);
         out.push('\n');
     }
     Ok(out)
+}
+
+/// A function's place as naga's kind of span, which keeps it when functions are left out. It has no offsets into one text, as
+/// naga's own have, but the file's number and the line.
+pub(crate) fn span_of_origin(span: Span) -> naga::Span {
+    naga::Span::new(span.file as u32, span.line as u32)
+}
+
+/// File and line.
+fn origin(span: naga::Span) -> Option<(usize, usize)> {
+    span.to_range().map(|range| (range.start, range.end))
 }
 
 fn place(items: &Items, file: usize) -> &str {

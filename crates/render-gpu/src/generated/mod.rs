@@ -325,10 +325,8 @@ pub const RECONSTRUCT_LAYERS: Entry = Entry {
     ],
     buffers: &[
         slot("env.texels", 1, 16, false),
-        slot("env.cdf.marginal", 2, 4, false),
-        slot("env.cdf.conditional", 3, 4, false),
-        slot("samples", 4, 32, false),
-        slot("out", 5, 64, true),
+        slot("samples", 2, 32, false),
+        slot("out", 3, 64, true),
     ],
 };
 
@@ -594,10 +592,9 @@ pub const DIAGNOSE_ENV_SAMPLE: Entry = Entry {
         param("env.rotation", 136, 8),
     ],
     buffers: &[
-        slot("env.texels", 1, 16, false),
-        slot("env.cdf.marginal", 2, 4, false),
-        slot("env.cdf.conditional", 3, 4, false),
-        slot("out", 4, 32, true),
+        slot("env.cdf.marginal", 1, 4, false),
+        slot("env.cdf.conditional", 2, 4, false),
+        slot("out", 3, 32, true),
     ],
 };
 
@@ -616,10 +613,7 @@ pub const DIAGNOSE_PRIMARY_HIT: Entry = Entry {
     buffers: &[
         slot("scene.nodes", 1, 32, false),
         slot("scene.triangles", 2, 48, false),
-        slot("scene.corners", 3, 32, false),
-        slot("scene.materials", 4, 96, false),
-        slot("scene.texels", 5, 4, false),
-        slot("out", 6, 16, true),
+        slot("out", 3, 16, true),
     ],
 };
 
