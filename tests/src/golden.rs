@@ -305,13 +305,14 @@ fn entry_const(out: &mut String, spec: &EntrySpec, shader: &Shader) {
     let name = spec.name;
     let _ = write!(
         out,
-        "\n/// [`{}`](crate{}) as a compute entry point.\npub const {}: Entry = Entry {{\n    name: \"{name}\",\n    kernel: \"{}\",\n    wgsl: include_str!(\"{name}.wgsl\"),\n    workgroup_size: {},\n    params_size: {},\n    params: &[\n",
+        "\n/// [`{}`](crate{}) as a compute entry point.\npub const {}: Entry = Entry {{\n    name: \"{name}\",\n    kernel: \"{}\",\n    wgsl: include_str!(\"{name}.wgsl\"),\n    workgroup_size: {},\n    params_size: {},\n    params_in: ParamsSpace::{:?},\n    params: &[\n",
         spec.kernel.rsplit("::").next().unwrap_or(name),
         spec.kernel.trim_start_matches("glimt_render_gpu"),
         name.to_uppercase(),
         spec.kernel,
         shader.workgroup_size,
         shader.params_size,
+        shader.params_in,
     );
     for p in &shader.params {
         let _ = writeln!(
@@ -333,7 +334,7 @@ fn entry_const(out: &mut String, spec: &EntrySpec, shader: &Shader) {
 
 fn module(consts: &str, structs: &[StructLayout]) -> String {
     let mut out = format!(
-        "//! Host file: the renderer's entry points, made from Rust by naga-front-rust. Do not edit; to make it anew:\n//! `{COMMAND}`\n\n#[cfg(test)]\nuse core::mem::{{offset_of, size_of}};\n\nuse crate::entry::{{BufferSlot, Entry, ParamField}};\n\nconst fn param(path: &'static str, offset: u32, size: u32) -> ParamField {{\n    ParamField {{ path, offset, size }}\n}}\n\nconst fn slot(path: &'static str, binding: u32, stride: u32, writable: bool) -> BufferSlot {{\n    BufferSlot {{\n        path,\n        binding,\n        stride,\n        writable,\n    }}\n}}\n"
+        "//! Host file: the renderer's entry points, made from Rust by naga-front-rust. Do not edit; to make it anew:\n//! `{COMMAND}`\n\n#[cfg(test)]\nuse core::mem::{{offset_of, size_of}};\n\nuse crate::entry::{{BufferSlot, Entry, ParamField, ParamsSpace}};\n\nconst fn param(path: &'static str, offset: u32, size: u32) -> ParamField {{\n    ParamField {{ path, offset, size }}\n}}\n\nconst fn slot(path: &'static str, binding: u32, stride: u32, writable: bool) -> BufferSlot {{\n    BufferSlot {{\n        path,\n        binding,\n        stride,\n        writable,\n    }}\n}}\n"
     );
     out.push_str(consts);
     out.push_str(

@@ -1,6 +1,6 @@
 //! Host file: GPU tests: an adapter or a visible skip, and entries that are made at run time.
 
-use glimt_render_gpu::entry::{BufferSlot, Entry, ParamField};
+use glimt_render_gpu::entry::{BufferSlot, Entry, ParamField, ParamsSpace};
 use glimt_render_gpu::gpu::{AdapterPreference, GpuContext, GpuError, GpuOptions};
 use naga_front_rust::Shader;
 
@@ -44,6 +44,8 @@ pub struct OwnedEntry {
     pub workgroup_size: u32,
     /// Bytes of the params buffer.
     pub params_size: u32,
+    /// The kind of buffer that `params` is.
+    pub params_in: ParamsSpace,
     /// Path, offset and size of each plain argument.
     pub params: Vec<(String, u32, u32)>,
     /// Path, binding, stride and whether it is written, of each slice.
@@ -72,6 +74,7 @@ impl OwnedEntry {
             wgsl: text(self.wgsl),
             workgroup_size: self.workgroup_size,
             params_size: self.params_size,
+            params_in: self.params_in,
             params: self
                 .params
                 .into_iter()
@@ -108,6 +111,10 @@ pub fn entry_of(shader: &Shader) -> Entry {
         wgsl: shader.wgsl.clone(),
         workgroup_size: shader.workgroup_size,
         params_size: shader.params_size,
+        params_in: match shader.params_in {
+            naga_front_rust::ParamsSpace::Uniform => ParamsSpace::Uniform,
+            naga_front_rust::ParamsSpace::Storage => ParamsSpace::Storage,
+        },
         params: params.collect(),
         buffers: buffers.collect(),
     }

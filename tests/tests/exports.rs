@@ -6,6 +6,7 @@ use glam::{UVec2, Vec2, Vec3, Vec4};
 use glimt_brdf::{BlinnPhong, Lambert};
 use glimt_envmap_cdf::EnvCdf;
 use glimt_probe::latlong;
+use glimt_render_gpu::entry::ParamsSpace;
 use glimt_render_gpu::gpu::{Arg, GpuContext};
 use glimt_render_gpu::host::env::EnvMap;
 use glimt_sampling::resample::{Comb, Scheme};
@@ -52,6 +53,7 @@ fn run(
         wgsl: format!("{shipped}{MAIN}{by_hand}"),
         workgroup_size: 64,
         params_size: 16,
+        params_in: ParamsSpace::Storage,
         params: vec![
             ("first".into(), 0, 4),
             ("count".into(), 4, 4),

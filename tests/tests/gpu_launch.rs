@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use glimt_render_gpu::entry::Entry;
+use glimt_render_gpu::entry::{Entry, ParamsSpace};
 use glimt_render_gpu::gpu::{AdapterPreference, Arg, GpuContext, GpuError, GpuOptions};
 use glimt_tests::gpu::{OwnedEntry, adapter_or_skip, adapter_or_skip_with};
 
@@ -32,6 +32,7 @@ fn entry() -> Entry {
         wgsl: WGSL.into(),
         workgroup_size: 64,
         params_size: 16,
+        params_in: ParamsSpace::Storage,
         params: vec![
             field("first", 0),
             field("count", 4),
@@ -332,6 +333,7 @@ fn slow(@builtin(global_invocation_id) gid: vec3<u32>) {
         .into(),
         workgroup_size: 64,
         params_size: 16,
+        params_in: ParamsSpace::Storage,
         params: vec![("first".into(), 0, 4), ("count".into(), 4, 4)],
         buffers: vec![("out".into(), 1, 4, true)],
     }

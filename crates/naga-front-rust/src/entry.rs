@@ -14,6 +14,7 @@ use crate::diag::{R, Span, err};
 use crate::hir::{Body, Expr, Instance, Kind};
 use crate::lower::{FnLowerer, Global, H, Lowerer, Shape, SliceVal, Val};
 use crate::ty::{Table, Ty};
+use crate::uniform::ParamsSpace;
 use crate::{Buffer, EntryDesc, ExportDesc, Param};
 
 /// How an argument comes from buffers: what lies in `params`, and which slices there are.
@@ -30,6 +31,7 @@ enum Source {
 pub(crate) struct Bound {
     pub(crate) params: Vec<Param>,
     pub(crate) params_size: u32,
+    pub(crate) params_in: ParamsSpace,
     pub(crate) buffers: Vec<Buffer>,
     pub(crate) signature: Signature,
     pub(crate) exports: Vec<naga::Handle<naga::Function>>,
@@ -304,7 +306,8 @@ impl Lowerer<'_> {
                 size: self.layout(handle).size,
             });
         }
-        let inner = self.structure(members);
+        let (inner, params_in) = self.params_structure(members);
+        bound.params_in = params_in;
         if let TypeInner::Struct { members, span } = &inner {
             bound.params_size = *span;
             for (param, member) in bound.params.iter_mut().zip(members) {
@@ -321,9 +324,7 @@ impl Lowerer<'_> {
         let params = self.module.global_variables.append(
             GlobalVariable {
                 name: Some("params".into()),
-                space: AddressSpace::Storage {
-                    access: StorageAccess::LOAD,
-                },
+                space: params_in.address_space(),
                 binding: Some(ResourceBinding {
                     group: 0,
                     binding: 0,

@@ -27,7 +27,8 @@
 //!
 //! # What an entry point expects of its host
 //!
-//! All bindings are in group 0. Binding 0 is `params`, a read-only storage buffer whose members are [`Shader::params`]:
+//! All bindings are in group 0. Binding 0 is `params`, a uniform buffer where WGSL allows it, else a read-only storage buffer
+//! ([`Shader::params_in`]), whose members are [`Shader::params`]:
 //! `first`, `count`, a `<name>_len` for each chunk argument, then the kernel's plain arguments. The slices follow,
 //! then `out`; a slice that the kernel never touches is left out and has no binding. Invocation `local = id.y * (num_workgroups.x * workgroup_size) + id.x` computes element `first + local` and
 //! writes `out[local]`; those at or beyond `count` do nothing. A chunk argument gets
@@ -47,10 +48,12 @@ mod lower;
 mod reach;
 mod resolve;
 mod ty;
+mod uniform;
 mod wgsl;
 
 pub use argument::{Argument, ArgumentType};
 pub use diag::{Diagnostic, Location};
+pub use uniform::ParamsSpace;
 
 use diag::{Error, R};
 use items::Items;
@@ -149,6 +152,8 @@ pub struct Shader {
     pub params: Vec<Param>,
     /// Bytes of the `params` buffer.
     pub params_size: u32,
+    /// Whether `params` is a uniform or a storage buffer.
+    pub params_in: ParamsSpace,
     /// The other buffers, in the order of their bindings: those that the kernel reaches. A slice that it never reads, as one of
     /// a view's, is not among them.
     pub buffers: Vec<Buffer>,
@@ -240,6 +245,7 @@ impl Program {
                 workgroup_size,
                 params: bound.params,
                 params_size: bound.params_size,
+                params_in: bound.params_in,
                 buffers: bound.buffers,
                 arguments: bound.signature.arguments,
                 out: bound.signature.out,

@@ -14,14 +14,26 @@ pub struct Entry {
     pub wgsl: &'static str,
     /// Invocations in a workgroup (one-dimensional).
     pub workgroup_size: u32,
-    /// Bytes of the `params` buffer (group 0, binding 0, read-only storage).
+    /// Bytes of the `params` buffer (group 0, binding 0).
     pub params_size: u32,
+    /// Whether `params` is a uniform or a storage buffer.
+    pub params_in: ParamsSpace,
     /// Where each plain argument lies in the `params` buffer. The first two are always `first` (added to the
     /// invocation's index to make the kernel's `id`) and `count` (how many elements this launch computes), then one
     /// `<name>_len` for each chunk argument.
     pub params: &'static [ParamField],
     /// The slices that the kernel reads and writes; all in group 0.
     pub buffers: &'static [BufferSlot],
+}
+
+/// The kind of buffer that `params` is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ParamsSpace {
+    /// A uniform buffer.
+    Uniform,
+    /// A read-only storage buffer: where a member is of a type that no uniform buffer may hold.
+    #[default]
+    Storage,
 }
 
 /// One plain argument in the `params` buffer.

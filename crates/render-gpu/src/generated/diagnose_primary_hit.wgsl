@@ -101,7 +101,7 @@ var<storage> scene_triangles: array<Triangle>;
 @group(0) @binding(3) 
 var<storage, read_write> out: array<HitRecord>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/frame.rs:88
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
@@ -782,7 +782,7 @@ fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
         chosen_3 = near_1;
     } else {
         // glimt_render_gpu/src/kernels/bvh.rs:37
-        chosen_3 = 340282350000000000000000000000000000000f;
+        chosen_3 = 0x1.fffffep+127f;
     }
     let _e40 = chosen_3;
     return _e40;
@@ -810,7 +810,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:93
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
         // glimt_render_gpu/src/kernels/triangle.rs:94
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:96
     let normal = cross((c_2 - a_3), (a_3 - b_3));
@@ -819,7 +819,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:98
     if (slope == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:99
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:101
     let t_1 = (dot(a_3, normal) / slope);
@@ -827,7 +827,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     if ((t_1 > 0f) && (t_1 < t_max)) {
         chosen_4 = t_1;
     } else {
-        chosen_4 = 340282350000000000000000000000000000000f;
+        chosen_4 = 0x1.fffffep+127f;
     }
     let _e59 = chosen_4;
     return _e59;
@@ -1103,7 +1103,7 @@ fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
 fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 
     // glimt_render_gpu/src/kernels/scene.rs:64
-    let _e4 = closest_hit(ray_7, 340282350000000000000000000000000000000f);
+    let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
     return _e4;
 }
 

@@ -56,7 +56,7 @@ struct Params {
 @group(0) @binding(1) 
 var<storage, read_write> out: array<vec4<u32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/frame.rs:88
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {

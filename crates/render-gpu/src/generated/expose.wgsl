@@ -22,7 +22,7 @@ struct Xoshiro128PlusPlus {
 struct Params {
     first: u32,
     count: u32,
-    sensor: SensorParams,
+    @align(16) sensor: SensorParams,
 }
 
 @group(0) @binding(1) 
@@ -30,7 +30,7 @@ var<storage> radiance_1: array<vec4<f32>>;
 @group(0) @binding(2) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_sampling/src/hash.rs:15
 fn hash_u32_(n: u32) -> u32 {

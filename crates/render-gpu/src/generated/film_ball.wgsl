@@ -68,7 +68,7 @@ var<storage> stage_texels: array<vec4<f32>>;
 @group(0) @binding(2) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params_4: Params;
+var<uniform> params_4: Params;
 
 // glimt_render_gpu/src/kernels/capture.rs:83
 fn CaptureParams_image_point(this_: CaptureParams, pixel: vec2<f32>) -> vec2<f32> {

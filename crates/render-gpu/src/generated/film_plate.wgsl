@@ -78,7 +78,7 @@ var<storage> stage_texels: array<vec4<f32>>;
 @group(0) @binding(2) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params_4: Params;
+var<uniform> params_4: Params;
 
 // glimt_render_gpu/src/kernels/frame.rs:88
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {

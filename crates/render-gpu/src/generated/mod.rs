@@ -4,7 +4,7 @@
 #[cfg(test)]
 use core::mem::{offset_of, size_of};
 
-use crate::entry::{BufferSlot, Entry, ParamField};
+use crate::entry::{BufferSlot, Entry, ParamField, ParamsSpace};
 
 const fn param(path: &'static str, offset: u32, size: u32) -> ParamField {
     ParamField { path, offset, size }
@@ -26,6 +26,7 @@ pub const SHADE_MIS: Entry = Entry {
     wgsl: include_str!("shade_mis.wgsl"),
     workgroup_size: 64,
     params_size: 144,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -53,6 +54,7 @@ pub const SHADE_BIS: Entry = Entry {
     wgsl: include_str!("shade_bis.wgsl"),
     workgroup_size: 64,
     params_size: 160,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -81,6 +83,7 @@ pub const SHADE_BIS_LAYERS: Entry = Entry {
     wgsl: include_str!("shade_bis_layers.wgsl"),
     workgroup_size: 64,
     params_size: 160,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -109,6 +112,7 @@ pub const SHADE_SMC: Entry = Entry {
     wgsl: include_str!("shade_smc.wgsl"),
     workgroup_size: 64,
     params_size: 288,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -148,6 +152,7 @@ pub const SHADE_SMC_LAYERS: Entry = Entry {
     wgsl: include_str!("shade_smc_layers.wgsl"),
     workgroup_size: 64,
     params_size: 288,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -187,6 +192,7 @@ pub const DIAGNOSE_SMC: Entry = Entry {
     wgsl: include_str!("diagnose_smc.wgsl"),
     workgroup_size: 64,
     params_size: 144,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -206,6 +212,7 @@ pub const RECONSTRUCT: Entry = Entry {
     wgsl: include_str!("reconstruct.wgsl"),
     workgroup_size: 64,
     params_size: 128,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -224,6 +231,7 @@ pub const TONEMAP: Entry = Entry {
     wgsl: include_str!("tonemap.wgsl"),
     workgroup_size: 64,
     params_size: 128,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -241,14 +249,15 @@ pub const TRANSFER: Entry = Entry {
     kernel: "glimt_render_gpu::kernels::transfer::transfer",
     wgsl: include_str!("transfer.wgsl"),
     workgroup_size: 64,
-    params_size: 44,
+    params_size: 64,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
         param("state_len", 8, 4),
         param("lit_len", 12, 4),
         param("blocked_len", 16, 4),
-        param("params", 20, 24),
+        param("params", 32, 24),
     ],
     buffers: &[
         slot("nodes", 1, 32, false),
@@ -268,6 +277,7 @@ pub const UNWARP: Entry = Entry {
     wgsl: include_str!("unwarp.wgsl"),
     workgroup_size: 64,
     params_size: 80,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -289,6 +299,7 @@ pub const SHADE_MIS_LAYERS: Entry = Entry {
     wgsl: include_str!("shade_mis_layers.wgsl"),
     workgroup_size: 64,
     params_size: 144,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -316,6 +327,7 @@ pub const RECONSTRUCT_LAYERS: Entry = Entry {
     wgsl: include_str!("reconstruct_layers.wgsl"),
     workgroup_size: 64,
     params_size: 144,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -337,6 +349,7 @@ pub const COMPOSITE_OVER_PLATE: Entry = Entry {
     wgsl: include_str!("composite_over_plate.wgsl"),
     workgroup_size: 64,
     params_size: 128,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -356,6 +369,7 @@ pub const DISPLAY_OVER_PLATE: Entry = Entry {
     wgsl: include_str!("display_over_plate.wgsl"),
     workgroup_size: 64,
     params_size: 128,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -375,6 +389,7 @@ pub const COMPOSITE_ALONE: Entry = Entry {
     wgsl: include_str!("composite_alone.wgsl"),
     workgroup_size: 64,
     params_size: 128,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -393,6 +408,7 @@ pub const TAPS: Entry = Entry {
     wgsl: include_str!("taps.wgsl"),
     workgroup_size: 64,
     params_size: 16,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -410,6 +426,7 @@ pub const HALVE: Entry = Entry {
     wgsl: include_str!("halve.wgsl"),
     workgroup_size: 64,
     params_size: 16,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -428,11 +445,12 @@ pub const LIGHT_COEFFICIENT: Entry = Entry {
     kernel: "glimt_render_gpu::kernels::light_sh::light_coefficient",
     wgsl: include_str!("light_coefficient.wgsl"),
     workgroup_size: 64,
-    params_size: 40,
+    params_size: 48,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
-        param("light", 8, 32),
+        param("light", 16, 32),
     ],
     buffers: &[
         slot("sums", 1, 16, false),
@@ -448,6 +466,7 @@ pub const VERTEX_LIGHT: Entry = Entry {
     wgsl: include_str!("vertex_light.wgsl"),
     workgroup_size: 64,
     params_size: 16,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -469,6 +488,7 @@ pub const UNPACK_LAYERS: Entry = Entry {
     wgsl: include_str!("unpack_layers.wgsl"),
     workgroup_size: 64,
     params_size: 160,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -492,6 +512,7 @@ pub const FILM_BALL: Entry = Entry {
     wgsl: include_str!("film_ball.wgsl"),
     workgroup_size: 64,
     params_size: 256,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -511,6 +532,7 @@ pub const FILM_PLATE: Entry = Entry {
     wgsl: include_str!("film_plate.wgsl"),
     workgroup_size: 64,
     params_size: 192,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -530,6 +552,7 @@ pub const FILM_LATLONG: Entry = Entry {
     wgsl: include_str!("film_latlong.wgsl"),
     workgroup_size: 64,
     params_size: 112,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -548,11 +571,12 @@ pub const EXPOSE: Entry = Entry {
     kernel: "glimt_render_gpu::kernels::sensor::expose",
     wgsl: include_str!("expose.wgsl"),
     workgroup_size: 64,
-    params_size: 56,
+    params_size: 64,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
-        param("sensor", 8, 48),
+        param("sensor", 16, 48),
     ],
     buffers: &[
         slot("radiance", 1, 16, false),
@@ -567,6 +591,7 @@ pub const DIAGNOSE_UNIFORMS: Entry = Entry {
     wgsl: include_str!("diagnose_uniforms.wgsl"),
     workgroup_size: 64,
     params_size: 128,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -584,6 +609,7 @@ pub const DIAGNOSE_ENV_SAMPLE: Entry = Entry {
     wgsl: include_str!("diagnose_env_sample.wgsl"),
     workgroup_size: 64,
     params_size: 144,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -605,6 +631,7 @@ pub const DIAGNOSE_PRIMARY_HIT: Entry = Entry {
     wgsl: include_str!("diagnose_primary_hit.wgsl"),
     workgroup_size: 64,
     params_size: 128,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -624,6 +651,7 @@ pub const DIAGNOSE_SURFACE: Entry = Entry {
     wgsl: include_str!("diagnose_surface.wgsl"),
     workgroup_size: 64,
     params_size: 128,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),
@@ -646,6 +674,7 @@ pub const DIAGNOSE_BRDF_SAMPLE: Entry = Entry {
     wgsl: include_str!("diagnose_brdf_sample.wgsl"),
     workgroup_size: 64,
     params_size: 128,
+    params_in: ParamsSpace::Uniform,
     params: &[
         param("first", 0, 4),
         param("count", 4, 4),

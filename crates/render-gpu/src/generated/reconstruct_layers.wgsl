@@ -92,7 +92,7 @@ var<storage> samples_1: array<LayerSample>;
 @group(0) @binding(3) 
 var<storage, read_write> out: array<PixelLayers>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/frame.rs:88
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {

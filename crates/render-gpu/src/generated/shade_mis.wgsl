@@ -215,7 +215,7 @@ var<storage> scene_texels: array<u32>;
 @group(0) @binding(9) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/shade.rs:55
 fn mis(frame: FrameParams) -> Mis {
@@ -903,7 +903,7 @@ fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
         chosen_3 = near_1;
     } else {
         // glimt_render_gpu/src/kernels/bvh.rs:37
-        chosen_3 = 340282350000000000000000000000000000000f;
+        chosen_3 = 0x1.fffffep+127f;
     }
     let _e40 = chosen_3;
     return _e40;
@@ -931,7 +931,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:93
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
         // glimt_render_gpu/src/kernels/triangle.rs:94
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:96
     let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
@@ -940,7 +940,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:98
     if (slope == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:99
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:101
     let t_2 = (dot(a_3, normal_1) / slope);
@@ -948,7 +948,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     if ((t_2 > 0f) && (t_2 < t_max)) {
         chosen_4 = t_2;
     } else {
-        chosen_4 = 340282350000000000000000000000000000000f;
+        chosen_4 = 0x1.fffffep+127f;
     }
     let _e59 = chosen_4;
     return _e59;
@@ -1224,7 +1224,7 @@ fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
 fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 
     // glimt_render_gpu/src/kernels/scene.rs:64
-    let _e4 = closest_hit(ray_7, 340282350000000000000000000000000000000f);
+    let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
     return _e4;
 }
 
@@ -2217,7 +2217,7 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_9: vec3<f32>) -> bool {
     // glimt_render_gpu/src/kernels/scene.rs:113
     let _e5 = Ray_new(point_3.origin, direction_9);
     // glimt_render_gpu/src/kernels/scene.rs:114
-    let _e8 = any_hit(_e5, 340282350000000000000000000000000000000f);
+    let _e8 = any_hit(_e5, 0x1.fffffep+127f);
     return !(_e8);
 }
 

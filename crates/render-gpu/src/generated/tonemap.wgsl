@@ -34,7 +34,7 @@ var<storage> linear_2: array<vec4<f32>>;
 @group(0) @binding(2) 
 var<storage, read_write> out: array<u32>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/film.rs:36
 fn tone_curve(frame: FrameParams, exposed: vec3<f32>) -> vec3<f32> {

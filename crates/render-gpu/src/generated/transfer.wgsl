@@ -62,7 +62,7 @@ struct Params {
     state_len: u32,
     lit_len: u32,
     blocked_len: u32,
-    params: TransferParams,
+    @align(16) params: TransferParams,
 }
 
 @group(0) @binding(1) 
@@ -80,7 +80,7 @@ var<storage, read_write> blocked: array<f32>;
 @group(0) @binding(7) 
 var<storage, read_write> out: array<u32>;
 @group(0) @binding(0) 
-var<storage> params_2: Params;
+var<uniform> params_2: Params;
 
 // glimt_render_gpu/src/kernels/ray.rs:48
 fn inverse(x: f32) -> f32 {
@@ -119,7 +119,7 @@ fn box_distance(node: BvhNode, ray: Ray) -> f32 {
         chosen = near_1;
     } else {
         // glimt_render_gpu/src/kernels/bvh.rs:37
-        chosen = 340282350000000000000000000000000000000f;
+        chosen = 0x1.fffffep+127f;
     }
     let _e40 = chosen;
     return _e40;
@@ -161,7 +161,7 @@ fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:93
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
         // glimt_render_gpu/src/kernels/triangle.rs:94
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:96
     let normal = cross((c_1 - a_1), (a_1 - b_1));
@@ -170,7 +170,7 @@ fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:98
     if (slope == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:99
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:101
     let t_1 = (dot(a_1, normal) / slope);
@@ -178,7 +178,7 @@ fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     if ((t_1 > 0f) && (t_1 < t_max)) {
         chosen_1 = t_1;
     } else {
-        chosen_1 = 340282350000000000000000000000000000000f;
+        chosen_1 = 0x1.fffffep+127f;
     }
     let _e59 = chosen_1;
     return _e59;
@@ -1453,18 +1453,18 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
                     // glimt_render_gpu/src/kernels/transfer.rs:126
                     let _e152 = Ray_new(at.inner, _e128);
                     // glimt_render_gpu/src/kernels/transfer.rs:127
-                    let _e155 = any_hit_of(_e152, 340282350000000000000000000000000000000f, above);
+                    let _e155 = any_hit_of(_e152, 0x1.fffffep+127f, above);
                     either_1 = _e155;
                     if _e155 {
                     } else {
-                        let _e158 = any_hit_of(_e141, 340282350000000000000000000000000000000f, own);
+                        let _e158 = any_hit_of(_e141, 0x1.fffffep+127f, own);
                         either_1 = _e158;
                     }
                     let _e159 = either_1;
                     chosen_4 = _e159;
                 } else {
                     // glimt_render_gpu/src/kernels/transfer.rs:130
-                    let _e162 = any_hit(_e141, 340282350000000000000000000000000000000f);
+                    let _e162 = any_hit(_e141, 0x1.fffffep+127f);
                     chosen_4 = _e162;
                 }
                 let is_blocked = chosen_4;

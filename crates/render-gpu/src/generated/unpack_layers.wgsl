@@ -65,7 +65,7 @@ var<storage> blocked: array<vec2<u32>>;
 @group(0) @binding(5) 
 var<storage, read_write> out: array<PixelLayers>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/raster.rs:216
 fn half(word: u32) -> f32 {

@@ -28,7 +28,7 @@ var<storage> pixels: array<vec4<f32>>;
 @group(0) @binding(4) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_probe/src/gather.rs:129
 fn weight(tap: u32) -> f32 {

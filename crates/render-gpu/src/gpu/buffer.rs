@@ -61,7 +61,9 @@ impl GpuContext {
                 self.limits.max_buffer_size,
             ));
         }
+        // Some hold a kernel's params.
         let usage = wgpu::BufferUsages::STORAGE
+            | wgpu::BufferUsages::UNIFORM
             | wgpu::BufferUsages::COPY_DST
             | wgpu::BufferUsages::COPY_SRC;
         let descriptor = wgpu::BufferDescriptor {

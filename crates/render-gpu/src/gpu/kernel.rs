@@ -7,7 +7,7 @@ use super::buffer::GpuBuffer;
 use super::device::GpuContext;
 use super::error::GpuError;
 use super::launch::{Arg, Pace};
-use crate::entry::{BufferSlot, Entry};
+use crate::entry::{BufferSlot, Entry, ParamsSpace};
 
 /// Pipelines by name, then by text: several shaders may have an entry of one name.
 pub(super) type KernelCache = Mutex<HashMap<&'static str, Vec<Arc<Kernel>>>>;
@@ -45,24 +45,29 @@ impl GpuContext {
 
     fn compile(&self, entry: &Entry) -> Result<Kernel, GpuError> {
         self.check_limits(entry)?;
-        let slot_layout = |binding: u32, writable: bool| wgpu::BindGroupLayoutEntry {
+        let slot_layout = |binding: u32, ty: wgpu::BufferBindingType| wgpu::BindGroupLayoutEntry {
             binding,
             visibility: wgpu::ShaderStages::COMPUTE,
             ty: wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Storage {
-                    read_only: !writable,
-                },
+                ty,
                 has_dynamic_offset: false,
                 min_binding_size: None,
             },
             count: None,
         };
-        let slots: Vec<_> = std::iter::once(slot_layout(0, false))
+        let storage = |writable: bool| wgpu::BufferBindingType::Storage {
+            read_only: !writable,
+        };
+        let params = match entry.params_in {
+            ParamsSpace::Uniform => wgpu::BufferBindingType::Uniform,
+            ParamsSpace::Storage => storage(false),
+        };
+        let slots: Vec<_> = std::iter::once(slot_layout(0, params))
             .chain(
                 entry
                     .buffers
                     .iter()
-                    .map(|slot| slot_layout(slot.binding, slot.writable)),
+                    .map(|slot| slot_layout(slot.binding, storage(slot.writable))),
             )
             .collect();
         let what = || format!("shader {}", entry.name);
@@ -108,18 +113,19 @@ impl GpuContext {
 
     fn check_limits(&self, entry: &Entry) -> Result<(), GpuError> {
         let limits = &self.limits;
-        let buffers = entry.buffers.len() as u64 + 1;
+        let slices = entry.buffers.len() as u64;
+        let in_storage = u64::from(entry.params_in == ParamsSpace::Storage);
         let group = u64::from(entry.workgroup_size);
         let checks = [
             (
                 "max_storage_buffers_per_shader_stage",
                 limits.max_storage_buffers_per_shader_stage,
-                buffers,
+                slices + in_storage,
             ),
             (
                 "max_bindings_per_bind_group",
                 limits.max_bindings_per_bind_group,
-                buffers,
+                slices + 1,
             ),
             (
                 "max_compute_workgroup_size_x",

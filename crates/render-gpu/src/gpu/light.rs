@@ -9,7 +9,7 @@ use super::device::GpuContext;
 use super::error::GpuError;
 use super::launch::Arg;
 use super::record::{ParamsPool, Recording};
-use crate::entry::{BufferSlot, Entry, ParamField};
+use crate::entry::{BufferSlot, Entry, ParamField, ParamsSpace};
 use crate::generated::{HALVE, LIGHT_COEFFICIENT, TAPS};
 use crate::host::env::{Brightness, PreparedEnv};
 use crate::host::light_sh::{level_sizes, light_params};
@@ -56,6 +56,7 @@ const fn by_hand(name: &'static str) -> Entry {
         wgsl: WGSL,
         workgroup_size: 256,
         params_size: 16,
+        params_in: ParamsSpace::Storage,
         params: PARAMS,
         buffers: BUFFERS,
     }
