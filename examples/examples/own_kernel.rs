@@ -202,7 +202,8 @@ impl Gpu {
                 cache: None,
             });
         let storage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
-        let params = self.buffer(&Self::params(shader, count), storage);
+        let uniform = wgpu::BufferUsages::UNIFORM;
+        let params = self.buffer(&Self::params(shader, count), storage | uniform);
         let grids = [(); 2].map(|()| self.buffer(bytemuck::cast_slice(start), storage));
         // Each step reads the one and writes the other.
         let bind_groups = [[&grids[0], &grids[1]], [&grids[1], &grids[0]]].map(|[from, to]| {

@@ -385,14 +385,14 @@ fn lambert_pdf_sr(this_7: Lambert, wo_5: vec3<f32>, wi_4: vec3<f32>) -> f32 {
     // glimt_brdf/src/lambert.rs:53
     if (wo_5.z > 0f) {
         // glimt_brdf/src/lambert.rs:54
-        let _e10 = pdf_cosine_hemisphere_sr(wi_4);
-        chosen_7 = _e10;
+        let _e9 = pdf_cosine_hemisphere_sr(wi_4);
+        chosen_7 = _e9;
     } else {
         // glimt_brdf/src/lambert.rs:56
         chosen_7 = 0f;
     }
-    let _e13 = chosen_7;
-    return _e13;
+    let _e12 = chosen_7;
+    return _e12;
 }
 
 // glimt_brdf/src/lambert.rs:41

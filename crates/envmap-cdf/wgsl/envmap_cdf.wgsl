@@ -113,22 +113,22 @@ fn hash_u32_(n: u32) -> u32 {
     x = (n ^ 3875421163u);
     // glimt_sampling/src/hash.rs:17
     let _e7 = x;
-    let _e11 = x;
-    x = (_e11 ^ (_e7 >> 16u));
+    let _e10 = x;
+    x = (_e10 ^ (_e7 >> 16u));
     // glimt_sampling/src/hash.rs:18
-    let _e14 = x;
-    x = (_e14 * 2146121005u);
+    let _e13 = x;
+    x = (_e13 * 2146121005u);
     // glimt_sampling/src/hash.rs:19
-    let _e18 = x;
-    let _e22 = x;
-    x = (_e22 ^ (_e18 >> 15u));
+    let _e17 = x;
+    let _e20 = x;
+    x = (_e20 ^ (_e17 >> 15u));
     // glimt_sampling/src/hash.rs:20
-    let _e25 = x;
-    x = (_e25 * 2221713035u);
+    let _e23 = x;
+    x = (_e23 * 2221713035u);
     // glimt_sampling/src/hash.rs:21
-    let _e29 = x;
-    let _e30 = x;
-    return (_e29 ^ (_e30 >> 16u));
+    let _e27 = x;
+    let _e28 = x;
+    return (_e27 ^ (_e28 >> 16u));
 }
 
 // glimt_sampling/src/hash.rs:27
@@ -280,25 +280,25 @@ fn env_sample(size_4: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
     // glimt_envmap_cdf/src/env_cdf.rs:68
-    let _e19 = find_bin((u_3.y >> 1u));
+    let _e18 = find_bin((u_3.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let row_start = (_e19.index * (size_4.x + 1u));
+    let row_start = (_e18.index * (size_4.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
     let row_end = ((row_start + size_4.x) + 1u);
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e37 = find_bin_1(row_start, (row_end - row_start), (u_3.x >> 1u));
+    let _e35 = find_bin_1(row_start, (row_end - row_start), (u_3.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_4 = vec2<u32>(_e37.index, _e19.index);
+    let texel_4 = vec2<u32>(_e35.index, _e18.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e45 = hash2_(u_3.x, u_3.y);
+    let _e43 = hash2_(u_3.x, u_3.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e53 = place_in_bin(_e37, (u_3.x >> 1u), (_e45 & 65535u));
-    let _e61 = place_in_bin(_e19, (u_3.y >> 1u), (_e45 >> 16u));
-    let place_1 = vec2<f32>(_e53, _e61);
+    let _e50 = place_in_bin(_e35, (u_3.x >> 1u), (_e43 & 65535u));
+    let _e56 = place_in_bin(_e18, (u_3.y >> 1u), (_e43 >> 16u));
+    let place_1 = vec2<f32>(_e50, _e56);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e64 = direction_in_texel(texel_4, size_4, place_1);
-    let _e68 = density_sr(_e19.units, _e37.units, _e19.index, size_4);
-    return EnvSample(texel_4, _e64, _e68);
+    let _e59 = direction_in_texel(texel_4, size_4, place_1);
+    let _e63 = density_sr(_e18.units, _e35.units, _e18.index, size_4);
+    return EnvSample(texel_4, _e59, _e63);
 }
 
 // glimt_probe/src/latlong.rs:45
@@ -352,10 +352,10 @@ fn EnvCdf_row(size_6: vec2<u32>, texel_1: vec2<u32>) -> Bin {
     // glimt_envmap_cdf/src/env_cdf.rs:143
     let y_1 = texel_1.y;
     // glimt_envmap_cdf/src/env_cdf.rs:144
-    let _e9 = marginal[y_1];
-    let _e14 = marginal[(y_1 + 1u)];
-    let _e17 = marginal[y_1];
-    return Bin(texel_1.y, _e9, (_e14 - _e17));
+    let _e8 = marginal[y_1];
+    let _e13 = marginal[(y_1 + 1u)];
+    let _e16 = marginal[y_1];
+    return Bin(texel_1.y, _e8, (_e13 - _e16));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:151

@@ -120,7 +120,10 @@ impl From<&naga_front_rust::Shader> for Entry {
             wgsl: shader.wgsl.clone().into(),
             workgroup_size: shader.workgroup_size,
             params_size: shader.params_size,
-            params_space: ParamsSpace::Storage,
+            params_space: match shader.params_in {
+                naga_front_rust::ParamsSpace::Uniform => ParamsSpace::Uniform,
+                naga_front_rust::ParamsSpace::Storage => ParamsSpace::Storage,
+            },
             params: params.collect(),
             buffers: buffers.collect(),
         }

@@ -14,6 +14,7 @@ use crate::diag::{R, Span, err};
 use crate::hir::{Body, Expr, Instance, Kind};
 use crate::lower::{FnLowerer, Global, H, Lowerer, Shape, SliceVal, Val};
 use crate::ty::{Table, Ty};
+use crate::uniform::ParamsSpace;
 use crate::{Buffer, EntryDesc, ExportDesc, Param};
 
 /// How an argument comes from buffers: what lies in `params`, and which slices there are.
@@ -30,11 +31,18 @@ enum Source {
 pub(crate) struct Bound {
     pub(crate) params: Vec<Param>,
     pub(crate) params_size: u32,
+    pub(crate) params_in: ParamsSpace,
     pub(crate) buffers: Vec<Buffer>,
     pub(crate) signature: Signature,
+    pub(crate) exports: Vec<naga::Handle<naga::Function>>,
+    /// Buffers of exports that nobody named a binding for, and whose they are.
+    pub(crate) unnamed: Vec<(Buffer, Span)>,
     /// Types of params members.
     members: Vec<(String, Ty)>,
 }
+
+/// The group of buffers that nobody named a binding for.
+const NO_GROUP: u32 = u32::MAX;
 
 impl Lowerer<'_> {
     fn storage(
@@ -298,7 +306,8 @@ impl Lowerer<'_> {
                 size: self.layout(handle).size,
             });
         }
-        let inner = self.structure(members);
+        let (inner, params_in) = self.params_structure(members);
+        bound.params_in = params_in;
         if let TypeInner::Struct { members, span } = &inner {
             bound.params_size = *span;
             for (param, member) in bound.params.iter_mut().zip(members) {
@@ -315,9 +324,7 @@ impl Lowerer<'_> {
         let params = self.module.global_variables.append(
             GlobalVariable {
                 name: Some("params".into()),
-                space: AddressSpace::Storage {
-                    access: StorageAccess::LOAD,
-                },
+                space: params_in.address_space(),
                 binding: Some(ResourceBinding {
                     group: 0,
                     binding: 0,
@@ -489,6 +496,7 @@ impl Lowerer<'_> {
                 return plain("is another export's function", "export each function once");
             }
             self.module.functions.get_mut(lowered.handle).name = Some((*name).to_string());
+            bound.exports.push(lowered.handle);
             if !matches!(lowered.ret, Shape::Plain | Shape::Unit) {
                 return Err(err(
                     span,
@@ -521,22 +529,24 @@ impl Lowerer<'_> {
                         whole: true,
                     });
                 }
-                let Some((_, group, binding)) = desc.buffers.iter().find(|(n, _, _)| *n == name)
-                else {
-                    return Err(err(
-                        span,
-                        format!("the buffer `{name}` has no binding"),
-                        "name its group and binding in `ExportDesc::buffers`",
-                    ));
+                let given = desc.buffers.iter().find(|(n, _, _)| *n == name);
+                let (group, binding) = match given {
+                    Some((_, group, binding)) => (*group, *binding),
+                    // Enough for a slice that no export reaches.
+                    None => (NO_GROUP, bound.unnamed.len() as u32),
                 };
-                let global = self.storage(&name, elem, *group, *binding, false, span)?;
-                bound.buffers.push(Buffer {
+                let global = self.storage(&name, elem, group, binding, false, span)?;
+                let buffer = Buffer {
                     path: name.clone(),
-                    group: *group,
-                    binding: *binding,
+                    group,
+                    binding,
                     stride,
                     writable: false,
-                });
+                };
+                match given {
+                    Some(_) => bound.buffers.push(buffer),
+                    None => bound.unnamed.push((buffer, span)),
+                }
                 made.push((name, global, (**elem).clone()));
                 Ok(Shape::Slice {
                     global,

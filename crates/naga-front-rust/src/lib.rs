@@ -27,9 +27,10 @@
 //!
 //! # What an entry point expects of its host
 //!
-//! All bindings are in group 0. Binding 0 is `params`, a read-only storage buffer whose members are [`Shader::params`]:
+//! All bindings are in group 0. Binding 0 is `params`, a uniform buffer where WGSL allows it, else a read-only storage buffer
+//! ([`Shader::params_in`]), whose members are [`Shader::params`]:
 //! `first`, `count`, a `<name>_len` for each chunk argument, then the kernel's plain arguments. The slices follow,
-//! then `out`. Invocation `local = id.y * (num_workgroups.x * workgroup_size) + id.x` computes element `first + local` and
+//! then `out`; a slice that the kernel never touches is left out and has no binding. Invocation `local = id.y * (num_workgroups.x * workgroup_size) + id.x` computes element `first + local` and
 //! writes `out[local]`; those at or beyond `count` do nothing. A chunk argument gets
 //! `chunk[local * len .. (local + 1) * len]`.
 
@@ -44,12 +45,15 @@ mod konst;
 mod layout;
 mod load;
 mod lower;
+mod reach;
 mod resolve;
 mod ty;
+mod uniform;
 mod wgsl;
 
 pub use argument::{Argument, ArgumentType};
 pub use diag::{Diagnostic, Location};
+pub use uniform::ParamsSpace;
 
 use diag::{Error, R};
 use items::Items;
@@ -89,7 +93,7 @@ pub struct ExportDesc<'a> {
     pub functions: &'a [(&'a str, &'a str)],
     /// Group and binding of each buffer that the functions' slices are bound to. A buffer's name is the path of the slice with `_`
     /// for `.`, and without `self`: `marginal` for `self.marginal`, `env_marginal` for the field of a parameter `env`.
-    /// Functions that name the same buffer share it.
+    /// Functions that name the same buffer share it. A slice that no function reaches needs none.
     pub buffers: &'a [(&'a str, u32, u32)],
 }
 
@@ -148,7 +152,10 @@ pub struct Shader {
     pub params: Vec<Param>,
     /// Bytes of the `params` buffer.
     pub params_size: u32,
-    /// The other buffers, in the order of their bindings.
+    /// Whether `params` is a uniform or a storage buffer.
+    pub params_in: ParamsSpace,
+    /// The other buffers, in the order of their bindings: those that the kernel reaches. A slice that it never reads, as one of
+    /// a view's, is not among them.
     pub buffers: Vec<Buffer>,
     /// What the kernel takes after the element's index, as its Rust signature says; empty for exports.
     pub arguments: Vec<Argument>,
@@ -217,12 +224,16 @@ impl Program {
         make: impl Fn(&mut Lowerer<'_>) -> R<entry::Bound>,
     ) -> Result<Shader, Diagnostic> {
         let run = || -> R<Shader> {
-            let mut marked = Lowerer::new(&self.items, true);
-            make(&mut marked)?;
-            let wgsl = wgsl::write(&marked)?;
+            let lower = |markers: bool| -> R<(Lowerer<'_>, entry::Bound)> {
+                let mut lowerer = Lowerer::new(&self.items, markers);
+                let mut bound = make(&mut lowerer)?;
+                reach::keep_reached(&mut lowerer.module, &mut bound)?;
+                Ok((lowerer, bound))
+            };
+            let (marked, _) = lower(true)?;
+            let wgsl = wgsl::write(&marked.module, &self.items)?;
             check_names(names, &wgsl)?;
-            let mut plain = Lowerer::new(&self.items, false);
-            let bound = make(&mut plain)?;
+            let (plain, bound) = lower(false)?;
             let info = wgsl::validate(&plain.module)?;
             Ok(Shader {
                 wgsl,
@@ -234,6 +245,7 @@ impl Program {
                 workgroup_size,
                 params: bound.params,
                 params_size: bound.params_size,
+                params_in: bound.params_in,
                 buffers: bound.buffers,
                 arguments: bound.signature.arguments,
                 out: bound.signature.out,

@@ -27,12 +27,13 @@ fn entry(out: &mut String, spec: &EntrySpec, shader: &Shader) {
     let name = spec.name;
     let _ = write!(
         out,
-        "\n/// `{}` as a compute entry point.\npub static {}: Entry = Entry {{\n    name: Borrowed(\"{name}\"),\n    kernel: Borrowed(\"{}\"),\n    wgsl: Borrowed(include_str!(\"{name}.wgsl\")),\n    workgroup_size: {},\n    params_size: {},\n    params_space: ParamsSpace::Storage,\n    params: Borrowed(&[\n",
+        "\n/// `{}` as a compute entry point.\npub static {}: Entry = Entry {{\n    name: Borrowed(\"{name}\"),\n    kernel: Borrowed(\"{}\"),\n    wgsl: Borrowed(include_str!(\"{name}.wgsl\")),\n    workgroup_size: {},\n    params_size: {},\n    params_space: ParamsSpace::{:?},\n    params: Borrowed(&[\n",
         own_path(spec.kernel).trim_start_matches("crate::kernels::"),
         name.to_uppercase(),
         spec.kernel,
         shader.workgroup_size,
         shader.params_size,
+        shader.params_in,
     );
     for p in &shader.params {
         let _ = writeln!(

@@ -184,8 +184,6 @@ pub(super) const EXPORTS: &[Export] = &[
             ("surface_reflections", 0, 6),
             ("surface_lights", 0, 7),
             ("texels", 0, 8),
-            // No stage reads them.
-            ("scene_nodes", 0, 9),
         ],
     },
 ];

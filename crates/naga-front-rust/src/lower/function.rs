@@ -79,8 +79,11 @@ impl<'l, 'p> FnLowerer<'l, 'p> {
         f.finish_body(&ret_ty, span)?;
         let ret = f.ret.take().unwrap_or(Shape::Unit);
         let func = f.func;
-        let handle = l.module.functions.append(func, naga::Span::UNDEFINED);
-        l.origins.push((handle, span));
+        let origin = match l.markers {
+            true => crate::wgsl::span_of_origin(span),
+            false => naga::Span::UNDEFINED,
+        };
+        let handle = l.module.functions.append(func, origin);
         Ok(Lowered {
             handle,
             ret,

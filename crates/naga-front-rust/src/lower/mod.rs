@@ -133,10 +133,8 @@ pub(crate) struct Lowerer<'p> {
     pub(crate) items: &'p Items,
     pub(crate) module: naga::Module,
     pub(crate) globals: Vec<Global>,
-    /// Write line markers for the WGSL's comments.
+    /// Write line markers, and where functions stand, for the WGSL's comments.
     pub(crate) markers: bool,
-    /// Where each function's source stands, by the name given to naga.
-    pub(crate) origins: Vec<(Handle<naga::Function>, Span)>,
     functions: HashMap<(Instance, Vec<Shape>), Lowered>,
     busy: Vec<Instance>,
     bodies: HashMap<Instance, Rc<Body>>,
@@ -156,7 +154,6 @@ impl<'p> Lowerer<'p> {
             module: naga::Module::default(),
             globals: Vec::new(),
             markers,
-            origins: Vec::new(),
             functions: HashMap::new(),
             busy: Vec::new(),
             bodies: HashMap::new(),

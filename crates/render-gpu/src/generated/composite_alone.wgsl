@@ -44,7 +44,7 @@ var<storage> layers: array<PixelLayers>;
 @group(0) @binding(2) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/layers.rs:109
 fn share(part: f32, rest: f32) -> f32 {

@@ -51,7 +51,7 @@ var<storage> plate: array<PlatePixel>;
 @group(0) @binding(3) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/layers.rs:83
 fn PixelLayers_is_plate(this_: PixelLayers) -> bool {

@@ -50,7 +50,7 @@ var<storage> states: array<RayState>;
 @group(0) @binding(2) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/smc.rs:371
 fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> vec4<f32> {

@@ -51,7 +51,7 @@ var<storage> plate: array<PlatePixel>;
 @group(0) @binding(3) 
 var<storage, read_write> out: array<u32>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/layers.rs:83
 fn PixelLayers_is_plate(this_: PixelLayers) -> bool {
@@ -165,10 +165,10 @@ fn display_code(linear_1: vec3<f32>, alpha: f32) -> u32 {
     let _e6 = code(_e5);
     let _e8 = srgb_encode(linear_1.y);
     let _e9 = code(_e8);
-    let _e15 = srgb_encode(linear_1.z);
-    let _e16 = code(_e15);
-    let _e21 = code(alpha);
-    return (((_e6 | (_e9 << 8u)) | (_e16 << 16u)) | (_e21 << 24u));
+    let _e14 = srgb_encode(linear_1.z);
+    let _e15 = code(_e14);
+    let _e19 = code(alpha);
+    return (((_e6 | (_e9 << 8u)) | (_e15 << 16u)) | (_e19 << 24u));
 }
 
 // glimt_render_gpu/src/kernels/composite.rs:51

@@ -14,7 +14,7 @@ pub static SHADE_MIS: Entry = Entry {
     wgsl: Borrowed(include_str!("shade_mis.wgsl")),
     workgroup_size: 64,
     params_size: 144,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -42,7 +42,7 @@ pub static SHADE_BIS: Entry = Entry {
     wgsl: Borrowed(include_str!("shade_bis.wgsl")),
     workgroup_size: 64,
     params_size: 160,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -71,7 +71,7 @@ pub static SHADE_BIS_LAYERS: Entry = Entry {
     wgsl: Borrowed(include_str!("shade_bis_layers.wgsl")),
     workgroup_size: 64,
     params_size: 160,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -100,7 +100,7 @@ pub static SHADE_SMC: Entry = Entry {
     wgsl: Borrowed(include_str!("shade_smc.wgsl")),
     workgroup_size: 64,
     params_size: 288,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -140,7 +140,7 @@ pub static SHADE_SMC_LAYERS: Entry = Entry {
     wgsl: Borrowed(include_str!("shade_smc_layers.wgsl")),
     workgroup_size: 64,
     params_size: 288,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -180,7 +180,7 @@ pub static DIAGNOSE_SMC: Entry = Entry {
     wgsl: Borrowed(include_str!("diagnose_smc.wgsl")),
     workgroup_size: 64,
     params_size: 144,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -200,7 +200,7 @@ pub static RECONSTRUCT: Entry = Entry {
     wgsl: Borrowed(include_str!("reconstruct.wgsl")),
     workgroup_size: 64,
     params_size: 128,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -219,7 +219,7 @@ pub static TONEMAP: Entry = Entry {
     wgsl: Borrowed(include_str!("tonemap.wgsl")),
     workgroup_size: 64,
     params_size: 128,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -237,15 +237,15 @@ pub static TRANSFER: Entry = Entry {
     kernel: Borrowed("glimt_render_gpu::kernels::transfer::transfer"),
     wgsl: Borrowed(include_str!("transfer.wgsl")),
     workgroup_size: 64,
-    params_size: 44,
-    params_space: ParamsSpace::Storage,
+    params_size: 64,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
         ParamField::new("state_len", 8, 4),
         ParamField::new("lit_len", 12, 4),
         ParamField::new("blocked_len", 16, 4),
-        ParamField::new("params", 20, 24),
+        ParamField::new("params", 32, 24),
     ]),
     buffers: Borrowed(&[
         BufferSlot::new("nodes", 1, 32, false),
@@ -265,7 +265,7 @@ pub static UNWARP: Entry = Entry {
     wgsl: Borrowed(include_str!("unwarp.wgsl")),
     workgroup_size: 64,
     params_size: 80,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -287,7 +287,7 @@ pub static SHADE_MIS_LAYERS: Entry = Entry {
     wgsl: Borrowed(include_str!("shade_mis_layers.wgsl")),
     workgroup_size: 64,
     params_size: 144,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -315,7 +315,7 @@ pub static RECONSTRUCT_LAYERS: Entry = Entry {
     wgsl: Borrowed(include_str!("reconstruct_layers.wgsl")),
     workgroup_size: 64,
     params_size: 144,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -325,10 +325,8 @@ pub static RECONSTRUCT_LAYERS: Entry = Entry {
     ]),
     buffers: Borrowed(&[
         BufferSlot::new("env.texels", 1, 16, false),
-        BufferSlot::new("env.cdf.marginal", 2, 4, false),
-        BufferSlot::new("env.cdf.conditional", 3, 4, false),
-        BufferSlot::new("samples", 4, 32, false),
-        BufferSlot::new("out", 5, 64, true),
+        BufferSlot::new("samples", 2, 32, false),
+        BufferSlot::new("out", 3, 64, true),
     ]),
 };
 
@@ -339,7 +337,7 @@ pub static COMPOSITE_OVER_PLATE: Entry = Entry {
     wgsl: Borrowed(include_str!("composite_over_plate.wgsl")),
     workgroup_size: 64,
     params_size: 128,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -359,7 +357,7 @@ pub static DISPLAY_OVER_PLATE: Entry = Entry {
     wgsl: Borrowed(include_str!("display_over_plate.wgsl")),
     workgroup_size: 64,
     params_size: 128,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -379,7 +377,7 @@ pub static COMPOSITE_ALONE: Entry = Entry {
     wgsl: Borrowed(include_str!("composite_alone.wgsl")),
     workgroup_size: 64,
     params_size: 128,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -398,7 +396,7 @@ pub static TAPS: Entry = Entry {
     wgsl: Borrowed(include_str!("taps.wgsl")),
     workgroup_size: 64,
     params_size: 16,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -416,7 +414,7 @@ pub static HALVE: Entry = Entry {
     wgsl: Borrowed(include_str!("halve.wgsl")),
     workgroup_size: 64,
     params_size: 16,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -435,12 +433,12 @@ pub static LIGHT_COEFFICIENT: Entry = Entry {
     kernel: Borrowed("glimt_render_gpu::kernels::light_sh::light_coefficient"),
     wgsl: Borrowed(include_str!("light_coefficient.wgsl")),
     workgroup_size: 64,
-    params_size: 40,
-    params_space: ParamsSpace::Storage,
+    params_size: 48,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
-        ParamField::new("light", 8, 32),
+        ParamField::new("light", 16, 32),
     ]),
     buffers: Borrowed(&[
         BufferSlot::new("sums", 1, 16, false),
@@ -456,7 +454,7 @@ pub static VERTEX_LIGHT: Entry = Entry {
     wgsl: Borrowed(include_str!("vertex_light.wgsl")),
     workgroup_size: 64,
     params_size: 16,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -478,7 +476,7 @@ pub static UNPACK_LAYERS: Entry = Entry {
     wgsl: Borrowed(include_str!("unpack_layers.wgsl")),
     workgroup_size: 64,
     params_size: 160,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -502,7 +500,7 @@ pub static FILM_BALL: Entry = Entry {
     wgsl: Borrowed(include_str!("film_ball.wgsl")),
     workgroup_size: 64,
     params_size: 256,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -522,7 +520,7 @@ pub static FILM_PLATE: Entry = Entry {
     wgsl: Borrowed(include_str!("film_plate.wgsl")),
     workgroup_size: 64,
     params_size: 192,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -542,7 +540,7 @@ pub static FILM_LATLONG: Entry = Entry {
     wgsl: Borrowed(include_str!("film_latlong.wgsl")),
     workgroup_size: 64,
     params_size: 112,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -561,12 +559,12 @@ pub static EXPOSE: Entry = Entry {
     kernel: Borrowed("glimt_render_gpu::kernels::sensor::expose"),
     wgsl: Borrowed(include_str!("expose.wgsl")),
     workgroup_size: 64,
-    params_size: 56,
-    params_space: ParamsSpace::Storage,
+    params_size: 64,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
-        ParamField::new("sensor", 8, 48),
+        ParamField::new("sensor", 16, 48),
     ]),
     buffers: Borrowed(&[
         BufferSlot::new("radiance", 1, 16, false),
@@ -581,7 +579,7 @@ pub static DIAGNOSE_UNIFORMS: Entry = Entry {
     wgsl: Borrowed(include_str!("diagnose_uniforms.wgsl")),
     workgroup_size: 64,
     params_size: 128,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -599,7 +597,7 @@ pub static DIAGNOSE_ENV_SAMPLE: Entry = Entry {
     wgsl: Borrowed(include_str!("diagnose_env_sample.wgsl")),
     workgroup_size: 64,
     params_size: 144,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -608,10 +606,9 @@ pub static DIAGNOSE_ENV_SAMPLE: Entry = Entry {
         ParamField::new("env.rotation", 136, 8),
     ]),
     buffers: Borrowed(&[
-        BufferSlot::new("env.texels", 1, 16, false),
-        BufferSlot::new("env.cdf.marginal", 2, 4, false),
-        BufferSlot::new("env.cdf.conditional", 3, 4, false),
-        BufferSlot::new("out", 4, 32, true),
+        BufferSlot::new("env.cdf.marginal", 1, 4, false),
+        BufferSlot::new("env.cdf.conditional", 2, 4, false),
+        BufferSlot::new("out", 3, 32, true),
     ]),
 };
 
@@ -622,7 +619,7 @@ pub static DIAGNOSE_PRIMARY_HIT: Entry = Entry {
     wgsl: Borrowed(include_str!("diagnose_primary_hit.wgsl")),
     workgroup_size: 64,
     params_size: 128,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -631,10 +628,7 @@ pub static DIAGNOSE_PRIMARY_HIT: Entry = Entry {
     buffers: Borrowed(&[
         BufferSlot::new("scene.nodes", 1, 32, false),
         BufferSlot::new("scene.triangles", 2, 48, false),
-        BufferSlot::new("scene.corners", 3, 32, false),
-        BufferSlot::new("scene.materials", 4, 96, false),
-        BufferSlot::new("scene.texels", 5, 4, false),
-        BufferSlot::new("out", 6, 16, true),
+        BufferSlot::new("out", 3, 16, true),
     ]),
 };
 
@@ -645,7 +639,7 @@ pub static DIAGNOSE_SURFACE: Entry = Entry {
     wgsl: Borrowed(include_str!("diagnose_surface.wgsl")),
     workgroup_size: 64,
     params_size: 128,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
@@ -668,7 +662,7 @@ pub static DIAGNOSE_BRDF_SAMPLE: Entry = Entry {
     wgsl: Borrowed(include_str!("diagnose_brdf_sample.wgsl")),
     workgroup_size: 64,
     params_size: 128,
-    params_space: ParamsSpace::Storage,
+    params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),

@@ -22,7 +22,7 @@ struct Xoshiro128PlusPlus {
 struct Params {
     first: u32,
     count: u32,
-    sensor: SensorParams,
+    @align(16) sensor: SensorParams,
 }
 
 @group(0) @binding(1) 
@@ -30,7 +30,7 @@ var<storage> radiance_1: array<vec4<f32>>;
 @group(0) @binding(2) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_sampling/src/hash.rs:15
 fn hash_u32_(n: u32) -> u32 {
@@ -40,22 +40,22 @@ fn hash_u32_(n: u32) -> u32 {
     x = (n ^ 3875421163u);
     // glimt_sampling/src/hash.rs:17
     let _e7 = x;
-    let _e11 = x;
-    x = (_e11 ^ (_e7 >> 16u));
+    let _e10 = x;
+    x = (_e10 ^ (_e7 >> 16u));
     // glimt_sampling/src/hash.rs:18
-    let _e14 = x;
-    x = (_e14 * 2146121005u);
+    let _e13 = x;
+    x = (_e13 * 2146121005u);
     // glimt_sampling/src/hash.rs:19
-    let _e18 = x;
-    let _e22 = x;
-    x = (_e22 ^ (_e18 >> 15u));
+    let _e17 = x;
+    let _e20 = x;
+    x = (_e20 ^ (_e17 >> 15u));
     // glimt_sampling/src/hash.rs:20
-    let _e25 = x;
-    x = (_e25 * 2221713035u);
+    let _e23 = x;
+    x = (_e23 * 2221713035u);
     // glimt_sampling/src/hash.rs:21
-    let _e29 = x;
-    let _e30 = x;
-    return (_e29 ^ (_e30 >> 16u));
+    let _e27 = x;
+    let _e28 = x;
+    return (_e27 ^ (_e28 >> 16u));
 }
 
 // glimt_sampling/src/hash.rs:27
@@ -108,50 +108,50 @@ fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
     w = (_e53 + (_e54 * _e55));
     // glimt_sampling/src/hash.rs:68
     let _e59 = x_1;
-    let _e63 = x_1;
-    x_1 = (_e63 ^ (_e59 >> 16u));
+    let _e62 = x_1;
+    x_1 = (_e62 ^ (_e59 >> 16u));
     // glimt_sampling/src/hash.rs:69
-    let _e66 = y;
-    let _e70 = y;
-    y = (_e70 ^ (_e66 >> 16u));
+    let _e65 = y;
+    let _e68 = y;
+    y = (_e68 ^ (_e65 >> 16u));
     // glimt_sampling/src/hash.rs:70
-    let _e73 = z;
-    let _e77 = z;
-    z = (_e77 ^ (_e73 >> 16u));
+    let _e71 = z;
+    let _e74 = z;
+    z = (_e74 ^ (_e71 >> 16u));
     // glimt_sampling/src/hash.rs:71
+    let _e77 = w;
     let _e80 = w;
-    let _e84 = w;
-    w = (_e84 ^ (_e80 >> 16u));
+    w = (_e80 ^ (_e77 >> 16u));
     // glimt_sampling/src/hash.rs:72
-    let _e87 = x_1;
-    let _e88 = y;
-    let _e89 = w;
-    x_1 = (_e87 + (_e88 * _e89));
+    let _e83 = x_1;
+    let _e84 = y;
+    let _e85 = w;
+    x_1 = (_e83 + (_e84 * _e85));
     // glimt_sampling/src/hash.rs:73
-    let _e93 = y;
-    let _e94 = z;
-    let _e95 = x_1;
-    y = (_e93 + (_e94 * _e95));
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_1;
+    y = (_e89 + (_e90 * _e91));
     // glimt_sampling/src/hash.rs:74
-    let _e99 = z;
-    let _e100 = x_1;
-    let _e101 = y;
-    z = (_e99 + (_e100 * _e101));
+    let _e95 = z;
+    let _e96 = x_1;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
     // glimt_sampling/src/hash.rs:75
-    let _e105 = w;
-    let _e106 = y;
-    let _e107 = z;
-    w = (_e105 + (_e106 * _e107));
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
     // glimt_sampling/src/hash.rs:76
-    let _e111 = x_1;
-    let _e112 = x_1;
-    let _e117 = y;
-    let _e118 = y;
-    let _e123 = z;
-    let _e124 = z;
-    let _e129 = w;
-    let _e130 = w;
-    return vec4<u32>((_e111 ^ (_e112 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e123 ^ (_e124 >> 16u)), (_e129 ^ (_e130 >> 16u)));
+    let _e107 = x_1;
+    let _e108 = x_1;
+    let _e112 = y;
+    let _e113 = y;
+    let _e117 = z;
+    let _e118 = z;
+    let _e122 = w;
+    let _e123 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e112 ^ (_e113 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e122 ^ (_e123 >> 16u)));
 }
 
 // glimt_sampling/src/xoshiro.rs:28

@@ -68,7 +68,7 @@ var<storage> stage_texels: array<vec4<f32>>;
 @group(0) @binding(2) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params_4: Params;
+var<uniform> params_4: Params;
 
 // glimt_render_gpu/src/kernels/capture.rs:83
 fn CaptureParams_image_point(this_: CaptureParams, pixel: vec2<f32>) -> vec2<f32> {
@@ -493,13 +493,13 @@ fn CaptureParams_radiance(this_8: CaptureParams, p_3: vec2<f32>, stage_params_1:
         // glimt_render_gpu/src/kernels/capture.rs:122
         let point_1 = (this_8.ball_centre + (seen.normal * this_8.ball_radius));
         // glimt_render_gpu/src/kernels/capture.rs:123
-        let _e43 = CaptureParams_reflectance(this_8, seen.cos_incidence);
-        let _e45 = CaptureParams_reflected(this_8, point_1, seen.direction, stage_params_1);
-        return (_e43 * _e45);
+        let _e42 = CaptureParams_reflectance(this_8, seen.cos_incidence);
+        let _e44 = CaptureParams_reflected(this_8, point_1, seen.direction, stage_params_1);
+        return (_e42 * _e44);
     }
     // glimt_render_gpu/src/kernels/capture.rs:126
-    let _e49 = Stage_radiance(stage_params_1, this_8.eye, direction_1);
-    return _e49;
+    let _e48 = Stage_radiance(stage_params_1, this_8.eye, direction_1);
+    return _e48;
 }
 
 // glimt_render_gpu/src/kernels/capture.rs:192

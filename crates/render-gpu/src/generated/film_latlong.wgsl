@@ -30,7 +30,7 @@ var<storage> stage_texels: array<vec4<f32>>;
 @group(0) @binding(2) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params_4: Params;
+var<uniform> params_4: Params;
 
 // glimt_probe/src/trig.rs:25
 fn cos_sin_pi(x: f32) -> vec2<f32> {

@@ -19,7 +19,7 @@ var<storage> texels: array<vec4<f32>>;
 @group(0) @binding(3) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/pyramid.rs:22
 fn half_size(size: vec2<u32>) -> vec2<u32> {

@@ -18,7 +18,7 @@ struct Tuple_u32_i32_ {
 struct Params {
     first: u32,
     count: u32,
-    light: LightParams,
+    @align(16) light: LightParams,
 }
 
 @group(0) @binding(1) 
@@ -28,7 +28,7 @@ var<storage> previous: array<vec4<f32>>;
 @group(0) @binding(3) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_sh/src/basis.rs:50
 fn coefficient_band(k: u32) -> u32 {

@@ -1100,10 +1100,8 @@ impl<'a, M: Memory> Pass for ReconstructLayers<'a, M> {
         binder.value(3, &self.env.cdf.size);
         binder.value(4, &self.env.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.samples);
-        binder.out(4, &self.out);
+        binder.slice(1, self.samples);
+        binder.out(2, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -1873,10 +1871,9 @@ impl<'a, M: Memory> Pass for DiagnoseEnvSample<'a, M> {
         binder.value(2, self.frame);
         binder.value(3, &self.env.cdf.size);
         binder.value(4, &self.env.rotation);
-        binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.out(3, &self.out);
+        binder.slice(0, self.env.cdf.marginal);
+        binder.slice(1, self.env.cdf.conditional);
+        binder.out(2, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -1929,10 +1926,7 @@ impl<'a, M: Memory> Pass for DiagnosePrimaryHit<'a, M> {
         binder.value(2, self.frame);
         binder.slice(0, self.scene.nodes);
         binder.slice(1, self.scene.triangles);
-        binder.slice(2, self.scene.corners);
-        binder.slice(3, self.scene.materials);
-        binder.slice(4, self.scene.texels);
-        binder.out(5, &self.out);
+        binder.out(2, &self.out);
     }
 
     fn elements(&self) -> usize

@@ -1,12 +1,5 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
 
-struct BvhNode {
-    min: vec3<f32>,
-    count: u32,
-    max: vec3<f32>,
-    first: u32,
-}
-
 struct Triangle {
     v0_: vec3<f32>,
     material: u32,
@@ -139,8 +132,6 @@ struct Drawn {
     blocked: vec4<f32>,
 }
 
-@group(0) @binding(9) 
-var<storage> scene_nodes: array<BvhNode>;
 @group(0) @binding(1) 
 var<storage> scene_triangles: array<Triangle>;
 @group(0) @binding(2) 
@@ -320,16 +311,16 @@ fn TextureView_texel(this_2: TextureView, index_1: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_2.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
-        let _e41 = scene_texels[r];
-        let _e45 = scene_texels[g];
-        let _e49 = scene_texels[b];
-        chosen_3 = vec4<f32>(bitcast<f32>(_e41), bitcast<f32>(_e45), bitcast<f32>(_e49), alpha);
+        let _e38 = scene_texels[r];
+        let _e42 = scene_texels[g];
+        let _e46 = scene_texels[b];
+        chosen_3 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
         chosen_3 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b) / 255f), alpha);
     }
-    let _e63 = chosen_3;
-    return _e63;
+    let _e60 = chosen_3;
+    return _e60;
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
@@ -340,38 +331,38 @@ fn TextureView_sample(this_3: TextureView, uv: vec2<f32>) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:51
     let wrap_v = ((this_3.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
-    let _e22 = wrap(uv.x, wrap_u);
-    let x_2 = ((_e22 * f32(this_3.width)) - 0.5f);
+    let _e21 = wrap(uv.x, wrap_u);
+    let x_2 = ((_e21 * f32(this_3.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
-    let _e30 = wrap(uv.y, wrap_v);
-    let y = ((_e30 * f32(this_3.height)) - 0.5f);
+    let _e29 = wrap(uv.y, wrap_v);
+    let y = ((_e29 * f32(this_3.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
-    let _e39 = Tuple_f32_f32_(floor(x_2), floor(y));
-    let left = _e39.fa;
-    let top = _e39.fb;
+    let _e38 = Tuple_f32_f32_(floor(x_2), floor(y));
+    let left = _e38.fa;
+    let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e45 = neighbour(i32(left), this_3.width, wrap_u);
+    let _e44 = neighbour(i32(left), this_3.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e51 = neighbour((i32(left) + 1i), this_3.width, wrap_u);
+    let _e50 = neighbour((i32(left) + 1i), this_3.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e55 = neighbour(i32(top), this_3.height, wrap_v);
-    let row0_ = (_e55 * this_3.width);
+    let _e54 = neighbour(i32(top), this_3.height, wrap_v);
+    let row0_ = (_e54 * this_3.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e63 = neighbour((i32(top) + 1i), this_3.height, wrap_v);
-    let row1_ = (_e63 * this_3.width);
+    let _e62 = neighbour((i32(top) + 1i), this_3.height, wrap_v);
+    let row1_ = (_e62 * this_3.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e68 = TextureView_texel(this_3, (row0_ + _e45));
-    let _e70 = TextureView_texel(this_3, (row0_ + _e51));
-    let _e71 = (x_2 - left);
-    let upper = ((_e68 * (1f - _e71)) + (_e70 * _e71));
+    let _e67 = TextureView_texel(this_3, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_3, (row0_ + _e50));
+    let _e70 = (x_2 - left);
+    let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e79 = TextureView_texel(this_3, (row1_ + _e45));
-    let _e81 = TextureView_texel(this_3, (row1_ + _e51));
-    let _e82 = (x_2 - left);
-    let lower = ((_e79 * (1f - _e82)) + (_e81 * _e82));
+    let _e78 = TextureView_texel(this_3, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_3, (row1_ + _e50));
+    let _e81 = (x_2 - left);
+    let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
-    let _e89 = (y - top);
-    return ((upper * (1f - _e89)) + (lower * _e89));
+    let _e88 = (y - top);
+    return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:73

@@ -34,7 +34,7 @@ var<storage> samples: array<vec4<f32>>;
 @group(0) @binding(2) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/film.rs:10
 fn reconstruct_1(pixel: u32, frame: FrameParams) -> vec4<f32> {

@@ -88,15 +88,11 @@ struct Params {
 @group(0) @binding(1) 
 var<storage> env_texels: array<vec4<f32>>;
 @group(0) @binding(2) 
-var<storage> env_cdf_marginal: array<u32>;
-@group(0) @binding(3) 
-var<storage> env_cdf_conditional: array<u32>;
-@group(0) @binding(4) 
 var<storage> samples_1: array<LayerSample>;
-@group(0) @binding(5) 
+@group(0) @binding(3) 
 var<storage, read_write> out: array<PixelLayers>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/frame.rs:88
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
@@ -113,22 +109,22 @@ fn hash_u32_(n: u32) -> u32 {
     x = (n ^ 3875421163u);
     // glimt_sampling/src/hash.rs:17
     let _e7 = x;
-    let _e11 = x;
-    x = (_e11 ^ (_e7 >> 16u));
+    let _e10 = x;
+    x = (_e10 ^ (_e7 >> 16u));
     // glimt_sampling/src/hash.rs:18
-    let _e14 = x;
-    x = (_e14 * 2146121005u);
+    let _e13 = x;
+    x = (_e13 * 2146121005u);
     // glimt_sampling/src/hash.rs:19
-    let _e18 = x;
-    let _e22 = x;
-    x = (_e22 ^ (_e18 >> 15u));
+    let _e17 = x;
+    let _e20 = x;
+    x = (_e20 ^ (_e17 >> 15u));
     // glimt_sampling/src/hash.rs:20
-    let _e25 = x;
-    x = (_e25 * 2221713035u);
+    let _e23 = x;
+    x = (_e23 * 2221713035u);
     // glimt_sampling/src/hash.rs:21
-    let _e29 = x;
-    let _e30 = x;
-    return (_e29 ^ (_e30 >> 16u));
+    let _e27 = x;
+    let _e28 = x;
+    return (_e27 ^ (_e28 >> 16u));
 }
 
 // glimt_sampling/src/hash.rs:27
@@ -154,8 +150,8 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
 
     // glimt_sampling/src/sobol.rs:172
     let _e6 = hash3_(seed, frame, pixel);
-    let _e10 = hash2_(_e6, (sample_index >> 16u));
-    return OwenSobol(_e10, (sample_index & 65535u), 0u);
+    let _e9 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:96
@@ -180,13 +176,13 @@ fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
     let _e12 = x_1;
     x_1 = (_e12 * ((scramble >> 16u) | 1u));
     // glimt_sampling/src/sobol.rs:25
-    let _e20 = x_1;
-    let _e23 = x_1;
-    x_1 = (_e23 ^ (_e20 * 89287766u));
+    let _e19 = x_1;
+    let _e22 = x_1;
+    x_1 = (_e22 ^ (_e19 * 89287766u));
     // glimt_sampling/src/sobol.rs:26
+    let _e25 = x_1;
     let _e26 = x_1;
-    let _e27 = x_1;
-    return (_e26 ^ (_e27 * 1403136100u));
+    return (_e25 ^ (_e26 * 1403136100u));
 }
 
 // glimt_sampling/src/sobol.rs:103
@@ -206,20 +202,20 @@ fn pascal(index_2: u32) -> u32 {
     x_2 = index_2;
     // glimt_sampling/src/sobol.rs:58
     let _e5 = x_2;
-    let _e11 = x_2;
-    x_2 = (_e11 ^ ((_e5 >> 1u) & 21845u));
+    let _e10 = x_2;
+    x_2 = (_e10 ^ ((_e5 >> 1u) & 21845u));
     // glimt_sampling/src/sobol.rs:59
-    let _e14 = x_2;
-    let _e20 = x_2;
-    x_2 = (_e20 ^ ((_e14 >> 2u) & 13107u));
+    let _e13 = x_2;
+    let _e18 = x_2;
+    x_2 = (_e18 ^ ((_e13 >> 2u) & 13107u));
     // glimt_sampling/src/sobol.rs:60
-    let _e23 = x_2;
-    let _e29 = x_2;
-    x_2 = (_e29 ^ ((_e23 >> 4u) & 3855u));
+    let _e21 = x_2;
+    let _e26 = x_2;
+    x_2 = (_e26 ^ ((_e21 >> 4u) & 3855u));
     // glimt_sampling/src/sobol.rs:61
-    let _e32 = x_2;
-    let _e33 = x_2;
-    return (_e32 ^ ((_e33 >> 8u) & 255u));
+    let _e29 = x_2;
+    let _e30 = x_2;
+    return (_e29 ^ ((_e30 >> 8u) & 255u));
 }
 
 // glimt_sampling/src/sobol.rs:66
@@ -254,17 +250,17 @@ fn recurrence_2_(index_3: u32) -> u32 {
         let _e32 = v0_;
         let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
         // glimt_sampling/src/sobol.rs:74
-        let _e38 = v1_;
-        v0_ = _e38;
+        let _e37 = v1_;
+        v0_ = _e37;
         // glimt_sampling/src/sobol.rs:75
         v1_ = v2_1;
         // glimt_sampling/src/sobol.rs:76
-        let _e42 = bits;
-        bits = (_e42 >> 1u);
+        let _e40 = bits;
+        bits = (_e40 >> 1u);
     }
     // glimt_sampling/src/sobol.rs:78
-    let _e46 = sum;
-    return _e46;
+    let _e44 = sum;
+    return _e44;
 }
 
 // glimt_sampling/src/sobol.rs:83
@@ -302,20 +298,20 @@ fn recurrence_3_(index_4: u32) -> u32 {
         let _e35 = v0_1;
         let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
         // glimt_sampling/src/sobol.rs:92
-        let _e41 = v1_1;
-        v0_1 = _e41;
+        let _e40 = v1_1;
+        v0_1 = _e40;
         // glimt_sampling/src/sobol.rs:93
-        let _e43 = v2_;
-        v1_1 = _e43;
+        let _e42 = v2_;
+        v1_1 = _e42;
         // glimt_sampling/src/sobol.rs:94
         v2_ = v3_;
         // glimt_sampling/src/sobol.rs:95
-        let _e47 = bits_1;
-        bits_1 = (_e47 >> 1u);
+        let _e45 = bits_1;
+        bits_1 = (_e45 >> 1u);
     }
     // glimt_sampling/src/sobol.rs:97
-    let _e51 = sum_1;
-    return _e51;
+    let _e49 = sum_1;
+    return _e49;
 }
 
 // glimt_sampling/src/sobol.rs:43
@@ -391,16 +387,16 @@ fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
     (*this_2).dimension = (dimension_2 + 2u);
     // glimt_sampling/src/sobol.rs:193
     let _e15 = (*this_2).seed;
-    let _e19 = hash2_(_e15, (dimension_2 >> 2u));
+    let _e18 = hash2_(_e15, (dimension_2 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e22 = (*this_2).index;
-    let _e23 = shuffle(_e22, _e19);
+    let _e21 = (*this_2).index;
+    let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
-    let _e25 = sobol_reversed(_e23, dimension_2);
-    let _e26 = scramble_1(_e25, dimension_2, _e19);
-    let _e29 = sobol_reversed(_e23, (dimension_2 + 1u));
-    let _e32 = scramble_1(_e29, (dimension_2 + 1u), _e19);
-    return vec2<u32>(_e26, _e32);
+    let _e24 = sobol_reversed(_e22, dimension_2);
+    let _e25 = scramble_1(_e24, dimension_2, _e18);
+    let _e28 = sobol_reversed(_e22, (dimension_2 + 1u));
+    let _e31 = scramble_1(_e28, (dimension_2 + 1u), _e18);
+    return vec2<u32>(_e25, _e31);
 }
 
 // glimt_sampling/src/hash.rs:50
@@ -444,50 +440,50 @@ fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
     w = (_e53 + (_e54 * _e55));
     // glimt_sampling/src/hash.rs:68
     let _e59 = x_3;
-    let _e63 = x_3;
-    x_3 = (_e63 ^ (_e59 >> 16u));
+    let _e62 = x_3;
+    x_3 = (_e62 ^ (_e59 >> 16u));
     // glimt_sampling/src/hash.rs:69
-    let _e66 = y;
-    let _e70 = y;
-    y = (_e70 ^ (_e66 >> 16u));
+    let _e65 = y;
+    let _e68 = y;
+    y = (_e68 ^ (_e65 >> 16u));
     // glimt_sampling/src/hash.rs:70
-    let _e73 = z;
-    let _e77 = z;
-    z = (_e77 ^ (_e73 >> 16u));
+    let _e71 = z;
+    let _e74 = z;
+    z = (_e74 ^ (_e71 >> 16u));
     // glimt_sampling/src/hash.rs:71
+    let _e77 = w;
     let _e80 = w;
-    let _e84 = w;
-    w = (_e84 ^ (_e80 >> 16u));
+    w = (_e80 ^ (_e77 >> 16u));
     // glimt_sampling/src/hash.rs:72
-    let _e87 = x_3;
-    let _e88 = y;
-    let _e89 = w;
-    x_3 = (_e87 + (_e88 * _e89));
+    let _e83 = x_3;
+    let _e84 = y;
+    let _e85 = w;
+    x_3 = (_e83 + (_e84 * _e85));
     // glimt_sampling/src/hash.rs:73
-    let _e93 = y;
-    let _e94 = z;
-    let _e95 = x_3;
-    y = (_e93 + (_e94 * _e95));
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_3;
+    y = (_e89 + (_e90 * _e91));
     // glimt_sampling/src/hash.rs:74
-    let _e99 = z;
-    let _e100 = x_3;
-    let _e101 = y;
-    z = (_e99 + (_e100 * _e101));
+    let _e95 = z;
+    let _e96 = x_3;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
     // glimt_sampling/src/hash.rs:75
-    let _e105 = w;
-    let _e106 = y;
-    let _e107 = z;
-    w = (_e105 + (_e106 * _e107));
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
     // glimt_sampling/src/hash.rs:76
-    let _e111 = x_3;
-    let _e112 = x_3;
-    let _e117 = y;
-    let _e118 = y;
-    let _e123 = z;
-    let _e124 = z;
-    let _e129 = w;
-    let _e130 = w;
-    return vec4<u32>((_e111 ^ (_e112 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e123 ^ (_e124 >> 16u)), (_e129 ^ (_e130 >> 16u)));
+    let _e107 = x_3;
+    let _e108 = x_3;
+    let _e112 = y;
+    let _e113 = y;
+    let _e117 = z;
+    let _e118 = z;
+    let _e122 = w;
+    let _e123 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e112 ^ (_e113 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e122 ^ (_e123 >> 16u)));
 }
 
 // glimt_sampling/src/xoshiro.rs:28

@@ -217,7 +217,7 @@ var<storage> scene_texels: array<u32>;
 @group(0) @binding(9) 
 var<storage, read_write> out: array<LayerSample>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/shade.rs:55
 fn mis(frame: FrameParams) -> Mis {
@@ -241,22 +241,22 @@ fn hash_u32_(n: u32) -> u32 {
     x = (n ^ 3875421163u);
     // glimt_sampling/src/hash.rs:17
     let _e7 = x;
-    let _e11 = x;
-    x = (_e11 ^ (_e7 >> 16u));
+    let _e10 = x;
+    x = (_e10 ^ (_e7 >> 16u));
     // glimt_sampling/src/hash.rs:18
-    let _e14 = x;
-    x = (_e14 * 2146121005u);
+    let _e13 = x;
+    x = (_e13 * 2146121005u);
     // glimt_sampling/src/hash.rs:19
-    let _e18 = x;
-    let _e22 = x;
-    x = (_e22 ^ (_e18 >> 15u));
+    let _e17 = x;
+    let _e20 = x;
+    x = (_e20 ^ (_e17 >> 15u));
     // glimt_sampling/src/hash.rs:20
-    let _e25 = x;
-    x = (_e25 * 2221713035u);
+    let _e23 = x;
+    x = (_e23 * 2221713035u);
     // glimt_sampling/src/hash.rs:21
-    let _e29 = x;
-    let _e30 = x;
-    return (_e29 ^ (_e30 >> 16u));
+    let _e27 = x;
+    let _e28 = x;
+    return (_e27 ^ (_e28 >> 16u));
 }
 
 // glimt_sampling/src/hash.rs:27
@@ -282,8 +282,8 @@ fn OwenSobol_new(seed: u32, frame_1: u32, pixel: u32, sample_index: u32) -> Owen
 
     // glimt_sampling/src/sobol.rs:172
     let _e6 = hash3_(seed, frame_1, pixel);
-    let _e10 = hash2_(_e6, (sample_index >> 16u));
-    return OwenSobol(_e10, (sample_index & 65535u), 0u);
+    let _e9 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:96
@@ -308,13 +308,13 @@ fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
     let _e12 = x_1;
     x_1 = (_e12 * ((scramble >> 16u) | 1u));
     // glimt_sampling/src/sobol.rs:25
-    let _e20 = x_1;
-    let _e23 = x_1;
-    x_1 = (_e23 ^ (_e20 * 89287766u));
+    let _e19 = x_1;
+    let _e22 = x_1;
+    x_1 = (_e22 ^ (_e19 * 89287766u));
     // glimt_sampling/src/sobol.rs:26
+    let _e25 = x_1;
     let _e26 = x_1;
-    let _e27 = x_1;
-    return (_e26 ^ (_e27 * 1403136100u));
+    return (_e25 ^ (_e26 * 1403136100u));
 }
 
 // glimt_sampling/src/sobol.rs:103
@@ -334,20 +334,20 @@ fn pascal(index_2: u32) -> u32 {
     x_2 = index_2;
     // glimt_sampling/src/sobol.rs:58
     let _e5 = x_2;
-    let _e11 = x_2;
-    x_2 = (_e11 ^ ((_e5 >> 1u) & 21845u));
+    let _e10 = x_2;
+    x_2 = (_e10 ^ ((_e5 >> 1u) & 21845u));
     // glimt_sampling/src/sobol.rs:59
-    let _e14 = x_2;
-    let _e20 = x_2;
-    x_2 = (_e20 ^ ((_e14 >> 2u) & 13107u));
+    let _e13 = x_2;
+    let _e18 = x_2;
+    x_2 = (_e18 ^ ((_e13 >> 2u) & 13107u));
     // glimt_sampling/src/sobol.rs:60
-    let _e23 = x_2;
-    let _e29 = x_2;
-    x_2 = (_e29 ^ ((_e23 >> 4u) & 3855u));
+    let _e21 = x_2;
+    let _e26 = x_2;
+    x_2 = (_e26 ^ ((_e21 >> 4u) & 3855u));
     // glimt_sampling/src/sobol.rs:61
-    let _e32 = x_2;
-    let _e33 = x_2;
-    return (_e32 ^ ((_e33 >> 8u) & 255u));
+    let _e29 = x_2;
+    let _e30 = x_2;
+    return (_e29 ^ ((_e30 >> 8u) & 255u));
 }
 
 // glimt_sampling/src/sobol.rs:66
@@ -382,17 +382,17 @@ fn recurrence_2_(index_3: u32) -> u32 {
         let _e32 = v0_;
         let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
         // glimt_sampling/src/sobol.rs:74
-        let _e38 = v1_;
-        v0_ = _e38;
+        let _e37 = v1_;
+        v0_ = _e37;
         // glimt_sampling/src/sobol.rs:75
         v1_ = v2_1;
         // glimt_sampling/src/sobol.rs:76
-        let _e42 = bits;
-        bits = (_e42 >> 1u);
+        let _e40 = bits;
+        bits = (_e40 >> 1u);
     }
     // glimt_sampling/src/sobol.rs:78
-    let _e46 = sum;
-    return _e46;
+    let _e44 = sum;
+    return _e44;
 }
 
 // glimt_sampling/src/sobol.rs:83
@@ -430,20 +430,20 @@ fn recurrence_3_(index_4: u32) -> u32 {
         let _e35 = v0_1;
         let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
         // glimt_sampling/src/sobol.rs:92
-        let _e41 = v1_1;
-        v0_1 = _e41;
+        let _e40 = v1_1;
+        v0_1 = _e40;
         // glimt_sampling/src/sobol.rs:93
-        let _e43 = v2_;
-        v1_1 = _e43;
+        let _e42 = v2_;
+        v1_1 = _e42;
         // glimt_sampling/src/sobol.rs:94
         v2_ = v3_;
         // glimt_sampling/src/sobol.rs:95
-        let _e47 = bits_1;
-        bits_1 = (_e47 >> 1u);
+        let _e45 = bits_1;
+        bits_1 = (_e45 >> 1u);
     }
     // glimt_sampling/src/sobol.rs:97
-    let _e51 = sum_1;
-    return _e51;
+    let _e49 = sum_1;
+    return _e49;
 }
 
 // glimt_sampling/src/sobol.rs:43
@@ -519,16 +519,16 @@ fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
     (*this_2).dimension = (dimension_3 + 2u);
     // glimt_sampling/src/sobol.rs:193
     let _e15 = (*this_2).seed;
-    let _e19 = hash2_(_e15, (dimension_3 >> 2u));
+    let _e18 = hash2_(_e15, (dimension_3 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e22 = (*this_2).index;
-    let _e23 = shuffle(_e22, _e19);
+    let _e21 = (*this_2).index;
+    let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
-    let _e25 = sobol_reversed(_e23, dimension_3);
-    let _e26 = scramble_1(_e25, dimension_3, _e19);
-    let _e29 = sobol_reversed(_e23, (dimension_3 + 1u));
-    let _e32 = scramble_1(_e29, (dimension_3 + 1u), _e19);
-    return vec2<u32>(_e26, _e32);
+    let _e24 = sobol_reversed(_e22, dimension_3);
+    let _e25 = scramble_1(_e24, dimension_3, _e18);
+    let _e28 = sobol_reversed(_e22, (dimension_3 + 1u));
+    let _e31 = scramble_1(_e28, (dimension_3 + 1u), _e18);
+    return vec2<u32>(_e25, _e31);
 }
 
 // glimt_sampling/src/hash.rs:50
@@ -572,50 +572,50 @@ fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
     w = (_e53 + (_e54 * _e55));
     // glimt_sampling/src/hash.rs:68
     let _e59 = x_3;
-    let _e63 = x_3;
-    x_3 = (_e63 ^ (_e59 >> 16u));
+    let _e62 = x_3;
+    x_3 = (_e62 ^ (_e59 >> 16u));
     // glimt_sampling/src/hash.rs:69
-    let _e66 = y;
-    let _e70 = y;
-    y = (_e70 ^ (_e66 >> 16u));
+    let _e65 = y;
+    let _e68 = y;
+    y = (_e68 ^ (_e65 >> 16u));
     // glimt_sampling/src/hash.rs:70
-    let _e73 = z;
-    let _e77 = z;
-    z = (_e77 ^ (_e73 >> 16u));
+    let _e71 = z;
+    let _e74 = z;
+    z = (_e74 ^ (_e71 >> 16u));
     // glimt_sampling/src/hash.rs:71
+    let _e77 = w;
     let _e80 = w;
-    let _e84 = w;
-    w = (_e84 ^ (_e80 >> 16u));
+    w = (_e80 ^ (_e77 >> 16u));
     // glimt_sampling/src/hash.rs:72
-    let _e87 = x_3;
-    let _e88 = y;
-    let _e89 = w;
-    x_3 = (_e87 + (_e88 * _e89));
+    let _e83 = x_3;
+    let _e84 = y;
+    let _e85 = w;
+    x_3 = (_e83 + (_e84 * _e85));
     // glimt_sampling/src/hash.rs:73
-    let _e93 = y;
-    let _e94 = z;
-    let _e95 = x_3;
-    y = (_e93 + (_e94 * _e95));
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_3;
+    y = (_e89 + (_e90 * _e91));
     // glimt_sampling/src/hash.rs:74
-    let _e99 = z;
-    let _e100 = x_3;
-    let _e101 = y;
-    z = (_e99 + (_e100 * _e101));
+    let _e95 = z;
+    let _e96 = x_3;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
     // glimt_sampling/src/hash.rs:75
-    let _e105 = w;
-    let _e106 = y;
-    let _e107 = z;
-    w = (_e105 + (_e106 * _e107));
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
     // glimt_sampling/src/hash.rs:76
-    let _e111 = x_3;
-    let _e112 = x_3;
-    let _e117 = y;
-    let _e118 = y;
-    let _e123 = z;
-    let _e124 = z;
-    let _e129 = w;
-    let _e130 = w;
-    return vec4<u32>((_e111 ^ (_e112 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e123 ^ (_e124 >> 16u)), (_e129 ^ (_e130 >> 16u)));
+    let _e107 = x_3;
+    let _e108 = x_3;
+    let _e112 = y;
+    let _e113 = y;
+    let _e117 = z;
+    let _e118 = z;
+    let _e122 = w;
+    let _e123 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e112 ^ (_e113 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e122 ^ (_e123 >> 16u)));
 }
 
 // glimt_sampling/src/xoshiro.rs:28
@@ -905,7 +905,7 @@ fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
         chosen_3 = near_1;
     } else {
         // glimt_render_gpu/src/kernels/bvh.rs:37
-        chosen_3 = 340282350000000000000000000000000000000f;
+        chosen_3 = 0x1.fffffep+127f;
     }
     let _e40 = chosen_3;
     return _e40;
@@ -933,7 +933,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:93
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
         // glimt_render_gpu/src/kernels/triangle.rs:94
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:96
     let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
@@ -942,7 +942,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:98
     if (slope == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:99
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:101
     let t_2 = (dot(a_3, normal_1) / slope);
@@ -950,7 +950,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     if ((t_2 > 0f) && (t_2 < t_max)) {
         chosen_4 = t_2;
     } else {
-        chosen_4 = 340282350000000000000000000000000000000f;
+        chosen_4 = 0x1.fffffep+127f;
     }
     let _e59 = chosen_4;
     return _e59;
@@ -1226,7 +1226,7 @@ fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
 fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 
     // glimt_render_gpu/src/kernels/scene.rs:64
-    let _e4 = closest_hit(ray_7, 340282350000000000000000000000000000000f);
+    let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
     return _e4;
 }
 
@@ -1320,16 +1320,16 @@ fn TextureView_texel(this_14: TextureView, index_10: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
-        let _e41 = scene_texels[r_1];
-        let _e45 = scene_texels[g];
-        let _e49 = scene_texels[b_4];
-        chosen_6 = vec4<f32>(bitcast<f32>(_e41), bitcast<f32>(_e45), bitcast<f32>(_e49), alpha);
+        let _e38 = scene_texels[r_1];
+        let _e42 = scene_texels[g];
+        let _e46 = scene_texels[b_4];
+        chosen_6 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
         chosen_6 = vec4<f32>((f32(r_1) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha);
     }
-    let _e63 = chosen_6;
-    return _e63;
+    let _e60 = chosen_6;
+    return _e60;
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
@@ -1340,38 +1340,38 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:51
     let wrap_v = ((this_15.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
-    let _e22 = wrap(uv.x, wrap_u);
-    let x_9 = ((_e22 * f32(this_15.width)) - 0.5f);
+    let _e21 = wrap(uv.x, wrap_u);
+    let x_9 = ((_e21 * f32(this_15.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
-    let _e30 = wrap(uv.y, wrap_v);
-    let y_2 = ((_e30 * f32(this_15.height)) - 0.5f);
+    let _e29 = wrap(uv.y, wrap_v);
+    let y_2 = ((_e29 * f32(this_15.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
-    let _e39 = Tuple_f32_f32_(floor(x_9), floor(y_2));
-    let left = _e39.fa;
-    let top = _e39.fb;
+    let _e38 = Tuple_f32_f32_(floor(x_9), floor(y_2));
+    let left = _e38.fa;
+    let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e45 = neighbour(i32(left), this_15.width, wrap_u);
+    let _e44 = neighbour(i32(left), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e51 = neighbour((i32(left) + 1i), this_15.width, wrap_u);
+    let _e50 = neighbour((i32(left) + 1i), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e55 = neighbour(i32(top), this_15.height, wrap_v);
-    let row0_ = (_e55 * this_15.width);
+    let _e54 = neighbour(i32(top), this_15.height, wrap_v);
+    let row0_ = (_e54 * this_15.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e63 = neighbour((i32(top) + 1i), this_15.height, wrap_v);
-    let row1_ = (_e63 * this_15.width);
+    let _e62 = neighbour((i32(top) + 1i), this_15.height, wrap_v);
+    let row1_ = (_e62 * this_15.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e68 = TextureView_texel(this_15, (row0_ + _e45));
-    let _e70 = TextureView_texel(this_15, (row0_ + _e51));
-    let _e71 = (x_9 - left);
-    let upper = ((_e68 * (1f - _e71)) + (_e70 * _e71));
+    let _e67 = TextureView_texel(this_15, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_15, (row0_ + _e50));
+    let _e70 = (x_9 - left);
+    let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e79 = TextureView_texel(this_15, (row1_ + _e45));
-    let _e81 = TextureView_texel(this_15, (row1_ + _e51));
-    let _e82 = (x_9 - left);
-    let lower = ((_e79 * (1f - _e82)) + (_e81 * _e82));
+    let _e78 = TextureView_texel(this_15, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_15, (row1_ + _e50));
+    let _e81 = (x_9 - left);
+    let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
-    let _e89 = (y_2 - top);
-    return ((upper * (1f - _e89)) + (lower * _e89));
+    let _e88 = (y_2 - top);
+    return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:73
@@ -1573,9 +1573,9 @@ fn OwenSobol_next_u32_(this_19: ptr<function, OwenSobol>) -> u32 {
     // glimt_sampling/src/sobol.rs:185
     let _e11 = (*this_19).index;
     let _e13 = (*this_19).seed;
-    let _e17 = hash2_(_e13, (dimension_4 >> 2u));
-    let _e18 = owen_sobol(_e11, dimension_4, _e17);
-    return _e18;
+    let _e16 = hash2_(_e13, (dimension_4 >> 2u));
+    let _e17 = owen_sobol(_e11, dimension_4, _e16);
+    return _e17;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:166
@@ -1943,8 +1943,8 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
 fn Environment_to_map(cdf_size: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:65
-    let _e9 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
-    return _e9;
+    let _e8 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
+    return _e8;
 }
 
 // glimt_probe/src/latlong.rs:45
@@ -2007,10 +2007,10 @@ fn EnvCdf_row(size_3: vec2<u32>, texel: vec2<u32>) -> Bin {
     // glimt_envmap_cdf/src/env_cdf.rs:143
     let y_3 = texel.y;
     // glimt_envmap_cdf/src/env_cdf.rs:144
-    let _e9 = env_cdf_marginal[y_3];
-    let _e14 = env_cdf_marginal[(y_3 + 1u)];
-    let _e17 = env_cdf_marginal[y_3];
-    return Bin(texel.y, _e9, (_e14 - _e17));
+    let _e8 = env_cdf_marginal[y_3];
+    let _e13 = env_cdf_marginal[(y_3 + 1u)];
+    let _e16 = env_cdf_marginal[y_3];
+    return Bin(texel.y, _e8, (_e13 - _e16));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:151
@@ -2122,8 +2122,8 @@ fn Mis_density(this_27: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
 fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:79
-    let _e12 = env_texels[((texel_3.y * cdf_size_2.x) + texel_3.x)];
-    return _e12.xyz;
+    let _e11 = env_texels[((texel_3.y * cdf_size_2.x) + texel_3.x)];
+    return _e11.xyz;
 }
 
 // glimt_brdf/src/lobe.rs:86
@@ -2219,7 +2219,7 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_9: vec3<f32>) -> bool {
     // glimt_render_gpu/src/kernels/scene.rs:113
     let _e5 = Ray_new(point_3.origin, direction_9);
     // glimt_render_gpu/src/kernels/scene.rs:114
-    let _e8 = any_hit(_e5, 340282350000000000000000000000000000000f);
+    let _e8 = any_hit(_e5, 0x1.fffffep+127f);
     return !(_e8);
 }
 
@@ -2419,25 +2419,25 @@ fn EnvCdf_sample(size_10: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
     // glimt_envmap_cdf/src/env_cdf.rs:68
-    let _e19 = find_bin((u_9.y >> 1u));
+    let _e18 = find_bin((u_9.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let row_start = (_e19.index * (size_10.x + 1u));
+    let row_start = (_e18.index * (size_10.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
     let row_end = ((row_start + size_10.x) + 1u);
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e37 = find_bin_1(row_start, (row_end - row_start), (u_9.x >> 1u));
+    let _e35 = find_bin_1(row_start, (row_end - row_start), (u_9.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_5 = vec2<u32>(_e37.index, _e19.index);
+    let texel_5 = vec2<u32>(_e35.index, _e18.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e45 = hash2_(u_9.x, u_9.y);
+    let _e43 = hash2_(u_9.x, u_9.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e53 = place_in_bin(_e37, (u_9.x >> 1u), (_e45 & 65535u));
-    let _e61 = place_in_bin(_e19, (u_9.y >> 1u), (_e45 >> 16u));
-    let place_2 = vec2<f32>(_e53, _e61);
+    let _e50 = place_in_bin(_e35, (u_9.x >> 1u), (_e43 & 65535u));
+    let _e56 = place_in_bin(_e18, (u_9.y >> 1u), (_e43 >> 16u));
+    let place_2 = vec2<f32>(_e50, _e56);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e64 = direction_in_texel(texel_5, size_10, place_2);
-    let _e68 = density_sr(_e19.units, _e37.units, _e19.index, size_10);
-    return EnvSample(texel_5, _e64, _e68);
+    let _e59 = direction_in_texel(texel_5, size_10, place_2);
+    let _e63 = density_sr(_e18.units, _e35.units, _e18.index, size_10);
+    return EnvSample(texel_5, _e59, _e63);
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:85
@@ -2544,15 +2544,15 @@ fn shade_layers(ray_10: u32, frame_3: FrameParams, env_cdf_size_3: vec2<u32>, en
     let hit_1 = _e11.value;
     if _e11.is_some {
         // glimt_render_gpu/src/kernels/shade.rs:98
-        let _e16 = Scene_shading_point(_e9, hit_1);
+        let _e15 = Scene_shading_point(_e9, hit_1);
         // glimt_render_gpu/src/kernels/shade.rs:99
-        let _e18 = Mis_reflected(estimator, _e16, _e7, env_cdf_size_3, env_rotation_3);
+        let _e17 = Mis_reflected(estimator, _e15, _e7, env_cdf_size_3, env_rotation_3);
         // glimt_render_gpu/src/kernels/shade.rs:100
-        let _e23 = scene_triangles[hit_1.triangle];
-        let _e24 = Triangle_is_catcher(_e23);
+        let _e22 = scene_triangles[hit_1.triangle];
+        let _e23 = Triangle_is_catcher(_e22);
         // glimt_render_gpu/src/kernels/shade.rs:101
-        let _e26 = LayerSample_of(_e18, _e24);
-        return _e26;
+        let _e25 = LayerSample_of(_e17, _e23);
+        return _e25;
     }
     // glimt_render_gpu/src/kernels/shade.rs:103
     return LayerSample(vec3(0f), 0f, vec3(0f), 0f);

@@ -398,7 +398,7 @@ var<storage, read_write> particles: array<Particle>;
 @group(0) @binding(15) 
 var<storage, read_write> out: array<LayerSample>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/frame.rs:88
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
@@ -415,22 +415,22 @@ fn hash_u32_(n: u32) -> u32 {
     x = (n ^ 3875421163u);
     // glimt_sampling/src/hash.rs:17
     let _e7 = x;
-    let _e11 = x;
-    x = (_e11 ^ (_e7 >> 16u));
+    let _e10 = x;
+    x = (_e10 ^ (_e7 >> 16u));
     // glimt_sampling/src/hash.rs:18
-    let _e14 = x;
-    x = (_e14 * 2146121005u);
+    let _e13 = x;
+    x = (_e13 * 2146121005u);
     // glimt_sampling/src/hash.rs:19
-    let _e18 = x;
-    let _e22 = x;
-    x = (_e22 ^ (_e18 >> 15u));
+    let _e17 = x;
+    let _e20 = x;
+    x = (_e20 ^ (_e17 >> 15u));
     // glimt_sampling/src/hash.rs:20
-    let _e25 = x;
-    x = (_e25 * 2221713035u);
+    let _e23 = x;
+    x = (_e23 * 2221713035u);
     // glimt_sampling/src/hash.rs:21
-    let _e29 = x;
-    let _e30 = x;
-    return (_e29 ^ (_e30 >> 16u));
+    let _e27 = x;
+    let _e28 = x;
+    return (_e27 ^ (_e28 >> 16u));
 }
 
 // glimt_sampling/src/hash.rs:27
@@ -456,8 +456,8 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
 
     // glimt_sampling/src/sobol.rs:172
     let _e6 = hash3_(seed, frame, pixel);
-    let _e10 = hash2_(_e6, (sample_index >> 16u));
-    return OwenSobol(_e10, (sample_index & 65535u), 0u);
+    let _e9 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:96
@@ -482,13 +482,13 @@ fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
     let _e12 = x_1;
     x_1 = (_e12 * ((scramble >> 16u) | 1u));
     // glimt_sampling/src/sobol.rs:25
-    let _e20 = x_1;
-    let _e23 = x_1;
-    x_1 = (_e23 ^ (_e20 * 89287766u));
+    let _e19 = x_1;
+    let _e22 = x_1;
+    x_1 = (_e22 ^ (_e19 * 89287766u));
     // glimt_sampling/src/sobol.rs:26
+    let _e25 = x_1;
     let _e26 = x_1;
-    let _e27 = x_1;
-    return (_e26 ^ (_e27 * 1403136100u));
+    return (_e25 ^ (_e26 * 1403136100u));
 }
 
 // glimt_sampling/src/sobol.rs:103
@@ -508,20 +508,20 @@ fn pascal(index_2: u32) -> u32 {
     x_2 = index_2;
     // glimt_sampling/src/sobol.rs:58
     let _e5 = x_2;
-    let _e11 = x_2;
-    x_2 = (_e11 ^ ((_e5 >> 1u) & 21845u));
+    let _e10 = x_2;
+    x_2 = (_e10 ^ ((_e5 >> 1u) & 21845u));
     // glimt_sampling/src/sobol.rs:59
-    let _e14 = x_2;
-    let _e20 = x_2;
-    x_2 = (_e20 ^ ((_e14 >> 2u) & 13107u));
+    let _e13 = x_2;
+    let _e18 = x_2;
+    x_2 = (_e18 ^ ((_e13 >> 2u) & 13107u));
     // glimt_sampling/src/sobol.rs:60
-    let _e23 = x_2;
-    let _e29 = x_2;
-    x_2 = (_e29 ^ ((_e23 >> 4u) & 3855u));
+    let _e21 = x_2;
+    let _e26 = x_2;
+    x_2 = (_e26 ^ ((_e21 >> 4u) & 3855u));
     // glimt_sampling/src/sobol.rs:61
-    let _e32 = x_2;
-    let _e33 = x_2;
-    return (_e32 ^ ((_e33 >> 8u) & 255u));
+    let _e29 = x_2;
+    let _e30 = x_2;
+    return (_e29 ^ ((_e30 >> 8u) & 255u));
 }
 
 // glimt_sampling/src/sobol.rs:66
@@ -556,17 +556,17 @@ fn recurrence_2_(index_3: u32) -> u32 {
         let _e32 = v0_;
         let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
         // glimt_sampling/src/sobol.rs:74
-        let _e38 = v1_;
-        v0_ = _e38;
+        let _e37 = v1_;
+        v0_ = _e37;
         // glimt_sampling/src/sobol.rs:75
         v1_ = v2_1;
         // glimt_sampling/src/sobol.rs:76
-        let _e42 = bits;
-        bits = (_e42 >> 1u);
+        let _e40 = bits;
+        bits = (_e40 >> 1u);
     }
     // glimt_sampling/src/sobol.rs:78
-    let _e46 = sum;
-    return _e46;
+    let _e44 = sum;
+    return _e44;
 }
 
 // glimt_sampling/src/sobol.rs:83
@@ -604,20 +604,20 @@ fn recurrence_3_(index_4: u32) -> u32 {
         let _e35 = v0_1;
         let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
         // glimt_sampling/src/sobol.rs:92
-        let _e41 = v1_1;
-        v0_1 = _e41;
+        let _e40 = v1_1;
+        v0_1 = _e40;
         // glimt_sampling/src/sobol.rs:93
-        let _e43 = v2_;
-        v1_1 = _e43;
+        let _e42 = v2_;
+        v1_1 = _e42;
         // glimt_sampling/src/sobol.rs:94
         v2_ = v3_;
         // glimt_sampling/src/sobol.rs:95
-        let _e47 = bits_1;
-        bits_1 = (_e47 >> 1u);
+        let _e45 = bits_1;
+        bits_1 = (_e45 >> 1u);
     }
     // glimt_sampling/src/sobol.rs:97
-    let _e51 = sum_1;
-    return _e51;
+    let _e49 = sum_1;
+    return _e49;
 }
 
 // glimt_sampling/src/sobol.rs:43
@@ -693,16 +693,16 @@ fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
     (*this_2).dimension = (dimension_3 + 2u);
     // glimt_sampling/src/sobol.rs:193
     let _e15 = (*this_2).seed;
-    let _e19 = hash2_(_e15, (dimension_3 >> 2u));
+    let _e18 = hash2_(_e15, (dimension_3 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e22 = (*this_2).index;
-    let _e23 = shuffle(_e22, _e19);
+    let _e21 = (*this_2).index;
+    let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
-    let _e25 = sobol_reversed(_e23, dimension_3);
-    let _e26 = scramble_1(_e25, dimension_3, _e19);
-    let _e29 = sobol_reversed(_e23, (dimension_3 + 1u));
-    let _e32 = scramble_1(_e29, (dimension_3 + 1u), _e19);
-    return vec2<u32>(_e26, _e32);
+    let _e24 = sobol_reversed(_e22, dimension_3);
+    let _e25 = scramble_1(_e24, dimension_3, _e18);
+    let _e28 = sobol_reversed(_e22, (dimension_3 + 1u));
+    let _e31 = scramble_1(_e28, (dimension_3 + 1u), _e18);
+    return vec2<u32>(_e25, _e31);
 }
 
 // glimt_sampling/src/hash.rs:50
@@ -746,50 +746,50 @@ fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
     w = (_e53 + (_e54 * _e55));
     // glimt_sampling/src/hash.rs:68
     let _e59 = x_3;
-    let _e63 = x_3;
-    x_3 = (_e63 ^ (_e59 >> 16u));
+    let _e62 = x_3;
+    x_3 = (_e62 ^ (_e59 >> 16u));
     // glimt_sampling/src/hash.rs:69
-    let _e66 = y;
-    let _e70 = y;
-    y = (_e70 ^ (_e66 >> 16u));
+    let _e65 = y;
+    let _e68 = y;
+    y = (_e68 ^ (_e65 >> 16u));
     // glimt_sampling/src/hash.rs:70
-    let _e73 = z;
-    let _e77 = z;
-    z = (_e77 ^ (_e73 >> 16u));
+    let _e71 = z;
+    let _e74 = z;
+    z = (_e74 ^ (_e71 >> 16u));
     // glimt_sampling/src/hash.rs:71
+    let _e77 = w;
     let _e80 = w;
-    let _e84 = w;
-    w = (_e84 ^ (_e80 >> 16u));
+    w = (_e80 ^ (_e77 >> 16u));
     // glimt_sampling/src/hash.rs:72
-    let _e87 = x_3;
-    let _e88 = y;
-    let _e89 = w;
-    x_3 = (_e87 + (_e88 * _e89));
+    let _e83 = x_3;
+    let _e84 = y;
+    let _e85 = w;
+    x_3 = (_e83 + (_e84 * _e85));
     // glimt_sampling/src/hash.rs:73
-    let _e93 = y;
-    let _e94 = z;
-    let _e95 = x_3;
-    y = (_e93 + (_e94 * _e95));
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_3;
+    y = (_e89 + (_e90 * _e91));
     // glimt_sampling/src/hash.rs:74
-    let _e99 = z;
-    let _e100 = x_3;
-    let _e101 = y;
-    z = (_e99 + (_e100 * _e101));
+    let _e95 = z;
+    let _e96 = x_3;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
     // glimt_sampling/src/hash.rs:75
-    let _e105 = w;
-    let _e106 = y;
-    let _e107 = z;
-    w = (_e105 + (_e106 * _e107));
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
     // glimt_sampling/src/hash.rs:76
-    let _e111 = x_3;
-    let _e112 = x_3;
-    let _e117 = y;
-    let _e118 = y;
-    let _e123 = z;
-    let _e124 = z;
-    let _e129 = w;
-    let _e130 = w;
-    return vec4<u32>((_e111 ^ (_e112 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e123 ^ (_e124 >> 16u)), (_e129 ^ (_e130 >> 16u)));
+    let _e107 = x_3;
+    let _e108 = x_3;
+    let _e112 = y;
+    let _e113 = y;
+    let _e117 = z;
+    let _e118 = z;
+    let _e122 = w;
+    let _e123 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e112 ^ (_e113 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e122 ^ (_e123 >> 16u)));
 }
 
 // glimt_sampling/src/xoshiro.rs:28
@@ -1079,7 +1079,7 @@ fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
         chosen_3 = near_1;
     } else {
         // glimt_render_gpu/src/kernels/bvh.rs:37
-        chosen_3 = 340282350000000000000000000000000000000f;
+        chosen_3 = 0x1.fffffep+127f;
     }
     let _e40 = chosen_3;
     return _e40;
@@ -1107,7 +1107,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:93
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
         // glimt_render_gpu/src/kernels/triangle.rs:94
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:96
     let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
@@ -1116,7 +1116,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:98
     if (slope == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:99
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:101
     let t_2 = (dot(a_3, normal_1) / slope);
@@ -1124,7 +1124,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     if ((t_2 > 0f) && (t_2 < t_max)) {
         chosen_4 = t_2;
     } else {
-        chosen_4 = 340282350000000000000000000000000000000f;
+        chosen_4 = 0x1.fffffep+127f;
     }
     let _e59 = chosen_4;
     return _e59;
@@ -1400,7 +1400,7 @@ fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
 fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 
     // glimt_render_gpu/src/kernels/scene.rs:64
-    let _e4 = closest_hit(ray_7, 340282350000000000000000000000000000000f);
+    let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
     return _e4;
 }
 
@@ -1494,16 +1494,16 @@ fn TextureView_texel(this_14: TextureView, index_10: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
-        let _e41 = scene_texels[r_1];
-        let _e45 = scene_texels[g];
-        let _e49 = scene_texels[b_4];
-        chosen_6 = vec4<f32>(bitcast<f32>(_e41), bitcast<f32>(_e45), bitcast<f32>(_e49), alpha);
+        let _e38 = scene_texels[r_1];
+        let _e42 = scene_texels[g];
+        let _e46 = scene_texels[b_4];
+        chosen_6 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
         chosen_6 = vec4<f32>((f32(r_1) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha);
     }
-    let _e63 = chosen_6;
-    return _e63;
+    let _e60 = chosen_6;
+    return _e60;
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
@@ -1514,38 +1514,38 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:51
     let wrap_v = ((this_15.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
-    let _e22 = wrap(uv.x, wrap_u);
-    let x_9 = ((_e22 * f32(this_15.width)) - 0.5f);
+    let _e21 = wrap(uv.x, wrap_u);
+    let x_9 = ((_e21 * f32(this_15.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
-    let _e30 = wrap(uv.y, wrap_v);
-    let y_2 = ((_e30 * f32(this_15.height)) - 0.5f);
+    let _e29 = wrap(uv.y, wrap_v);
+    let y_2 = ((_e29 * f32(this_15.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
-    let _e39 = Tuple_f32_f32_(floor(x_9), floor(y_2));
-    let left = _e39.fa;
-    let top = _e39.fb;
+    let _e38 = Tuple_f32_f32_(floor(x_9), floor(y_2));
+    let left = _e38.fa;
+    let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e45 = neighbour(i32(left), this_15.width, wrap_u);
+    let _e44 = neighbour(i32(left), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e51 = neighbour((i32(left) + 1i), this_15.width, wrap_u);
+    let _e50 = neighbour((i32(left) + 1i), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e55 = neighbour(i32(top), this_15.height, wrap_v);
-    let row0_ = (_e55 * this_15.width);
+    let _e54 = neighbour(i32(top), this_15.height, wrap_v);
+    let row0_ = (_e54 * this_15.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e63 = neighbour((i32(top) + 1i), this_15.height, wrap_v);
-    let row1_ = (_e63 * this_15.width);
+    let _e62 = neighbour((i32(top) + 1i), this_15.height, wrap_v);
+    let row1_ = (_e62 * this_15.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e68 = TextureView_texel(this_15, (row0_ + _e45));
-    let _e70 = TextureView_texel(this_15, (row0_ + _e51));
-    let _e71 = (x_9 - left);
-    let upper = ((_e68 * (1f - _e71)) + (_e70 * _e71));
+    let _e67 = TextureView_texel(this_15, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_15, (row0_ + _e50));
+    let _e70 = (x_9 - left);
+    let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e79 = TextureView_texel(this_15, (row1_ + _e45));
-    let _e81 = TextureView_texel(this_15, (row1_ + _e51));
-    let _e82 = (x_9 - left);
-    let lower = ((_e79 * (1f - _e82)) + (_e81 * _e82));
+    let _e78 = TextureView_texel(this_15, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_15, (row1_ + _e50));
+    let _e81 = (x_9 - left);
+    let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
-    let _e89 = (y_2 - top);
-    return ((upper * (1f - _e89)) + (lower * _e89));
+    let _e88 = (y_2 - top);
+    return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:73
@@ -1845,8 +1845,8 @@ fn PastView_predecessor(this_21: PastView, point_1: ShadingPoint, object: u32, f
         // glimt_render_gpu/src/kernels/past.rs:169
         chosen_12 = Option_u32_();
     }
-    let _e159 = chosen_12;
-    return _e159;
+    let _e158 = chosen_12;
+    return _e158;
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:41
@@ -2082,24 +2082,24 @@ fn RadianceMap_radiance(size_4: vec2<u32>, rotation: vec2<f32>, direction_3: vec
 fn LightTarget_previous(previous_light_size: vec2<u32>, previous_light_rotation: vec2<f32>, previous_floor: f32, previous_lobe: LightLobe, light_cdf_size: vec2<u32>, light_rotation: vec2<f32>, floor_: f32, lobe: LightLobe, direction_4: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:102
-    let _e11 = LightLobe_value(previous_lobe, direction_4);
+    let _e7 = LightLobe_value(previous_lobe, direction_4);
     // glimt_render_gpu/src/kernels/light_target.rs:103
-    if !((_e11 > 0f)) {
+    if !((_e7 > 0f)) {
         // glimt_render_gpu/src/kernels/light_target.rs:104
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:106
-    let _e19 = RadianceMap_radiance(previous_light_size, previous_light_rotation, direction_4);
-    let _e20 = luminance(_e19);
-    return ((_e20 + previous_floor) * _e11);
+    let _e15 = RadianceMap_radiance(previous_light_size, previous_light_rotation, direction_4);
+    let _e16 = luminance(_e15);
+    return ((_e16 + previous_floor) * _e7);
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:64
 fn Environment_to_map(cdf_size: vec2<u32>, rotation_1: vec2<f32>, direction_5: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:65
-    let _e9 = rotate_z(direction_5, vec2<f32>(rotation_1.x, -(rotation_1.y)));
-    return _e9;
+    let _e8 = rotate_z(direction_5, vec2<f32>(rotation_1.x, -(rotation_1.y)));
+    return _e8;
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:71
@@ -2115,26 +2115,26 @@ fn Environment_texel(cdf_size_1: vec2<u32>, rotation_2: vec2<f32>, direction_6: 
 fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_3: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:79
-    let _e12 = env_texels[((texel.y * cdf_size_2.x) + texel.x)];
-    return _e12.xyz;
+    let _e11 = env_texels[((texel.y * cdf_size_2.x) + texel.x)];
+    return _e11.xyz;
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:89
 fn LightTarget_current(previous_light_size_1: vec2<u32>, previous_light_rotation_1: vec2<f32>, previous_floor_1: f32, previous_lobe_1: LightLobe, light_cdf_size_1: vec2<u32>, light_rotation_1: vec2<f32>, floor_1: f32, lobe_1: LightLobe, direction_7: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:90
-    let _e11 = LightLobe_value(lobe_1, direction_7);
+    let _e7 = LightLobe_value(lobe_1, direction_7);
     // glimt_render_gpu/src/kernels/light_target.rs:91
-    if !((_e11 > 0f)) {
+    if !((_e7 > 0f)) {
         // glimt_render_gpu/src/kernels/light_target.rs:92
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:94
-    let _e19 = Environment_texel(light_cdf_size_1, light_rotation_1, direction_7);
-    let _e20 = Environment_radiance(light_cdf_size_1, light_rotation_1, _e19);
+    let _e15 = Environment_texel(light_cdf_size_1, light_rotation_1, direction_7);
+    let _e16 = Environment_radiance(light_cdf_size_1, light_rotation_1, _e15);
     // glimt_render_gpu/src/kernels/light_target.rs:95
-    let _e22 = luminance(_e20);
-    return ((_e22 + floor_1) * _e11);
+    let _e18 = luminance(_e16);
+    return ((_e18 + floor_1) * _e7);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:112
@@ -2396,9 +2396,9 @@ fn OwenSobol_next_u32_(this_30: ptr<function, OwenSobol>) -> u32 {
     // glimt_sampling/src/sobol.rs:185
     let _e11 = (*this_30).index;
     let _e13 = (*this_30).seed;
-    let _e17 = hash2_(_e13, (dimension_4 >> 2u));
-    let _e18 = owen_sobol(_e11, dimension_4, _e17);
-    return _e18;
+    let _e16 = hash2_(_e13, (dimension_4 >> 2u));
+    let _e17 = owen_sobol(_e11, dimension_4, _e16);
+    return _e17;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:131
@@ -3119,25 +3119,25 @@ fn EnvCdf_sample(size_9: vec2<u32>, u_7: vec2<u32>) -> EnvSample {
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
     // glimt_envmap_cdf/src/env_cdf.rs:68
-    let _e19 = find_bin((u_7.y >> 1u));
+    let _e18 = find_bin((u_7.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let row_start = (_e19.index * (size_9.x + 1u));
+    let row_start = (_e18.index * (size_9.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
     let row_end = ((row_start + size_9.x) + 1u);
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e37 = find_bin_1(row_start, (row_end - row_start), (u_7.x >> 1u));
+    let _e35 = find_bin_1(row_start, (row_end - row_start), (u_7.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_5 = vec2<u32>(_e37.index, _e19.index);
+    let texel_5 = vec2<u32>(_e35.index, _e18.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e45 = hash2_(u_7.x, u_7.y);
+    let _e43 = hash2_(u_7.x, u_7.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e53 = place_in_bin(_e37, (u_7.x >> 1u), (_e45 & 65535u));
-    let _e61 = place_in_bin(_e19, (u_7.y >> 1u), (_e45 >> 16u));
-    let place_4 = vec2<f32>(_e53, _e61);
+    let _e50 = place_in_bin(_e35, (u_7.x >> 1u), (_e43 & 65535u));
+    let _e56 = place_in_bin(_e18, (u_7.y >> 1u), (_e43 >> 16u));
+    let place_4 = vec2<f32>(_e50, _e56);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e64 = direction_in_texel(texel_5, size_9, place_4);
-    let _e68 = density_sr(_e19.units, _e37.units, _e19.index, size_9);
-    return EnvSample(texel_5, _e64, _e68);
+    let _e59 = direction_in_texel(texel_5, size_9, place_4);
+    let _e63 = density_sr(_e18.units, _e35.units, _e18.index, size_9);
+    return EnvSample(texel_5, _e59, _e63);
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:85
@@ -3165,10 +3165,10 @@ fn EnvCdf_row(size_10: vec2<u32>, texel_2: vec2<u32>) -> Bin {
     // glimt_envmap_cdf/src/env_cdf.rs:143
     let y_5 = texel_2.y;
     // glimt_envmap_cdf/src/env_cdf.rs:144
-    let _e9 = env_cdf_marginal[y_5];
-    let _e14 = env_cdf_marginal[(y_5 + 1u)];
-    let _e17 = env_cdf_marginal[y_5];
-    return Bin(texel_2.y, _e9, (_e14 - _e17));
+    let _e8 = env_cdf_marginal[y_5];
+    let _e13 = env_cdf_marginal[(y_5 + 1u)];
+    let _e16 = env_cdf_marginal[y_5];
+    return Bin(texel_2.y, _e8, (_e13 - _e16));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:151
@@ -4203,7 +4203,7 @@ fn Scene_is_lit(point_7: ShadingPoint, direction_14: vec3<f32>) -> bool {
     // glimt_render_gpu/src/kernels/scene.rs:113
     let _e5 = Ray_new(point_7.origin, direction_14);
     // glimt_render_gpu/src/kernels/scene.rs:114
-    let _e8 = any_hit(_e5, 340282350000000000000000000000000000000f);
+    let _e8 = any_hit(_e5, 0x1.fffffep+127f);
     return !(_e8);
 }
 
@@ -4302,15 +4302,15 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
 
     // glimt_render_gpu/src/kernels/smc.rs:232
     // glimt_render_gpu/src/kernels/smc.rs:233
-    let _e19 = LightLobe_of_point(point_10);
+    let _e18 = LightLobe_of_point(point_10);
     // glimt_render_gpu/src/kernels/smc.rs:234
-    let _e26 = luminance(point_10.brdf.diffuse);
-    let _e29 = luminance(point_10.brdf.specular);
-    now = RayState(point_10.frame.n, -1000000000000000000000000000000f, wo_4, depth, _e26, _e29, point_10.brdf.exponent, 0u, f32(particles_len_11), 0f, 1u, 0u);
+    let _e25 = luminance(point_10.brdf.diffuse);
+    let _e28 = luminance(point_10.brdf.specular);
+    now = RayState(point_10.frame.n, -1000000000000000000000000000000f, wo_4, depth, _e25, _e28, point_10.brdf.exponent, 0u, f32(particles_len_11), 0f, 1u, 0u);
     // glimt_render_gpu/src/kernels/smc.rs:248
-    let _e40 = PastView_predecessor(view, point_10, object_1, frame_4, pattern_4);
-    let ray_12 = _e40.value;
-    if _e40.is_some {
+    let _e39 = PastView_predecessor(view, point_10, object_1, frame_4, pattern_4);
+    let ray_12 = _e39.value;
+    if _e39.is_some {
         // glimt_render_gpu/src/kernels/smc.rs:249
         let old_1 = past_states[ray_12];
         // glimt_render_gpu/src/kernels/smc.rs:250
@@ -4323,91 +4323,91 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
                 break;
             }
             // glimt_render_gpu/src/kernels/smc.rs:252
-            let _e59 = past_particles[(first_7 + i_13)];
-            particles[(particles_start_11 + i_13)] = _e59;
+            let _e57 = past_particles[(first_7 + i_13)];
+            particles[(particles_start_11 + i_13)] = _e57;
             continuing {
-                let _e63 = counter_20;
-                counter_20 = (_e63 + 1u);
+                let _e61 = counter_20;
+                counter_20 = (_e61 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/smc.rs:254
-        let _e68 = LightLobe_of_state(old_1);
+        let _e66 = LightLobe_of_state(old_1);
         // glimt_render_gpu/src/kernels/smc.rs:262
-        let _e72 = PixelPattern_source(pattern_4, 7u);
-        source_12 = _e72;
+        let _e70 = PixelPattern_source(pattern_4, 7u);
+        source_12 = _e70;
         // glimt_render_gpu/src/kernels/smc.rs:263
-        let _e75 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e68, env_cdf_size_3, env_rotation_3, smc.floor, _e19, point_10, particles_start_11, particles_len_11, (&source_12));
+        let _e73 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e66, env_cdf_size_3, env_rotation_3, smc.floor, _e18, point_10, particles_start_11, particles_len_11, (&source_12));
         // glimt_render_gpu/src/kernels/smc.rs:264
-        let _e78 = is_log_zero(_e75.log_ratio);
-        either_2 = _e78;
-        if _e78 {
+        let _e76 = is_log_zero(_e73.log_ratio);
+        either_2 = _e76;
+        if _e76 {
         } else {
-            let _e81 = is_log_zero(old_1.log_normaliser);
-            either_2 = _e81;
+            let _e79 = is_log_zero(old_1.log_normaliser);
+            either_2 = _e79;
         }
         let dead = either_2;
         // glimt_render_gpu/src/kernels/smc.rs:265
-        now.log_ratio = _e75.log_ratio;
+        now.log_ratio = _e73.log_ratio;
         // glimt_render_gpu/src/kernels/smc.rs:266
-        now.ess = _e75.ess;
+        now.ess = _e73.ess;
         // glimt_render_gpu/src/kernels/smc.rs:267
-        now.accepted = _e75.accepted;
+        now.accepted = _e73.accepted;
         // glimt_render_gpu/src/kernels/smc.rs:268
         now.age = (old_1.age + 1u);
         // glimt_render_gpu/src/kernels/smc.rs:269
-        if ((smc.band > 0f) && (dead || (abs(_e75.log_ratio) > smc.band))) {
+        if ((smc.band > 0f) && (dead || (abs(_e73.log_ratio) > smc.band))) {
             // glimt_render_gpu/src/kernels/smc.rs:270
             chosen_47 = 2u;
         } else {
-            let _e115 = now.age;
-            if ((smc.max_age > 0u) && (_e115 >= smc.max_age)) {
+            let _e113 = now.age;
+            if ((smc.max_age > 0u) && (_e113 >= smc.max_age)) {
                 // glimt_render_gpu/src/kernels/smc.rs:272
                 chosen_48 = 3u;
             } else {
                 // glimt_render_gpu/src/kernels/smc.rs:274
                 chosen_48 = 0u;
             }
-            let _e123 = chosen_48;
-            chosen_47 = _e123;
+            let _e121 = chosen_48;
+            chosen_47 = _e121;
         }
-        let _e124 = chosen_47;
-        now.started = _e124;
+        let _e122 = chosen_47;
+        now.started = _e122;
         // glimt_render_gpu/src/kernels/smc.rs:276
         if dead {
             // glimt_render_gpu/src/kernels/smc.rs:277
             chosen_49 = -1000000000000000000000000000000f;
         } else {
             // glimt_render_gpu/src/kernels/smc.rs:279
-            chosen_49 = (old_1.log_normaliser + _e75.log_ratio);
+            chosen_49 = (old_1.log_normaliser + _e73.log_ratio);
         }
-        let _e134 = chosen_49;
-        now.log_normaliser = _e134;
+        let _e132 = chosen_49;
+        now.log_normaliser = _e132;
     }
     // glimt_render_gpu/src/kernels/smc.rs:282
-    let _e138 = now.started;
-    if (_e138 != 0u) {
+    let _e136 = now.started;
+    if (_e136 != 0u) {
         // glimt_render_gpu/src/kernels/smc.rs:283
         now.age = 0u;
         // glimt_render_gpu/src/kernels/smc.rs:284
-        let _e145 = SmcParams_start(smc, point_10, pattern_4, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
-        now.log_normaliser = _e145;
+        let _e143 = SmcParams_start(smc, point_10, pattern_4, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
+        now.log_normaliser = _e143;
     }
     // glimt_render_gpu/src/kernels/smc.rs:286
-    let _e150 = now.log_normaliser;
-    let _e151 = is_log_zero(_e150);
-    if _e151 {
+    let _e148 = now.log_normaliser;
+    let _e149 = is_log_zero(_e148);
+    if _e149 {
         // glimt_render_gpu/src/kernels/smc.rs:287
         chosen_50 = Reflected(vec3(0f), vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/smc.rs:289
-        let _e161 = now.log_normaliser;
-        let _e162 = estimate(point_10, _e19, smc.floor, _e161, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
-        chosen_50 = _e162;
+        let _e159 = now.log_normaliser;
+        let _e160 = estimate(point_10, _e18, smc.floor, _e159, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
+        chosen_50 = _e160;
     }
     let light_2 = chosen_50;
     // glimt_render_gpu/src/kernels/smc.rs:299
-    let _e165 = now;
-    state_5[(state_start + 0u)] = _e165;
+    let _e163 = now;
+    state_5[(state_start + 0u)] = _e163;
     // glimt_render_gpu/src/kernels/smc.rs:300
     return light_2;
 }
@@ -4436,19 +4436,19 @@ fn shade_smc_layers_1(ray_10: u32, frame_5: FrameParams, smc_1: SmcParams, view_
     let hit_1 = _e18.value;
     if _e18.is_some {
         // glimt_render_gpu/src/kernels/smc.rs:354
-        let _e23 = Scene_shading_point(_e16, hit_1);
+        let _e22 = Scene_shading_point(_e16, hit_1);
         // glimt_render_gpu/src/kernels/smc.rs:355
         let triangle_3 = scene_triangles[hit_1.triangle];
         // glimt_render_gpu/src/kernels/smc.rs:356
-        let _e30 = Triangle_object_index(triangle_3);
+        let _e29 = Triangle_object_index(triangle_3);
         // glimt_render_gpu/src/kernels/smc.rs:357
         let wo_5 = -(_e16.direction);
         // glimt_render_gpu/src/kernels/smc.rs:358
-        let _e36 = follow(_e23, hit_1.t, wo_5, _e30, frame_5, smc_1, view_1, _e14, env_cdf_size_4, env_rotation_4, before_size_1, before_rotation_1, state_start_1, state_len_1, particles_start_12, particles_len_12);
+        let _e35 = follow(_e22, hit_1.t, wo_5, _e29, frame_5, smc_1, view_1, _e14, env_cdf_size_4, env_rotation_4, before_size_1, before_rotation_1, state_start_1, state_len_1, particles_start_12, particles_len_12);
         // glimt_render_gpu/src/kernels/smc.rs:362
-        let _e38 = Triangle_is_catcher(triangle_3);
-        let _e39 = LayerSample_of(_e36, _e38);
-        return _e39;
+        let _e37 = Triangle_is_catcher(triangle_3);
+        let _e38 = LayerSample_of(_e35, _e37);
+        return _e38;
     }
     // glimt_render_gpu/src/kernels/smc.rs:364
     state_5[(state_start_1 + 0u)] = RayState(vec3(0f), 0f, vec3(0f), 0f, 0f, 0f, 0f, 0u, 0f, 0f, 0u, 0u);

@@ -27,7 +27,7 @@ struct Params {
 @group(0) @binding(1) 
 var<storage, read_write> out: array<Taps>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/pyramid.rs:22
 fn half_size(size: vec2<u32>) -> vec2<u32> {

@@ -62,7 +62,7 @@ struct Params {
     state_len: u32,
     lit_len: u32,
     blocked_len: u32,
-    params: TransferParams,
+    @align(16) params: TransferParams,
 }
 
 @group(0) @binding(1) 
@@ -80,7 +80,7 @@ var<storage, read_write> blocked: array<f32>;
 @group(0) @binding(7) 
 var<storage, read_write> out: array<u32>;
 @group(0) @binding(0) 
-var<storage> params_2: Params;
+var<uniform> params_2: Params;
 
 // glimt_render_gpu/src/kernels/ray.rs:48
 fn inverse(x: f32) -> f32 {
@@ -119,7 +119,7 @@ fn box_distance(node: BvhNode, ray: Ray) -> f32 {
         chosen = near_1;
     } else {
         // glimt_render_gpu/src/kernels/bvh.rs:37
-        chosen = 340282350000000000000000000000000000000f;
+        chosen = 0x1.fffffep+127f;
     }
     let _e40 = chosen;
     return _e40;
@@ -161,7 +161,7 @@ fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:93
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
         // glimt_render_gpu/src/kernels/triangle.rs:94
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:96
     let normal = cross((c_1 - a_1), (a_1 - b_1));
@@ -170,7 +170,7 @@ fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:98
     if (slope == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:99
-        return 340282350000000000000000000000000000000f;
+        return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:101
     let t_1 = (dot(a_1, normal) / slope);
@@ -178,7 +178,7 @@ fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     if ((t_1 > 0f) && (t_1 < t_max)) {
         chosen_1 = t_1;
     } else {
-        chosen_1 = 340282350000000000000000000000000000000f;
+        chosen_1 = 0x1.fffffep+127f;
     }
     let _e59 = chosen_1;
     return _e59;
@@ -314,22 +314,22 @@ fn hash_u32_(n: u32) -> u32 {
     x_1 = (n ^ 3875421163u);
     // glimt_sampling/src/hash.rs:17
     let _e7 = x_1;
-    let _e11 = x_1;
-    x_1 = (_e11 ^ (_e7 >> 16u));
+    let _e10 = x_1;
+    x_1 = (_e10 ^ (_e7 >> 16u));
     // glimt_sampling/src/hash.rs:18
-    let _e14 = x_1;
-    x_1 = (_e14 * 2146121005u);
+    let _e13 = x_1;
+    x_1 = (_e13 * 2146121005u);
     // glimt_sampling/src/hash.rs:19
-    let _e18 = x_1;
-    let _e22 = x_1;
-    x_1 = (_e22 ^ (_e18 >> 15u));
+    let _e17 = x_1;
+    let _e20 = x_1;
+    x_1 = (_e20 ^ (_e17 >> 15u));
     // glimt_sampling/src/hash.rs:20
-    let _e25 = x_1;
-    x_1 = (_e25 * 2221713035u);
+    let _e23 = x_1;
+    x_1 = (_e23 * 2221713035u);
     // glimt_sampling/src/hash.rs:21
-    let _e29 = x_1;
-    let _e30 = x_1;
-    return (_e29 ^ (_e30 >> 16u));
+    let _e27 = x_1;
+    let _e28 = x_1;
+    return (_e27 ^ (_e28 >> 16u));
 }
 
 // glimt_sampling/src/hash.rs:50
@@ -373,50 +373,50 @@ fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
     w = (_e53 + (_e54 * _e55));
     // glimt_sampling/src/hash.rs:68
     let _e59 = x_2;
-    let _e63 = x_2;
-    x_2 = (_e63 ^ (_e59 >> 16u));
+    let _e62 = x_2;
+    x_2 = (_e62 ^ (_e59 >> 16u));
     // glimt_sampling/src/hash.rs:69
-    let _e66 = y;
-    let _e70 = y;
-    y = (_e70 ^ (_e66 >> 16u));
+    let _e65 = y;
+    let _e68 = y;
+    y = (_e68 ^ (_e65 >> 16u));
     // glimt_sampling/src/hash.rs:70
-    let _e73 = z;
-    let _e77 = z;
-    z = (_e77 ^ (_e73 >> 16u));
+    let _e71 = z;
+    let _e74 = z;
+    z = (_e74 ^ (_e71 >> 16u));
     // glimt_sampling/src/hash.rs:71
+    let _e77 = w;
     let _e80 = w;
-    let _e84 = w;
-    w = (_e84 ^ (_e80 >> 16u));
+    w = (_e80 ^ (_e77 >> 16u));
     // glimt_sampling/src/hash.rs:72
-    let _e87 = x_2;
-    let _e88 = y;
-    let _e89 = w;
-    x_2 = (_e87 + (_e88 * _e89));
+    let _e83 = x_2;
+    let _e84 = y;
+    let _e85 = w;
+    x_2 = (_e83 + (_e84 * _e85));
     // glimt_sampling/src/hash.rs:73
-    let _e93 = y;
-    let _e94 = z;
-    let _e95 = x_2;
-    y = (_e93 + (_e94 * _e95));
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_2;
+    y = (_e89 + (_e90 * _e91));
     // glimt_sampling/src/hash.rs:74
-    let _e99 = z;
-    let _e100 = x_2;
-    let _e101 = y;
-    z = (_e99 + (_e100 * _e101));
+    let _e95 = z;
+    let _e96 = x_2;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
     // glimt_sampling/src/hash.rs:75
-    let _e105 = w;
-    let _e106 = y;
-    let _e107 = z;
-    w = (_e105 + (_e106 * _e107));
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
     // glimt_sampling/src/hash.rs:76
-    let _e111 = x_2;
-    let _e112 = x_2;
-    let _e117 = y;
-    let _e118 = y;
-    let _e123 = z;
-    let _e124 = z;
-    let _e129 = w;
-    let _e130 = w;
-    return vec4<u32>((_e111 ^ (_e112 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e123 ^ (_e124 >> 16u)), (_e129 ^ (_e130 >> 16u)));
+    let _e107 = x_2;
+    let _e108 = x_2;
+    let _e112 = y;
+    let _e113 = y;
+    let _e117 = z;
+    let _e118 = z;
+    let _e122 = w;
+    let _e123 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e112 ^ (_e113 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e122 ^ (_e123 >> 16u)));
 }
 
 // glimt_sampling/src/xoshiro.rs:28
@@ -1020,159 +1020,159 @@ fn store(bands_1: u32, kept: f32, scale: f32, sums_1: array<f32, 36>, out_start:
 
     sums_2 = sums_1;
     // glimt_render_gpu/src/kernels/transfer.rs:178
-    let _e13 = lit[(out_start + 0u)];
-    let _e16 = sums_2[0];
-    lit[(out_start + 0u)] = ((kept * _e13) + (scale * _e16));
+    let _e12 = lit[(out_start + 0u)];
+    let _e15 = sums_2[0];
+    lit[(out_start + 0u)] = ((kept * _e12) + (scale * _e15));
     // glimt_render_gpu/src/kernels/transfer.rs:179
     if (bands_1 > 1u) {
         // glimt_render_gpu/src/kernels/transfer.rs:180
-        let _e31 = lit[(out_start + 1u)];
-        let _e34 = sums_2[1];
-        lit[(out_start + 1u)] = ((kept * _e31) + (scale * _e34));
+        let _e30 = lit[(out_start + 1u)];
+        let _e33 = sums_2[1];
+        lit[(out_start + 1u)] = ((kept * _e30) + (scale * _e33));
         // glimt_render_gpu/src/kernels/transfer.rs:181
-        let _e46 = lit[(out_start + 2u)];
-        let _e49 = sums_2[2];
-        lit[(out_start + 2u)] = ((kept * _e46) + (scale * _e49));
+        let _e45 = lit[(out_start + 2u)];
+        let _e48 = sums_2[2];
+        lit[(out_start + 2u)] = ((kept * _e45) + (scale * _e48));
         // glimt_render_gpu/src/kernels/transfer.rs:182
-        let _e61 = lit[(out_start + 3u)];
-        let _e64 = sums_2[3];
-        lit[(out_start + 3u)] = ((kept * _e61) + (scale * _e64));
+        let _e60 = lit[(out_start + 3u)];
+        let _e63 = sums_2[3];
+        lit[(out_start + 3u)] = ((kept * _e60) + (scale * _e63));
         // glimt_render_gpu/src/kernels/transfer.rs:183
         if (bands_1 > 2u) {
             // glimt_render_gpu/src/kernels/transfer.rs:184
-            let _e79 = lit[(out_start + 4u)];
-            let _e82 = sums_2[4];
-            lit[(out_start + 4u)] = ((kept * _e79) + (scale * _e82));
+            let _e78 = lit[(out_start + 4u)];
+            let _e81 = sums_2[4];
+            lit[(out_start + 4u)] = ((kept * _e78) + (scale * _e81));
             // glimt_render_gpu/src/kernels/transfer.rs:185
-            let _e94 = lit[(out_start + 5u)];
-            let _e97 = sums_2[5];
-            lit[(out_start + 5u)] = ((kept * _e94) + (scale * _e97));
+            let _e93 = lit[(out_start + 5u)];
+            let _e96 = sums_2[5];
+            lit[(out_start + 5u)] = ((kept * _e93) + (scale * _e96));
             // glimt_render_gpu/src/kernels/transfer.rs:186
-            let _e109 = lit[(out_start + 6u)];
-            let _e112 = sums_2[6];
-            lit[(out_start + 6u)] = ((kept * _e109) + (scale * _e112));
+            let _e108 = lit[(out_start + 6u)];
+            let _e111 = sums_2[6];
+            lit[(out_start + 6u)] = ((kept * _e108) + (scale * _e111));
             // glimt_render_gpu/src/kernels/transfer.rs:187
-            let _e124 = lit[(out_start + 7u)];
-            let _e127 = sums_2[7];
-            lit[(out_start + 7u)] = ((kept * _e124) + (scale * _e127));
+            let _e123 = lit[(out_start + 7u)];
+            let _e126 = sums_2[7];
+            lit[(out_start + 7u)] = ((kept * _e123) + (scale * _e126));
             // glimt_render_gpu/src/kernels/transfer.rs:188
-            let _e139 = lit[(out_start + 8u)];
-            let _e142 = sums_2[8];
-            lit[(out_start + 8u)] = ((kept * _e139) + (scale * _e142));
+            let _e138 = lit[(out_start + 8u)];
+            let _e141 = sums_2[8];
+            lit[(out_start + 8u)] = ((kept * _e138) + (scale * _e141));
             // glimt_render_gpu/src/kernels/transfer.rs:189
             if (bands_1 > 3u) {
                 // glimt_render_gpu/src/kernels/transfer.rs:190
-                let _e157 = lit[(out_start + 9u)];
-                let _e160 = sums_2[9];
-                lit[(out_start + 9u)] = ((kept * _e157) + (scale * _e160));
+                let _e156 = lit[(out_start + 9u)];
+                let _e159 = sums_2[9];
+                lit[(out_start + 9u)] = ((kept * _e156) + (scale * _e159));
                 // glimt_render_gpu/src/kernels/transfer.rs:191
-                let _e172 = lit[(out_start + 10u)];
-                let _e175 = sums_2[10];
-                lit[(out_start + 10u)] = ((kept * _e172) + (scale * _e175));
+                let _e171 = lit[(out_start + 10u)];
+                let _e174 = sums_2[10];
+                lit[(out_start + 10u)] = ((kept * _e171) + (scale * _e174));
                 // glimt_render_gpu/src/kernels/transfer.rs:192
-                let _e187 = lit[(out_start + 11u)];
-                let _e190 = sums_2[11];
-                lit[(out_start + 11u)] = ((kept * _e187) + (scale * _e190));
+                let _e186 = lit[(out_start + 11u)];
+                let _e189 = sums_2[11];
+                lit[(out_start + 11u)] = ((kept * _e186) + (scale * _e189));
                 // glimt_render_gpu/src/kernels/transfer.rs:193
-                let _e202 = lit[(out_start + 12u)];
-                let _e205 = sums_2[12];
-                lit[(out_start + 12u)] = ((kept * _e202) + (scale * _e205));
+                let _e201 = lit[(out_start + 12u)];
+                let _e204 = sums_2[12];
+                lit[(out_start + 12u)] = ((kept * _e201) + (scale * _e204));
                 // glimt_render_gpu/src/kernels/transfer.rs:194
-                let _e217 = lit[(out_start + 13u)];
-                let _e220 = sums_2[13];
-                lit[(out_start + 13u)] = ((kept * _e217) + (scale * _e220));
+                let _e216 = lit[(out_start + 13u)];
+                let _e219 = sums_2[13];
+                lit[(out_start + 13u)] = ((kept * _e216) + (scale * _e219));
                 // glimt_render_gpu/src/kernels/transfer.rs:195
-                let _e232 = lit[(out_start + 14u)];
-                let _e235 = sums_2[14];
-                lit[(out_start + 14u)] = ((kept * _e232) + (scale * _e235));
+                let _e231 = lit[(out_start + 14u)];
+                let _e234 = sums_2[14];
+                lit[(out_start + 14u)] = ((kept * _e231) + (scale * _e234));
                 // glimt_render_gpu/src/kernels/transfer.rs:196
-                let _e247 = lit[(out_start + 15u)];
-                let _e250 = sums_2[15];
-                lit[(out_start + 15u)] = ((kept * _e247) + (scale * _e250));
+                let _e246 = lit[(out_start + 15u)];
+                let _e249 = sums_2[15];
+                lit[(out_start + 15u)] = ((kept * _e246) + (scale * _e249));
                 // glimt_render_gpu/src/kernels/transfer.rs:197
                 if (bands_1 > 4u) {
                     // glimt_render_gpu/src/kernels/transfer.rs:198
-                    let _e265 = lit[(out_start + 16u)];
-                    let _e268 = sums_2[16];
-                    lit[(out_start + 16u)] = ((kept * _e265) + (scale * _e268));
+                    let _e264 = lit[(out_start + 16u)];
+                    let _e267 = sums_2[16];
+                    lit[(out_start + 16u)] = ((kept * _e264) + (scale * _e267));
                     // glimt_render_gpu/src/kernels/transfer.rs:199
-                    let _e280 = lit[(out_start + 17u)];
-                    let _e283 = sums_2[17];
-                    lit[(out_start + 17u)] = ((kept * _e280) + (scale * _e283));
+                    let _e279 = lit[(out_start + 17u)];
+                    let _e282 = sums_2[17];
+                    lit[(out_start + 17u)] = ((kept * _e279) + (scale * _e282));
                     // glimt_render_gpu/src/kernels/transfer.rs:200
-                    let _e295 = lit[(out_start + 18u)];
-                    let _e298 = sums_2[18];
-                    lit[(out_start + 18u)] = ((kept * _e295) + (scale * _e298));
+                    let _e294 = lit[(out_start + 18u)];
+                    let _e297 = sums_2[18];
+                    lit[(out_start + 18u)] = ((kept * _e294) + (scale * _e297));
                     // glimt_render_gpu/src/kernels/transfer.rs:201
-                    let _e310 = lit[(out_start + 19u)];
-                    let _e313 = sums_2[19];
-                    lit[(out_start + 19u)] = ((kept * _e310) + (scale * _e313));
+                    let _e309 = lit[(out_start + 19u)];
+                    let _e312 = sums_2[19];
+                    lit[(out_start + 19u)] = ((kept * _e309) + (scale * _e312));
                     // glimt_render_gpu/src/kernels/transfer.rs:202
-                    let _e325 = lit[(out_start + 20u)];
-                    let _e328 = sums_2[20];
-                    lit[(out_start + 20u)] = ((kept * _e325) + (scale * _e328));
+                    let _e324 = lit[(out_start + 20u)];
+                    let _e327 = sums_2[20];
+                    lit[(out_start + 20u)] = ((kept * _e324) + (scale * _e327));
                     // glimt_render_gpu/src/kernels/transfer.rs:203
-                    let _e340 = lit[(out_start + 21u)];
-                    let _e343 = sums_2[21];
-                    lit[(out_start + 21u)] = ((kept * _e340) + (scale * _e343));
+                    let _e339 = lit[(out_start + 21u)];
+                    let _e342 = sums_2[21];
+                    lit[(out_start + 21u)] = ((kept * _e339) + (scale * _e342));
                     // glimt_render_gpu/src/kernels/transfer.rs:204
-                    let _e355 = lit[(out_start + 22u)];
-                    let _e358 = sums_2[22];
-                    lit[(out_start + 22u)] = ((kept * _e355) + (scale * _e358));
+                    let _e354 = lit[(out_start + 22u)];
+                    let _e357 = sums_2[22];
+                    lit[(out_start + 22u)] = ((kept * _e354) + (scale * _e357));
                     // glimt_render_gpu/src/kernels/transfer.rs:205
-                    let _e370 = lit[(out_start + 23u)];
-                    let _e373 = sums_2[23];
-                    lit[(out_start + 23u)] = ((kept * _e370) + (scale * _e373));
+                    let _e369 = lit[(out_start + 23u)];
+                    let _e372 = sums_2[23];
+                    lit[(out_start + 23u)] = ((kept * _e369) + (scale * _e372));
                     // glimt_render_gpu/src/kernels/transfer.rs:206
-                    let _e385 = lit[(out_start + 24u)];
-                    let _e388 = sums_2[24];
-                    lit[(out_start + 24u)] = ((kept * _e385) + (scale * _e388));
+                    let _e384 = lit[(out_start + 24u)];
+                    let _e387 = sums_2[24];
+                    lit[(out_start + 24u)] = ((kept * _e384) + (scale * _e387));
                     // glimt_render_gpu/src/kernels/transfer.rs:207
                     if (bands_1 > 5u) {
                         // glimt_render_gpu/src/kernels/transfer.rs:208
-                        let _e403 = lit[(out_start + 25u)];
-                        let _e406 = sums_2[25];
-                        lit[(out_start + 25u)] = ((kept * _e403) + (scale * _e406));
+                        let _e402 = lit[(out_start + 25u)];
+                        let _e405 = sums_2[25];
+                        lit[(out_start + 25u)] = ((kept * _e402) + (scale * _e405));
                         // glimt_render_gpu/src/kernels/transfer.rs:209
-                        let _e418 = lit[(out_start + 26u)];
-                        let _e421 = sums_2[26];
-                        lit[(out_start + 26u)] = ((kept * _e418) + (scale * _e421));
+                        let _e417 = lit[(out_start + 26u)];
+                        let _e420 = sums_2[26];
+                        lit[(out_start + 26u)] = ((kept * _e417) + (scale * _e420));
                         // glimt_render_gpu/src/kernels/transfer.rs:210
-                        let _e433 = lit[(out_start + 27u)];
-                        let _e436 = sums_2[27];
-                        lit[(out_start + 27u)] = ((kept * _e433) + (scale * _e436));
+                        let _e432 = lit[(out_start + 27u)];
+                        let _e435 = sums_2[27];
+                        lit[(out_start + 27u)] = ((kept * _e432) + (scale * _e435));
                         // glimt_render_gpu/src/kernels/transfer.rs:211
-                        let _e448 = lit[(out_start + 28u)];
-                        let _e451 = sums_2[28];
-                        lit[(out_start + 28u)] = ((kept * _e448) + (scale * _e451));
+                        let _e447 = lit[(out_start + 28u)];
+                        let _e450 = sums_2[28];
+                        lit[(out_start + 28u)] = ((kept * _e447) + (scale * _e450));
                         // glimt_render_gpu/src/kernels/transfer.rs:212
-                        let _e463 = lit[(out_start + 29u)];
-                        let _e466 = sums_2[29];
-                        lit[(out_start + 29u)] = ((kept * _e463) + (scale * _e466));
+                        let _e462 = lit[(out_start + 29u)];
+                        let _e465 = sums_2[29];
+                        lit[(out_start + 29u)] = ((kept * _e462) + (scale * _e465));
                         // glimt_render_gpu/src/kernels/transfer.rs:213
-                        let _e478 = lit[(out_start + 30u)];
-                        let _e481 = sums_2[30];
-                        lit[(out_start + 30u)] = ((kept * _e478) + (scale * _e481));
+                        let _e477 = lit[(out_start + 30u)];
+                        let _e480 = sums_2[30];
+                        lit[(out_start + 30u)] = ((kept * _e477) + (scale * _e480));
                         // glimt_render_gpu/src/kernels/transfer.rs:214
-                        let _e493 = lit[(out_start + 31u)];
-                        let _e496 = sums_2[31];
-                        lit[(out_start + 31u)] = ((kept * _e493) + (scale * _e496));
+                        let _e492 = lit[(out_start + 31u)];
+                        let _e495 = sums_2[31];
+                        lit[(out_start + 31u)] = ((kept * _e492) + (scale * _e495));
                         // glimt_render_gpu/src/kernels/transfer.rs:215
-                        let _e508 = lit[(out_start + 32u)];
-                        let _e511 = sums_2[32];
-                        lit[(out_start + 32u)] = ((kept * _e508) + (scale * _e511));
+                        let _e507 = lit[(out_start + 32u)];
+                        let _e510 = sums_2[32];
+                        lit[(out_start + 32u)] = ((kept * _e507) + (scale * _e510));
                         // glimt_render_gpu/src/kernels/transfer.rs:216
-                        let _e523 = lit[(out_start + 33u)];
-                        let _e526 = sums_2[33];
-                        lit[(out_start + 33u)] = ((kept * _e523) + (scale * _e526));
+                        let _e522 = lit[(out_start + 33u)];
+                        let _e525 = sums_2[33];
+                        lit[(out_start + 33u)] = ((kept * _e522) + (scale * _e525));
                         // glimt_render_gpu/src/kernels/transfer.rs:217
-                        let _e538 = lit[(out_start + 34u)];
-                        let _e541 = sums_2[34];
-                        lit[(out_start + 34u)] = ((kept * _e538) + (scale * _e541));
+                        let _e537 = lit[(out_start + 34u)];
+                        let _e540 = sums_2[34];
+                        lit[(out_start + 34u)] = ((kept * _e537) + (scale * _e540));
                         // glimt_render_gpu/src/kernels/transfer.rs:218
-                        let _e553 = lit[(out_start + 35u)];
-                        let _e556 = sums_2[35];
-                        lit[(out_start + 35u)] = ((kept * _e553) + (scale * _e556));
+                        let _e552 = lit[(out_start + 35u)];
+                        let _e555 = sums_2[35];
+                        lit[(out_start + 35u)] = ((kept * _e552) + (scale * _e555));
                     }
                 }
             }
@@ -1187,159 +1187,159 @@ fn store_1(bands_2: u32, kept_1: f32, scale_1: f32, sums_3: array<f32, 36>, out_
 
     sums_4 = sums_3;
     // glimt_render_gpu/src/kernels/transfer.rs:178
-    let _e13 = blocked[(out_start_1 + 0u)];
-    let _e16 = sums_4[0];
-    blocked[(out_start_1 + 0u)] = ((kept_1 * _e13) + (scale_1 * _e16));
+    let _e12 = blocked[(out_start_1 + 0u)];
+    let _e15 = sums_4[0];
+    blocked[(out_start_1 + 0u)] = ((kept_1 * _e12) + (scale_1 * _e15));
     // glimt_render_gpu/src/kernels/transfer.rs:179
     if (bands_2 > 1u) {
         // glimt_render_gpu/src/kernels/transfer.rs:180
-        let _e31 = blocked[(out_start_1 + 1u)];
-        let _e34 = sums_4[1];
-        blocked[(out_start_1 + 1u)] = ((kept_1 * _e31) + (scale_1 * _e34));
+        let _e30 = blocked[(out_start_1 + 1u)];
+        let _e33 = sums_4[1];
+        blocked[(out_start_1 + 1u)] = ((kept_1 * _e30) + (scale_1 * _e33));
         // glimt_render_gpu/src/kernels/transfer.rs:181
-        let _e46 = blocked[(out_start_1 + 2u)];
-        let _e49 = sums_4[2];
-        blocked[(out_start_1 + 2u)] = ((kept_1 * _e46) + (scale_1 * _e49));
+        let _e45 = blocked[(out_start_1 + 2u)];
+        let _e48 = sums_4[2];
+        blocked[(out_start_1 + 2u)] = ((kept_1 * _e45) + (scale_1 * _e48));
         // glimt_render_gpu/src/kernels/transfer.rs:182
-        let _e61 = blocked[(out_start_1 + 3u)];
-        let _e64 = sums_4[3];
-        blocked[(out_start_1 + 3u)] = ((kept_1 * _e61) + (scale_1 * _e64));
+        let _e60 = blocked[(out_start_1 + 3u)];
+        let _e63 = sums_4[3];
+        blocked[(out_start_1 + 3u)] = ((kept_1 * _e60) + (scale_1 * _e63));
         // glimt_render_gpu/src/kernels/transfer.rs:183
         if (bands_2 > 2u) {
             // glimt_render_gpu/src/kernels/transfer.rs:184
-            let _e79 = blocked[(out_start_1 + 4u)];
-            let _e82 = sums_4[4];
-            blocked[(out_start_1 + 4u)] = ((kept_1 * _e79) + (scale_1 * _e82));
+            let _e78 = blocked[(out_start_1 + 4u)];
+            let _e81 = sums_4[4];
+            blocked[(out_start_1 + 4u)] = ((kept_1 * _e78) + (scale_1 * _e81));
             // glimt_render_gpu/src/kernels/transfer.rs:185
-            let _e94 = blocked[(out_start_1 + 5u)];
-            let _e97 = sums_4[5];
-            blocked[(out_start_1 + 5u)] = ((kept_1 * _e94) + (scale_1 * _e97));
+            let _e93 = blocked[(out_start_1 + 5u)];
+            let _e96 = sums_4[5];
+            blocked[(out_start_1 + 5u)] = ((kept_1 * _e93) + (scale_1 * _e96));
             // glimt_render_gpu/src/kernels/transfer.rs:186
-            let _e109 = blocked[(out_start_1 + 6u)];
-            let _e112 = sums_4[6];
-            blocked[(out_start_1 + 6u)] = ((kept_1 * _e109) + (scale_1 * _e112));
+            let _e108 = blocked[(out_start_1 + 6u)];
+            let _e111 = sums_4[6];
+            blocked[(out_start_1 + 6u)] = ((kept_1 * _e108) + (scale_1 * _e111));
             // glimt_render_gpu/src/kernels/transfer.rs:187
-            let _e124 = blocked[(out_start_1 + 7u)];
-            let _e127 = sums_4[7];
-            blocked[(out_start_1 + 7u)] = ((kept_1 * _e124) + (scale_1 * _e127));
+            let _e123 = blocked[(out_start_1 + 7u)];
+            let _e126 = sums_4[7];
+            blocked[(out_start_1 + 7u)] = ((kept_1 * _e123) + (scale_1 * _e126));
             // glimt_render_gpu/src/kernels/transfer.rs:188
-            let _e139 = blocked[(out_start_1 + 8u)];
-            let _e142 = sums_4[8];
-            blocked[(out_start_1 + 8u)] = ((kept_1 * _e139) + (scale_1 * _e142));
+            let _e138 = blocked[(out_start_1 + 8u)];
+            let _e141 = sums_4[8];
+            blocked[(out_start_1 + 8u)] = ((kept_1 * _e138) + (scale_1 * _e141));
             // glimt_render_gpu/src/kernels/transfer.rs:189
             if (bands_2 > 3u) {
                 // glimt_render_gpu/src/kernels/transfer.rs:190
-                let _e157 = blocked[(out_start_1 + 9u)];
-                let _e160 = sums_4[9];
-                blocked[(out_start_1 + 9u)] = ((kept_1 * _e157) + (scale_1 * _e160));
+                let _e156 = blocked[(out_start_1 + 9u)];
+                let _e159 = sums_4[9];
+                blocked[(out_start_1 + 9u)] = ((kept_1 * _e156) + (scale_1 * _e159));
                 // glimt_render_gpu/src/kernels/transfer.rs:191
-                let _e172 = blocked[(out_start_1 + 10u)];
-                let _e175 = sums_4[10];
-                blocked[(out_start_1 + 10u)] = ((kept_1 * _e172) + (scale_1 * _e175));
+                let _e171 = blocked[(out_start_1 + 10u)];
+                let _e174 = sums_4[10];
+                blocked[(out_start_1 + 10u)] = ((kept_1 * _e171) + (scale_1 * _e174));
                 // glimt_render_gpu/src/kernels/transfer.rs:192
-                let _e187 = blocked[(out_start_1 + 11u)];
-                let _e190 = sums_4[11];
-                blocked[(out_start_1 + 11u)] = ((kept_1 * _e187) + (scale_1 * _e190));
+                let _e186 = blocked[(out_start_1 + 11u)];
+                let _e189 = sums_4[11];
+                blocked[(out_start_1 + 11u)] = ((kept_1 * _e186) + (scale_1 * _e189));
                 // glimt_render_gpu/src/kernels/transfer.rs:193
-                let _e202 = blocked[(out_start_1 + 12u)];
-                let _e205 = sums_4[12];
-                blocked[(out_start_1 + 12u)] = ((kept_1 * _e202) + (scale_1 * _e205));
+                let _e201 = blocked[(out_start_1 + 12u)];
+                let _e204 = sums_4[12];
+                blocked[(out_start_1 + 12u)] = ((kept_1 * _e201) + (scale_1 * _e204));
                 // glimt_render_gpu/src/kernels/transfer.rs:194
-                let _e217 = blocked[(out_start_1 + 13u)];
-                let _e220 = sums_4[13];
-                blocked[(out_start_1 + 13u)] = ((kept_1 * _e217) + (scale_1 * _e220));
+                let _e216 = blocked[(out_start_1 + 13u)];
+                let _e219 = sums_4[13];
+                blocked[(out_start_1 + 13u)] = ((kept_1 * _e216) + (scale_1 * _e219));
                 // glimt_render_gpu/src/kernels/transfer.rs:195
-                let _e232 = blocked[(out_start_1 + 14u)];
-                let _e235 = sums_4[14];
-                blocked[(out_start_1 + 14u)] = ((kept_1 * _e232) + (scale_1 * _e235));
+                let _e231 = blocked[(out_start_1 + 14u)];
+                let _e234 = sums_4[14];
+                blocked[(out_start_1 + 14u)] = ((kept_1 * _e231) + (scale_1 * _e234));
                 // glimt_render_gpu/src/kernels/transfer.rs:196
-                let _e247 = blocked[(out_start_1 + 15u)];
-                let _e250 = sums_4[15];
-                blocked[(out_start_1 + 15u)] = ((kept_1 * _e247) + (scale_1 * _e250));
+                let _e246 = blocked[(out_start_1 + 15u)];
+                let _e249 = sums_4[15];
+                blocked[(out_start_1 + 15u)] = ((kept_1 * _e246) + (scale_1 * _e249));
                 // glimt_render_gpu/src/kernels/transfer.rs:197
                 if (bands_2 > 4u) {
                     // glimt_render_gpu/src/kernels/transfer.rs:198
-                    let _e265 = blocked[(out_start_1 + 16u)];
-                    let _e268 = sums_4[16];
-                    blocked[(out_start_1 + 16u)] = ((kept_1 * _e265) + (scale_1 * _e268));
+                    let _e264 = blocked[(out_start_1 + 16u)];
+                    let _e267 = sums_4[16];
+                    blocked[(out_start_1 + 16u)] = ((kept_1 * _e264) + (scale_1 * _e267));
                     // glimt_render_gpu/src/kernels/transfer.rs:199
-                    let _e280 = blocked[(out_start_1 + 17u)];
-                    let _e283 = sums_4[17];
-                    blocked[(out_start_1 + 17u)] = ((kept_1 * _e280) + (scale_1 * _e283));
+                    let _e279 = blocked[(out_start_1 + 17u)];
+                    let _e282 = sums_4[17];
+                    blocked[(out_start_1 + 17u)] = ((kept_1 * _e279) + (scale_1 * _e282));
                     // glimt_render_gpu/src/kernels/transfer.rs:200
-                    let _e295 = blocked[(out_start_1 + 18u)];
-                    let _e298 = sums_4[18];
-                    blocked[(out_start_1 + 18u)] = ((kept_1 * _e295) + (scale_1 * _e298));
+                    let _e294 = blocked[(out_start_1 + 18u)];
+                    let _e297 = sums_4[18];
+                    blocked[(out_start_1 + 18u)] = ((kept_1 * _e294) + (scale_1 * _e297));
                     // glimt_render_gpu/src/kernels/transfer.rs:201
-                    let _e310 = blocked[(out_start_1 + 19u)];
-                    let _e313 = sums_4[19];
-                    blocked[(out_start_1 + 19u)] = ((kept_1 * _e310) + (scale_1 * _e313));
+                    let _e309 = blocked[(out_start_1 + 19u)];
+                    let _e312 = sums_4[19];
+                    blocked[(out_start_1 + 19u)] = ((kept_1 * _e309) + (scale_1 * _e312));
                     // glimt_render_gpu/src/kernels/transfer.rs:202
-                    let _e325 = blocked[(out_start_1 + 20u)];
-                    let _e328 = sums_4[20];
-                    blocked[(out_start_1 + 20u)] = ((kept_1 * _e325) + (scale_1 * _e328));
+                    let _e324 = blocked[(out_start_1 + 20u)];
+                    let _e327 = sums_4[20];
+                    blocked[(out_start_1 + 20u)] = ((kept_1 * _e324) + (scale_1 * _e327));
                     // glimt_render_gpu/src/kernels/transfer.rs:203
-                    let _e340 = blocked[(out_start_1 + 21u)];
-                    let _e343 = sums_4[21];
-                    blocked[(out_start_1 + 21u)] = ((kept_1 * _e340) + (scale_1 * _e343));
+                    let _e339 = blocked[(out_start_1 + 21u)];
+                    let _e342 = sums_4[21];
+                    blocked[(out_start_1 + 21u)] = ((kept_1 * _e339) + (scale_1 * _e342));
                     // glimt_render_gpu/src/kernels/transfer.rs:204
-                    let _e355 = blocked[(out_start_1 + 22u)];
-                    let _e358 = sums_4[22];
-                    blocked[(out_start_1 + 22u)] = ((kept_1 * _e355) + (scale_1 * _e358));
+                    let _e354 = blocked[(out_start_1 + 22u)];
+                    let _e357 = sums_4[22];
+                    blocked[(out_start_1 + 22u)] = ((kept_1 * _e354) + (scale_1 * _e357));
                     // glimt_render_gpu/src/kernels/transfer.rs:205
-                    let _e370 = blocked[(out_start_1 + 23u)];
-                    let _e373 = sums_4[23];
-                    blocked[(out_start_1 + 23u)] = ((kept_1 * _e370) + (scale_1 * _e373));
+                    let _e369 = blocked[(out_start_1 + 23u)];
+                    let _e372 = sums_4[23];
+                    blocked[(out_start_1 + 23u)] = ((kept_1 * _e369) + (scale_1 * _e372));
                     // glimt_render_gpu/src/kernels/transfer.rs:206
-                    let _e385 = blocked[(out_start_1 + 24u)];
-                    let _e388 = sums_4[24];
-                    blocked[(out_start_1 + 24u)] = ((kept_1 * _e385) + (scale_1 * _e388));
+                    let _e384 = blocked[(out_start_1 + 24u)];
+                    let _e387 = sums_4[24];
+                    blocked[(out_start_1 + 24u)] = ((kept_1 * _e384) + (scale_1 * _e387));
                     // glimt_render_gpu/src/kernels/transfer.rs:207
                     if (bands_2 > 5u) {
                         // glimt_render_gpu/src/kernels/transfer.rs:208
-                        let _e403 = blocked[(out_start_1 + 25u)];
-                        let _e406 = sums_4[25];
-                        blocked[(out_start_1 + 25u)] = ((kept_1 * _e403) + (scale_1 * _e406));
+                        let _e402 = blocked[(out_start_1 + 25u)];
+                        let _e405 = sums_4[25];
+                        blocked[(out_start_1 + 25u)] = ((kept_1 * _e402) + (scale_1 * _e405));
                         // glimt_render_gpu/src/kernels/transfer.rs:209
-                        let _e418 = blocked[(out_start_1 + 26u)];
-                        let _e421 = sums_4[26];
-                        blocked[(out_start_1 + 26u)] = ((kept_1 * _e418) + (scale_1 * _e421));
+                        let _e417 = blocked[(out_start_1 + 26u)];
+                        let _e420 = sums_4[26];
+                        blocked[(out_start_1 + 26u)] = ((kept_1 * _e417) + (scale_1 * _e420));
                         // glimt_render_gpu/src/kernels/transfer.rs:210
-                        let _e433 = blocked[(out_start_1 + 27u)];
-                        let _e436 = sums_4[27];
-                        blocked[(out_start_1 + 27u)] = ((kept_1 * _e433) + (scale_1 * _e436));
+                        let _e432 = blocked[(out_start_1 + 27u)];
+                        let _e435 = sums_4[27];
+                        blocked[(out_start_1 + 27u)] = ((kept_1 * _e432) + (scale_1 * _e435));
                         // glimt_render_gpu/src/kernels/transfer.rs:211
-                        let _e448 = blocked[(out_start_1 + 28u)];
-                        let _e451 = sums_4[28];
-                        blocked[(out_start_1 + 28u)] = ((kept_1 * _e448) + (scale_1 * _e451));
+                        let _e447 = blocked[(out_start_1 + 28u)];
+                        let _e450 = sums_4[28];
+                        blocked[(out_start_1 + 28u)] = ((kept_1 * _e447) + (scale_1 * _e450));
                         // glimt_render_gpu/src/kernels/transfer.rs:212
-                        let _e463 = blocked[(out_start_1 + 29u)];
-                        let _e466 = sums_4[29];
-                        blocked[(out_start_1 + 29u)] = ((kept_1 * _e463) + (scale_1 * _e466));
+                        let _e462 = blocked[(out_start_1 + 29u)];
+                        let _e465 = sums_4[29];
+                        blocked[(out_start_1 + 29u)] = ((kept_1 * _e462) + (scale_1 * _e465));
                         // glimt_render_gpu/src/kernels/transfer.rs:213
-                        let _e478 = blocked[(out_start_1 + 30u)];
-                        let _e481 = sums_4[30];
-                        blocked[(out_start_1 + 30u)] = ((kept_1 * _e478) + (scale_1 * _e481));
+                        let _e477 = blocked[(out_start_1 + 30u)];
+                        let _e480 = sums_4[30];
+                        blocked[(out_start_1 + 30u)] = ((kept_1 * _e477) + (scale_1 * _e480));
                         // glimt_render_gpu/src/kernels/transfer.rs:214
-                        let _e493 = blocked[(out_start_1 + 31u)];
-                        let _e496 = sums_4[31];
-                        blocked[(out_start_1 + 31u)] = ((kept_1 * _e493) + (scale_1 * _e496));
+                        let _e492 = blocked[(out_start_1 + 31u)];
+                        let _e495 = sums_4[31];
+                        blocked[(out_start_1 + 31u)] = ((kept_1 * _e492) + (scale_1 * _e495));
                         // glimt_render_gpu/src/kernels/transfer.rs:215
-                        let _e508 = blocked[(out_start_1 + 32u)];
-                        let _e511 = sums_4[32];
-                        blocked[(out_start_1 + 32u)] = ((kept_1 * _e508) + (scale_1 * _e511));
+                        let _e507 = blocked[(out_start_1 + 32u)];
+                        let _e510 = sums_4[32];
+                        blocked[(out_start_1 + 32u)] = ((kept_1 * _e507) + (scale_1 * _e510));
                         // glimt_render_gpu/src/kernels/transfer.rs:216
-                        let _e523 = blocked[(out_start_1 + 33u)];
-                        let _e526 = sums_4[33];
-                        blocked[(out_start_1 + 33u)] = ((kept_1 * _e523) + (scale_1 * _e526));
+                        let _e522 = blocked[(out_start_1 + 33u)];
+                        let _e525 = sums_4[33];
+                        blocked[(out_start_1 + 33u)] = ((kept_1 * _e522) + (scale_1 * _e525));
                         // glimt_render_gpu/src/kernels/transfer.rs:217
-                        let _e538 = blocked[(out_start_1 + 34u)];
-                        let _e541 = sums_4[34];
-                        blocked[(out_start_1 + 34u)] = ((kept_1 * _e538) + (scale_1 * _e541));
+                        let _e537 = blocked[(out_start_1 + 34u)];
+                        let _e540 = sums_4[34];
+                        blocked[(out_start_1 + 34u)] = ((kept_1 * _e537) + (scale_1 * _e540));
                         // glimt_render_gpu/src/kernels/transfer.rs:218
-                        let _e553 = blocked[(out_start_1 + 35u)];
-                        let _e556 = sums_4[35];
-                        blocked[(out_start_1 + 35u)] = ((kept_1 * _e553) + (scale_1 * _e556));
+                        let _e552 = blocked[(out_start_1 + 35u)];
+                        let _e555 = sums_4[35];
+                        blocked[(out_start_1 + 35u)] = ((kept_1 * _e552) + (scale_1 * _e555));
                     }
                 }
             }
@@ -1364,9 +1364,9 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
     // glimt_render_gpu/src/kernels/transfer.rs:78
     let at = vertices[vertex];
     // glimt_render_gpu/src/kernels/transfer.rs:79
-    let _e16 = Tuple_u32_u32_(params_1.directions, params_1.bands);
-    let n_2 = _e16.fa;
-    let bands_3 = _e16.fb;
+    let _e15 = Tuple_u32_u32_(params_1.directions, params_1.bands);
+    let n_2 = _e15.fa;
+    let bands_3 = _e15.fb;
     // glimt_render_gpu/src/kernels/transfer.rs:80
     arrives = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
     // glimt_render_gpu/src/kernels/transfer.rs:81
@@ -1376,18 +1376,18 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
     // glimt_render_gpu/src/kernels/transfer.rs:85
     let way = (at.origin - at.inner);
     // glimt_render_gpu/src/kernels/transfer.rs:86
-    let _e36 = Ray_new(at.inner, way);
+    let _e35 = Ray_new(at.inner, way);
     // glimt_render_gpu/src/kernels/transfer.rs:87
     let others = Asked(at.object, false, 1f, way);
     // glimt_render_gpu/src/kernels/transfer.rs:93
-    let _e44 = any_hit_of(_e36, 1f, others);
+    let _e43 = any_hit_of(_e35, 1f, others);
     // glimt_render_gpu/src/kernels/transfer.rs:94
     let own = Asked(others.object, true, 0f, others.way);
     // glimt_render_gpu/src/kernels/transfer.rs:99
     let height_2 = dot(at.normal, way);
     // glimt_render_gpu/src/kernels/transfer.rs:100
-    let _e58 = Xoshiro128PlusPlus_stream(params_1.seed, 1953653102u, at.number);
-    source = _e58;
+    let _e57 = Xoshiro128PlusPlus_stream(params_1.seed, 1953653102u, at.number);
+    source = _e57;
     // glimt_render_gpu/src/kernels/transfer.rs:101
     kept_2 = 0f;
     // glimt_render_gpu/src/kernels/transfer.rs:102
@@ -1395,19 +1395,19 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
     // glimt_render_gpu/src/kernels/transfer.rs:103
     if (params_1.first_row > 0u) {
         // glimt_render_gpu/src/kernels/transfer.rs:104
-        let _e75 = state_1[(state_start + 0u)];
-        let _e80 = state_1[(state_start + 1u)];
-        let _e85 = state_1[(state_start + 2u)];
-        let _e90 = state_1[(state_start + 3u)];
-        let words = vec4<u32>(_e75, _e80, _e85, _e90);
+        let _e74 = state_1[(state_start + 0u)];
+        let _e79 = state_1[(state_start + 1u)];
+        let _e84 = state_1[(state_start + 2u)];
+        let _e89 = state_1[(state_start + 3u)];
+        let words = vec4<u32>(_e74, _e79, _e84, _e89);
         // glimt_render_gpu/src/kernels/transfer.rs:105
-        let _e93 = Xoshiro128PlusPlus_from_state(words);
-        source = _e93;
+        let _e92 = Xoshiro128PlusPlus_from_state(words);
+        source = _e92;
         // glimt_render_gpu/src/kernels/transfer.rs:106
         kept_2 = 1f;
         // glimt_render_gpu/src/kernels/transfer.rs:107
-        let _e101 = state_1[(state_start + 4u)];
-        gone = _e101;
+        let _e100 = state_1[(state_start + 4u)];
+        gone = _e100;
     }
     // glimt_render_gpu/src/kernels/transfer.rs:109
     counter_2 = params_1.first_row;
@@ -1417,11 +1417,11 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
             break;
         }
         // glimt_render_gpu/src/kernels/transfer.rs:110
-        let _e109 = strata_of_row(params_1, row_1);
+        let _e108 = strata_of_row(params_1, row_1);
         // glimt_render_gpu/src/kernels/transfer.rs:111
-        let _e113 = Tuple_u32_u32_(_e109.x, _e109.y);
-        let first_2 = _e113.fa;
-        let columns_1 = _e113.fb;
+        let _e112 = Tuple_u32_u32_(_e108.x, _e108.y);
+        let first_2 = _e112.fa;
+        let columns_1 = _e112.fb;
         // glimt_render_gpu/src/kernels/transfer.rs:112
         counter_3 = 0u;
         loop {
@@ -1430,91 +1430,91 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
                 break;
             }
             // glimt_render_gpu/src/kernels/transfer.rs:113
-            let _e123 = gone;
-            gone = (_e123 + 1u);
+            let _e122 = gone;
+            gone = (_e122 + 1u);
             // glimt_render_gpu/src/kernels/transfer.rs:114
-            let _e126 = Xoshiro128PlusPlus_next_uvec2_((&source));
-            let _e127 = unit_vec2_(_e126);
+            let _e125 = Xoshiro128PlusPlus_next_uvec2_((&source));
+            let _e126 = unit_vec2_(_e125);
             // glimt_render_gpu/src/kernels/transfer.rs:115
-            let _e129 = direction_in_row(n_2, first_2, columns_1, column_1, _e127);
+            let _e128 = direction_in_row(n_2, first_2, columns_1, column_1, _e126);
             // glimt_render_gpu/src/kernels/transfer.rs:116
-            let cosine = dot(at.normal, _e129);
+            let cosine = dot(at.normal, _e128);
             // glimt_render_gpu/src/kernels/transfer.rs:117
             if (cosine > 0f) {
                 // glimt_render_gpu/src/kernels/transfer.rs:118
-                let _e138 = rays;
-                rays = (_e138 + 1u);
+                let _e137 = rays;
+                rays = (_e137 + 1u);
                 // glimt_render_gpu/src/kernels/transfer.rs:119
-                let _e142 = Ray_new(at.origin, _e129);
+                let _e141 = Ray_new(at.origin, _e128);
                 // glimt_render_gpu/src/kernels/transfer.rs:120
-                if _e44 {
+                if _e43 {
                     // glimt_render_gpu/src/kernels/transfer.rs:122
                     let above = Asked(others.object, others.own, (height_2 / cosine), others.way);
                     // glimt_render_gpu/src/kernels/transfer.rs:126
-                    let _e153 = Ray_new(at.inner, _e129);
+                    let _e152 = Ray_new(at.inner, _e128);
                     // glimt_render_gpu/src/kernels/transfer.rs:127
-                    let _e156 = any_hit_of(_e153, 340282350000000000000000000000000000000f, above);
-                    either_1 = _e156;
-                    if _e156 {
+                    let _e155 = any_hit_of(_e152, 0x1.fffffep+127f, above);
+                    either_1 = _e155;
+                    if _e155 {
                     } else {
-                        let _e159 = any_hit_of(_e142, 340282350000000000000000000000000000000f, own);
-                        either_1 = _e159;
+                        let _e158 = any_hit_of(_e141, 0x1.fffffep+127f, own);
+                        either_1 = _e158;
                     }
-                    let _e160 = either_1;
-                    chosen_4 = _e160;
+                    let _e159 = either_1;
+                    chosen_4 = _e159;
                 } else {
                     // glimt_render_gpu/src/kernels/transfer.rs:130
-                    let _e163 = any_hit(_e142, 340282350000000000000000000000000000000f);
-                    chosen_4 = _e163;
+                    let _e162 = any_hit(_e141, 0x1.fffffep+127f);
+                    chosen_4 = _e162;
                 }
                 let is_blocked = chosen_4;
                 // glimt_render_gpu/src/kernels/transfer.rs:132
                 if is_blocked {
                     // glimt_render_gpu/src/kernels/transfer.rs:133
-                    add_basis(bands_3, _e129, cosine, (&kept_away));
+                    add_basis(bands_3, _e128, cosine, (&kept_away));
                 } else {
                     // glimt_render_gpu/src/kernels/transfer.rs:135
-                    add_basis(bands_3, _e129, cosine, (&arrives));
+                    add_basis(bands_3, _e128, cosine, (&arrives));
                 }
             }
             continuing {
-                let _e168 = counter_3;
-                counter_3 = (_e168 + 1u);
+                let _e167 = counter_3;
+                counter_3 = (_e167 + 1u);
             }
         }
         continuing {
-            let _e171 = counter_2;
-            counter_2 = (_e171 + 1u);
+            let _e170 = counter_2;
+            counter_2 = (_e170 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/transfer.rs:140
     let scale_2 = ((4f * 3.1415927f) / f32(n_2));
     // glimt_render_gpu/src/kernels/transfer.rs:141
-    let _e181 = kept_2;
-    let _e182 = arrives;
-    store(bands_3, _e181, scale_2, _e182, lit_start, lit_len);
+    let _e180 = kept_2;
+    let _e181 = arrives;
+    store(bands_3, _e180, scale_2, _e181, lit_start, lit_len);
     // glimt_render_gpu/src/kernels/transfer.rs:142
-    let _e184 = kept_2;
-    let _e185 = kept_away;
-    store_1(bands_3, _e184, scale_2, _e185, blocked_start, blocked_len);
+    let _e183 = kept_2;
+    let _e184 = kept_away;
+    store_1(bands_3, _e183, scale_2, _e184, blocked_start, blocked_len);
     // glimt_render_gpu/src/kernels/transfer.rs:143
-    let _e189 = source.state.x;
-    state_1[(state_start + 0u)] = _e189;
+    let _e188 = source.state.x;
+    state_1[(state_start + 0u)] = _e188;
     // glimt_render_gpu/src/kernels/transfer.rs:144
-    let _e197 = source.state.y;
-    state_1[(state_start + 1u)] = _e197;
+    let _e196 = source.state.y;
+    state_1[(state_start + 1u)] = _e196;
     // glimt_render_gpu/src/kernels/transfer.rs:145
-    let _e205 = source.state.z;
-    state_1[(state_start + 2u)] = _e205;
+    let _e204 = source.state.z;
+    state_1[(state_start + 2u)] = _e204;
     // glimt_render_gpu/src/kernels/transfer.rs:146
-    let _e213 = source.state.w;
-    state_1[(state_start + 3u)] = _e213;
+    let _e212 = source.state.w;
+    state_1[(state_start + 3u)] = _e212;
     // glimt_render_gpu/src/kernels/transfer.rs:147
-    let _e219 = gone;
-    state_1[(state_start + 4u)] = _e219;
+    let _e218 = gone;
+    state_1[(state_start + 4u)] = _e218;
     // glimt_render_gpu/src/kernels/transfer.rs:148
-    let _e225 = rays;
-    return _e225;
+    let _e224 = rays;
+    return _e224;
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -65,7 +65,7 @@ var<storage> blocked: array<vec2<u32>>;
 @group(0) @binding(5) 
 var<storage, read_write> out: array<PixelLayers>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/raster.rs:216
 fn half(word: u32) -> f32 {
@@ -83,14 +83,14 @@ fn half(word: u32) -> f32 {
     }
     // glimt_render_gpu/src/kernels/raster.rs:223
     if ((word & 32768u) != 0u) {
-        let _e28 = value;
-        chosen = -(_e28);
+        let _e27 = value;
+        chosen = -(_e27);
     } else {
-        let _e30 = value;
-        chosen = _e30;
+        let _e29 = value;
+        chosen = _e29;
     }
-    let _e31 = chosen;
-    return _e31;
+    let _e30 = chosen;
+    return _e30;
 }
 
 // glimt_render_gpu/src/kernels/raster.rs:201
@@ -98,12 +98,12 @@ fn unpack(words: vec2<u32>, scale: f32) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/raster.rs:202
     let _e5 = half(words.x);
-    let _e10 = half((words.x >> 16u));
-    let _e12 = half(words.y);
-    let radiance = vec3<f32>(_e5, _e10, _e12);
+    let _e9 = half((words.x >> 16u));
+    let _e11 = half(words.y);
+    let radiance = vec3<f32>(_e5, _e9, _e11);
     // glimt_render_gpu/src/kernels/raster.rs:203
-    let _e21 = half((words.y >> 16u));
-    return vec4<f32>((radiance / vec3(scale)), _e21);
+    let _e19 = half((words.y >> 16u));
+    return vec4<f32>((radiance / vec3(scale)), _e19);
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23

@@ -28,7 +28,7 @@ var<storage> pixels: array<vec4<f32>>;
 @group(0) @binding(4) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_probe/src/gather.rs:129
 fn weight(tap: u32) -> f32 {
@@ -78,36 +78,36 @@ fn gather(texel: u32, colour_1: ColourMatrix, reflectance: vec4<f32>) -> vec4<f3
         let _e44 = map_taps[(begin.tap + _e40)];
         let a = (_e39 + (_e44 >> 16u));
         // glimt_probe/src/gather.rs:117
-        let _e50 = i;
-        let _e56 = map_taps[(begin.tap + (_e50 + 1u))];
-        let b = (a + (_e56 >> 16u));
+        let _e49 = i;
+        let _e55 = map_taps[(begin.tap + (_e49 + 1u))];
+        let b = (a + (_e55 >> 16u));
         // glimt_probe/src/gather.rs:118
-        let _e64 = pixels[a];
-        let _e65 = i;
-        let _e69 = map_taps[(begin.tap + _e65)];
-        let _e70 = weight(_e69);
-        let _e72 = even;
-        even = (_e72 + (_e64 * _e70));
+        let _e62 = pixels[a];
+        let _e63 = i;
+        let _e67 = map_taps[(begin.tap + _e63)];
+        let _e68 = weight(_e67);
+        let _e70 = even;
+        even = (_e70 + (_e62 * _e68));
         // glimt_probe/src/gather.rs:119
-        let _e77 = pixels[b];
-        let _e78 = i;
-        let _e84 = map_taps[(begin.tap + (_e78 + 1u))];
-        let _e85 = weight(_e84);
-        let _e87 = odd;
-        odd = (_e87 + (_e77 * _e85));
+        let _e75 = pixels[b];
+        let _e76 = i;
+        let _e82 = map_taps[(begin.tap + (_e76 + 1u))];
+        let _e83 = weight(_e82);
+        let _e85 = odd;
+        odd = (_e85 + (_e75 * _e83));
         // glimt_probe/src/gather.rs:120
         pixel = b;
         // glimt_probe/src/gather.rs:121
-        let _e92 = i;
-        i = (_e92 + 2u);
+        let _e90 = i;
+        i = (_e90 + 2u);
     }
     // glimt_probe/src/gather.rs:123
     let reflected = (reflectance + ((vec4(1f) - reflectance) * begin.grazing));
     // glimt_probe/src/gather.rs:124
-    let _e102 = even;
-    let _e103 = odd;
-    let _e108 = ColourMatrix_apply(colour_1, (((_e102 + _e103) * 0.000015259022f) / reflected));
-    return _e108;
+    let _e100 = even;
+    let _e101 = odd;
+    let _e106 = ColourMatrix_apply(colour_1, (((_e100 + _e101) * 0.000015259022f) / reflected));
+    return _e106;
 }
 
 // glimt_render_gpu/src/kernels/unwarp.rs:9

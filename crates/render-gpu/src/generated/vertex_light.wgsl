@@ -23,7 +23,7 @@ var<storage> blocked: array<f32>;
 @group(0) @binding(4) 
 var<storage, read_write> out: array<VertexLight>;
 @group(0) @binding(0) 
-var<storage> params: Params;
+var<uniform> params: Params;
 
 // glimt_render_gpu/src/kernels/prt.rs:45
 fn vertex_light_1(vertex: u32, coefficients: u32, shadows: u32) -> VertexLight {
