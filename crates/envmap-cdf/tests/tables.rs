@@ -9,8 +9,8 @@ use glimt_envmap_cdf::{
 };
 use glimt_probe::latlong;
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus};
-use glimt_tests::quadrature::integrate_texels;
-use glimt_tests::stats::{Verdict, chi_square, kolmogorov_smirnov, sidak, within};
+use glimt_statistics::quadrature::integrate_texels;
+use glimt_statistics::stats::{Verdict, chi_square, kolmogorov_smirnov, sidak, within};
 use proptest::prelude::{
     Just, ProptestConfig, Strategy, any, prop, prop_assert, prop_assert_eq, prop_oneof, proptest,
 };
@@ -601,7 +601,7 @@ fn f32_edges(weights: impl Iterator<Item = f32>) -> Vec<f32> {
 #[test]
 fn a_studio_map_loses_no_texel() {
     let name = "hdri/studio_small_03_1k.hdr";
-    let Some(path) = glimt_tests::data::data_or_skip("envmap_cdf", name) else {
+    let Some(path) = glimt_statistics::data::data_or_skip("envmap_cdf", name) else {
         return;
     };
     let image = image::open(path).unwrap().into_rgb32f();
