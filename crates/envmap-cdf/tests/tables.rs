@@ -542,6 +542,28 @@ fn sizes_and_lengths_are_checked() {
 }
 
 #[test]
+fn what_lies_behind_the_tables_is_not_read() {
+    for (name, map) in fixed_maps() {
+        let tables = Tables::of(&map);
+        let exact = tables.view();
+        for behind in [0, 1 << 29, u32::MAX] {
+            let padded = |table: &[u32]| [table, &[behind; 4096]].concat();
+            let (marginal, conditional) = (padded(&tables.marginal), padded(&tables.conditional));
+            let longer = EnvCdf {
+                size: map.size,
+                marginal: &marginal,
+                conditional: &conditional,
+            };
+            let mut source = Xoshiro128PlusPlus::stream(31, 0, behind);
+            for _ in 0..1000 {
+                let u = source.next_uvec2();
+                assert_eq!(longer.sample(u), exact.sample(u), "{name}, {behind} behind");
+            }
+        }
+    }
+}
+
+#[test]
 fn f32_uniforms_miss_narrow_texels() {
     let map = Map::new(3, 1, |x, _| [1.0, 3e-8, 0.7][x as usize]);
     let tables = Tables::of(&map);
@@ -697,12 +719,18 @@ proptest! {
     }
 
     #[test]
-    fn search_agrees_with_counting(mut inner in prop::collection::vec(0..=UNITS, 0..70), u in 0..UNITS) {
+    fn search_agrees_with_counting(
+        mut inner in prop::collection::vec(0..=UNITS, 0..70),
+        u in 0..UNITS,
+        around in prop::array::uniform2(prop::collection::vec(any::<u32>(), 0..70)),
+    ) {
         inner.sort_unstable();
         let edges: Vec<u32> = [0].into_iter().chain(inner).chain([UNITS]).collect();
+        let [before, behind] = &around;
+        let slice = [before, edges.as_slice(), behind].concat();
         for u in edges.iter().copied().filter(|e| *e < UNITS).chain([u]) {
             let last = edges.iter().rposition(|e| *e <= u).unwrap();
-            let bin = find_bin(&edges, u);
+            let bin = find_bin(&slice, before.len(), edges.len() - 1, u);
             prop_assert_eq!(bin.index as usize, last);
             prop_assert_eq!((bin.first, bin.units), (edges[last], edges[last + 1] - edges[last]));
         }

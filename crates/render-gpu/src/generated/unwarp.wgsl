@@ -12,6 +12,11 @@ struct ColourMatrix {
     blue: vec4<f32>,
 }
 
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
 struct Params {
     first: u32,
     count: u32,
@@ -58,56 +63,55 @@ fn gather(texel: u32, colour_1: ColourMatrix, reflectance: vec4<f32>) -> vec4<f3
     // glimt_probe/src/gather.rs:108
     let end = map_texels[(texel + 1u)].tap;
     // glimt_probe/src/gather.rs:109
-    // glimt_probe/src/gather.rs:110
     pixel = begin.pixel;
-    // glimt_probe/src/gather.rs:112
+    // glimt_probe/src/gather.rs:111
     even = vec4(0f);
-    // glimt_probe/src/gather.rs:113
+    // glimt_probe/src/gather.rs:112
     odd = vec4(0f);
+    // glimt_probe/src/gather.rs:113
+    i = begin.tap;
     // glimt_probe/src/gather.rs:114
-    i = 0u;
-    // glimt_probe/src/gather.rs:115
     loop {
-        let _e33 = i;
-        if !(((_e33 + 2u) <= (end - begin.tap))) {
+        let _e30 = i;
+        if !(((_e30 + 2u) <= end)) {
             break;
         }
-        // glimt_probe/src/gather.rs:116
-        let _e39 = pixel;
+        // glimt_probe/src/gather.rs:115
+        let _e36 = i;
+        let _e39 = map_taps[_e36];
         let _e40 = i;
-        let _e44 = map_taps[(begin.tap + _e40)];
-        let a = (_e39 + (_e44 >> 16u));
+        let _e45 = map_taps[(_e40 + 1u)];
+        let _e46 = Tuple_u32_u32_(_e39, _e45);
+        let tap_a = _e46.fa;
+        let tap_b = _e46.fb;
+        // glimt_probe/src/gather.rs:116
+        let _e50 = pixel;
+        let a = (_e50 + (tap_a >> 16u));
         // glimt_probe/src/gather.rs:117
-        let _e50 = i;
-        let _e56 = map_taps[(begin.tap + (_e50 + 1u))];
-        let b = (a + (_e56 >> 16u));
+        let b = (a + (tap_b >> 16u));
         // glimt_probe/src/gather.rs:118
-        let _e64 = pixels[a];
-        let _e65 = i;
-        let _e69 = map_taps[(begin.tap + _e65)];
-        let _e70 = weight(_e69);
-        let _e72 = even;
-        even = (_e72 + (_e64 * _e70));
+        let _e63 = pixels[a];
+        let _e64 = weight(tap_a);
+        let _e66 = even;
+        even = (_e66 + (_e63 * _e64));
         // glimt_probe/src/gather.rs:119
-        let _e77 = pixels[b];
-        let _e78 = i;
-        let _e84 = map_taps[(begin.tap + (_e78 + 1u))];
-        let _e85 = weight(_e84);
-        let _e87 = odd;
-        odd = (_e87 + (_e77 * _e85));
+        let _e71 = pixels[b];
+        let _e72 = weight(tap_b);
+        let _e74 = odd;
+        odd = (_e74 + (_e71 * _e72));
         // glimt_probe/src/gather.rs:120
         pixel = b;
         // glimt_probe/src/gather.rs:121
-        let _e92 = i;
-        i = (_e92 + 2u);
+        let _e79 = i;
+        i = (_e79 + 2u);
     }
     // glimt_probe/src/gather.rs:123
     let reflected = (reflectance + ((vec4(1f) - reflectance) * begin.grazing));
     // glimt_probe/src/gather.rs:124
-    let _e102 = even;
-    let _e103 = odd;
-    let _e108 = ColourMatrix_apply(colour_1, (((_e102 + _e103) * 0.000015259022f) / reflected));
-    return _e108;
+    let _e89 = even;
+    let _e90 = odd;
+    let _e95 = ColourMatrix_apply(colour_1, (((_e89 + _e90) * 0.000015259022f) / reflected));
+    return _e95;
 }
 
 // glimt_render_gpu/src/kernels/unwarp.rs:9
