@@ -18,7 +18,8 @@ pattern=${1:-}
 
 rm -rf "$copy"
 mkdir -p "$copy"
-git ls-files -z --cached --others --exclude-standard Cargo.toml Cargo.lock crates/sampling crates/smc tests/statistics |
+packages=(crates/probe crates/sampling crates/smc tests/statistics)
+git ls-files -z --cached --others --exclude-standard Cargo.toml Cargo.lock "${packages[@]}" |
     while IFS= read -r -d '' file; do
         # With the time of now: cargo would take a file older than the last change's build for unchanged.
         [ ! -f "$file" ] || cp --parents "$file" "$copy"
@@ -29,7 +30,7 @@ cd "$copy"
 # The workspace's lock file holds more than these packages need, and cargo takes the rest out. Nothing is downloaded that the
 # workspace did not.
 build() {
-    cargo test --release --quiet --package glimt-statistics --test "$1" --no-run >build.log 2>&1
+    cargo test --release --quiet --package "$package" --test "$1" --no-run >build.log 2>&1
 }
 
 failures=0
@@ -43,24 +44,26 @@ tried=0
 while IFS= read -r line; do
     [[ -n $line && $line != '#'* && $line == *"$pattern"* ]] || continue
     file=${line%% | *} rest=${line#* | }
+    # The crate that the file belongs to: crates/smc/… is glimt-smc.
+    package=${file#crates/} package=glimt-${package%%/*}
     test=${rest%% | *} rest=${rest#* | }
     filter=${rest%% | *} rest=${rest#* | }
     from=${rest% | *} to=${rest##* | }
     tried=$((tried + 1))
-    run() { cargo test --release --quiet --package glimt-statistics --test "$test" "$filter" >run.log 2>&1; }
+    run() { cargo test --release --quiet --package "$package" --test "$test" "$filter" >run.log 2>&1; }
 
     # Unchanged, there is such a test, and it passes.
-    if [ -z "${passed[$test $filter]:-}" ]; then
+    if [ -z "${passed[$package $test $filter]:-}" ]; then
         build "$test" || { cat build.log >&2; exit 1; }
         if ! run || ! grep -qE 'ok\. [1-9][0-9]* passed' run.log; then
             cat run.log >&2
-            fail "$test $filter: does not pass without a fault"
-            passed[$test $filter]=no
+            fail "$package: $test $filter: does not pass without a fault"
+            passed[$package $test $filter]=no
             continue
         fi
-        passed[$test $filter]=yes
+        passed[$package $test $filter]=yes
     fi
-    [ "${passed[$test $filter]}" = yes ] || continue
+    [ "${passed[$package $test $filter]}" = yes ] || continue
 
     text=$(cat "$file" && printf x)
     text=${text%x}

@@ -2,11 +2,9 @@
 
 pub mod analytic;
 pub mod ball;
-pub mod data;
 pub mod differential;
 pub mod golden;
 pub mod gpu;
-pub mod harmonics;
 #[allow(
     clippy::all,
     non_camel_case_types,
@@ -18,6 +16,5 @@ pub mod sampler_sets;
 pub mod sampler_step;
 pub mod shared_image;
 pub mod unbiased;
-pub mod worst;
 
-pub use glimt_statistics::{quadrature, stats};
+pub use glimt_statistics::{data, harmonics, quadrature, stats, worst};

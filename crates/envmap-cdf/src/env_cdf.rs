@@ -15,17 +15,18 @@ const BELOW_ONE: f32 = 1.0 - 1.0 / 16_777_216.0;
 
 /// A lat-long map's tables, as a view of slices that the caller owns.
 ///
-/// The tables are those of [`build_into`](crate::build_into); [`EnvCdf::new`] checks that they fit each other. A view
-/// whose slices do not have the lengths of [`required_len`](crate::required_len) panics when it is used.
+/// The tables are those of [`build_into`](crate::build_into); [`EnvCdf::new`] checks that they fit each other. `size` alone
+/// says how long they are: what a slice, or a GPU's buffer, holds beyond the length of [`required_len`](crate::required_len)
+/// is never read. On the CPU a view whose slices are shorter panics when it is used.
 ///
 /// A **black** map (all edges 0) is sampled with density 0 and has density 0 everywhere.
 #[derive(Clone, Copy, Debug)]
 pub struct EnvCdf<'a> {
     /// Width and height of the map, in texels.
     pub size: UVec2,
-    /// Edges of the rows in units of 2⁻³¹, from +z down: `h + 1`.
+    /// Edges of the rows in units of 2⁻³¹, from +z down: the first `h + 1` entries.
     pub marginal: &'a [u32],
-    /// Edges of the columns of each row in units of 2⁻³¹, from left to right: `h` times `w + 1`.
+    /// Edges of the columns of each row in units of 2⁻³¹, from left to right: the first `h (w + 1)` entries, `w + 1` a row.
     pub conditional: &'a [u32],
 }
 
@@ -65,10 +66,9 @@ impl<'a> EnvCdf<'a> {
                 pdf_sr: 0.0,
             };
         }
-        let row = find_bin(self.marginal, u.y >> 1);
+        let row = find_bin(self.marginal, 0, self.size.y as usize, u.y >> 1);
         let row_start = (row.index * (self.size.x + 1)) as usize;
-        let row_end = row_start + self.size.x as usize + 1;
-        let column = find_bin(&self.conditional[row_start..row_end], u.x >> 1);
+        let column = find_bin(self.conditional, row_start, self.size.x as usize, u.x >> 1);
         let texel = UVec2::new(column.index, row.index);
         let hash = hash2(u.x, u.y);
         let place = Vec2::new(

@@ -33,7 +33,8 @@ impl fmt::Display for TableError {
 impl core::error::Error for TableError {}
 
 impl<'a> EnvCdf<'a> {
-    /// A view of the tables of a map, with their lengths and the rows' first and last edge checked.
+    /// A view of the tables of a map, with their lengths and the rows' first and last edge checked. Each slice is exactly one
+    /// table: take what is longer apart before.
     ///
     /// # Errors
     /// [`TableError`], which names what does not fit.

@@ -17,92 +17,92 @@ var<storage> marginal: array<u32>;
 @group(0) @binding(2) 
 var<storage> conditional: array<u32>;
 
-// glimt_envmap_cdf/src/env_cdf.rs:47
+// glimt_envmap_cdf/src/env_cdf.rs:48
 fn env_is_black(size: vec2<u32>) -> bool {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:48
+    // glimt_envmap_cdf/src/env_cdf.rs:49
     let _e6 = marginal[size.y];
     return (_e6 == 0u);
 }
 
-// glimt_envmap_cdf/src/search.rs:27
-fn find_bin(u: u32) -> Bin {
-    var index: u32;
-    var bins: u32;
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin(start: u32, bins: u32, u: u32) -> Bin {
+    var at: u32;
+    var left: u32;
 
-    // glimt_envmap_cdf/src/search.rs:29
-    index = 0u;
-    // glimt_envmap_cdf/src/search.rs:30
-    bins = (arrayLength((&marginal)) - 1u);
-    // glimt_envmap_cdf/src/search.rs:31
+    // glimt_envmap_cdf/src/search.rs:33
+    at = start;
+    // glimt_envmap_cdf/src/search.rs:34
+    left = bins;
+    // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e12 = bins;
-        if !((_e12 > 1u)) {
+        let _e9 = left;
+        if !((_e9 > 1u)) {
             break;
         }
-        // glimt_envmap_cdf/src/search.rs:32
-        let _e17 = bins;
-        let half = (_e17 / 2u);
-        // glimt_envmap_cdf/src/search.rs:33
-        let _e21 = index;
-        let _e25 = marginal[(_e21 + half)];
-        if (_e25 <= u) {
-            // glimt_envmap_cdf/src/search.rs:34
-            let _e28 = index;
-            index = (_e28 + half);
-        }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e31 = bins;
-        bins = (_e31 - half);
+        let _e14 = left;
+        let half = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at;
+        let _e22 = marginal[(_e18 + half)];
+        if (_e22 <= u) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at;
+            at = (_e25 + half);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left;
+        left = (_e28 - half);
     }
-    // glimt_envmap_cdf/src/search.rs:38
-    let _e34 = index;
-    let first = marginal[_e34];
-    // glimt_envmap_cdf/src/search.rs:39
-    let _e39 = index;
-    let _e40 = index;
-    let _e45 = marginal[(_e40 + 1u)];
-    return Bin(_e39, first, (_e45 - first));
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at;
+    let first = marginal[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at;
+    let _e38 = at;
+    let _e43 = marginal[(_e38 + 1u)];
+    return Bin((_e36 - start), first, (_e43 - first));
 }
 
-// glimt_envmap_cdf/src/search.rs:27
-fn find_bin_1(edges_start: u32, edges_len: u32, u_1: u32) -> Bin {
-    var index_1: u32;
-    var bins_1: u32;
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin_1(start_1: u32, bins_1: u32, u_1: u32) -> Bin {
+    var at_1: u32;
+    var left_1: u32;
 
-    // glimt_envmap_cdf/src/search.rs:29
-    index_1 = 0u;
-    // glimt_envmap_cdf/src/search.rs:30
-    bins_1 = (edges_len - 1u);
-    // glimt_envmap_cdf/src/search.rs:31
+    // glimt_envmap_cdf/src/search.rs:33
+    at_1 = start_1;
+    // glimt_envmap_cdf/src/search.rs:34
+    left_1 = bins_1;
+    // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e12 = bins_1;
-        if !((_e12 > 1u)) {
+        let _e9 = left_1;
+        if !((_e9 > 1u)) {
             break;
         }
-        // glimt_envmap_cdf/src/search.rs:32
-        let _e17 = bins_1;
-        let half_1 = (_e17 / 2u);
-        // glimt_envmap_cdf/src/search.rs:33
-        let _e21 = index_1;
-        let _e26 = conditional[(edges_start + (_e21 + half_1))];
-        if (_e26 <= u_1) {
-            // glimt_envmap_cdf/src/search.rs:34
-            let _e29 = index_1;
-            index_1 = (_e29 + half_1);
-        }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e32 = bins_1;
-        bins_1 = (_e32 - half_1);
+        let _e14 = left_1;
+        let half_1 = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at_1;
+        let _e22 = conditional[(_e18 + half_1)];
+        if (_e22 <= u_1) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at_1;
+            at_1 = (_e25 + half_1);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left_1;
+        left_1 = (_e28 - half_1);
     }
-    // glimt_envmap_cdf/src/search.rs:38
-    let _e35 = index_1;
-    let first_1 = conditional[(edges_start + _e35)];
-    // glimt_envmap_cdf/src/search.rs:39
-    let _e41 = index_1;
-    let _e42 = index_1;
-    let _e48 = conditional[(edges_start + (_e42 + 1u))];
-    return Bin(_e41, first_1, (_e48 - first_1));
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at_1;
+    let first_1 = conditional[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at_1;
+    let _e38 = at_1;
+    let _e43 = conditional[(_e38 + 1u)];
+    return Bin((_e36 - start_1), first_1, (_e43 - first_1));
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -270,35 +270,33 @@ fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_3: vec2<u32>) 
     return (pmf / _e14);
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:60
+// glimt_envmap_cdf/src/env_cdf.rs:61
 fn env_sample(size_4: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:61
+    // glimt_envmap_cdf/src/env_cdf.rs:62
     let _e4 = env_is_black(size_4);
     if _e4 {
-        // glimt_envmap_cdf/src/env_cdf.rs:62
+        // glimt_envmap_cdf/src/env_cdf.rs:63
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
-    // glimt_envmap_cdf/src/env_cdf.rs:68
-    let _e18 = find_bin((u_3.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let row_start = (_e18.index * (size_4.x + 1u));
+    let _e20 = find_bin(0u, size_4.y, (u_3.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_end = ((row_start + size_4.x) + 1u);
+    let row_start = (_e20.index * (size_4.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e35 = find_bin_1(row_start, (row_end - row_start), (u_3.x >> 1u));
+    let _e32 = find_bin_1(row_start, size_4.x, (u_3.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_4 = vec2<u32>(_e35.index, _e18.index);
+    let texel_4 = vec2<u32>(_e32.index, _e20.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e43 = hash2_(u_3.x, u_3.y);
+    let _e40 = hash2_(u_3.x, u_3.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e50 = place_in_bin(_e35, (u_3.x >> 1u), (_e43 & 65535u));
-    let _e56 = place_in_bin(_e18, (u_3.y >> 1u), (_e43 >> 16u));
-    let place_1 = vec2<f32>(_e50, _e56);
+    let _e47 = place_in_bin(_e32, (u_3.x >> 1u), (_e40 & 65535u));
+    let _e53 = place_in_bin(_e20, (u_3.y >> 1u), (_e40 >> 16u));
+    let place_1 = vec2<f32>(_e47, _e53);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e59 = direction_in_texel(texel_4, size_4, place_1);
-    let _e63 = density_sr(_e18.units, _e35.units, _e18.index, size_4);
-    return EnvSample(texel_4, _e59, _e63);
+    let _e56 = direction_in_texel(texel_4, size_4, place_1);
+    let _e60 = density_sr(_e20.units, _e32.units, _e20.index, size_4);
+    return EnvSample(texel_4, _e56, _e60);
 }
 
 // glimt_probe/src/latlong.rs:45

@@ -105,18 +105,18 @@ pub fn gather(
     pixels: &[Vec4],
 ) -> Vec4 {
     let begin = map.texels[texel as usize];
-    let end = map.texels[texel as usize + 1].tap;
-    let taps = &map.taps[begin.tap as usize..end as usize];
+    let end = map.texels[texel as usize + 1].tap as usize;
     let mut pixel = begin.pixel;
     // Two sums and two taps a turn: additions wait for each other, and so do turns.
     let mut even = Vec4::ZERO;
     let mut odd = Vec4::ZERO;
-    let mut i = 0;
-    while i + 2 <= taps.len() {
-        let a = pixel + (taps[i] >> 16);
-        let b = a + (taps[i + 1] >> 16);
-        even += pixels[a as usize] * weight(taps[i]);
-        odd += pixels[b as usize] * weight(taps[i + 1]);
+    let mut i = begin.tap as usize;
+    while i + 2 <= end {
+        let (tap_a, tap_b) = (map.taps[i], map.taps[i + 1]);
+        let a = pixel + (tap_a >> 16);
+        let b = a + (tap_b >> 16);
+        even += pixels[a as usize] * weight(tap_a);
+        odd += pixels[b as usize] * weight(tap_b);
         pixel = b;
         i += 2;
     }

@@ -14,9 +14,8 @@ use core::f32::consts::PI;
 
 use glam::{Vec2, Vec3};
 
-/// A mirror ball and the camera that films it. 48 bytes.
+/// A mirror ball and the camera that films it. It is no buffer type: Rust and WGSL may lay it out differently.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
 pub struct MirrorBall {
     /// Unit vector in the world from the camera to the ball's centre.
     pub forward: Vec3,
@@ -24,12 +23,8 @@ pub struct MirrorBall {
     pub radius_over_distance: f32,
     /// Unit vector in the world that is to the right in the image.
     pub right: Vec3,
-    /// Fills 16 bytes.
-    pub unused_a: f32,
     /// Unit vector in the world that is up in the image, `right × forward`.
     pub up: Vec3,
-    /// Fills 16 bytes.
-    pub unused_b: f32,
 }
 
 /// What the camera sees at a point of the ball.
@@ -76,9 +71,7 @@ impl MirrorBall {
             forward: f,
             radius_over_distance: radius_over_distance.clamp(0.0, 0.95),
             right: r,
-            unused_a: 0.0,
             up: r.cross(f),
-            unused_b: 0.0,
         }
     }
 

@@ -4,9 +4,7 @@ struct MirrorBall {
     forward: vec3<f32>,
     radius_over_distance: f32,
     right: vec3<f32>,
-    unused_a: f32,
     up: vec3<f32>,
-    unused_b: f32,
 }
 
 struct Reflection {
@@ -40,6 +38,11 @@ struct ColourMatrix {
     red: vec4<f32>,
     green: vec4<f32>,
     blue: vec4<f32>,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
 }
 
 @group(0) @binding(1) 
@@ -169,59 +172,59 @@ fn lat_long_texel_solid_angle_sr(row: u32, size_2: vec2<u32>) -> f32 {
     return ((((4f * 3.1415927f) / f32(size_4.x)) * _e37.y) * _e40.y);
 }
 
-// glimt_probe/src/mirror_ball.rs:146
+// glimt_probe/src/mirror_ball.rs:139
 fn MirrorBall_reflect(this_: MirrorBall, p: vec2<f32>) -> Option_Reflection {
     var chosen_3: vec3<f32>;
 
-    // glimt_probe/src/mirror_ball.rs:147
+    // glimt_probe/src/mirror_ball.rs:140
     let s2_ = dot(p, p);
-    // glimt_probe/src/mirror_ball.rs:148
+    // glimt_probe/src/mirror_ball.rs:141
     if (s2_ > 1f) {
-        // glimt_probe/src/mirror_ball.rs:149
+        // glimt_probe/src/mirror_ball.rs:142
         return Option_Reflection();
     }
-    // glimt_probe/src/mirror_ball.rs:151
+    // glimt_probe/src/mirror_ball.rs:144
     let k = this_.radius_over_distance;
-    // glimt_probe/src/mirror_ball.rs:152
+    // glimt_probe/src/mirror_ball.rs:145
     let k2_ = (k * k);
-    // glimt_probe/src/mirror_ball.rs:154
+    // glimt_probe/src/mirror_ball.rs:147
     let scale = (1f / sqrt((1f - (k2_ * (1f - s2_)))));
-    // glimt_probe/src/mirror_ball.rs:155
+    // glimt_probe/src/mirror_ball.rs:148
     let s_1 = sqrt(s2_);
-    // glimt_probe/src/mirror_ball.rs:156
+    // glimt_probe/src/mirror_ball.rs:149
     let sin_i_1 = (s_1 * scale);
-    // glimt_probe/src/mirror_ball.rs:157
+    // glimt_probe/src/mirror_ball.rs:150
     let cos_i_1 = (sqrt(((1f - s2_) * (1f - k2_))) * scale);
-    // glimt_probe/src/mirror_ball.rs:158
+    // glimt_probe/src/mirror_ball.rs:151
     let sin_beta = (k * sin_i_1);
-    // glimt_probe/src/mirror_ball.rs:159
+    // glimt_probe/src/mirror_ball.rs:152
     let cos_beta = sqrt((1f - (sin_beta * sin_beta)));
-    // glimt_probe/src/mirror_ball.rs:161
+    // glimt_probe/src/mirror_ball.rs:154
     let sin_n = ((sin_i_1 * cos_beta) - (cos_i_1 * sin_beta));
-    // glimt_probe/src/mirror_ball.rs:162
+    // glimt_probe/src/mirror_ball.rs:155
     let cos_n = ((cos_i_1 * cos_beta) + (sin_i_1 * sin_beta));
-    // glimt_probe/src/mirror_ball.rs:163
+    // glimt_probe/src/mirror_ball.rs:156
     let sin_d = ((sin_i_1 * cos_n) + (cos_i_1 * sin_n));
-    // glimt_probe/src/mirror_ball.rs:164
+    // glimt_probe/src/mirror_ball.rs:157
     let cos_d = ((cos_i_1 * cos_n) - (sin_i_1 * sin_n));
-    // glimt_probe/src/mirror_ball.rs:165
+    // glimt_probe/src/mirror_ball.rs:158
     if (s_1 > 0f) {
-        // glimt_probe/src/mirror_ball.rs:166
+        // glimt_probe/src/mirror_ball.rs:159
         chosen_3 = (((this_.right * p.x) - (this_.up * p.y)) / vec3(s_1));
     } else {
-        // glimt_probe/src/mirror_ball.rs:168
+        // glimt_probe/src/mirror_ball.rs:161
         chosen_3 = this_.right;
     }
     let across = chosen_3;
-    // glimt_probe/src/mirror_ball.rs:170
+    // glimt_probe/src/mirror_ball.rs:163
     return Option_Reflection(true, Reflection(((across * sin_d) - (this_.forward * cos_d)), ((across * sin_n) - (this_.forward * cos_n)), cos_i_1));
 }
 
-// glimt_probe/src/mirror_ball.rs:127
+// glimt_probe/src/mirror_ball.rs:120
 fn mirror_ball_direction(this_1: MirrorBall, p_1: vec2<f32>) -> Option_Vec3_ {
     var chosen_4: Reflection;
 
-    // glimt_probe/src/mirror_ball.rs:128
+    // glimt_probe/src/mirror_ball.rs:121
     let _e4 = MirrorBall_reflect(this_1, p_1);
     let value = _e4.value;
     if _e4.is_some {
@@ -230,20 +233,20 @@ fn mirror_ball_direction(this_1: MirrorBall, p_1: vec2<f32>) -> Option_Vec3_ {
         return Option_Vec3_();
     }
     let reflection = chosen_4;
-    // glimt_probe/src/mirror_ball.rs:129
+    // glimt_probe/src/mirror_ball.rs:122
     return Option_Vec3_(true, reflection.direction);
 }
 
-// glimt_probe/src/mirror_ball.rs:119
+// glimt_probe/src/mirror_ball.rs:112
 fn MirrorBall_is_hidden(this_2: MirrorBall, d_2: vec3<f32>) -> bool {
 
-    // glimt_probe/src/mirror_ball.rs:120
+    // glimt_probe/src/mirror_ball.rs:113
     let k_1 = this_2.radius_over_distance;
-    // glimt_probe/src/mirror_ball.rs:121
+    // glimt_probe/src/mirror_ball.rs:114
     return (dot(d_2, this_2.forward) > sqrt((1f - (k_1 * k_1))));
 }
 
-// glimt_probe/src/mirror_ball.rs:201
+// glimt_probe/src/mirror_ball.rs:194
 fn mirror_ball_image(this_3: MirrorBall, d_3: vec3<f32>) -> Option_Vec2_ {
     var chosen_5: f32;
     var sin_i: f32;
@@ -253,25 +256,25 @@ fn mirror_ball_image(this_3: MirrorBall, d_3: vec3<f32>) -> Option_Vec2_ {
     var chosen_7: f32;
     var chosen_8: Option_Vec2_;
 
-    // glimt_probe/src/mirror_ball.rs:202
+    // glimt_probe/src/mirror_ball.rs:195
     let _e4 = MirrorBall_is_hidden(this_3, d_3);
     if _e4 {
-        // glimt_probe/src/mirror_ball.rs:203
+        // glimt_probe/src/mirror_ball.rs:196
         return Option_Vec2_();
     }
-    // glimt_probe/src/mirror_ball.rs:205
+    // glimt_probe/src/mirror_ball.rs:198
     let side = vec2<f32>(dot(d_3, this_3.right), -(dot(d_3, this_3.up)));
-    // glimt_probe/src/mirror_ball.rs:206
+    // glimt_probe/src/mirror_ball.rs:199
     let sin_d_1 = length(side);
-    // glimt_probe/src/mirror_ball.rs:207
+    // glimt_probe/src/mirror_ball.rs:200
     let cos_d_1 = -(dot(d_3, this_3.forward));
-    // glimt_probe/src/mirror_ball.rs:208
+    // glimt_probe/src/mirror_ball.rs:201
     let k_2 = this_3.radius_over_distance;
-    // glimt_probe/src/mirror_ball.rs:210
+    // glimt_probe/src/mirror_ball.rs:203
     let larger = sqrt((0.5f * (1f + abs(cos_d_1))));
-    // glimt_probe/src/mirror_ball.rs:211
+    // glimt_probe/src/mirror_ball.rs:204
     let smaller = ((0.5f * sin_d_1) / larger);
-    // glimt_probe/src/mirror_ball.rs:212
+    // glimt_probe/src/mirror_ball.rs:205
     if (cos_d_1 < 0f) {
         chosen_5 = larger;
     } else {
@@ -279,7 +282,7 @@ fn mirror_ball_image(this_3: MirrorBall, d_3: vec3<f32>) -> Option_Vec2_ {
     }
     let _e37 = chosen_5;
     sin_i = _e37;
-    // glimt_probe/src/mirror_ball.rs:213
+    // glimt_probe/src/mirror_ball.rs:206
     if (cos_d_1 < 0f) {
         chosen_6 = smaller;
     } else {
@@ -287,59 +290,59 @@ fn mirror_ball_image(this_3: MirrorBall, d_3: vec3<f32>) -> Option_Vec2_ {
     }
     let _e43 = chosen_6;
     cos_i = _e43;
-    // glimt_probe/src/mirror_ball.rs:214
+    // glimt_probe/src/mirror_ball.rs:207
     counter = 0u;
     loop {
         let _e49 = counter;
         if (_e49 >= 5u) {
             break;
         }
-        // glimt_probe/src/mirror_ball.rs:215
+        // glimt_probe/src/mirror_ball.rs:208
         let _e52 = sin_i;
         let sin_beta_1 = (k_2 * _e52);
-        // glimt_probe/src/mirror_ball.rs:216
+        // glimt_probe/src/mirror_ball.rs:209
         let cos_beta_1 = sqrt(max((1f - (sin_beta_1 * sin_beta_1)), 0f));
-        // glimt_probe/src/mirror_ball.rs:218
+        // glimt_probe/src/mirror_ball.rs:211
         let _e63 = sin_i;
         let _e65 = cos_i;
         let sin_2i = ((2f * _e63) * _e65);
-        // glimt_probe/src/mirror_ball.rs:219
+        // glimt_probe/src/mirror_ball.rs:212
         let _e68 = cos_i;
         let _e69 = sin_i;
         let _e71 = cos_i;
         let _e72 = sin_i;
         let cos_2i = ((_e68 - _e69) * (_e71 + _e72));
-        // glimt_probe/src/mirror_ball.rs:220
+        // glimt_probe/src/mirror_ball.rs:213
         let sin_t = ((sin_2i * cos_beta_1) - (cos_2i * sin_beta_1));
-        // glimt_probe/src/mirror_ball.rs:221
+        // glimt_probe/src/mirror_ball.rs:214
         let cos_t = ((cos_2i * cos_beta_1) + (sin_2i * sin_beta_1));
-        // glimt_probe/src/mirror_ball.rs:222
+        // glimt_probe/src/mirror_ball.rs:215
         let error = ((sin_t * cos_d_1) - (cos_t * sin_d_1));
-        // glimt_probe/src/mirror_ball.rs:223
+        // glimt_probe/src/mirror_ball.rs:216
         let _e89 = cos_i;
         let step_ = (error / (2f - ((k_2 * _e89) / max(cos_beta_1, 0.001f))));
-        // glimt_probe/src/mirror_ball.rs:224
+        // glimt_probe/src/mirror_ball.rs:217
         let _e97 = cos_i;
         let _e98 = sin_i;
         let _e101 = sin_i;
         let _e102 = cos_i;
         let turned = normalize(vec2<f32>((_e97 + (step_ * _e98)), (_e101 - (step_ * _e102))));
-        // glimt_probe/src/mirror_ball.rs:225
+        // glimt_probe/src/mirror_ball.rs:218
         cos_i = turned.x;
-        // glimt_probe/src/mirror_ball.rs:226
+        // glimt_probe/src/mirror_ball.rs:219
         sin_i = turned.y;
         continuing {
             let _e111 = counter;
             counter = (_e111 + 1u);
         }
     }
-    // glimt_probe/src/mirror_ball.rs:228
+    // glimt_probe/src/mirror_ball.rs:221
     let _e115 = sin_i;
     let sin_beta_2 = (k_2 * _e115);
-    // glimt_probe/src/mirror_ball.rs:229
+    // glimt_probe/src/mirror_ball.rs:222
     let _e118 = sin_i;
     let s_2 = (_e118 * sqrt(((1f - (k_2 * k_2)) / (1f - (sin_beta_2 * sin_beta_2)))));
-    // glimt_probe/src/mirror_ball.rs:231
+    // glimt_probe/src/mirror_ball.rs:224
     let _e130 = cos_i;
     if (_e130 > 0f) {
         chosen_7 = clamp(s_2, 0f, 1f);
@@ -347,47 +350,47 @@ fn mirror_ball_image(this_3: MirrorBall, d_3: vec3<f32>) -> Option_Vec2_ {
         chosen_7 = 1f;
     }
     let s_3 = chosen_7;
-    // glimt_probe/src/mirror_ball.rs:232
+    // glimt_probe/src/mirror_ball.rs:225
     if (sin_d_1 > 0f) {
-        // glimt_probe/src/mirror_ball.rs:233
+        // glimt_probe/src/mirror_ball.rs:226
         chosen_8 = Option_Vec2_(true, (side * (s_3 / sin_d_1)));
     } else {
-        // glimt_probe/src/mirror_ball.rs:235
+        // glimt_probe/src/mirror_ball.rs:228
         chosen_8 = Option_Vec2_(true, vec2<f32>(s_3, 0f));
     }
     let _e152 = chosen_8;
     return _e152;
 }
 
-// glimt_probe/src/mirror_ball.rs:254
+// glimt_probe/src/mirror_ball.rs:247
 fn mirror_ball_solid_angle_sr_per_area(this_4: MirrorBall, p_2: vec2<f32>) -> f32 {
 
-    // glimt_probe/src/mirror_ball.rs:255
+    // glimt_probe/src/mirror_ball.rs:248
     let s2_1 = dot(p_2, p_2);
-    // glimt_probe/src/mirror_ball.rs:256
+    // glimt_probe/src/mirror_ball.rs:249
     if (s2_1 > 1f) {
-        // glimt_probe/src/mirror_ball.rs:257
+        // glimt_probe/src/mirror_ball.rs:250
         return 0f;
     }
-    // glimt_probe/src/mirror_ball.rs:259
+    // glimt_probe/src/mirror_ball.rs:252
     let s2_2 = min(s2_1, 0.999998f);
-    // glimt_probe/src/mirror_ball.rs:260
+    // glimt_probe/src/mirror_ball.rs:253
     let k_3 = this_4.radius_over_distance;
-    // glimt_probe/src/mirror_ball.rs:261
+    // glimt_probe/src/mirror_ball.rs:254
     let k2_1 = (k_3 * k_3);
-    // glimt_probe/src/mirror_ball.rs:262
+    // glimt_probe/src/mirror_ball.rs:255
     let w = (1f / (1f - (k2_1 * (1f - s2_2))));
-    // glimt_probe/src/mirror_ball.rs:263
+    // glimt_probe/src/mirror_ball.rs:256
     let sin2_i = (s2_2 * w);
-    // glimt_probe/src/mirror_ball.rs:264
+    // glimt_probe/src/mirror_ball.rs:257
     let cos_i_2 = sqrt((((1f - s2_2) * (1f - k2_1)) * w));
-    // glimt_probe/src/mirror_ball.rs:265
+    // glimt_probe/src/mirror_ball.rs:258
     let cos_beta_2 = sqrt((1f - (k2_1 * sin2_i)));
-    // glimt_probe/src/mirror_ball.rs:267
+    // glimt_probe/src/mirror_ball.rs:260
     let sin_over_s = ((((2f * cos_i_2) * cos_beta_2) - ((1f - (2f * sin2_i)) * k_3)) * sqrt(w));
-    // glimt_probe/src/mirror_ball.rs:268
+    // glimt_probe/src/mirror_ball.rs:261
     let slope = (((((2f / cos_i_2) - (k_3 / cos_beta_2)) * (1f - k2_1)) * w) * sqrt(w));
-    // glimt_probe/src/mirror_ball.rs:269
+    // glimt_probe/src/mirror_ball.rs:262
     return clamp((sin_over_s * slope), 0f, ((4f * 3.1415927f) * 10000f));
 }
 
@@ -419,55 +422,54 @@ fn gather_texel(texel_1: u32, colour_1: ColourMatrix, reflectance: vec4<f32>) ->
     // glimt_probe/src/gather.rs:108
     let end = map_texels[(texel_1 + 1u)].tap;
     // glimt_probe/src/gather.rs:109
-    // glimt_probe/src/gather.rs:110
     pixel = begin.pixel;
-    // glimt_probe/src/gather.rs:112
+    // glimt_probe/src/gather.rs:111
     even = vec4(0f);
-    // glimt_probe/src/gather.rs:113
+    // glimt_probe/src/gather.rs:112
     odd = vec4(0f);
+    // glimt_probe/src/gather.rs:113
+    i = begin.tap;
     // glimt_probe/src/gather.rs:114
-    i = 0u;
-    // glimt_probe/src/gather.rs:115
     loop {
-        let _e33 = i;
-        if !(((_e33 + 2u) <= (end - begin.tap))) {
+        let _e30 = i;
+        if !(((_e30 + 2u) <= end)) {
             break;
         }
-        // glimt_probe/src/gather.rs:116
-        let _e39 = pixel;
+        // glimt_probe/src/gather.rs:115
+        let _e36 = i;
+        let _e39 = map_taps[_e36];
         let _e40 = i;
-        let _e44 = map_taps[(begin.tap + _e40)];
-        let a = (_e39 + (_e44 >> 16u));
+        let _e45 = map_taps[(_e40 + 1u)];
+        let _e46 = Tuple_u32_u32_(_e39, _e45);
+        let tap_a = _e46.fa;
+        let tap_b = _e46.fb;
+        // glimt_probe/src/gather.rs:116
+        let _e50 = pixel;
+        let a = (_e50 + (tap_a >> 16u));
         // glimt_probe/src/gather.rs:117
-        let _e49 = i;
-        let _e55 = map_taps[(begin.tap + (_e49 + 1u))];
-        let b = (a + (_e55 >> 16u));
+        let b = (a + (tap_b >> 16u));
         // glimt_probe/src/gather.rs:118
-        let _e62 = pixels[a];
-        let _e63 = i;
-        let _e67 = map_taps[(begin.tap + _e63)];
-        let _e68 = weight(_e67);
-        let _e70 = even;
-        even = (_e70 + (_e62 * _e68));
+        let _e61 = pixels[a];
+        let _e62 = weight(tap_a);
+        let _e64 = even;
+        even = (_e64 + (_e61 * _e62));
         // glimt_probe/src/gather.rs:119
-        let _e75 = pixels[b];
-        let _e76 = i;
-        let _e82 = map_taps[(begin.tap + (_e76 + 1u))];
-        let _e83 = weight(_e82);
-        let _e85 = odd;
-        odd = (_e85 + (_e75 * _e83));
+        let _e69 = pixels[b];
+        let _e70 = weight(tap_b);
+        let _e72 = odd;
+        odd = (_e72 + (_e69 * _e70));
         // glimt_probe/src/gather.rs:120
         pixel = b;
         // glimt_probe/src/gather.rs:121
-        let _e90 = i;
-        i = (_e90 + 2u);
+        let _e77 = i;
+        i = (_e77 + 2u);
     }
     // glimt_probe/src/gather.rs:123
     let reflected = (reflectance + ((vec4(1f) - reflectance) * begin.grazing));
     // glimt_probe/src/gather.rs:124
-    let _e100 = even;
-    let _e101 = odd;
-    let _e106 = ColourMatrix_apply(colour_1, (((_e100 + _e101) * 0.000015259022f) / reflected));
-    return _e106;
+    let _e87 = even;
+    let _e88 = odd;
+    let _e93 = ColourMatrix_apply(colour_1, (((_e87 + _e88) * 0.000015259022f) / reflected));
+    return _e93;
 }
 

@@ -52,8 +52,9 @@
 //!
 //! # One source, two processors
 //!
-//! All modules but the `rand_core` implementations are *shared files*: plain Rust without heap or standard library that
-//! also lowers to WGSL. With the feature `shader-source` their text is at hand as `SHADER_SOURCE`.
+//! All modules but the `rand_core` implementations and `pod` (bytes for uploads, behind the feature `bytemuck`) are *shared
+//! files*: plain Rust without heap or standard library that also lowers to WGSL. With the feature `shader-source` their text is
+//! available as `SHADER_SOURCE`.
 //!
 //! # Bibliography
 //!
@@ -81,6 +82,8 @@
 pub mod hash;
 pub mod math;
 pub mod mis;
+#[cfg(feature = "bytemuck")]
+mod pod;
 pub mod resample;
 pub mod ris;
 mod rng;

@@ -6,17 +6,18 @@
 
 use crate::uniform::{UniformSource, unit_f32};
 
-/// How the teeth of a comb lie. All are unbiased: an item of expected copies e gets e on average.
+/// How the teeth of a comb lie. All are unbiased: an item of expected copies e gets e on average. In a buffer it is its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
 pub enum Scheme {
     /// One uniform for all teeth, which are equally spaced: an item gets ⌊e⌋ or ⌈e⌉ copies. Draws one word.
-    Systematic,
+    Systematic = 0,
     /// One uniform for each tooth within a stratum of its own. Draws n words.
-    Stratified,
+    Stratified = 1,
     /// Independent picks. Draws n words.
-    Multinomial,
+    Multinomial = 2,
     /// ⌊e⌋ copies of each item for sure, the rest by independent picks among what is left over. Draws n words.
-    Residual,
+    Residual = 3,
 }
 
 /// How many words one resampling to `picks` items draws, whatever the weights.

@@ -618,45 +618,45 @@ fn Word_next_u32_(this_4: ptr<function, Word>) -> u32 {
     return _e4;
 }
 
-// glimt_sampling/src/resample.rs:135
+// glimt_sampling/src/resample.rs:136
 fn Comb_place_tooth(this_5: ptr<function, Comb>, source: ptr<function, Word>) {
 
-    // glimt_sampling/src/resample.rs:136
+    // glimt_sampling/src/resample.rs:137
     let _e5 = (*this_5).made;
     let _e7 = (*this_5).teeth;
     if (_e5 >= _e7) {
-        // glimt_sampling/src/resample.rs:137
+        // glimt_sampling/src/resample.rs:138
         return;
     }
-    // glimt_sampling/src/resample.rs:139
+    // glimt_sampling/src/resample.rs:140
     let _e12 = (*this_5).made;
     let first = f32(_e12);
-    // glimt_sampling/src/resample.rs:140
+    // glimt_sampling/src/resample.rs:141
     let _e16 = (*this_5).scheme;
     if (_e16 == 0u) {
-        // glimt_sampling/src/resample.rs:141
+        // glimt_sampling/src/resample.rs:142
         let _e21 = (*this_5).state;
         (*this_5).next = (first + _e21);
     } else {
         let _e25 = (*this_5).scheme;
         if (_e25 == 1u) {
-            // glimt_sampling/src/resample.rs:143
+            // glimt_sampling/src/resample.rs:144
             let _e29 = Word_next_u32_(source);
             let _e30 = unit_float(_e29);
             (*this_5).next = (first + _e30);
         } else {
-            // glimt_sampling/src/resample.rs:146
+            // glimt_sampling/src/resample.rs:147
             let _e35 = Word_next_u32_(source);
             let _e36 = unit_float(_e35);
             let v_1 = (1f - _e36);
-            // glimt_sampling/src/resample.rs:147
+            // glimt_sampling/src/resample.rs:148
             let _e40 = (*this_5).teeth;
             let _e42 = (*this_5).made;
             let left = f32((_e40 - _e42));
-            // glimt_sampling/src/resample.rs:148
+            // glimt_sampling/src/resample.rs:149
             let _e50 = (*this_5).state;
             (*this_5).state = (_e50 * pow(v_1, (1f / left)));
-            // glimt_sampling/src/resample.rs:149
+            // glimt_sampling/src/resample.rs:150
             let _e55 = (*this_5).state;
             let _e58 = (*this_5).teeth;
             (*this_5).next = ((1f - _e55) * f32(_e58));
@@ -665,22 +665,22 @@ fn Comb_place_tooth(this_5: ptr<function, Comb>, source: ptr<function, Word>) {
     return;
 }
 
-// glimt_sampling/src/resample.rs:84
+// glimt_sampling/src/resample.rs:85
 fn Comb_new(scheme: u32, picks: u32, sure: u32, source_1: ptr<function, Word>) -> Comb {
     var comb: Comb;
 
-    // glimt_sampling/src/resample.rs:85
+    // glimt_sampling/src/resample.rs:86
     comb = Comb(scheme, picks, (max(picks, sure) - sure), 0u, 0f, 0f, 1f);
-    // glimt_sampling/src/resample.rs:94
+    // glimt_sampling/src/resample.rs:95
     if (scheme == 0u) {
-        // glimt_sampling/src/resample.rs:95
+        // glimt_sampling/src/resample.rs:96
         let _e18 = Word_next_u32_(source_1);
         let _e19 = unit_float(_e18);
         comb.state = _e19;
     }
-    // glimt_sampling/src/resample.rs:97
-    Comb_place_tooth((&comb), source_1);
     // glimt_sampling/src/resample.rs:98
+    Comb_place_tooth((&comb), source_1);
+    // glimt_sampling/src/resample.rs:99
     let _e23 = comb;
     return _e23;
 }
@@ -705,50 +705,50 @@ fn ris_picks(weights: RisSum, samples: u32, u_3: u32) -> RisPicks {
     return RisPicks(_e13, weights.sum, f32(samples), _e19, 0u, weights.end);
 }
 
-// glimt_sampling/src/resample.rs:44
+// glimt_sampling/src/resample.rs:45
 fn sure_copies(scheme_1: u32, expected: f32) -> u32 {
     var chosen_6: u32;
 
-    // glimt_sampling/src/resample.rs:45
+    // glimt_sampling/src/resample.rs:46
     if (scheme_1 == 3u) {
-        // glimt_sampling/src/resample.rs:46
+        // glimt_sampling/src/resample.rs:47
         chosen_6 = u32(expected);
     } else {
-        // glimt_sampling/src/resample.rs:48
+        // glimt_sampling/src/resample.rs:49
         chosen_6 = 0u;
     }
     let _e11 = chosen_6;
     return _e11;
 }
 
-// glimt_sampling/src/resample.rs:105
+// glimt_sampling/src/resample.rs:106
 fn Comb_take(this_6: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, Word>) -> u32 {
 
-    // glimt_sampling/src/resample.rs:106
+    // glimt_sampling/src/resample.rs:107
     let _e6 = (*this_6).scheme;
     let _e7 = sure_copies(_e6, expected_1);
-    // glimt_sampling/src/resample.rs:107
+    // glimt_sampling/src/resample.rs:108
     let _e12 = (*this_6).reach;
     (*this_6).reach = (_e12 + (expected_1 - f32(_e7)));
-    // glimt_sampling/src/resample.rs:108
-    let before = (*this_6).made;
     // glimt_sampling/src/resample.rs:109
+    let before = (*this_6).made;
+    // glimt_sampling/src/resample.rs:110
     loop {
         let _e19 = (*this_6).made;
         let _e21 = (*this_6).teeth;
         let _e24 = (*this_6).next;
         let _e26 = (*this_6).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
-            // glimt_sampling/src/resample.rs:110
+            // glimt_sampling/src/resample.rs:111
             let _e32 = (*this_6).made;
             (*this_6).made = (_e32 + 1u);
-            // glimt_sampling/src/resample.rs:111
+            // glimt_sampling/src/resample.rs:112
             Comb_place_tooth(this_6, source_2);
         } else {
             break;
         }
     }
-    // glimt_sampling/src/resample.rs:113
+    // glimt_sampling/src/resample.rs:114
     let _e37 = (*this_6).made;
     return (_e7 + (_e37 - before));
 }
@@ -803,45 +803,45 @@ fn ris_is_done(this_8: RisPicks) -> bool {
     return (this_8.left == 0u);
 }
 
-// glimt_sampling/src/resample.rs:135
+// glimt_sampling/src/resample.rs:136
 fn Comb_place_tooth_1(this_9: ptr<function, Comb>, source_3: ptr<function, Xoshiro128PlusPlus>) {
 
-    // glimt_sampling/src/resample.rs:136
+    // glimt_sampling/src/resample.rs:137
     let _e5 = (*this_9).made;
     let _e7 = (*this_9).teeth;
     if (_e5 >= _e7) {
-        // glimt_sampling/src/resample.rs:137
+        // glimt_sampling/src/resample.rs:138
         return;
     }
-    // glimt_sampling/src/resample.rs:139
+    // glimt_sampling/src/resample.rs:140
     let _e12 = (*this_9).made;
     let first_1 = f32(_e12);
-    // glimt_sampling/src/resample.rs:140
+    // glimt_sampling/src/resample.rs:141
     let _e16 = (*this_9).scheme;
     if (_e16 == 0u) {
-        // glimt_sampling/src/resample.rs:141
+        // glimt_sampling/src/resample.rs:142
         let _e21 = (*this_9).state;
         (*this_9).next = (first_1 + _e21);
     } else {
         let _e25 = (*this_9).scheme;
         if (_e25 == 1u) {
-            // glimt_sampling/src/resample.rs:143
+            // glimt_sampling/src/resample.rs:144
             let _e29 = xoshiro_next(source_3);
             let _e30 = unit_float(_e29);
             (*this_9).next = (first_1 + _e30);
         } else {
-            // glimt_sampling/src/resample.rs:146
+            // glimt_sampling/src/resample.rs:147
             let _e35 = xoshiro_next(source_3);
             let _e36 = unit_float(_e35);
             let v_2 = (1f - _e36);
-            // glimt_sampling/src/resample.rs:147
+            // glimt_sampling/src/resample.rs:148
             let _e40 = (*this_9).teeth;
             let _e42 = (*this_9).made;
             let left_1 = f32((_e40 - _e42));
-            // glimt_sampling/src/resample.rs:148
+            // glimt_sampling/src/resample.rs:149
             let _e50 = (*this_9).state;
             (*this_9).state = (_e50 * pow(v_2, (1f / left_1)));
-            // glimt_sampling/src/resample.rs:149
+            // glimt_sampling/src/resample.rs:150
             let _e55 = (*this_9).state;
             let _e58 = (*this_9).teeth;
             (*this_9).next = ((1f - _e55) * f32(_e58));
@@ -850,74 +850,74 @@ fn Comb_place_tooth_1(this_9: ptr<function, Comb>, source_3: ptr<function, Xoshi
     return;
 }
 
-// glimt_sampling/src/resample.rs:84
+// glimt_sampling/src/resample.rs:85
 fn resample_comb(scheme_2: u32, picks_1: u32, sure_1: u32, source_4: ptr<function, Xoshiro128PlusPlus>) -> Comb {
     var comb_1: Comb;
 
-    // glimt_sampling/src/resample.rs:85
+    // glimt_sampling/src/resample.rs:86
     comb_1 = Comb(scheme_2, picks_1, (max(picks_1, sure_1) - sure_1), 0u, 0f, 0f, 1f);
-    // glimt_sampling/src/resample.rs:94
+    // glimt_sampling/src/resample.rs:95
     if (scheme_2 == 0u) {
-        // glimt_sampling/src/resample.rs:95
+        // glimt_sampling/src/resample.rs:96
         let _e18 = xoshiro_next(source_4);
         let _e19 = unit_float(_e18);
         comb_1.state = _e19;
     }
-    // glimt_sampling/src/resample.rs:97
-    Comb_place_tooth_1((&comb_1), source_4);
     // glimt_sampling/src/resample.rs:98
+    Comb_place_tooth_1((&comb_1), source_4);
+    // glimt_sampling/src/resample.rs:99
     let _e23 = comb_1;
     return _e23;
 }
 
-// glimt_sampling/src/resample.rs:105
+// glimt_sampling/src/resample.rs:106
 fn resample_take(this_10: ptr<function, Comb>, expected_2: f32, source_5: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
-    // glimt_sampling/src/resample.rs:106
+    // glimt_sampling/src/resample.rs:107
     let _e6 = (*this_10).scheme;
     let _e7 = sure_copies(_e6, expected_2);
-    // glimt_sampling/src/resample.rs:107
+    // glimt_sampling/src/resample.rs:108
     let _e12 = (*this_10).reach;
     (*this_10).reach = (_e12 + (expected_2 - f32(_e7)));
-    // glimt_sampling/src/resample.rs:108
-    let before_1 = (*this_10).made;
     // glimt_sampling/src/resample.rs:109
+    let before_1 = (*this_10).made;
+    // glimt_sampling/src/resample.rs:110
     loop {
         let _e19 = (*this_10).made;
         let _e21 = (*this_10).teeth;
         let _e24 = (*this_10).next;
         let _e26 = (*this_10).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
-            // glimt_sampling/src/resample.rs:110
+            // glimt_sampling/src/resample.rs:111
             let _e32 = (*this_10).made;
             (*this_10).made = (_e32 + 1u);
-            // glimt_sampling/src/resample.rs:111
+            // glimt_sampling/src/resample.rs:112
             Comb_place_tooth_1(this_10, source_5);
         } else {
             break;
         }
     }
-    // glimt_sampling/src/resample.rs:113
+    // glimt_sampling/src/resample.rs:114
     let _e37 = (*this_10).made;
     return (_e7 + (_e37 - before_1));
 }
 
-// glimt_sampling/src/resample.rs:120
+// glimt_sampling/src/resample.rs:121
 fn resample_finish(this_11: ptr<function, Comb>, source_6: ptr<function, Xoshiro128PlusPlus>) -> u32 {
     var counter: u32;
 
-    // glimt_sampling/src/resample.rs:121
+    // glimt_sampling/src/resample.rs:122
     let _e5 = (*this_11).teeth;
     let _e7 = (*this_11).made;
     let left_2 = (_e5 - _e7);
-    // glimt_sampling/src/resample.rs:122
+    // glimt_sampling/src/resample.rs:123
     let _e11 = (*this_11).scheme;
     if (_e11 != 0u) {
-        // glimt_sampling/src/resample.rs:124
+        // glimt_sampling/src/resample.rs:125
         let _e16 = (*this_11).teeth;
         let _e18 = (*this_11).made;
         let drawn = min(_e16, (_e18 + 1u));
-        // glimt_sampling/src/resample.rs:125
+        // glimt_sampling/src/resample.rs:126
         let _e24 = (*this_11).picks;
         counter = drawn;
         loop {
@@ -925,7 +925,7 @@ fn resample_finish(this_11: ptr<function, Comb>, source_6: ptr<function, Xoshiro
             if (_e26 >= _e24) {
                 break;
             }
-            // glimt_sampling/src/resample.rs:126
+            // glimt_sampling/src/resample.rs:127
             let _e29 = xoshiro_next(source_6);
             continuing {
                 let _e30 = counter;
@@ -933,10 +933,10 @@ fn resample_finish(this_11: ptr<function, Comb>, source_6: ptr<function, Xoshiro
             }
         }
     }
-    // glimt_sampling/src/resample.rs:129
+    // glimt_sampling/src/resample.rs:130
     let _e35 = (*this_11).teeth;
     (*this_11).made = _e35;
-    // glimt_sampling/src/resample.rs:130
+    // glimt_sampling/src/resample.rs:131
     return left_2;
 }
 

@@ -2,13 +2,14 @@
 
 use crate::target::Endpoints;
 
-/// How the targets between two frames are mixed of both.
+/// How the targets between two frames are mixed of both. In a buffer it is its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
 pub enum Path {
     /// `γ_k = (1 − β_k) γ_{t−1} + β_k γ_t`.
-    Linear,
+    Linear = 0,
     /// `γ_k = γ_{t−1}^(1 − β_k) γ_t^β_k`: zero wherever one of the two is.
-    Geometric,
+    Geometric = 1,
 }
 
 /// K targets between two frames, at `β_k = k/(K + 1)`.

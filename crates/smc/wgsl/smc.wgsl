@@ -27,41 +27,41 @@ fn smc_accept(u: f32, density: f32, forward: f32, proposed_density: f32, backwar
     return ((forward > 0f) && ((u * (density * forward)) < (proposed_density * backward)));
 }
 
-// glimt_smc/src/bridge.rs:47
+// glimt_smc/src/bridge.rs:48
 fn smc_bridge_steps(this_: Bridge) -> u32 {
 
-    // glimt_smc/src/bridge.rs:48
+    // glimt_smc/src/bridge.rs:49
     return (this_.intermediate + 1u);
 }
 
-// glimt_smc/src/bridge.rs:64
+// glimt_smc/src/bridge.rs:65
 fn smc_bridge_density(this_1: Bridge, k: u32, ends: Endpoints) -> f32 {
 
-    // glimt_smc/src/bridge.rs:65
+    // glimt_smc/src/bridge.rs:66
     if (k == 0u) {
-        // glimt_smc/src/bridge.rs:66
+        // glimt_smc/src/bridge.rs:67
         return ends.previous;
     }
-    // glimt_smc/src/bridge.rs:68
+    // glimt_smc/src/bridge.rs:69
     let _e10 = smc_bridge_steps(this_1);
     if (k >= _e10) {
-        // glimt_smc/src/bridge.rs:69
+        // glimt_smc/src/bridge.rs:70
         return ends.current;
     }
-    // glimt_smc/src/bridge.rs:71
+    // glimt_smc/src/bridge.rs:72
     let _e16 = smc_bridge_steps(this_1);
     let beta = (f32(k) / f32(_e16));
-    // glimt_smc/src/bridge.rs:72
+    // glimt_smc/src/bridge.rs:73
     if (this_1.path == 0u) {
-        // glimt_smc/src/bridge.rs:73
+        // glimt_smc/src/bridge.rs:74
         return (((1f - beta) * ends.previous) + (beta * ends.current));
     }
-    // glimt_smc/src/bridge.rs:75
+    // glimt_smc/src/bridge.rs:76
     if (!((ends.previous > 0f)) || !((ends.current > 0f))) {
-        // glimt_smc/src/bridge.rs:76
+        // glimt_smc/src/bridge.rs:77
         return 0f;
     }
-    // glimt_smc/src/bridge.rs:78
+    // glimt_smc/src/bridge.rs:79
     return (pow(ends.previous, (1f - beta)) * pow(ends.current, beta));
 }
 

@@ -1,6 +1,11 @@
-//! Host file: statistical tests as values, and integrals in f64 to hold estimates against.
+//! Host file: what a statistical test needs beside what it tests: judges, integrals in f64, oracles, densities to draw from.
 //!
-//! A package of its own, with little to link, for `scripts/mutate-smc.sh`: it changes what is tested many times over.
+//! It depends on no crate of the project, so that the tests of each of them can use it, and has little to link.
 
+pub mod data;
+pub mod films;
+pub mod harmonics;
+pub mod mirror_ball;
 pub mod quadrature;
 pub mod stats;
+pub mod worst;

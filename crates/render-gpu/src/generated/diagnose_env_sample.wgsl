@@ -303,25 +303,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_11 = (index_5 & 65535u);
+    let index_9 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_11;
+        chosen = index_9;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_11);
+            let _e16 = pascal(index_9);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_11);
+                let _e20 = recurrence_2_(index_9);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_11);
+                let _e22 = recurrence_3_(index_9);
                 chosen = _e22;
             }
         }
@@ -634,17 +634,17 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:52
-    let index_12 = ((this_7.ray * samples) + sample);
+    let index_10 = ((this_7.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:53
     if (this_7.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:54
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_12);
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_10);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:56
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_12);
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_10);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:57
@@ -654,96 +654,96 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_12, (this_7.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_10, (this_7.rays * samples), _e20, _e29);
     return _e30;
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:47
+// glimt_envmap_cdf/src/env_cdf.rs:48
 fn EnvCdf_is_black(size: vec2<u32>) -> bool {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:48
+    // glimt_envmap_cdf/src/env_cdf.rs:49
     let _e6 = env_cdf_marginal[size.y];
     return (_e6 == 0u);
 }
 
-// glimt_envmap_cdf/src/search.rs:27
-fn find_bin(u: u32) -> Bin {
-    var index_9: u32;
-    var bins: u32;
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin(start: u32, bins: u32, u: u32) -> Bin {
+    var at: u32;
+    var left: u32;
 
-    // glimt_envmap_cdf/src/search.rs:29
-    index_9 = 0u;
-    // glimt_envmap_cdf/src/search.rs:30
-    bins = (arrayLength((&env_cdf_marginal)) - 1u);
-    // glimt_envmap_cdf/src/search.rs:31
+    // glimt_envmap_cdf/src/search.rs:33
+    at = start;
+    // glimt_envmap_cdf/src/search.rs:34
+    left = bins;
+    // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e12 = bins;
-        if !((_e12 > 1u)) {
+        let _e9 = left;
+        if !((_e9 > 1u)) {
             break;
         }
-        // glimt_envmap_cdf/src/search.rs:32
-        let _e17 = bins;
-        let half = (_e17 / 2u);
-        // glimt_envmap_cdf/src/search.rs:33
-        let _e21 = index_9;
-        let _e25 = env_cdf_marginal[(_e21 + half)];
-        if (_e25 <= u) {
-            // glimt_envmap_cdf/src/search.rs:34
-            let _e28 = index_9;
-            index_9 = (_e28 + half);
-        }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e31 = bins;
-        bins = (_e31 - half);
+        let _e14 = left;
+        let half = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at;
+        let _e22 = env_cdf_marginal[(_e18 + half)];
+        if (_e22 <= u) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at;
+            at = (_e25 + half);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left;
+        left = (_e28 - half);
     }
-    // glimt_envmap_cdf/src/search.rs:38
-    let _e34 = index_9;
-    let first = env_cdf_marginal[_e34];
-    // glimt_envmap_cdf/src/search.rs:39
-    let _e39 = index_9;
-    let _e40 = index_9;
-    let _e45 = env_cdf_marginal[(_e40 + 1u)];
-    return Bin(_e39, first, (_e45 - first));
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at;
+    let first = env_cdf_marginal[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at;
+    let _e38 = at;
+    let _e43 = env_cdf_marginal[(_e38 + 1u)];
+    return Bin((_e36 - start), first, (_e43 - first));
 }
 
-// glimt_envmap_cdf/src/search.rs:27
-fn find_bin_1(edges_start: u32, edges_len: u32, u_1: u32) -> Bin {
-    var index_10: u32;
-    var bins_1: u32;
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin_1(start_1: u32, bins_1: u32, u_1: u32) -> Bin {
+    var at_1: u32;
+    var left_1: u32;
 
-    // glimt_envmap_cdf/src/search.rs:29
-    index_10 = 0u;
-    // glimt_envmap_cdf/src/search.rs:30
-    bins_1 = (edges_len - 1u);
-    // glimt_envmap_cdf/src/search.rs:31
+    // glimt_envmap_cdf/src/search.rs:33
+    at_1 = start_1;
+    // glimt_envmap_cdf/src/search.rs:34
+    left_1 = bins_1;
+    // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e12 = bins_1;
-        if !((_e12 > 1u)) {
+        let _e9 = left_1;
+        if !((_e9 > 1u)) {
             break;
         }
-        // glimt_envmap_cdf/src/search.rs:32
-        let _e17 = bins_1;
-        let half_1 = (_e17 / 2u);
-        // glimt_envmap_cdf/src/search.rs:33
-        let _e21 = index_10;
-        let _e26 = env_cdf_conditional[(edges_start + (_e21 + half_1))];
-        if (_e26 <= u_1) {
-            // glimt_envmap_cdf/src/search.rs:34
-            let _e29 = index_10;
-            index_10 = (_e29 + half_1);
-        }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e32 = bins_1;
-        bins_1 = (_e32 - half_1);
+        let _e14 = left_1;
+        let half_1 = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at_1;
+        let _e22 = env_cdf_conditional[(_e18 + half_1)];
+        if (_e22 <= u_1) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at_1;
+            at_1 = (_e25 + half_1);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left_1;
+        left_1 = (_e28 - half_1);
     }
-    // glimt_envmap_cdf/src/search.rs:38
-    let _e35 = index_10;
-    let first_1 = env_cdf_conditional[(edges_start + _e35)];
-    // glimt_envmap_cdf/src/search.rs:39
-    let _e41 = index_10;
-    let _e42 = index_10;
-    let _e48 = env_cdf_conditional[(edges_start + (_e42 + 1u))];
-    return Bin(_e41, first_1, (_e48 - first_1));
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at_1;
+    let first_1 = env_cdf_conditional[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at_1;
+    let _e38 = at_1;
+    let _e43 = env_cdf_conditional[(_e38 + 1u)];
+    return Bin((_e36 - start_1), first_1, (_e43 - first_1));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:168
@@ -876,35 +876,33 @@ fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_3: vec2<u32>) 
     return (pmf / _e14);
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:60
+// glimt_envmap_cdf/src/env_cdf.rs:61
 fn EnvCdf_sample(size_4: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:61
+    // glimt_envmap_cdf/src/env_cdf.rs:62
     let _e4 = EnvCdf_is_black(size_4);
     if _e4 {
-        // glimt_envmap_cdf/src/env_cdf.rs:62
+        // glimt_envmap_cdf/src/env_cdf.rs:63
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
-    // glimt_envmap_cdf/src/env_cdf.rs:68
-    let _e18 = find_bin((u_3.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let row_start = (_e18.index * (size_4.x + 1u));
+    let _e20 = find_bin(0u, size_4.y, (u_3.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_end = ((row_start + size_4.x) + 1u);
+    let row_start = (_e20.index * (size_4.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e35 = find_bin_1(row_start, (row_end - row_start), (u_3.x >> 1u));
+    let _e32 = find_bin_1(row_start, size_4.x, (u_3.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_1 = vec2<u32>(_e35.index, _e18.index);
+    let texel_1 = vec2<u32>(_e32.index, _e20.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e43 = hash2_(u_3.x, u_3.y);
+    let _e40 = hash2_(u_3.x, u_3.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e50 = place_in_bin(_e35, (u_3.x >> 1u), (_e43 & 65535u));
-    let _e56 = place_in_bin(_e18, (u_3.y >> 1u), (_e43 >> 16u));
-    let place = vec2<f32>(_e50, _e56);
+    let _e47 = place_in_bin(_e32, (u_3.x >> 1u), (_e40 & 65535u));
+    let _e53 = place_in_bin(_e20, (u_3.y >> 1u), (_e40 >> 16u));
+    let place = vec2<f32>(_e47, _e53);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e59 = direction_in_texel(texel_1, size_4, place);
-    let _e63 = density_sr(_e18.units, _e35.units, _e18.index, size_4);
-    return EnvSample(texel_1, _e59, _e63);
+    let _e56 = direction_in_texel(texel_1, size_4, place);
+    let _e60 = density_sr(_e20.units, _e32.units, _e20.index, size_4);
+    return EnvSample(texel_1, _e56, _e60);
 }
 
 // glimt_probe/src/rotate.rs:33

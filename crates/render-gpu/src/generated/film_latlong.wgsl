@@ -304,35 +304,35 @@ fn Stage_radiance(params_3: StageParams, origin_4: vec3<f32>, d_7: vec3<f32>) ->
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/capture.rs:235
+// glimt_render_gpu/src/kernels/capture.rs:233
 fn film_latlong_1(texel_1: u32, latlong: LatLongParams, stage_params: StageParams) -> vec4<f32> {
     var sum: vec3<f32>;
     var counter: u32;
     var counter_1: u32;
 
-    // glimt_render_gpu/src/kernels/capture.rs:236
+    // glimt_render_gpu/src/kernels/capture.rs:234
     let place = vec2<u32>((texel_1 % latlong.size.x), (texel_1 / latlong.size.x));
-    // glimt_render_gpu/src/kernels/capture.rs:237
+    // glimt_render_gpu/src/kernels/capture.rs:235
     sum = vec3(0f);
-    // glimt_render_gpu/src/kernels/capture.rs:238
+    // glimt_render_gpu/src/kernels/capture.rs:236
     counter = 0u;
     loop {
         let j = counter;
         if (j >= latlong.grid) {
             break;
         }
-        // glimt_render_gpu/src/kernels/capture.rs:239
+        // glimt_render_gpu/src/kernels/capture.rs:237
         counter_1 = 0u;
         loop {
             let i = counter_1;
             if (i >= latlong.grid) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/capture.rs:240
+            // glimt_render_gpu/src/kernels/capture.rs:238
             let inside = ((vec2<f32>(vec2<u32>(i, j)) + vec2(0.5f)) / vec2(f32(latlong.grid)));
-            // glimt_render_gpu/src/kernels/capture.rs:241
+            // glimt_render_gpu/src/kernels/capture.rs:239
             let _e40 = direction_in_texel(place, latlong.size, inside);
-            // glimt_render_gpu/src/kernels/capture.rs:242
+            // glimt_render_gpu/src/kernels/capture.rs:240
             let _e43 = Stage_radiance(stage_params, latlong.position, _e40);
             let _e44 = sum;
             sum = (_e44 + _e43);
@@ -346,7 +346,7 @@ fn film_latlong_1(texel_1: u32, latlong: LatLongParams, stage_params: StageParam
             counter = (_e49 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/capture.rs:245
+    // glimt_render_gpu/src/kernels/capture.rs:243
     let _e53 = sum;
     return vec4<f32>((_e53 / vec3(f32((latlong.grid * latlong.grid)))), 1f);
 }

@@ -919,26 +919,26 @@ fn Stage_radiance(params_3: StageParams, origin_5: vec3<f32>, d_7: vec3<f32>) ->
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/capture.rs:208
+// glimt_render_gpu/src/kernels/capture.rs:206
 fn film_plate_1(pixel_3: u32, frame_2: FrameParams, stage_params: StageParams) -> vec4<f32> {
     var sum_2: vec3<f32>;
     var counter_1: u32;
 
-    // glimt_render_gpu/src/kernels/capture.rs:209
+    // glimt_render_gpu/src/kernels/capture.rs:207
     let first = (pixel_3 * frame_2.rays_per_pixel);
-    // glimt_render_gpu/src/kernels/capture.rs:210
+    // glimt_render_gpu/src/kernels/capture.rs:208
     sum_2 = vec3(0f);
-    // glimt_render_gpu/src/kernels/capture.rs:211
+    // glimt_render_gpu/src/kernels/capture.rs:209
     counter_1 = first;
     loop {
         let i = counter_1;
         if (i >= (first + frame_2.rays_per_pixel)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/capture.rs:212
+        // glimt_render_gpu/src/kernels/capture.rs:210
         let _e18 = FrameParams_pattern_of(frame_2, i);
         let _e19 = FrameParams_camera_ray(frame_2, _e18);
-        // glimt_render_gpu/src/kernels/capture.rs:213
+        // glimt_render_gpu/src/kernels/capture.rs:211
         let _e23 = Stage_radiance(stage_params, _e19.origin, _e19.direction);
         let _e24 = sum_2;
         sum_2 = (_e24 + _e23);
@@ -947,7 +947,7 @@ fn film_plate_1(pixel_3: u32, frame_2: FrameParams, stage_params: StageParams) -
             counter_1 = (_e26 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/capture.rs:215
+    // glimt_render_gpu/src/kernels/capture.rs:213
     let _e30 = sum_2;
     return vec4<f32>((_e30 / vec3(f32(frame_2.rays_per_pixel))), 1f);
 }

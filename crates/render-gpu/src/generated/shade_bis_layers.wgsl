@@ -490,25 +490,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_16 = (index_5 & 65535u);
+    let index_14 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_16;
+        chosen = index_14;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_16);
+            let _e16 = pascal(index_14);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_16);
+                let _e20 = recurrence_2_(index_14);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_16);
+                let _e22 = recurrence_3_(index_14);
                 chosen = _e22;
             }
         }
@@ -821,17 +821,17 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:52
-    let index_17 = ((this_7.ray * samples) + sample);
+    let index_15 = ((this_7.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:53
     if (this_7.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:54
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_17);
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_15);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:56
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_17);
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_15);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:57
@@ -841,7 +841,7 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_17, (this_7.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_15, (this_7.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -1386,12 +1386,12 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     let y_2 = ((_e29 * f32(this_15.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e38 = Tuple_f32_f32_(floor(x_9), floor(y_2));
-    let left = _e38.fa;
+    let left_2 = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left), this_15.width, wrap_u);
+    let _e44 = neighbour(i32(left_2), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left) + 1i), this_15.width, wrap_u);
+    let _e50 = neighbour((i32(left_2) + 1i), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
     let _e54 = neighbour(i32(top), this_15.height, wrap_v);
     let row0_ = (_e54 * this_15.width);
@@ -1401,12 +1401,12 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:59
     let _e67 = TextureView_texel(this_15, (row0_ + _e44));
     let _e69 = TextureView_texel(this_15, (row0_ + _e50));
-    let _e70 = (x_9 - left);
+    let _e70 = (x_9 - left_2);
     let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
     let _e78 = TextureView_texel(this_15, (row1_ + _e44));
     let _e80 = TextureView_texel(this_15, (row1_ + _e50));
-    let _e81 = (x_9 - left);
+    let _e81 = (x_9 - left_2);
     let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
     let _e88 = (y_2 - top);
@@ -1665,11 +1665,11 @@ fn PixelPattern_triple(this_21: PixelPattern, purpose_4: u32, sample_1: u32, sam
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    let index_18 = ((this_21.ray * samples_1) + sample_1);
+    let index_16 = ((this_21.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:68
     if (this_21.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:69
-        let _e14 = PixelPattern_sobol_point(this_21, purpose_4, index_18);
+        let _e14 = PixelPattern_sobol_point(this_21, purpose_4, index_16);
         point = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e17 = OwenSobol_next_uvec2_((&point));
@@ -1678,7 +1678,7 @@ fn PixelPattern_triple(this_21: PixelPattern, purpose_4: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    let _e22 = PixelPattern_generator(this_21, purpose_4, index_18);
+    let _e22 = PixelPattern_generator(this_21, purpose_4, index_16);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:74
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
@@ -1695,8 +1695,8 @@ fn PixelPattern_triple(this_21: PixelPattern, purpose_4: u32, sample_1: u32, sam
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:80
-    let _e42 = jittered_pair(index_18, count_3, _e25, key_3);
-    let _e43 = jittered(index_18, count_3, _e27, key_3);
+    let _e42 = jittered_pair(index_16, count_3, _e25, key_3);
+    let _e43 = jittered(index_16, count_3, _e27, key_3);
     return vec3<u32>(_e42, _e43);
 }
 
@@ -2182,92 +2182,92 @@ fn EnvCdf_texel_pdf_sr(size_7: vec2<u32>, texel_3: vec2<u32>) -> f32 {
     return _e11;
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:47
+// glimt_envmap_cdf/src/env_cdf.rs:48
 fn EnvCdf_is_black(size_8: vec2<u32>) -> bool {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:48
+    // glimt_envmap_cdf/src/env_cdf.rs:49
     let _e6 = env_cdf_marginal[size_8.y];
     return (_e6 == 0u);
 }
 
-// glimt_envmap_cdf/src/search.rs:27
-fn find_bin(u_6: u32) -> Bin {
-    var index_13: u32;
-    var bins: u32;
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin(start: u32, bins: u32, u_6: u32) -> Bin {
+    var at: u32;
+    var left: u32;
 
-    // glimt_envmap_cdf/src/search.rs:29
-    index_13 = 0u;
-    // glimt_envmap_cdf/src/search.rs:30
-    bins = (arrayLength((&env_cdf_marginal)) - 1u);
-    // glimt_envmap_cdf/src/search.rs:31
+    // glimt_envmap_cdf/src/search.rs:33
+    at = start;
+    // glimt_envmap_cdf/src/search.rs:34
+    left = bins;
+    // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e12 = bins;
-        if !((_e12 > 1u)) {
+        let _e9 = left;
+        if !((_e9 > 1u)) {
             break;
         }
-        // glimt_envmap_cdf/src/search.rs:32
-        let _e17 = bins;
-        let half = (_e17 / 2u);
-        // glimt_envmap_cdf/src/search.rs:33
-        let _e21 = index_13;
-        let _e25 = env_cdf_marginal[(_e21 + half)];
-        if (_e25 <= u_6) {
-            // glimt_envmap_cdf/src/search.rs:34
-            let _e28 = index_13;
-            index_13 = (_e28 + half);
-        }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e31 = bins;
-        bins = (_e31 - half);
+        let _e14 = left;
+        let half = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at;
+        let _e22 = env_cdf_marginal[(_e18 + half)];
+        if (_e22 <= u_6) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at;
+            at = (_e25 + half);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left;
+        left = (_e28 - half);
     }
-    // glimt_envmap_cdf/src/search.rs:38
-    let _e34 = index_13;
-    let first_1 = env_cdf_marginal[_e34];
-    // glimt_envmap_cdf/src/search.rs:39
-    let _e39 = index_13;
-    let _e40 = index_13;
-    let _e45 = env_cdf_marginal[(_e40 + 1u)];
-    return Bin(_e39, first_1, (_e45 - first_1));
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at;
+    let first_1 = env_cdf_marginal[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at;
+    let _e38 = at;
+    let _e43 = env_cdf_marginal[(_e38 + 1u)];
+    return Bin((_e36 - start), first_1, (_e43 - first_1));
 }
 
-// glimt_envmap_cdf/src/search.rs:27
-fn find_bin_1(edges_start: u32, edges_len: u32, u_7: u32) -> Bin {
-    var index_14: u32;
-    var bins_1: u32;
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin_1(start_1: u32, bins_1: u32, u_7: u32) -> Bin {
+    var at_1: u32;
+    var left_1: u32;
 
-    // glimt_envmap_cdf/src/search.rs:29
-    index_14 = 0u;
-    // glimt_envmap_cdf/src/search.rs:30
-    bins_1 = (edges_len - 1u);
-    // glimt_envmap_cdf/src/search.rs:31
+    // glimt_envmap_cdf/src/search.rs:33
+    at_1 = start_1;
+    // glimt_envmap_cdf/src/search.rs:34
+    left_1 = bins_1;
+    // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e12 = bins_1;
-        if !((_e12 > 1u)) {
+        let _e9 = left_1;
+        if !((_e9 > 1u)) {
             break;
         }
-        // glimt_envmap_cdf/src/search.rs:32
-        let _e17 = bins_1;
-        let half_1 = (_e17 / 2u);
-        // glimt_envmap_cdf/src/search.rs:33
-        let _e21 = index_14;
-        let _e26 = env_cdf_conditional[(edges_start + (_e21 + half_1))];
-        if (_e26 <= u_7) {
-            // glimt_envmap_cdf/src/search.rs:34
-            let _e29 = index_14;
-            index_14 = (_e29 + half_1);
-        }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e32 = bins_1;
-        bins_1 = (_e32 - half_1);
+        let _e14 = left_1;
+        let half_1 = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at_1;
+        let _e22 = env_cdf_conditional[(_e18 + half_1)];
+        if (_e22 <= u_7) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at_1;
+            at_1 = (_e25 + half_1);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left_1;
+        left_1 = (_e28 - half_1);
     }
-    // glimt_envmap_cdf/src/search.rs:38
-    let _e35 = index_14;
-    let first_2 = env_cdf_conditional[(edges_start + _e35)];
-    // glimt_envmap_cdf/src/search.rs:39
-    let _e41 = index_14;
-    let _e42 = index_14;
-    let _e48 = env_cdf_conditional[(edges_start + (_e42 + 1u))];
-    return Bin(_e41, first_2, (_e48 - first_2));
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at_1;
+    let first_2 = env_cdf_conditional[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at_1;
+    let _e38 = at_1;
+    let _e43 = env_cdf_conditional[(_e38 + 1u)];
+    return Bin((_e36 - start_1), first_2, (_e43 - first_2));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:168
@@ -2334,35 +2334,33 @@ fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> ve
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:60
+// glimt_envmap_cdf/src/env_cdf.rs:61
 fn EnvCdf_sample(size_10: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:61
+    // glimt_envmap_cdf/src/env_cdf.rs:62
     let _e4 = EnvCdf_is_black(size_10);
     if _e4 {
-        // glimt_envmap_cdf/src/env_cdf.rs:62
+        // glimt_envmap_cdf/src/env_cdf.rs:63
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
-    // glimt_envmap_cdf/src/env_cdf.rs:68
-    let _e18 = find_bin((u_9.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let row_start = (_e18.index * (size_10.x + 1u));
+    let _e20 = find_bin(0u, size_10.y, (u_9.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_end = ((row_start + size_10.x) + 1u);
+    let row_start = (_e20.index * (size_10.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e35 = find_bin_1(row_start, (row_end - row_start), (u_9.x >> 1u));
+    let _e32 = find_bin_1(row_start, size_10.x, (u_9.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_5 = vec2<u32>(_e35.index, _e18.index);
+    let texel_5 = vec2<u32>(_e32.index, _e20.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e43 = hash2_(u_9.x, u_9.y);
+    let _e40 = hash2_(u_9.x, u_9.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e50 = place_in_bin(_e35, (u_9.x >> 1u), (_e43 & 65535u));
-    let _e56 = place_in_bin(_e18, (u_9.y >> 1u), (_e43 >> 16u));
-    let place_2 = vec2<f32>(_e50, _e56);
+    let _e47 = place_in_bin(_e32, (u_9.x >> 1u), (_e40 & 65535u));
+    let _e53 = place_in_bin(_e20, (u_9.y >> 1u), (_e40 >> 16u));
+    let place_2 = vec2<f32>(_e47, _e53);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e59 = direction_in_texel(texel_5, size_10, place_2);
-    let _e63 = density_sr(_e18.units, _e35.units, _e18.index, size_10);
-    return EnvSample(texel_5, _e59, _e63);
+    let _e56 = direction_in_texel(texel_5, size_10, place_2);
+    let _e60 = density_sr(_e20.units, _e32.units, _e20.index, size_10);
+    return EnvSample(texel_5, _e56, _e60);
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:85
@@ -2409,7 +2407,7 @@ fn BlinnPhong_eval(this_28: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:73
-fn Candidates_draw(this_29: Candidates, index_15: u32, point_1: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_29: Candidates, index_13: u32, point_1: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density: f32;
     var direction_8: vec3<f32>;
     var wi_3: vec3<f32>;
@@ -2422,9 +2420,9 @@ fn Candidates_draw(this_29: Candidates, index_15: u32, point_1: ShadingPoint, pa
     // glimt_render_gpu/src/kernels/candidates.rs:83
     density = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:87
-    if (index_15 < _e8) {
+    if (index_13 < _e8) {
         // glimt_render_gpu/src/kernels/candidates.rs:88
-        let _e22 = PixelPattern_triple(pattern_1, 4u, index_15, _e8);
+        let _e22 = PixelPattern_triple(pattern_1, 4u, index_13, _e8);
         // glimt_render_gpu/src/kernels/candidates.rs:89
         let _e28 = unit_vec2_(_e22.xy);
         let _e29 = BlinnPhong_sample(point_1.brdf, point_1.wo, _e22.z, _e28);
@@ -2457,7 +2455,7 @@ fn Candidates_draw(this_29: Candidates, index_15: u32, point_1: ShadingPoint, pa
         }
     } else {
         // glimt_render_gpu/src/kernels/candidates.rs:102
-        let _e78 = PixelPattern_pair(pattern_1, 5u, (index_15 - _e8), of_env);
+        let _e78 = PixelPattern_pair(pattern_1, 5u, (index_13 - _e8), of_env);
         // glimt_render_gpu/src/kernels/candidates.rs:103
         let _e80 = Environment_sample(env_cdf_size, env_rotation, _e78);
         // glimt_render_gpu/src/kernels/candidates.rs:104
@@ -2536,45 +2534,45 @@ fn Word_next_u32_(this_31: ptr<function, Word>) -> u32 {
     return _e4;
 }
 
-// glimt_sampling/src/resample.rs:135
+// glimt_sampling/src/resample.rs:136
 fn Comb_place_tooth(this_32: ptr<function, Comb>, source: ptr<function, Word>) {
 
-    // glimt_sampling/src/resample.rs:136
+    // glimt_sampling/src/resample.rs:137
     let _e5 = (*this_32).made;
     let _e7 = (*this_32).teeth;
     if (_e5 >= _e7) {
-        // glimt_sampling/src/resample.rs:137
+        // glimt_sampling/src/resample.rs:138
         return;
     }
-    // glimt_sampling/src/resample.rs:139
+    // glimt_sampling/src/resample.rs:140
     let _e12 = (*this_32).made;
     let first_3 = f32(_e12);
-    // glimt_sampling/src/resample.rs:140
+    // glimt_sampling/src/resample.rs:141
     let _e16 = (*this_32).scheme;
     if (_e16 == 0u) {
-        // glimt_sampling/src/resample.rs:141
+        // glimt_sampling/src/resample.rs:142
         let _e21 = (*this_32).state;
         (*this_32).next = (first_3 + _e21);
     } else {
         let _e25 = (*this_32).scheme;
         if (_e25 == 1u) {
-            // glimt_sampling/src/resample.rs:143
+            // glimt_sampling/src/resample.rs:144
             let _e29 = Word_next_u32_(source);
             let _e30 = unit_f32_(_e29);
             (*this_32).next = (first_3 + _e30);
         } else {
-            // glimt_sampling/src/resample.rs:146
+            // glimt_sampling/src/resample.rs:147
             let _e35 = Word_next_u32_(source);
             let _e36 = unit_f32_(_e35);
             let v_7 = (1f - _e36);
-            // glimt_sampling/src/resample.rs:147
+            // glimt_sampling/src/resample.rs:148
             let _e40 = (*this_32).teeth;
             let _e42 = (*this_32).made;
-            let left_1 = f32((_e40 - _e42));
-            // glimt_sampling/src/resample.rs:148
-            let _e50 = (*this_32).state;
-            (*this_32).state = (_e50 * pow(v_7, (1f / left_1)));
+            let left_3 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
+            let _e50 = (*this_32).state;
+            (*this_32).state = (_e50 * pow(v_7, (1f / left_3)));
+            // glimt_sampling/src/resample.rs:150
             let _e55 = (*this_32).state;
             let _e58 = (*this_32).teeth;
             (*this_32).next = ((1f - _e55) * f32(_e58));
@@ -2583,22 +2581,22 @@ fn Comb_place_tooth(this_32: ptr<function, Comb>, source: ptr<function, Word>) {
     return;
 }
 
-// glimt_sampling/src/resample.rs:84
+// glimt_sampling/src/resample.rs:85
 fn Comb_new(scheme: u32, picks: u32, sure: u32, source_1: ptr<function, Word>) -> Comb {
     var comb: Comb;
 
-    // glimt_sampling/src/resample.rs:85
+    // glimt_sampling/src/resample.rs:86
     comb = Comb(scheme, picks, (max(picks, sure) - sure), 0u, 0f, 0f, 1f);
-    // glimt_sampling/src/resample.rs:94
+    // glimt_sampling/src/resample.rs:95
     if (scheme == 0u) {
-        // glimt_sampling/src/resample.rs:95
+        // glimt_sampling/src/resample.rs:96
         let _e18 = Word_next_u32_(source_1);
         let _e19 = unit_f32_(_e18);
         comb.state = _e19;
     }
-    // glimt_sampling/src/resample.rs:97
-    Comb_place_tooth((&comb), source_1);
     // glimt_sampling/src/resample.rs:98
+    Comb_place_tooth((&comb), source_1);
+    // glimt_sampling/src/resample.rs:99
     let _e23 = comb;
     return _e23;
 }
@@ -2646,50 +2644,50 @@ fn RisPicks_is_done(this_34: RisPicks) -> bool {
     return (this_34.left == 0u);
 }
 
-// glimt_sampling/src/resample.rs:44
+// glimt_sampling/src/resample.rs:45
 fn sure_copies(scheme_1: u32, expected: f32) -> u32 {
     var chosen_26: u32;
 
-    // glimt_sampling/src/resample.rs:45
+    // glimt_sampling/src/resample.rs:46
     if (scheme_1 == 3u) {
-        // glimt_sampling/src/resample.rs:46
+        // glimt_sampling/src/resample.rs:47
         chosen_26 = u32(expected);
     } else {
-        // glimt_sampling/src/resample.rs:48
+        // glimt_sampling/src/resample.rs:49
         chosen_26 = 0u;
     }
     let _e11 = chosen_26;
     return _e11;
 }
 
-// glimt_sampling/src/resample.rs:105
+// glimt_sampling/src/resample.rs:106
 fn Comb_take(this_35: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, Word>) -> u32 {
 
-    // glimt_sampling/src/resample.rs:106
+    // glimt_sampling/src/resample.rs:107
     let _e6 = (*this_35).scheme;
     let _e7 = sure_copies(_e6, expected_1);
-    // glimt_sampling/src/resample.rs:107
+    // glimt_sampling/src/resample.rs:108
     let _e12 = (*this_35).reach;
     (*this_35).reach = (_e12 + (expected_1 - f32(_e7)));
-    // glimt_sampling/src/resample.rs:108
-    let before = (*this_35).made;
     // glimt_sampling/src/resample.rs:109
+    let before = (*this_35).made;
+    // glimt_sampling/src/resample.rs:110
     loop {
         let _e19 = (*this_35).made;
         let _e21 = (*this_35).teeth;
         let _e24 = (*this_35).next;
         let _e26 = (*this_35).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
-            // glimt_sampling/src/resample.rs:110
+            // glimt_sampling/src/resample.rs:111
             let _e32 = (*this_35).made;
             (*this_35).made = (_e32 + 1u);
-            // glimt_sampling/src/resample.rs:111
+            // glimt_sampling/src/resample.rs:112
             Comb_place_tooth(this_35, source_2);
         } else {
             break;
         }
     }
-    // glimt_sampling/src/resample.rs:113
+    // glimt_sampling/src/resample.rs:114
     let _e37 = (*this_35).made;
     return (_e7 + (_e37 - before));
 }

@@ -623,25 +623,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_16 = (index_5 & 65535u);
+    let index_14 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_16;
+        chosen = index_14;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_16);
+            let _e16 = pascal(index_14);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_16);
+                let _e20 = recurrence_2_(index_14);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_16);
+                let _e22 = recurrence_3_(index_14);
                 chosen = _e22;
             }
         }
@@ -954,17 +954,17 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:52
-    let index_17 = ((this_7.ray * samples) + sample);
+    let index_15 = ((this_7.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:53
     if (this_7.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:54
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_17);
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_15);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:56
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_17);
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_15);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:57
@@ -974,7 +974,7 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_17, (this_7.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_15, (this_7.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -1519,12 +1519,12 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     let y_2 = ((_e29 * f32(this_15.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e38 = Tuple_f32_f32_(floor(x_9), floor(y_2));
-    let left = _e38.fa;
+    let left_2 = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left), this_15.width, wrap_u);
+    let _e44 = neighbour(i32(left_2), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left) + 1i), this_15.width, wrap_u);
+    let _e50 = neighbour((i32(left_2) + 1i), this_15.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
     let _e54 = neighbour(i32(top), this_15.height, wrap_v);
     let row0_ = (_e54 * this_15.width);
@@ -1534,12 +1534,12 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:59
     let _e67 = TextureView_texel(this_15, (row0_ + _e44));
     let _e69 = TextureView_texel(this_15, (row0_ + _e50));
-    let _e70 = (x_9 - left);
+    let _e70 = (x_9 - left_2);
     let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
     let _e78 = TextureView_texel(this_15, (row1_ + _e44));
     let _e80 = TextureView_texel(this_15, (row1_ + _e50));
-    let _e81 = (x_9 - left);
+    let _e81 = (x_9 - left_2);
     let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
     let _e88 = (y_2 - top);
@@ -1909,10 +1909,10 @@ fn SmcParams_sampler(this_23: SmcParams) -> Sampler {
     return Sampler(Bridge(path, this_23.intermediate), scheme_6, this_23.ess_threshold);
 }
 
-// glimt_smc/src/bridge.rs:47
+// glimt_smc/src/bridge.rs:48
 fn Bridge_steps(this_24: Bridge) -> u32 {
 
-    // glimt_smc/src/bridge.rs:48
+    // glimt_smc/src/bridge.rs:49
     return (this_24.intermediate + 1u);
 }
 
@@ -2144,34 +2144,34 @@ fn LightTarget_densities(previous_light_size_2: vec2<u32>, previous_light_rotati
     return Endpoints(_e11, _e12);
 }
 
-// glimt_smc/src/bridge.rs:64
+// glimt_smc/src/bridge.rs:65
 fn Bridge_density(this_28: Bridge, k: u32, ends: Endpoints) -> f32 {
 
-    // glimt_smc/src/bridge.rs:65
+    // glimt_smc/src/bridge.rs:66
     if (k == 0u) {
-        // glimt_smc/src/bridge.rs:66
+        // glimt_smc/src/bridge.rs:67
         return ends.previous;
     }
-    // glimt_smc/src/bridge.rs:68
+    // glimt_smc/src/bridge.rs:69
     let _e10 = Bridge_steps(this_28);
     if (k >= _e10) {
-        // glimt_smc/src/bridge.rs:69
+        // glimt_smc/src/bridge.rs:70
         return ends.current;
     }
-    // glimt_smc/src/bridge.rs:71
+    // glimt_smc/src/bridge.rs:72
     let _e16 = Bridge_steps(this_28);
     let beta = (f32(k) / f32(_e16));
-    // glimt_smc/src/bridge.rs:72
+    // glimt_smc/src/bridge.rs:73
     if (this_28.path == 0u) {
-        // glimt_smc/src/bridge.rs:73
+        // glimt_smc/src/bridge.rs:74
         return (((1f - beta) * ends.previous) + (beta * ends.current));
     }
-    // glimt_smc/src/bridge.rs:75
+    // glimt_smc/src/bridge.rs:76
     if (!((ends.previous > 0f)) || !((ends.current > 0f))) {
-        // glimt_smc/src/bridge.rs:76
+        // glimt_smc/src/bridge.rs:77
         return 0f;
     }
-    // glimt_smc/src/bridge.rs:78
+    // glimt_smc/src/bridge.rs:79
     return (pow(ends.previous, (1f - beta)) * pow(ends.current, beta));
 }
 
@@ -2358,16 +2358,16 @@ fn ess(particles_start_2: u32, particles_len_2: u32) -> f32 {
     return _e33;
 }
 
-// glimt_sampling/src/resample.rs:44
+// glimt_sampling/src/resample.rs:45
 fn sure_copies(scheme: u32, expected: f32) -> u32 {
     var chosen_22: u32;
 
-    // glimt_sampling/src/resample.rs:45
+    // glimt_sampling/src/resample.rs:46
     if (scheme == 3u) {
-        // glimt_sampling/src/resample.rs:46
+        // glimt_sampling/src/resample.rs:47
         chosen_22 = u32(expected);
     } else {
-        // glimt_sampling/src/resample.rs:48
+        // glimt_sampling/src/resample.rs:49
         chosen_22 = 0u;
     }
     let _e11 = chosen_22;
@@ -2428,45 +2428,45 @@ fn PatternSource_next_u32_(this_31: ptr<function, PatternSource>) -> u32 {
     return _e18;
 }
 
-// glimt_sampling/src/resample.rs:135
+// glimt_sampling/src/resample.rs:136
 fn Comb_place_tooth(this_32: ptr<function, Comb>, source: ptr<function, PatternSource>) {
 
-    // glimt_sampling/src/resample.rs:136
+    // glimt_sampling/src/resample.rs:137
     let _e5 = (*this_32).made;
     let _e7 = (*this_32).teeth;
     if (_e5 >= _e7) {
-        // glimt_sampling/src/resample.rs:137
+        // glimt_sampling/src/resample.rs:138
         return;
     }
-    // glimt_sampling/src/resample.rs:139
+    // glimt_sampling/src/resample.rs:140
     let _e12 = (*this_32).made;
     let first_2 = f32(_e12);
-    // glimt_sampling/src/resample.rs:140
+    // glimt_sampling/src/resample.rs:141
     let _e16 = (*this_32).scheme;
     if (_e16 == 0u) {
-        // glimt_sampling/src/resample.rs:141
+        // glimt_sampling/src/resample.rs:142
         let _e21 = (*this_32).state;
         (*this_32).next = (first_2 + _e21);
     } else {
         let _e25 = (*this_32).scheme;
         if (_e25 == 1u) {
-            // glimt_sampling/src/resample.rs:143
+            // glimt_sampling/src/resample.rs:144
             let _e29 = PatternSource_next_u32_(source);
             let _e30 = unit_f32_(_e29);
             (*this_32).next = (first_2 + _e30);
         } else {
-            // glimt_sampling/src/resample.rs:146
+            // glimt_sampling/src/resample.rs:147
             let _e35 = PatternSource_next_u32_(source);
             let _e36 = unit_f32_(_e35);
             let v_8 = (1f - _e36);
-            // glimt_sampling/src/resample.rs:147
+            // glimt_sampling/src/resample.rs:148
             let _e40 = (*this_32).teeth;
             let _e42 = (*this_32).made;
-            let left_1 = f32((_e40 - _e42));
-            // glimt_sampling/src/resample.rs:148
-            let _e50 = (*this_32).state;
-            (*this_32).state = (_e50 * pow(v_8, (1f / left_1)));
+            let left_3 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
+            let _e50 = (*this_32).state;
+            (*this_32).state = (_e50 * pow(v_8, (1f / left_3)));
+            // glimt_sampling/src/resample.rs:150
             let _e55 = (*this_32).state;
             let _e58 = (*this_32).teeth;
             (*this_32).next = ((1f - _e55) * f32(_e58));
@@ -2475,74 +2475,74 @@ fn Comb_place_tooth(this_32: ptr<function, Comb>, source: ptr<function, PatternS
     return;
 }
 
-// glimt_sampling/src/resample.rs:84
+// glimt_sampling/src/resample.rs:85
 fn Comb_new(scheme_1: u32, picks: u32, sure: u32, source_1: ptr<function, PatternSource>) -> Comb {
     var comb: Comb;
 
-    // glimt_sampling/src/resample.rs:85
+    // glimt_sampling/src/resample.rs:86
     comb = Comb(scheme_1, picks, (max(picks, sure) - sure), 0u, 0f, 0f, 1f);
-    // glimt_sampling/src/resample.rs:94
+    // glimt_sampling/src/resample.rs:95
     if (scheme_1 == 0u) {
-        // glimt_sampling/src/resample.rs:95
+        // glimt_sampling/src/resample.rs:96
         let _e18 = PatternSource_next_u32_(source_1);
         let _e19 = unit_f32_(_e18);
         comb.state = _e19;
     }
-    // glimt_sampling/src/resample.rs:97
-    Comb_place_tooth((&comb), source_1);
     // glimt_sampling/src/resample.rs:98
+    Comb_place_tooth((&comb), source_1);
+    // glimt_sampling/src/resample.rs:99
     let _e23 = comb;
     return _e23;
 }
 
-// glimt_sampling/src/resample.rs:105
+// glimt_sampling/src/resample.rs:106
 fn Comb_take(this_33: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
 
-    // glimt_sampling/src/resample.rs:106
+    // glimt_sampling/src/resample.rs:107
     let _e6 = (*this_33).scheme;
     let _e7 = sure_copies(_e6, expected_1);
-    // glimt_sampling/src/resample.rs:107
+    // glimt_sampling/src/resample.rs:108
     let _e12 = (*this_33).reach;
     (*this_33).reach = (_e12 + (expected_1 - f32(_e7)));
-    // glimt_sampling/src/resample.rs:108
-    let before = (*this_33).made;
     // glimt_sampling/src/resample.rs:109
+    let before = (*this_33).made;
+    // glimt_sampling/src/resample.rs:110
     loop {
         let _e19 = (*this_33).made;
         let _e21 = (*this_33).teeth;
         let _e24 = (*this_33).next;
         let _e26 = (*this_33).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
-            // glimt_sampling/src/resample.rs:110
+            // glimt_sampling/src/resample.rs:111
             let _e32 = (*this_33).made;
             (*this_33).made = (_e32 + 1u);
-            // glimt_sampling/src/resample.rs:111
+            // glimt_sampling/src/resample.rs:112
             Comb_place_tooth(this_33, source_2);
         } else {
             break;
         }
     }
-    // glimt_sampling/src/resample.rs:113
+    // glimt_sampling/src/resample.rs:114
     let _e37 = (*this_33).made;
     return (_e7 + (_e37 - before));
 }
 
-// glimt_sampling/src/resample.rs:120
+// glimt_sampling/src/resample.rs:121
 fn Comb_finish(this_34: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
     var counter_7: u32;
 
-    // glimt_sampling/src/resample.rs:121
+    // glimt_sampling/src/resample.rs:122
     let _e5 = (*this_34).teeth;
     let _e7 = (*this_34).made;
-    let left_2 = (_e5 - _e7);
-    // glimt_sampling/src/resample.rs:122
+    let left_4 = (_e5 - _e7);
+    // glimt_sampling/src/resample.rs:123
     let _e11 = (*this_34).scheme;
     if (_e11 != 0u) {
-        // glimt_sampling/src/resample.rs:124
+        // glimt_sampling/src/resample.rs:125
         let _e16 = (*this_34).teeth;
         let _e18 = (*this_34).made;
         let drawn = min(_e16, (_e18 + 1u));
-        // glimt_sampling/src/resample.rs:125
+        // glimt_sampling/src/resample.rs:126
         let _e24 = (*this_34).picks;
         counter_7 = drawn;
         loop {
@@ -2550,7 +2550,7 @@ fn Comb_finish(this_34: ptr<function, Comb>, source_3: ptr<function, PatternSour
             if (_e26 >= _e24) {
                 break;
             }
-            // glimt_sampling/src/resample.rs:126
+            // glimt_sampling/src/resample.rs:127
             let _e29 = PatternSource_next_u32_(source_3);
             continuing {
                 let _e30 = counter_7;
@@ -2558,11 +2558,11 @@ fn Comb_finish(this_34: ptr<function, Comb>, source_3: ptr<function, PatternSour
             }
         }
     }
-    // glimt_sampling/src/resample.rs:129
+    // glimt_sampling/src/resample.rs:130
     let _e35 = (*this_34).teeth;
     (*this_34).made = _e35;
-    // glimt_sampling/src/resample.rs:130
-    return left_2;
+    // glimt_sampling/src/resample.rs:131
+    return left_4;
 }
 
 // glimt_smc/src/resample.rs:45
@@ -2737,27 +2737,27 @@ fn resample(scheme_2: u32, particles_start_5: u32, particles_len_5: u32, source_
     return;
 }
 
-// glimt_sampling/src/resample.rs:25
+// glimt_sampling/src/resample.rs:26
 fn words(scheme_3: u32, picks_2: u32) -> u32 {
     var chosen_24: u32;
 
-    // glimt_sampling/src/resample.rs:26
+    // glimt_sampling/src/resample.rs:27
     if (scheme_3 == 0u) {
-        // glimt_sampling/src/resample.rs:27
+        // glimt_sampling/src/resample.rs:28
         chosen_24 = 1u;
     } else {
-        // glimt_sampling/src/resample.rs:29
+        // glimt_sampling/src/resample.rs:30
         chosen_24 = picks_2;
     }
     let _e10 = chosen_24;
     return _e10;
 }
 
-// glimt_sampling/src/resample.rs:35
+// glimt_sampling/src/resample.rs:36
 fn skip(scheme_4: u32, picks_3: u32, source_5: ptr<function, PatternSource>) {
     var counter_12: u32;
 
-    // glimt_sampling/src/resample.rs:36
+    // glimt_sampling/src/resample.rs:37
     let _e6 = words(scheme_4, picks_3);
     counter_12 = 0u;
     loop {
@@ -2765,7 +2765,7 @@ fn skip(scheme_4: u32, picks_3: u32, source_5: ptr<function, PatternSource>) {
         if (_e8 >= _e6) {
             break;
         }
-        // glimt_sampling/src/resample.rs:37
+        // glimt_sampling/src/resample.rs:38
         let _e11 = PatternSource_next_u32_(source_5);
         continuing {
             let _e12 = counter_12;
@@ -2889,92 +2889,92 @@ fn CapMove_propose(this_37: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Propos
     return Proposed(normalize(_e12), 1f, 1f);
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:47
+// glimt_envmap_cdf/src/env_cdf.rs:48
 fn EnvCdf_is_black(size_5: vec2<u32>) -> bool {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:48
+    // glimt_envmap_cdf/src/env_cdf.rs:49
     let _e6 = env_cdf_marginal[size_5.y];
     return (_e6 == 0u);
 }
 
-// glimt_envmap_cdf/src/search.rs:27
-fn find_bin(u_4: u32) -> Bin {
-    var index_12: u32;
-    var bins: u32;
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin(start: u32, bins: u32, u_4: u32) -> Bin {
+    var at: u32;
+    var left: u32;
 
-    // glimt_envmap_cdf/src/search.rs:29
-    index_12 = 0u;
-    // glimt_envmap_cdf/src/search.rs:30
-    bins = (arrayLength((&env_cdf_marginal)) - 1u);
-    // glimt_envmap_cdf/src/search.rs:31
+    // glimt_envmap_cdf/src/search.rs:33
+    at = start;
+    // glimt_envmap_cdf/src/search.rs:34
+    left = bins;
+    // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e12 = bins;
-        if !((_e12 > 1u)) {
+        let _e9 = left;
+        if !((_e9 > 1u)) {
             break;
         }
-        // glimt_envmap_cdf/src/search.rs:32
-        let _e17 = bins;
-        let half = (_e17 / 2u);
-        // glimt_envmap_cdf/src/search.rs:33
-        let _e21 = index_12;
-        let _e25 = env_cdf_marginal[(_e21 + half)];
-        if (_e25 <= u_4) {
-            // glimt_envmap_cdf/src/search.rs:34
-            let _e28 = index_12;
-            index_12 = (_e28 + half);
-        }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e31 = bins;
-        bins = (_e31 - half);
+        let _e14 = left;
+        let half = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at;
+        let _e22 = env_cdf_marginal[(_e18 + half)];
+        if (_e22 <= u_4) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at;
+            at = (_e25 + half);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left;
+        left = (_e28 - half);
     }
-    // glimt_envmap_cdf/src/search.rs:38
-    let _e34 = index_12;
-    let first_4 = env_cdf_marginal[_e34];
-    // glimt_envmap_cdf/src/search.rs:39
-    let _e39 = index_12;
-    let _e40 = index_12;
-    let _e45 = env_cdf_marginal[(_e40 + 1u)];
-    return Bin(_e39, first_4, (_e45 - first_4));
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at;
+    let first_4 = env_cdf_marginal[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at;
+    let _e38 = at;
+    let _e43 = env_cdf_marginal[(_e38 + 1u)];
+    return Bin((_e36 - start), first_4, (_e43 - first_4));
 }
 
-// glimt_envmap_cdf/src/search.rs:27
-fn find_bin_1(edges_start: u32, edges_len: u32, u_5: u32) -> Bin {
-    var index_13: u32;
-    var bins_1: u32;
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin_1(start_1: u32, bins_1: u32, u_5: u32) -> Bin {
+    var at_1: u32;
+    var left_1: u32;
 
-    // glimt_envmap_cdf/src/search.rs:29
-    index_13 = 0u;
-    // glimt_envmap_cdf/src/search.rs:30
-    bins_1 = (edges_len - 1u);
-    // glimt_envmap_cdf/src/search.rs:31
+    // glimt_envmap_cdf/src/search.rs:33
+    at_1 = start_1;
+    // glimt_envmap_cdf/src/search.rs:34
+    left_1 = bins_1;
+    // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e12 = bins_1;
-        if !((_e12 > 1u)) {
+        let _e9 = left_1;
+        if !((_e9 > 1u)) {
             break;
         }
-        // glimt_envmap_cdf/src/search.rs:32
-        let _e17 = bins_1;
-        let half_1 = (_e17 / 2u);
-        // glimt_envmap_cdf/src/search.rs:33
-        let _e21 = index_13;
-        let _e26 = env_cdf_conditional[(edges_start + (_e21 + half_1))];
-        if (_e26 <= u_5) {
-            // glimt_envmap_cdf/src/search.rs:34
-            let _e29 = index_13;
-            index_13 = (_e29 + half_1);
-        }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e32 = bins_1;
-        bins_1 = (_e32 - half_1);
+        let _e14 = left_1;
+        let half_1 = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at_1;
+        let _e22 = env_cdf_conditional[(_e18 + half_1)];
+        if (_e22 <= u_5) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at_1;
+            at_1 = (_e25 + half_1);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left_1;
+        left_1 = (_e28 - half_1);
     }
-    // glimt_envmap_cdf/src/search.rs:38
-    let _e35 = index_13;
-    let first_5 = env_cdf_conditional[(edges_start + _e35)];
-    // glimt_envmap_cdf/src/search.rs:39
-    let _e41 = index_13;
-    let _e42 = index_13;
-    let _e48 = env_cdf_conditional[(edges_start + (_e42 + 1u))];
-    return Bin(_e41, first_5, (_e48 - first_5));
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at_1;
+    let first_5 = env_cdf_conditional[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at_1;
+    let _e38 = at_1;
+    let _e43 = env_cdf_conditional[(_e38 + 1u)];
+    return Bin((_e36 - start_1), first_5, (_e43 - first_5));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:168
@@ -3107,35 +3107,33 @@ fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_8: vec2<u32>) 
     return (pmf / _e14);
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:60
+// glimt_envmap_cdf/src/env_cdf.rs:61
 fn EnvCdf_sample(size_9: vec2<u32>, u_7: vec2<u32>) -> EnvSample {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:61
+    // glimt_envmap_cdf/src/env_cdf.rs:62
     let _e4 = EnvCdf_is_black(size_9);
     if _e4 {
-        // glimt_envmap_cdf/src/env_cdf.rs:62
+        // glimt_envmap_cdf/src/env_cdf.rs:63
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
-    // glimt_envmap_cdf/src/env_cdf.rs:68
-    let _e18 = find_bin((u_7.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let row_start = (_e18.index * (size_9.x + 1u));
+    let _e20 = find_bin(0u, size_9.y, (u_7.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_end = ((row_start + size_9.x) + 1u);
+    let row_start = (_e20.index * (size_9.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e35 = find_bin_1(row_start, (row_end - row_start), (u_7.x >> 1u));
+    let _e32 = find_bin_1(row_start, size_9.x, (u_7.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_5 = vec2<u32>(_e35.index, _e18.index);
+    let texel_5 = vec2<u32>(_e32.index, _e20.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e43 = hash2_(u_7.x, u_7.y);
+    let _e40 = hash2_(u_7.x, u_7.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e50 = place_in_bin(_e35, (u_7.x >> 1u), (_e43 & 65535u));
-    let _e56 = place_in_bin(_e18, (u_7.y >> 1u), (_e43 >> 16u));
-    let place_4 = vec2<f32>(_e50, _e56);
+    let _e47 = place_in_bin(_e32, (u_7.x >> 1u), (_e40 & 65535u));
+    let _e53 = place_in_bin(_e20, (u_7.y >> 1u), (_e40 >> 16u));
+    let place_4 = vec2<f32>(_e47, _e53);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e59 = direction_in_texel(texel_5, size_9, place_4);
-    let _e63 = density_sr(_e18.units, _e35.units, _e18.index, size_9);
-    return EnvSample(texel_5, _e59, _e63);
+    let _e56 = direction_in_texel(texel_5, size_9, place_4);
+    let _e60 = density_sr(_e20.units, _e32.units, _e20.index, size_9);
+    return EnvSample(texel_5, _e56, _e60);
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:85
@@ -3711,11 +3709,11 @@ fn Candidates_of_brdf(this_48: Candidates) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:166
-fn jittered(index_14: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:167
     let _e7 = hash2_(key_2, 4u);
-    let _e8 = permute(index_14, count_2, _e7);
+    let _e8 = permute(index_12, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
@@ -3726,11 +3724,11 @@ fn PixelPattern_triple(this_49: PixelPattern, purpose_5: u32, sample_1: u32, sam
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    let index_18 = ((this_49.ray * samples_1) + sample_1);
+    let index_16 = ((this_49.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:68
     if (this_49.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:69
-        let _e14 = PixelPattern_sobol_point(this_49, purpose_5, index_18);
+        let _e14 = PixelPattern_sobol_point(this_49, purpose_5, index_16);
         point_3 = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e17 = OwenSobol_next_uvec2_((&point_3));
@@ -3739,7 +3737,7 @@ fn PixelPattern_triple(this_49: PixelPattern, purpose_5: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    let _e22 = PixelPattern_generator(this_49, purpose_5, index_18);
+    let _e22 = PixelPattern_generator(this_49, purpose_5, index_16);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:74
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
@@ -3756,13 +3754,13 @@ fn PixelPattern_triple(this_49: PixelPattern, purpose_5: u32, sample_1: u32, sam
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:80
-    let _e42 = jittered_pair(index_18, count_3, _e25, key_3);
-    let _e43 = jittered(index_18, count_3, _e27, key_3);
+    let _e42 = jittered_pair(index_16, count_3, _e25, key_3);
+    let _e43 = jittered(index_16, count_3, _e27, key_3);
     return vec3<u32>(_e42, _e43);
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:73
-fn Candidates_draw(this_50: Candidates, index_15: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density_1: f32;
     var direction_12: vec3<f32>;
     var wi_3: vec3<f32>;
@@ -3775,9 +3773,9 @@ fn Candidates_draw(this_50: Candidates, index_15: u32, point_4: ShadingPoint, pa
     // glimt_render_gpu/src/kernels/candidates.rs:83
     density_1 = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:87
-    if (index_15 < _e8) {
+    if (index_13 < _e8) {
         // glimt_render_gpu/src/kernels/candidates.rs:88
-        let _e22 = PixelPattern_triple(pattern_2, 4u, index_15, _e8);
+        let _e22 = PixelPattern_triple(pattern_2, 4u, index_13, _e8);
         // glimt_render_gpu/src/kernels/candidates.rs:89
         let _e28 = unit_vec2_(_e22.xy);
         let _e29 = BlinnPhong_sample(point_4.brdf, point_4.wo, _e22.z, _e28);
@@ -3810,7 +3808,7 @@ fn Candidates_draw(this_50: Candidates, index_15: u32, point_4: ShadingPoint, pa
         }
     } else {
         // glimt_render_gpu/src/kernels/candidates.rs:102
-        let _e78 = PixelPattern_pair(pattern_2, 5u, (index_15 - _e8), of_env);
+        let _e78 = PixelPattern_pair(pattern_2, 5u, (index_13 - _e8), of_env);
         // glimt_render_gpu/src/kernels/candidates.rs:103
         let _e80 = Environment_sample(env_cdf_size, env_rotation, _e78);
         // glimt_render_gpu/src/kernels/candidates.rs:104
@@ -3905,45 +3903,45 @@ fn Word_next_u32_(this_53: ptr<function, Word>) -> u32 {
     return _e4;
 }
 
-// glimt_sampling/src/resample.rs:135
+// glimt_sampling/src/resample.rs:136
 fn Comb_place_tooth_1(this_54: ptr<function, Comb>, source_9: ptr<function, Word>) {
 
-    // glimt_sampling/src/resample.rs:136
+    // glimt_sampling/src/resample.rs:137
     let _e5 = (*this_54).made;
     let _e7 = (*this_54).teeth;
     if (_e5 >= _e7) {
-        // glimt_sampling/src/resample.rs:137
+        // glimt_sampling/src/resample.rs:138
         return;
     }
-    // glimt_sampling/src/resample.rs:139
+    // glimt_sampling/src/resample.rs:140
     let _e12 = (*this_54).made;
     let first_6 = f32(_e12);
-    // glimt_sampling/src/resample.rs:140
+    // glimt_sampling/src/resample.rs:141
     let _e16 = (*this_54).scheme;
     if (_e16 == 0u) {
-        // glimt_sampling/src/resample.rs:141
+        // glimt_sampling/src/resample.rs:142
         let _e21 = (*this_54).state;
         (*this_54).next = (first_6 + _e21);
     } else {
         let _e25 = (*this_54).scheme;
         if (_e25 == 1u) {
-            // glimt_sampling/src/resample.rs:143
+            // glimt_sampling/src/resample.rs:144
             let _e29 = Word_next_u32_(source_9);
             let _e30 = unit_f32_(_e29);
             (*this_54).next = (first_6 + _e30);
         } else {
-            // glimt_sampling/src/resample.rs:146
+            // glimt_sampling/src/resample.rs:147
             let _e35 = Word_next_u32_(source_9);
             let _e36 = unit_f32_(_e35);
             let v_9 = (1f - _e36);
-            // glimt_sampling/src/resample.rs:147
+            // glimt_sampling/src/resample.rs:148
             let _e40 = (*this_54).teeth;
             let _e42 = (*this_54).made;
-            let left_3 = f32((_e40 - _e42));
-            // glimt_sampling/src/resample.rs:148
-            let _e50 = (*this_54).state;
-            (*this_54).state = (_e50 * pow(v_9, (1f / left_3)));
+            let left_5 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
+            let _e50 = (*this_54).state;
+            (*this_54).state = (_e50 * pow(v_9, (1f / left_5)));
+            // glimt_sampling/src/resample.rs:150
             let _e55 = (*this_54).state;
             let _e58 = (*this_54).teeth;
             (*this_54).next = ((1f - _e55) * f32(_e58));
@@ -3952,22 +3950,22 @@ fn Comb_place_tooth_1(this_54: ptr<function, Comb>, source_9: ptr<function, Word
     return;
 }
 
-// glimt_sampling/src/resample.rs:84
+// glimt_sampling/src/resample.rs:85
 fn Comb_new_1(scheme_5: u32, picks_4: u32, sure_2: u32, source_10: ptr<function, Word>) -> Comb {
     var comb_2: Comb;
 
-    // glimt_sampling/src/resample.rs:85
+    // glimt_sampling/src/resample.rs:86
     comb_2 = Comb(scheme_5, picks_4, (max(picks_4, sure_2) - sure_2), 0u, 0f, 0f, 1f);
-    // glimt_sampling/src/resample.rs:94
+    // glimt_sampling/src/resample.rs:95
     if (scheme_5 == 0u) {
-        // glimt_sampling/src/resample.rs:95
+        // glimt_sampling/src/resample.rs:96
         let _e18 = Word_next_u32_(source_10);
         let _e19 = unit_f32_(_e18);
         comb_2.state = _e19;
     }
-    // glimt_sampling/src/resample.rs:97
-    Comb_place_tooth_1((&comb_2), source_10);
     // glimt_sampling/src/resample.rs:98
+    Comb_place_tooth_1((&comb_2), source_10);
+    // glimt_sampling/src/resample.rs:99
     let _e23 = comb_2;
     return _e23;
 }
@@ -3992,34 +3990,34 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
     return RisPicks(_e13, weights.sum, f32(samples_2), _e19, 0u, weights.end);
 }
 
-// glimt_sampling/src/resample.rs:105
+// glimt_sampling/src/resample.rs:106
 fn Comb_take_1(this_55: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
 
-    // glimt_sampling/src/resample.rs:106
+    // glimt_sampling/src/resample.rs:107
     let _e6 = (*this_55).scheme;
     let _e7 = sure_copies(_e6, expected_2);
-    // glimt_sampling/src/resample.rs:107
+    // glimt_sampling/src/resample.rs:108
     let _e12 = (*this_55).reach;
     (*this_55).reach = (_e12 + (expected_2 - f32(_e7)));
-    // glimt_sampling/src/resample.rs:108
-    let before_1 = (*this_55).made;
     // glimt_sampling/src/resample.rs:109
+    let before_1 = (*this_55).made;
+    // glimt_sampling/src/resample.rs:110
     loop {
         let _e19 = (*this_55).made;
         let _e21 = (*this_55).teeth;
         let _e24 = (*this_55).next;
         let _e26 = (*this_55).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
-            // glimt_sampling/src/resample.rs:110
+            // glimt_sampling/src/resample.rs:111
             let _e32 = (*this_55).made;
             (*this_55).made = (_e32 + 1u);
-            // glimt_sampling/src/resample.rs:111
+            // glimt_sampling/src/resample.rs:112
             Comb_place_tooth_1(this_55, source_11);
         } else {
             break;
         }
     }
-    // glimt_sampling/src/resample.rs:113
+    // glimt_sampling/src/resample.rs:114
     let _e37 = (*this_55).made;
     return (_e7 + (_e37 - before_1));
 }

@@ -12,6 +12,11 @@ struct ColourMatrix {
     blue: vec4<f32>,
 }
 
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
 struct Params {
     first: u32,
     count: u32,
@@ -58,56 +63,55 @@ fn gather(texel: u32, colour_1: ColourMatrix, reflectance: vec4<f32>) -> vec4<f3
     // glimt_probe/src/gather.rs:108
     let end = map_texels[(texel + 1u)].tap;
     // glimt_probe/src/gather.rs:109
-    // glimt_probe/src/gather.rs:110
     pixel = begin.pixel;
-    // glimt_probe/src/gather.rs:112
+    // glimt_probe/src/gather.rs:111
     even = vec4(0f);
-    // glimt_probe/src/gather.rs:113
+    // glimt_probe/src/gather.rs:112
     odd = vec4(0f);
+    // glimt_probe/src/gather.rs:113
+    i = begin.tap;
     // glimt_probe/src/gather.rs:114
-    i = 0u;
-    // glimt_probe/src/gather.rs:115
     loop {
-        let _e33 = i;
-        if !(((_e33 + 2u) <= (end - begin.tap))) {
+        let _e30 = i;
+        if !(((_e30 + 2u) <= end)) {
             break;
         }
-        // glimt_probe/src/gather.rs:116
-        let _e39 = pixel;
+        // glimt_probe/src/gather.rs:115
+        let _e36 = i;
+        let _e39 = map_taps[_e36];
         let _e40 = i;
-        let _e44 = map_taps[(begin.tap + _e40)];
-        let a = (_e39 + (_e44 >> 16u));
+        let _e45 = map_taps[(_e40 + 1u)];
+        let _e46 = Tuple_u32_u32_(_e39, _e45);
+        let tap_a = _e46.fa;
+        let tap_b = _e46.fb;
+        // glimt_probe/src/gather.rs:116
+        let _e50 = pixel;
+        let a = (_e50 + (tap_a >> 16u));
         // glimt_probe/src/gather.rs:117
-        let _e49 = i;
-        let _e55 = map_taps[(begin.tap + (_e49 + 1u))];
-        let b = (a + (_e55 >> 16u));
+        let b = (a + (tap_b >> 16u));
         // glimt_probe/src/gather.rs:118
-        let _e62 = pixels[a];
-        let _e63 = i;
-        let _e67 = map_taps[(begin.tap + _e63)];
-        let _e68 = weight(_e67);
-        let _e70 = even;
-        even = (_e70 + (_e62 * _e68));
+        let _e61 = pixels[a];
+        let _e62 = weight(tap_a);
+        let _e64 = even;
+        even = (_e64 + (_e61 * _e62));
         // glimt_probe/src/gather.rs:119
-        let _e75 = pixels[b];
-        let _e76 = i;
-        let _e82 = map_taps[(begin.tap + (_e76 + 1u))];
-        let _e83 = weight(_e82);
-        let _e85 = odd;
-        odd = (_e85 + (_e75 * _e83));
+        let _e69 = pixels[b];
+        let _e70 = weight(tap_b);
+        let _e72 = odd;
+        odd = (_e72 + (_e69 * _e70));
         // glimt_probe/src/gather.rs:120
         pixel = b;
         // glimt_probe/src/gather.rs:121
-        let _e90 = i;
-        i = (_e90 + 2u);
+        let _e77 = i;
+        i = (_e77 + 2u);
     }
     // glimt_probe/src/gather.rs:123
     let reflected = (reflectance + ((vec4(1f) - reflectance) * begin.grazing));
     // glimt_probe/src/gather.rs:124
-    let _e100 = even;
-    let _e101 = odd;
-    let _e106 = ColourMatrix_apply(colour_1, (((_e100 + _e101) * 0.000015259022f) / reflected));
-    return _e106;
+    let _e87 = even;
+    let _e88 = odd;
+    let _e93 = ColourMatrix_apply(colour_1, (((_e87 + _e88) * 0.000015259022f) / reflected));
+    return _e93;
 }
 
 // glimt_render_gpu/src/kernels/unwarp.rs:9

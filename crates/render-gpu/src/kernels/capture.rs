@@ -70,9 +70,7 @@ impl CaptureParams {
             forward: self.forward,
             radius_over_distance: self.radius_over_distance,
             right: self.right,
-            unused_a: 0.0,
             up: self.up,
-            unused_b: 0.0,
         }
     }
 

@@ -4,7 +4,7 @@ use glam::{UVec2, UVec4, Vec2};
 use glimt_sampling::hash::{hash_u32, hash_uvec4, hash2, hash3};
 use glimt_sampling::sobol::{owen_sobol, sobol_reversed};
 use glimt_sampling::{OwenSobol, UniformSource, Xoshiro128PlusPlus, unit_f32, unit_vec2};
-use glimt_tests::stats::{Mean, chi_square, kolmogorov_smirnov, sidak, z_test};
+use glimt_statistics::stats::{Mean, chi_square, kolmogorov_smirnov, sidak, z_test};
 
 /// Level of all statistical tests of this file together.
 const ALPHA: f64 = 0.01;

@@ -11,8 +11,8 @@ use glimt_probe::latlong::{direction_to_texel, texel_solid_angle_sr};
 use glimt_sampling::mis::multi_sample_density;
 use glimt_sampling::warp::{pdf_cosine_hemisphere_sr, sample_cosine_hemisphere};
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_vec2};
-use glimt_tests::quadrature::integrate_texels;
-use glimt_tests::stats::{Mean, within, z_test};
+use glimt_statistics::quadrature::integrate_texels;
+use glimt_statistics::stats::{Mean, within, z_test};
 
 const SIZE: UVec2 = UVec2::new(16, 8);
 const ALPHA: f64 = 0.01;

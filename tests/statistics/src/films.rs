@@ -1,22 +1,14 @@
-//! Host file: unnormalised densities over the sphere that change from frame to frame, with exact integrals, and densities to
-//! draw directions from.
-
-#![allow(dead_code, reason = "each test file takes what it needs")]
+//! Host file: unnormalised densities over the sphere that change from frame to frame, with exact integrals.
 
 use std::f64::consts::TAU;
 
-use glam::{UVec3, Vec3};
-use glimt_sampling::warp::{
-    pdf_cosine_hemisphere_sr, pdf_power_cosine_sr, pdf_uniform_sphere_sr, sample_cosine_hemisphere,
-    sample_power_cosine, sample_uniform_sphere,
-};
-use glimt_sampling::{ShadingFrame, unit_vec2};
-use glimt_smc::{Endpoints, Sampled, StateSampler, Target, split_word};
-use glimt_statistics::quadrature::{Direction, integrate_band};
+use glam::Vec3;
+
+use crate::quadrature::{Direction, integrate_band};
 
 /// What is integrated: γ_t times one of these.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Phi {
+pub enum Phi {
     /// 1: the normaliser.
     One,
     /// The direction's x.
@@ -25,13 +17,16 @@ pub(crate) enum Phi {
     Visible,
 }
 
-pub(crate) const PHIS: [Phi; 3] = [Phi::One, Phi::X, Phi::Visible];
+/// All of them.
+pub const PHIS: [Phi; 3] = [Phi::One, Phi::X, Phi::Visible];
 
 /// The edge between the third and the fourth of eight rows of equal area.
 const VISIBLE_Z: f64 = 0.25;
 
 impl Phi {
-    pub(crate) fn at(self, d: Vec3) -> f64 {
+    /// φ in the direction `d` (unit length).
+    #[must_use]
+    pub fn at(self, d: Vec3) -> f64 {
         match self {
             Phi::One => 1.0,
             Phi::X => f64::from(d.x),
@@ -41,7 +36,8 @@ impl Phi {
 }
 
 /// A density γ_t, t = 0, 1, …
-pub(crate) trait Film: Sync {
+pub trait Film: Sync {
+    /// γ_t in the direction `d` (unit length).
     fn gamma(&self, t: u32, d: Vec3) -> f32;
 
     /// At least γ_t anywhere, for any t.
@@ -49,23 +45,6 @@ pub(crate) trait Film: Sync {
 
     /// ∫ γ_t φ, in f64.
     fn exact(&self, t: u32, phi: Phi) -> f64;
-}
-
-/// γ_{t−1} and γ_t of a film, times a constant.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Between<'a, F: ?Sized> {
-    pub(crate) film: &'a F,
-    pub(crate) t: u32,
-    pub(crate) scale: f32,
-}
-
-impl<F: Film + ?Sized> Target for Between<'_, F> {
-    fn densities(&self, state: Vec3) -> Endpoints {
-        Endpoints {
-            previous: self.scale * self.film.gamma(self.t - 1, state),
-            current: self.scale * self.film.gamma(self.t, state),
-        }
-    }
 }
 
 fn to_f64(v: Vec3) -> Direction {
@@ -88,21 +67,23 @@ fn integral(f: impl Fn(Direction) -> f64, from: f64, phi: Phi) -> f64 {
 }
 
 /// Where the light is in frame t: it climbs and turns.
-pub(crate) fn light(t: u32) -> Vec3 {
+#[must_use]
+pub fn light(t: u32) -> Vec3 {
     let angle = 0.4 + 0.08 * t as f32;
     Vec3::new(angle.sin() * 0.8, 0.6 * angle.sin(), angle.cos())
 }
 
 /// The product of two von Mises-Fisher lobes, of which one moves: `exp(κ_1 (μ_t·ω − 1) + κ_2 (m·ω − 1))`, itself such a lobe.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Product;
+pub struct Product;
 
 impl Product {
     const KAPPA: [f32; 2] = [3.5, 1.5];
     const FIXED: Vec3 = Vec3::new(0.48, -0.6, 0.64);
 
     /// `κ_1 μ_t + κ_2 m`.
-    pub(crate) fn axis(t: u32) -> Vec3 {
+    #[must_use]
+    pub fn axis(t: u32) -> Vec3 {
         Self::KAPPA[0] * light(t) + Self::KAPPA[1] * Self::FIXED
     }
 }
@@ -135,13 +116,15 @@ impl Film for Product {
 
 /// Light that moves above a glossy surface: `(exp(κ (μ_t·ω − 1)) + ε) (k_d/π + k_s lobe) ⟨ω·n⟩`, 0 below the horizon.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Glossy;
+pub struct Glossy;
 
 impl Glossy {
     const KAPPA: f64 = 8.0;
     const FLOOR: f64 = 0.05;
-    const EXPONENT: f32 = 3.0;
-    const MIRRORED: Vec3 = Vec3::new(-0.48, 0.64, 0.6);
+    /// The exponent of a cosine lobe about [`Glossy::MIRRORED`] to draw from.
+    pub const EXPONENT: f32 = 3.0;
+    /// The axis of the surface's lobe.
+    pub const MIRRORED: Vec3 = Vec3::new(-0.48, 0.64, 0.6);
 
     fn value(t: u32, d: Direction) -> f64 {
         let light = (Self::KAPPA * (dot(to_f64(light(t)), d) - 1.0)).exp() + Self::FLOOR;
@@ -169,7 +152,7 @@ impl Film for Glossy {
 
 /// A map of 16 × 8 texels of equal area: a dim pattern with black texels, and a bright block that moves by a column a frame.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Map;
+pub struct Map;
 
 impl Map {
     const COLUMNS: u32 = 16;
@@ -222,103 +205,5 @@ impl Film for Map {
             }
         }
         sum
-    }
-}
-
-/// The density of a von Mises-Fisher lobe of the given κ times unit axis.
-pub(crate) fn pdf_lobe_sr(axis: Vec3, d: Vec3) -> f32 {
-    let k = axis.length();
-    k / (std::f32::consts::TAU * (1.0 - (-2.0 * k).exp())) * (axis.dot(d) - k).exp()
-}
-
-/// A direction of that density.
-pub(crate) fn sample_lobe(axis: Vec3, u: UVec3) -> Vec3 {
-    let k = axis.length();
-    let u = unit_vec2(u.truncate());
-    let z = (1.0 + (u.x + (1.0 - u.x) * (-2.0 * k).exp()).max(1e-30).ln() / k).max(-1.0);
-    let (r, phi) = ((1.0 - z * z).max(0.0).sqrt(), std::f32::consts::TAU * u.y);
-    let local = Vec3::new(r * phi.cos(), r * phi.sin(), z);
-    ShadingFrame::from_normal(axis / k)
-        .to_world(local)
-        .normalize()
-}
-
-/// Where candidates and independent proposals come from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Candidates {
-    /// The whole sphere evenly.
-    Uniform,
-    /// The hemisphere by the cosine or a lobe about the mirrored direction, half each; what lies below the horizon is impossible.
-    Brdf,
-    /// Half as `Brdf`, half a lobe of the light in frame t, of the whole sphere.
-    Mixture(u32),
-}
-
-impl Candidates {
-    fn lobe_axis(t: u32) -> Vec3 {
-        2.5 * light(t)
-    }
-
-    fn impossible() -> Sampled {
-        Sampled {
-            state: Vec3::NEG_Z,
-            pdf: 0.0,
-        }
-    }
-}
-
-impl StateSampler for Candidates {
-    fn sample(&self, u: UVec3) -> Sampled {
-        let plane = unit_vec2(u.truncate());
-        let state = match self {
-            Candidates::Uniform => sample_uniform_sphere(plane).direction,
-            Candidates::Brdf => {
-                let split = split_word(u.z, 0.5);
-                let state = if split.first {
-                    sample_cosine_hemisphere(plane).direction
-                } else {
-                    let local = sample_power_cosine(plane, Glossy::EXPONENT).direction;
-                    ShadingFrame::from_normal(Glossy::MIRRORED).to_world(local)
-                };
-                if !(state.z > 0.0) {
-                    return Self::impossible();
-                }
-                state
-            }
-            Candidates::Mixture(t) => {
-                let split = split_word(u.z, 0.5);
-                let rest = UVec3::new(u.x, u.y, split.word);
-                if split.first {
-                    let drawn = Candidates::Brdf.sample(rest);
-                    if drawn.pdf == 0.0 {
-                        return drawn;
-                    }
-                    drawn.state
-                } else {
-                    sample_lobe(Self::lobe_axis(*t), rest)
-                }
-            }
-        };
-        Sampled {
-            state,
-            pdf: self.pdf(state),
-        }
-    }
-
-    fn pdf(&self, d: Vec3) -> f32 {
-        match self {
-            Candidates::Uniform => pdf_uniform_sphere_sr(),
-            Candidates::Brdf => {
-                if !(d.z > 0.0) {
-                    return 0.0;
-                }
-                let local = ShadingFrame::from_normal(Glossy::MIRRORED).to_local(d);
-                0.5 * pdf_cosine_hemisphere_sr(d)
-                    + 0.5 * pdf_power_cosine_sr(local, Glossy::EXPONENT)
-            }
-            Candidates::Mixture(t) => {
-                0.5 * Candidates::Brdf.pdf(d) + 0.5 * pdf_lobe_sr(Self::lobe_axis(*t), d)
-            }
-        }
     }
 }

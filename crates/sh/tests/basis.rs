@@ -11,9 +11,9 @@ use glimt_sh::{
     filament_irradiance, from_filament_irradiance, hann, irradiance, meridian, ring, rotate_z,
     rotated, stratified_direction, temporal_filter, temporally_filtered, windowed,
 };
-use glimt_tests::harmonics::{harmonic, indices, sphere_rule};
-use glimt_tests::quadrature::{Direction, direction, gauss_legendre};
-use glimt_tests::worst::{larger, worst};
+use glimt_statistics::harmonics::{harmonic, indices, sphere_rule};
+use glimt_statistics::quadrature::{Direction, direction, gauss_legendre};
+use glimt_statistics::worst::{larger, worst};
 
 fn to_f64(d: Vec3) -> Direction {
     [f64::from(d.x), f64::from(d.y), f64::from(d.z)]

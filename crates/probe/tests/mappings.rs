@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 use glam::{UVec2, Vec2, Vec3};
 use glimt_probe::{angular, latlong, rotate, trig};
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_f32, unit_vec2, warp};
-use glimt_tests::quadrature::{Direction, integrate_patch};
-use glimt_tests::stats::{SphereBins, chi_square, kolmogorov_smirnov, sidak, within};
+use glimt_statistics::quadrature::{Direction, integrate_patch};
+use glimt_statistics::stats::{SphereBins, chi_square, kolmogorov_smirnov, sidak, within};
 
 const SIZES: [UVec2; 9] = [
     UVec2::new(1, 1),

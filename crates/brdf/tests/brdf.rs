@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI, TAU};
 use glam::Vec3;
 use glimt_brdf::{BlinnPhong, Lambert, MAX_EXPONENT, MaterialError, cosine_power, normalisation};
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_vec2};
-use glimt_tests::quadrature::{Direction, direction, gauss_legendre, integrate_hemisphere};
-use glimt_tests::stats::{Mean, SphereBins, Verdict, chi_square, sidak, within, z_test};
+use glimt_statistics::quadrature::{Direction, direction, gauss_legendre, integrate_hemisphere};
+use glimt_statistics::stats::{Mean, SphereBins, Verdict, chi_square, sidak, within, z_test};
 use proptest::prelude::{
     ProptestConfig, Strategy, any, prop_assert, prop_assert_eq, prop_assume, proptest,
 };

@@ -1,12 +1,13 @@
 //! Host file: photographs and models that are not part of the project: used where they are, and skipped visibly elsewhere.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Where a file of the data beside the workspace would be.
 #[must_use]
 pub fn data(path: &str) -> PathBuf {
-    crate::golden::root().join("../shared/data").join(path)
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    root.join("../shared/data").join(path)
 }
 
 /// The file, or `None` after a line on standard error where it is not.

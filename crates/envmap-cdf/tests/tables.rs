@@ -9,8 +9,8 @@ use glimt_envmap_cdf::{
 };
 use glimt_probe::latlong;
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus};
-use glimt_tests::quadrature::integrate_texels;
-use glimt_tests::stats::{Verdict, chi_square, kolmogorov_smirnov, sidak, within};
+use glimt_statistics::quadrature::integrate_texels;
+use glimt_statistics::stats::{Verdict, chi_square, kolmogorov_smirnov, sidak, within};
 use proptest::prelude::{
     Just, ProptestConfig, Strategy, any, prop, prop_assert, prop_assert_eq, prop_oneof, proptest,
 };
@@ -542,6 +542,28 @@ fn sizes_and_lengths_are_checked() {
 }
 
 #[test]
+fn what_lies_behind_the_tables_is_not_read() {
+    for (name, map) in fixed_maps() {
+        let tables = Tables::of(&map);
+        let exact = tables.view();
+        for behind in [0, 1 << 29, u32::MAX] {
+            let padded = |table: &[u32]| [table, &[behind; 4096]].concat();
+            let (marginal, conditional) = (padded(&tables.marginal), padded(&tables.conditional));
+            let longer = EnvCdf {
+                size: map.size,
+                marginal: &marginal,
+                conditional: &conditional,
+            };
+            let mut source = Xoshiro128PlusPlus::stream(31, 0, behind);
+            for _ in 0..1000 {
+                let u = source.next_uvec2();
+                assert_eq!(longer.sample(u), exact.sample(u), "{name}, {behind} behind");
+            }
+        }
+    }
+}
+
+#[test]
 fn f32_uniforms_miss_narrow_texels() {
     let map = Map::new(3, 1, |x, _| [1.0, 3e-8, 0.7][x as usize]);
     let tables = Tables::of(&map);
@@ -601,7 +623,7 @@ fn f32_edges(weights: impl Iterator<Item = f32>) -> Vec<f32> {
 #[test]
 fn a_studio_map_loses_no_texel() {
     let name = "hdri/studio_small_03_1k.hdr";
-    let Some(path) = glimt_tests::data::data_or_skip("envmap_cdf", name) else {
+    let Some(path) = glimt_statistics::data::data_or_skip("envmap_cdf", name) else {
         return;
     };
     let image = image::open(path).unwrap().into_rgb32f();
@@ -697,12 +719,18 @@ proptest! {
     }
 
     #[test]
-    fn search_agrees_with_counting(mut inner in prop::collection::vec(0..=UNITS, 0..70), u in 0..UNITS) {
+    fn search_agrees_with_counting(
+        mut inner in prop::collection::vec(0..=UNITS, 0..70),
+        u in 0..UNITS,
+        around in prop::array::uniform2(prop::collection::vec(any::<u32>(), 0..70)),
+    ) {
         inner.sort_unstable();
         let edges: Vec<u32> = [0].into_iter().chain(inner).chain([UNITS]).collect();
+        let [before, behind] = &around;
+        let slice = [before, edges.as_slice(), behind].concat();
         for u in edges.iter().copied().filter(|e| *e < UNITS).chain([u]) {
             let last = edges.iter().rposition(|e| *e <= u).unwrap();
-            let bin = find_bin(&edges, u);
+            let bin = find_bin(&slice, before.len(), edges.len() - 1, u);
             prop_assert_eq!(bin.index as usize, last);
             prop_assert_eq!((bin.first, bin.units), (edges[last], edges[last + 1] - edges[last]));
         }

@@ -13,8 +13,9 @@ use glimt_smc::{
     Bridge, CapMove, Independent, LOG_ZERO, Mixture, Particle, Path, Proposal, Report, Sampler,
     StateSampler, is_log_zero, weights,
 };
+use glimt_statistics::films::{Film, Glossy, Map, PHIS, Phi, Product};
 use glimt_statistics::stats::{Mean, sidak, within, z_test};
-use targets::{Between, Candidates, Film, Glossy, Map, PHIS, Phi, Product};
+use targets::{Between, Candidates};
 
 const SCHEMES: [Scheme; 4] = [
     Scheme::Systematic,

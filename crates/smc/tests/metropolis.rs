@@ -10,9 +10,10 @@ use glimt_sampling::warp::{cap_height, sample_uniform_sphere};
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_f32, unit_vec2};
 use glimt_smc::metropolis::metropolis;
 use glimt_smc::{Bridge, CapMove, Independent, Mixture, Particle, Path, Proposal, Target};
+use glimt_statistics::films::{Film, Glossy, Map, Product};
 use glimt_statistics::quadrature::{Direction, direction};
 use glimt_statistics::stats::{Mean, SphereBins, chi_square, sidak, z_test};
-use targets::{Between, Candidates, Film, Glossy, Map, Product};
+use targets::{Between, Candidates};
 
 /// Cells on whose edges lie the horizon and the edges of [`Map`]'s texels.
 const CELLS: SphereBins = SphereBins {

@@ -1,13 +1,14 @@
 //! Host file: sampling-importance-resampling is unbiased for any number of candidates and samples.
 
-mod targets;
-
-use glam::UVec3;
+use glam::{UVec3, Vec3};
 use glimt_sampling::ris::{RisPicks, RisSum};
-use glimt_sampling::{OwenSobol, UniformSource, Xoshiro128PlusPlus};
-use glimt_smc::{Sampled, StateSampler};
+use glimt_sampling::warp::{
+    pdf_cosine_hemisphere_sr, pdf_power_cosine_sr, pdf_uniform_sphere_sr, sample_cosine_hemisphere,
+    sample_power_cosine, sample_uniform_sphere,
+};
+use glimt_sampling::{OwenSobol, ShadingFrame, UniformSource, Xoshiro128PlusPlus, unit_vec2};
+use glimt_statistics::films::{Film, Glossy, Map, PHIS, Product};
 use glimt_statistics::stats::{Mean, sidak, z_test};
-use targets::{Candidates, Film, Glossy, Map, PHIS, Product};
 
 const SEED: u32 = 21;
 const COUNTS: [u32; 5] = [1, 2, 3, 16, 64];
@@ -40,17 +41,82 @@ impl Pattern {
     }
 }
 
+/// Where candidates come from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Candidates {
+    /// The whole sphere evenly.
+    Uniform,
+    /// The hemisphere by the cosine or a lobe about the mirrored direction, half each; what lies below the horizon is impossible.
+    Brdf,
+    /// Half as `Brdf`, half as `Uniform`.
+    Mixture,
+}
+
+/// A candidate and its density q, in 1/sr; 0 marks an impossible one.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    direction: Vec3,
+    pdf_sr: f32,
+}
+
+impl Candidates {
+    fn sample(self, u: UVec3) -> Candidate {
+        let plane = unit_vec2(u.truncate());
+        // The first bit of a word chooses, the others choose again.
+        let (first, rest) = (u.z < 1 << 31, UVec3::new(u.x, u.y, u.z << 1));
+        let direction = match self {
+            Candidates::Uniform => sample_uniform_sphere(plane).direction,
+            Candidates::Brdf if first => sample_cosine_hemisphere(plane).direction,
+            Candidates::Brdf => {
+                let local = sample_power_cosine(plane, Glossy::EXPONENT).direction;
+                ShadingFrame::from_normal(Glossy::MIRRORED).to_world(local)
+            }
+            Candidates::Mixture => {
+                let half = if first {
+                    Candidates::Brdf
+                } else {
+                    Candidates::Uniform
+                };
+                let drawn = half.sample(rest);
+                if drawn.pdf_sr == 0.0 {
+                    return drawn;
+                }
+                drawn.direction
+            }
+        };
+        Candidate {
+            direction,
+            pdf_sr: self.pdf_sr(direction),
+        }
+    }
+
+    fn pdf_sr(self, d: Vec3) -> f32 {
+        match self {
+            Candidates::Uniform => pdf_uniform_sphere_sr(),
+            Candidates::Brdf if !(d.z > 0.0) => 0.0,
+            Candidates::Brdf => {
+                let local = ShadingFrame::from_normal(Glossy::MIRRORED).to_local(d);
+                0.5 * pdf_cosine_hemisphere_sr(d)
+                    + 0.5 * pdf_power_cosine_sr(local, Glossy::EXPONENT)
+            }
+            Candidates::Mixture => {
+                0.5 * Candidates::Brdf.pdf_sr(d) + 0.5 * Candidates::Uniform.pdf_sr(d)
+            }
+        }
+    }
+}
+
 /// γ/q.
-fn weight(film: &dyn Film, t: u32, drawn: &Sampled) -> f32 {
-    if drawn.pdf > 0.0 {
-        film.gamma(t, drawn.state) / drawn.pdf
+fn weight(film: &dyn Film, t: u32, drawn: &Candidate) -> f32 {
+    if drawn.pdf_sr > 0.0 {
+        film.gamma(t, drawn.direction) / drawn.pdf_sr
     } else {
         0.0
     }
 }
 
 /// One estimate of ∫ γ φ for each φ, and of the normaliser.
-fn estimate(film: &dyn Film, t: u32, drawn: &[Sampled], samples: u32, word: u32) -> [f64; 4] {
+fn estimate(film: &dyn Film, t: u32, drawn: &[Candidate], samples: u32, word: u32) -> [f64; 4] {
     let mut weights = RisSum::new();
     for candidate in drawn {
         weights.add(weight(film, t, candidate));
@@ -62,8 +128,8 @@ fn estimate(film: &dyn Film, t: u32, drawn: &[Sampled], samples: u32, word: u32)
         let copies = picks.take(weight(film, t, candidate));
         if copies > 0 {
             for (estimate, phi) in estimates.iter_mut().zip(PHIS) {
-                *estimate +=
-                    normaliser * f64::from(copies) / f64::from(samples) * phi.at(candidate.state);
+                *estimate += normaliser * f64::from(copies) / f64::from(samples)
+                    * phi.at(candidate.direction);
             }
         }
     }
@@ -84,14 +150,14 @@ fn unbiased(film: &dyn Film, candidates: &[Candidates]) {
         for pattern in [Pattern::Independent, Pattern::OwenSobol] {
             for m in COUNTS {
                 let repetitions = (200_000 / m).clamp(4000, 12_000);
-                let drawn: Vec<Vec<Sampled>> = (0..repetitions)
+                let drawn: Vec<Vec<Candidate>> = (0..repetitions)
                     .map(|r| {
                         let words = pattern.candidates(r, m);
                         words.into_iter().map(|u| candidate.sample(u)).collect()
                     })
                     .collect();
                 if *candidate != Candidates::Uniform {
-                    let impossible = drawn.iter().flatten().filter(|d| d.pdf == 0.0).count();
+                    let impossible = drawn.iter().flatten().filter(|d| d.pdf_sr == 0.0).count();
                     assert!(impossible * 50 > drawn.len(), "{impossible} are impossible");
                 }
                 for n in COUNTS {
@@ -128,11 +194,7 @@ fn unbiased_under_a_texel_map() {
 
 #[test]
 fn unbiased_under_light_over_a_glossy_surface() {
-    let candidates = [
-        Candidates::Uniform,
-        Candidates::Brdf,
-        Candidates::Mixture(2),
-    ];
+    let candidates = [Candidates::Uniform, Candidates::Brdf, Candidates::Mixture];
     unbiased(&Glossy, &candidates);
 }
 

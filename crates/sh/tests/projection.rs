@@ -2,17 +2,16 @@
 
 use std::f64::consts::{PI, TAU};
 
-use glam::{UVec2, Vec3, Vec4};
+use glam::{UVec2, Vec3};
 use glimt_probe::latlong;
-use glimt_render_gpu::host::projection::Projector;
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_f32};
 use glimt_sh::{
     LightCoefficients, Projection, RingTable, ShError, basis, build_ring_table_into,
     coefficient_band, cosine_lobe, ring_table_len,
 };
-use glimt_tests::harmonics::{harmonic, indices};
-use glimt_tests::quadrature::{Direction, direction};
-use glimt_tests::worst::{larger, worst};
+use glimt_statistics::harmonics::{harmonic, indices};
+use glimt_statistics::quadrature::{Direction, direction};
+use glimt_statistics::worst::{larger, worst};
 
 const SIZES: [(u32, u32); 12] = [
     (1, 1),
@@ -416,32 +415,4 @@ fn what_cannot_be_is_an_error() {
     ] {
         assert!(!error.to_string().is_empty());
     }
-}
-
-#[test]
-fn threads_change_no_bit() {
-    let size = UVec2::new(404, 203);
-    let map = random_map(size);
-    let fourth: Vec<Vec4> = map
-        .iter()
-        .map(|t| Vec3::from_array(*t).extend(1e9))
-        .collect();
-    let projector = Projector::new(size, 5, 3).unwrap();
-    assert_eq!((projector.size(), projector.bands()), (size, 5));
-    let found = projector.project(&map).unwrap();
-    let one = rayon::ThreadPoolBuilder::new()
-        .num_threads(1)
-        .build()
-        .unwrap();
-    assert_eq!(one.install(|| projector.project(&map)).unwrap(), found);
-    let exact = by_formula(&map, size, 5);
-    let flux = flux(&map, size);
-    assert!(difference(&found, &exact, flux) <= 1e-6);
-    let wide = Projector::new(size, 5, 4)
-        .unwrap()
-        .project_vec4(&fourth)
-        .unwrap();
-    assert!(difference(&wide, &exact, flux) <= 1e-6);
-    assert!(projector.project(&map[1..]).is_err());
-    assert!(projector.project_vec4(&fourth).is_err());
 }

@@ -3,8 +3,12 @@
 use glam::{Vec2, Vec3};
 use glimt_sampling::warp::{self, DirectionSample};
 use glimt_sampling::{ShadingFrame, UniformSource, Xoshiro128PlusPlus, mis, unit_f32, unit_vec2};
-use glimt_tests::quadrature::{Direction, integrate_band, integrate_hemisphere, integrate_sphere};
-use glimt_tests::stats::{Mean, SphereBins, chi_square, kolmogorov_smirnov, sidak, within, z_test};
+use glimt_statistics::quadrature::{
+    Direction, integrate_band, integrate_hemisphere, integrate_sphere,
+};
+use glimt_statistics::stats::{
+    Mean, SphereBins, chi_square, kolmogorov_smirnov, sidak, within, z_test,
+};
 
 /// Level of all statistical tests of this file together.
 const ALPHA: f64 = 0.01;

@@ -5,10 +5,10 @@ use std::f64::consts::{FRAC_1_PI, PI};
 use glam::{UVec2, Vec2, Vec3};
 use glimt_probe::latlong;
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_vec2, warp};
-use glimt_tests::quadrature::{
+use glimt_statistics::quadrature::{
     Direction, Integral, integrate_band, integrate_hemisphere, integrate_sphere, integrate_texels,
 };
-use glimt_tests::stats::{
+use glimt_statistics::stats::{
     Mean, SphereBins, Verdict, chi_square, kolmogorov_smirnov, sidak, within, z_test,
 };
 
