@@ -1,12 +1,11 @@
 //! Host file: what there is to render: a shot file or the built-in shot, loaded and checked, ready for the pipeline.
 
 use crate::bake;
-use crate::capture::colour;
 use crate::cli::{PastFlags, RenderFlags};
 use crate::error::{Error, Result};
 use crate::input::footage::{self, Footage};
 use crate::input::frames::FrameFiles;
-use crate::input::probe::Probe;
+use crate::light::{Probe, colour};
 use crate::notes::Notes;
 use crate::output::state::{self, Saved};
 use crate::report::Reporter;

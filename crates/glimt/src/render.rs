@@ -125,7 +125,7 @@ impl Stage {
                 .map_err(|e| job.setup.refused_scene(job.setup.first, &e))?,
             renderer: device::open(device)?,
         };
-        bake::give(&job.setup, &job.setup.shot, &mut stage.scene)?;
+        bake::set_transfer(&job.setup, &job.setup.shot, &mut stage.scene)?;
         if let Some(saved) = &job.state_in {
             let state = Some(saved.state.clone());
             stage

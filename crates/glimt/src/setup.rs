@@ -2,13 +2,13 @@
 
 use crate::cli::RenderFlags;
 use crate::error::{Error, Kind, Result};
-use crate::mesh::place::{self, Mover};
 use crate::notes::Notes;
 use crate::output::aov;
+use crate::scene::place::{self, Mover};
+use crate::scene::view::View;
 use crate::shot::digest::{self, Hash};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot};
-use crate::view::View;
 use glam::{Mat4, UVec2};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::render::{
@@ -226,7 +226,12 @@ impl Setup {
 
     /// Settings of a frame that is seen from `camera`.
     pub fn settings(&self, frame: u32, camera: Camera) -> RenderSettings {
-        let (image, render) = (&self.shot.image, &self.shot.render);
+        Self::settings_of(&self.shot, frame, camera)
+    }
+
+    /// Settings of a frame of `shot` that is seen from `camera`.
+    pub fn settings_of(shot: &Shot, frame: u32, camera: Camera) -> RenderSettings {
+        let (image, render) = (&shot.image, &shot.render);
         RenderSettings {
             size: UVec2::from(image.size),
             camera,
@@ -262,12 +267,12 @@ impl Setup {
                 shot::Tonemap::Srgb => Tonemap::Srgb,
                 shot::Tonemap::Reinhard => Tonemap::Reinhard,
             },
-            shadow: match self.shot.backplate.as_ref().map(|plate| plate.shadow) {
+            shadow: match shot.backplate.as_ref().map(|plate| plate.shadow) {
                 Some(shot::Shadow::Add) => Shadow::Add,
                 Some(shot::Shadow::Multiply) | None => Shadow::Multiply,
             },
-            layers: aov::any_layer(&self.shot.output.aovs),
-            diagnostics: aov::any_diagnostic(&self.shot.output.aovs),
+            layers: aov::any_layer(&shot.output.aovs),
+            diagnostics: aov::any_diagnostic(&shot.output.aovs),
         }
     }
 }

@@ -5,8 +5,8 @@
 
 use super::moments::Moments;
 use super::reference::Reference;
-use super::stage::luminance_of;
 use super::statistics::{Estimate, normal_two_sided, sidak, student_two_sided};
+use super::trial_renderer::luminance_of;
 use glam::{Vec3, Vec4};
 use serde::{Deserialize, Serialize};
 

@@ -6,7 +6,7 @@ use super::lineage::Lineage;
 use super::measures::{mean_offset, square_error, square_flicker};
 use super::moments::{Kept, Moments};
 use super::reference::Reference;
-use super::stage::{Stage, luminance_of};
+use super::trial_renderer::{TrialRenderer, luminance_of};
 use crate::error::Result;
 use crate::shot::digest;
 use serde::{Deserialize, Serialize};
@@ -43,7 +43,8 @@ pub struct Record {
 pub type Trial = Kept<Vec<Record>>;
 
 /// Where and what to render.
-pub struct Plan {
+#[derive(Clone, Debug)]
+pub struct TrialPlan {
     /// Frames of the shot, in order, and their identities.
     pub frames: Vec<(u32, String)>,
     /// Frames in which errors are measured, in order.
@@ -54,7 +55,7 @@ pub struct Plan {
     pub folder: PathBuf,
 }
 
-impl Plan {
+impl TrialPlan {
     /// The frame before, if the shot has it.
     #[must_use]
     pub fn before(&self, frame: u32) -> Option<u32> {
@@ -143,9 +144,9 @@ fn tag(references: &[Reference]) -> String {
 /// # Errors
 /// A frame cannot be rendered.
 pub fn pilot(
-    plan: &Plan,
+    plan: &TrialPlan,
     contestant: &Contestant,
-    stage: &mut Stage<'_>,
+    renderer: &mut TrialRenderer<'_>,
     progress: &mut dyn FnMut(f64),
 ) -> Result<Vec<f64>> {
     let last = plan.measured.last().copied().unwrap_or(0);
@@ -161,7 +162,7 @@ pub fn pilot(
     {
         return Ok(errors);
     }
-    let mut moments = vec![Moments::new(stage.size()); plan.measured.len()];
+    let mut moments = vec![Moments::new(renderer.size()); plan.measured.len()];
     let frames = match contestant.is_stateful() {
         true => plan.sequence(contestant),
         false => plan.measured.clone(),
@@ -169,9 +170,9 @@ pub fn pilot(
     for k in 0..PILOT_SEEDS {
         // Others than those of the trials.
         let seed = plan.seed(contestant, k).wrapping_add(1 << 30);
-        stage.break_off()?;
+        renderer.forget_past()?;
         for &frame in &frames {
-            let image = stage.render(&contestant.shot, frame, seed)?;
+            let image = renderer.render(&contestant.shot, frame, seed)?;
             progress(image.seconds);
             if let Ok(i) = plan.measured.binary_search(&frame) {
                 moments[i].push(&image.pixels);
@@ -196,8 +197,8 @@ pub fn pilot(
 /// What a contestant's trials have in common.
 pub struct Trials<'a> {
     /// What to render.
-    pub plan: &'a Plan,
-    /// References of [`Plan::needed`], in that order.
+    pub plan: &'a TrialPlan,
+    /// References of [`TrialPlan::needed`], in that order.
     pub references: &'a [Reference],
     /// What they display, where FLIP is measured.
     shown: Vec<Vec<u8>>,
@@ -210,15 +211,15 @@ impl<'a> Trials<'a> {
     /// # Errors
     /// The shot's settings are refused.
     pub fn new(
-        plan: &'a Plan,
+        plan: &'a TrialPlan,
         references: &'a [Reference],
         of: &Contestant,
-        stage: &mut Stage<'_>,
+        renderer: &TrialRenderer<'_>,
     ) -> Result<Self> {
         let mut shown = Vec::new();
         if flip::IS_THERE {
             for reference in references {
-                shown.push(stage.display(&of.shot, &reference.moments.mean)?);
+                shown.push(renderer.display(&of.shot, &reference.moments.mean)?);
             }
         }
         Ok(Self {
@@ -250,13 +251,13 @@ impl<'a> Trials<'a> {
         self.plan.identity(contestant, frame, &what)
     }
 
-    fn open(&self, contestant: &Contestant, frame: u32, stage: &Stage<'_>) -> Trial {
+    fn open(&self, contestant: &Contestant, frame: u32, renderer: &TrialRenderer<'_>) -> Trial {
         let file = self.plan.file(contestant, frame);
-        let kept = Trial::read(&file, &self.identity(contestant, frame), stage.size());
+        let kept = Trial::read(&file, &self.identity(contestant, frame), renderer.size());
         // A run with more seeds goes on; what one with fewer finds cannot be divided.
         let kept = kept.filter(|k| k.about.len() <= self.plan.seeds as usize);
         kept.unwrap_or_else(|| Trial {
-            moments: Moments::new(stage.size()),
+            moments: Moments::new(renderer.size()),
             sample: None,
             about: Vec::new(),
         })
@@ -269,14 +270,14 @@ impl<'a> Trials<'a> {
     pub fn run(
         &self,
         contestant: &Contestant,
-        stage: &mut Stage<'_>,
+        renderer: &mut TrialRenderer<'_>,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Vec<Trial>> {
         let plan = self.plan;
         let mut trials: Vec<Trial> = plan
             .measured
             .iter()
-            .map(|&frame| self.open(contestant, frame, stage))
+            .map(|&frame| self.open(contestant, frame, renderer))
             .collect();
         let mut saved = Instant::now();
         let mut changed = false;
@@ -287,10 +288,10 @@ impl<'a> Trials<'a> {
                 continue;
             }
             let seed = plan.seed(contestant, k);
-            stage.break_off()?;
+            renderer.forget_past()?;
             let mut before: Option<(u32, Vec<glam::Vec4>)> = None;
             for &frame in &frames {
-                let image = stage.render(&contestant.shot, frame, seed)?;
+                let image = renderer.render(&contestant.shot, frame, seed)?;
                 progress(image.seconds);
                 if let Ok(i) = plan.measured.binary_search(&frame)
                     && waits(&trials[i])
@@ -310,8 +311,8 @@ impl<'a> Trials<'a> {
                     let shown = self.index(frame).and_then(|i| self.shown.get(i));
                     let flip = match shown {
                         Some(shown) => {
-                            let picture = stage.display(&contestant.shot, &image.pixels)?;
-                            flip::mean(stage.size(), shown, &picture)
+                            let picture = renderer.display(&contestant.shot, &image.pixels)?;
+                            flip::mean(renderer.size(), shown, &picture)
                         }
                         None => None,
                     };
@@ -350,10 +351,10 @@ impl<'a> Trials<'a> {
 
     /// Frames that a contestant has still to render, about.
     #[must_use]
-    pub fn left(&self, contestant: &Contestant, stage: &Stage<'_>) -> usize {
+    pub fn left(&self, contestant: &Contestant, renderer: &TrialRenderer<'_>) -> usize {
         let there = self.plan.measured.iter();
         let there = there
-            .map(|&f| self.open(contestant, f, stage).about.len())
+            .map(|&f| self.open(contestant, f, renderer).about.len())
             .min();
         let seeds = self.plan.seeds as usize - there.unwrap_or(0);
         seeds * self.plan.sequence(contestant).len()
@@ -395,8 +396,8 @@ mod tests {
         all.unwrap().remove(0)
     }
 
-    fn plan() -> Plan {
-        Plan {
+    fn plan() -> TrialPlan {
+        TrialPlan {
             frames: (3..=12).map(|f| (f, format!("identity of {f}"))).collect(),
             measured: vec![3, 5, 10],
             seeds: 2,

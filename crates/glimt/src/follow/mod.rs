@@ -133,7 +133,7 @@ impl Follow<'_> {
         };
         let mut scene =
             SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
-        bake::give(setup, &setup.shot, &mut scene)?;
+        bake::set_transfer(setup, &setup.shot, &mut scene)?;
         let mut renderer = device::open(self.device)?;
         let files = watch.files().clone();
         self.reporter.start_following(

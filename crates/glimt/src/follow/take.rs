@@ -5,10 +5,9 @@ use super::plates::{Laid, Plates};
 use super::tally::{Tally, Why};
 use super::watch::{POLL, State, Watcher, choose};
 use super::{Follow, read_live};
-use crate::capture::colour;
 use crate::error::Result;
 use crate::frame::Frames;
-use crate::input::probe::{self, Probe};
+use crate::light::{self, Probe, colour};
 use crate::notes::Notes;
 use crate::output::Stamp;
 use crate::shot::Mapping;
@@ -143,7 +142,9 @@ impl<'a> Taker<'a> {
         let began = Instant::now();
         let file = self.watch.files().path(frame);
         let mapping = self.follow.setup.shot.probe.mapping;
-        let read = read_live(&mut self.notes, |notes| probe::read(mapping, &file, notes))?;
+        let read = read_live(&mut self.notes, |notes| {
+            light::read_frame(mapping, &file, notes)
+        })?;
         let image = match read {
             Ok(image) => image,
             Err(error) => {
@@ -161,7 +162,7 @@ impl<'a> Taker<'a> {
             Ok(None)
         };
         if let Some(probe) = &self.probe
-            && let Err(error) = probe.fits(&file, image.size)
+            && let Err(error) = probe.check_size(&file, image.size)
         {
             return wrong(error.what);
         }

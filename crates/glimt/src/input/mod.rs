@@ -1,13 +1,16 @@
 //! Host file: HDR images in: what kind of file it is, how large, and its texels as linear Rec. 709 radiance.
 
+pub mod bad_texels;
 pub mod exr;
 pub mod footage;
 pub mod frames;
 pub mod hdr;
+pub mod light_image;
 pub mod plate;
 pub mod primaries;
-pub mod probe;
 pub mod resample;
+
+pub use bad_texels::BadTexels;
 
 use crate::error::{Error, Result};
 use crate::notes::Notes;

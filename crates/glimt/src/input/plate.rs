@@ -1,7 +1,6 @@
 //! Host file: one frame of footage: PNG and JPEG as they are, or OpenEXR and Radiance as linear colour.
 
-use super::probe::BadTexels;
-use super::{read_header, read_image, start_of};
+use super::{BadTexels, read_header, read_image, start_of};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use glam::{UVec2, Vec3};

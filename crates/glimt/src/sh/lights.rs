@@ -1,12 +1,11 @@
 //! Host file: the lights that `glimt sh` projects: a sequence, files, or what lights a shot.
 
-use crate::capture::colour;
 use crate::cli::ShFlags;
 use crate::error::{Error, Result};
 use crate::input::footage::Footage;
 use crate::input::frames::FrameFiles;
-use crate::input::probe::Probe;
 use crate::job::probe_files;
+use crate::light::{Probe, colour};
 use crate::notes::Notes;
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, check, parse, range};
@@ -50,7 +49,7 @@ impl Found {
             && !sequence.is_still()
         {
             let frames = frames_of(sequence, flags.frames.as_deref(), "check the path")?;
-            sequence.tell_gaps(&frames, NOT_THERE, notes);
+            sequence.note_gaps(&frames, NOT_THERE, notes);
             return Ok(Self {
                 range: frames[0]..=frames[frames.len() - 1],
                 sources: vec![(sequence.clone(), frames)],
@@ -102,7 +101,7 @@ impl Found {
         };
         let asked = flags.frames.as_deref().or(of_shot);
         let frames = frames_of(&files, asked, "check probe.frames")?;
-        files.tell_gaps(&frames, NOT_THERE, notes);
+        files.note_gaps(&frames, NOT_THERE, notes);
         let range = match of_shot {
             Some(text) => range::parse(text)?,
             None => frames[0]..=frames[frames.len() - 1],

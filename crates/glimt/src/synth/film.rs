@@ -3,7 +3,7 @@
 use super::geometry::{FrameTruth, capture_params, plate_camera, truth_of};
 use super::settings::Synth;
 use super::world::{Base, World};
-use crate::device;
+use crate::device::{self, Processor};
 use crate::error::Result;
 use glam::{UVec2, Vec3, Vec4};
 use glimt_render_gpu::entry::Entry;
@@ -17,25 +17,6 @@ use glimt_render_gpu::kernels::sensor::{SensorParams, expose};
 use glimt_render_gpu::kernels::stage::Stage;
 use rayon::prelude::*;
 use std::sync::OnceLock;
-
-/// What runs the kernels.
-#[derive(Debug)]
-pub enum Processor {
-    /// All of rayon's threads.
-    Cpu,
-    /// A GPU.
-    Gpu(Box<GpuContext>),
-}
-
-impl Processor {
-    /// What it is, for messages.
-    pub fn name(&self) -> String {
-        match self {
-            Self::Cpu => format!("CPU, {} threads", rayon::current_num_threads()),
-            Self::Gpu(gpu) => format!("GPU, {}", gpu.adapter()),
-        }
-    }
-}
 
 /// A capture that is ready to be filmed: all that does not change from frame to frame.
 #[derive(Debug)]

@@ -1,6 +1,5 @@
 //! Host file: curves over frames, as SVG inside a page. Colours of axes and text are the page's.
 
-use super::html::escape;
 use crate::compare::statistics::Estimate;
 
 /// Colours that are told apart with any kind of colour vision (Okabe and Ito 2008), and on dark and light ground.
@@ -150,4 +149,21 @@ fn plain(value: f64) -> String {
         v if v >= 1e-4 && v < 1e5 => format!("{}", (v * 1e6).round() / 1e6),
         v => format!("{v:e}"),
     }
+}
+
+/// Text as HTML and SVG have it.
+#[must_use]
+pub fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&#39;"),
+            c => escaped.push(c),
+        }
+    }
+    escaped
 }

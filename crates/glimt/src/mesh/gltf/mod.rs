@@ -3,8 +3,8 @@
 mod animation;
 mod material;
 
+use super::model::{Model, ModelCamera, Part};
 use super::node::{Node, Trs};
-use super::{Model, ModelCamera, Part};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use ::gltf::accessor::{DataType, Dimensions};

@@ -1,0 +1,256 @@
+//! Host file: `glimt unwarp`: film of a mirror ball to a sequence of lat-long maps.
+
+use crate::capture::{Capture, Poses, locate};
+use crate::cli::{Device, UnwarpFlags};
+use crate::device::{self, Processor};
+use crate::error::{Error, Kind, Result};
+use crate::input::frames::{FrameFiles, check_size};
+use crate::input::light_image::{LightImage, read_photo, read_photo_size};
+use crate::notes::Notes;
+use crate::output::{Stamp, atomic, exr, png, write_text};
+use crate::report::{FrameStatus, Reporter, count, shown};
+use crate::shot::digest::{self, Hash};
+use crate::shot::{Ball, Shot, check, parse, range};
+use crate::synth::{MASK_HIDDEN, MASK_RIG, MASK_RIM, MASK_SEEN};
+use glam::Vec4;
+use glimt_probe::gather::ColourMatrix;
+use glimt_probe::unwarp::Visibility;
+use glimt_render_gpu::gpu::GpuUnwarp;
+use glimt_render_gpu::host::unwarp::{Look, UnwarpMap};
+use serde_json::json;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Unwarps a capture: `latlong.####.exr`, `mask.####.png` where it changes, and `track.json`, into the folder of the flags.
+///
+/// # Errors
+/// The first thing that fails; all files written before it stay, whole.
+pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()> {
+    let began = Instant::now();
+    let ball = keys(flags)?;
+    let mut notes = Notes::new(flags.strict);
+    let files = FrameFiles::new(Path::new(""), &frames.to_string_lossy())?;
+    let numbers = match &flags.frames {
+        Some(text) => {
+            let asked = range::parse(text).map_err(|e| e.at("--frames"))?;
+            files.require(*asked.start(), *asked.end())?
+        }
+        None if files.is_still() => files.require(1, 1)?,
+        None => files.existing().map_err(|e| {
+            e.fix("check the path: each # stands for a digit of the frame's number")
+        })?,
+    };
+    let first = files.path(numbers[0]);
+    let size = read_photo_size(&first)?;
+    for &frame in &numbers[1..] {
+        let file = files.path(frame);
+        check_size(&file, read_photo_size(&file)?, size, &first)?;
+    }
+    files.note_gaps(&numbers, "no map is made for what is not there", &mut notes);
+    atomic::prepare_folder(&flags.out)?;
+    let mut unwarper = Unwarper::open(flags.device)?;
+    reporter.start_filming(numbers.len(), &flags.out, &unwarper.processor.name());
+
+    reporter.notes(notes.take());
+    let told = flags.out.join("track.json");
+    let poses = match Poses::given(&ball) {
+        Some(given) => {
+            write_text(&told, &format!("{:#}", given_track(&numbers, &given)))?;
+            given
+        }
+        None => {
+            let found = |done, all| reporter.stage("looking for the ball", done, all);
+            // In all that there are: what is smoothed over a shot must not hang on which part of it is asked for.
+            let all = match files.is_still() {
+                true => numbers.clone(),
+                false => files.existing()?,
+            };
+            let tracked = locate::track(&files, &all, ball.steady, &mut notes, &found);
+            reporter.notes(notes.take());
+            let tracked = tracked?;
+            let poses = locate::of_track(&tracked);
+            write_text(&told, &format!("{:#}", track(&tracked, &poses)))?;
+            poses
+        }
+    };
+    let capture = Capture::new(&ball, poses);
+    // Frames whose ball was looked for were read already.
+    let unread = matches!(capture.poses(), Poses::Fixed(_));
+    let (mut written, mut mask) = (0, Vec::new());
+    for (done, &frame) in (1..).zip(&numbers) {
+        let file = files.path(frame);
+        let stamp = stamp(&file, frame, &ball, &capture)?;
+        let target = flags.out.join(name("latlong", frame, "exr"));
+        let started = Instant::now();
+        let mut status = FrameStatus::Skipped;
+        let mask_file = flags.out.join(name("mask", frame, "png"));
+        let mask_there = done > 1 || mask_file.is_file();
+        if exr::read_hash(&target, &[]).as_ref() == Some(&stamp.hash) && mask_there {
+            // What is there may have been made without --strict.
+            if flags.strict && unread {
+                read_photo(&file, &mut notes)?;
+            }
+        } else {
+            let photo = read_photo(&file, &mut notes);
+            reporter.notes(notes.take());
+            let photo = photo?;
+            let map = capture.map(frame, &file, photo.size)?;
+            let texels = unwarper.apply(&map, &photo, &capture.look(&ColourMatrix::IDENTITY))?;
+            exr::write_rgb(&target, map.size(), &texels, &stamp, exr::Storage::Float)?;
+            let own = mask_of(&map);
+            // One mask serves until it changes.
+            if own != mask {
+                png::write_mask(&mask_file, map.size(), &own)?;
+                mask = own;
+            }
+            written += 1;
+            status = FrameStatus::Rendered(started.elapsed().as_secs_f64());
+        }
+        reporter.frame(frame, status, done, numbers.len());
+    }
+    let size = capture.size();
+    let skipped = numbers.len() - written;
+    let seconds = began.elapsed().as_secs_f64();
+    let summary = json!({
+        "unwarped": written, "skipped": skipped, "seconds": seconds, "out": shown(&flags.out), "size": size.to_array(),
+    });
+    let text = format!(
+        "{} of {} × {} unwarped, {skipped} there already, in {seconds:.1} s: {}",
+        count(written, "map"),
+        size.x,
+        size.y,
+        flags.out.display()
+    );
+    reporter.finish(summary, &text);
+    Ok(())
+}
+
+/// The keys of `[probe.ball]` that the flags give.
+fn keys(flags: &UnwarpFlags) -> Result<Ball> {
+    let set: Vec<String> = flags
+        .distance_mm
+        .map(|d| format!("probe.ball.distance_mm={d:?}"))
+        .into_iter()
+        .chain(
+            flags
+                .radius_mm
+                .map(|r| format!("probe.ball.radius_mm={r:?}")),
+        )
+        .chain(
+            flags
+                .size
+                .map(|s| format!("probe.ball.size=[{}, {}]", s.x, s.y)),
+        )
+        .chain(flags.set.iter().map(|item| format!("probe.ball.{item}")))
+        .collect();
+    let text = "[probe]\nframes = \"given\"\nmapping = \"mirror-ball\"\n[probe.ball]\n";
+    let (shot, source): (Shot, _) =
+        parse::parse(Path::new("the command line"), text.to_owned(), &set)?;
+    let ball = shot.probe.ball.unwrap_or_default();
+    // The text above is no file in which a line could be looked up.
+    check::check_ball(&ball, &source).map_err(|e| Error {
+        place: e.place.filter(|_| e.file.is_none()),
+        ..e
+    })?;
+    Ok(ball)
+}
+
+fn name(what: &str, frame: u32, extension: &str) -> String {
+    format!("{what}.{frame:04}.{extension}")
+}
+
+/// The identity of a frame's map.
+fn stamp(file: &Path, frame: u32, ball: &Ball, capture: &Capture) -> Result<Stamp> {
+    let keys = serde_json::to_string(ball).map_err(|e| Error::new(Kind::Internal, e))?;
+    let pose = format!(
+        "glimt unwarp {} {keys} {:?}",
+        digest::VERSION,
+        capture.poses().of(frame)
+    );
+    let parts: [Hash; 2] = [digest::of_file(file)?, digest::of_text(&pose)];
+    Ok(Stamp {
+        hash: digest::hex(&digest::join(parts.iter())),
+        frame,
+    })
+}
+
+/// What became of each texel, in the values that a simulated capture's own mask has.
+fn mask_of(map: &UnwarpMap) -> Vec<u8> {
+    let value = |seen: &Visibility| match seen {
+        Visibility::Seen => MASK_SEEN,
+        Visibility::Hidden => MASK_HIDDEN,
+        Visibility::Rig => MASK_RIG,
+        Visibility::Rim => MASK_RIM,
+    };
+    map.visibility().iter().map(value).collect()
+}
+
+/// What was found, for people and programs.
+fn track(tracked: &glimt_ball::Tracked, poses: &Poses) -> serde_json::Value {
+    let frame = |p: &glimt_ball::TrackedPose| {
+        // Roll as it is removed: counter-clockwise, against the mean.
+        let roll = poses.of(p.frame).map_or(0.0, |pose| pose.roll.to_degrees());
+        json!({
+            "frame": p.frame, "centre_px": [p.centre.x, p.centre.y], "radius_px": p.radius, "roll_deg": roll,
+            "state": format!("{:?}", p.state).to_lowercase(),
+        })
+    };
+    json!({
+        "radius_px": tracked.radius,
+        "radius_standard_error_px": tracked.radius_sigma,
+        "lost": tracked.lost,
+        "rejected": tracked.rejected,
+        "notes": tracked.notes,
+        "frames": tracked.poses.iter().map(frame).collect::<Vec<_>>(),
+    })
+}
+
+/// The same where it was given.
+fn given_track(frames: &[u32], poses: &Poses) -> serde_json::Value {
+    let frame = |&frame: &u32| {
+        let outline = poses.of(frame).map(|pose| pose.outline);
+        json!({
+            "frame": frame, "centre_px": outline.map(|o| o.centre.to_array()), "radius_px": outline.map(|o| o.radius),
+            "roll_deg": 0.0, "state": "given",
+        })
+    };
+    json!({ "frames": frames.iter().map(frame).collect::<Vec<_>>() })
+}
+
+/// What unwarps: the CPU, or a GPU with the table that it has at the moment.
+struct Unwarper {
+    processor: Processor,
+    ready: Option<(Arc<UnwarpMap>, GpuUnwarp)>,
+}
+
+impl Unwarper {
+    fn open(device: Device) -> Result<Self> {
+        Ok(Self {
+            processor: device::open_processor(device)?,
+            ready: None,
+        })
+    }
+
+    fn apply(
+        &mut self,
+        map: &Arc<UnwarpMap>,
+        photo: &LightImage,
+        look: &Look,
+    ) -> Result<Vec<Vec4>> {
+        let Processor::Gpu(context) = &self.processor else {
+            return Ok(map.apply(&photo.pixels, look));
+        };
+        let mut run = || {
+            let gpu = match self.ready.take() {
+                Some((known, gpu)) if Arc::ptr_eq(&known, map) => gpu,
+                _ => GpuUnwarp::new(context, map)?,
+            };
+            gpu.run(context, &photo.pixels, look)?;
+            let texels = gpu.read(context)?;
+            self.ready = Some((Arc::clone(map), gpu));
+            Ok(texels)
+        };
+        run().map_err(|e| device::gpu_failure(&e))
+    }
+}
