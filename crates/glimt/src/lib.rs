@@ -10,7 +10,6 @@ pub mod command;
 pub mod compare;
 pub mod demo;
 pub mod device;
-pub mod disc;
 pub mod error;
 pub mod follow;
 pub mod frame;

@@ -28,6 +28,7 @@
 
 pub mod check;
 mod clouds;
+mod disc;
 mod film;
 mod geometry;
 mod job;

@@ -2,11 +2,11 @@
 //! passes in front.
 
 use super::clouds::transmittance;
+use super::disc::add_disc;
 use super::geometry::{SunTruth, on_path, time_of};
 use super::settings::{Lamp, Shape, Synth};
 use super::sky;
 use super::sun::{self, Blob};
-use crate::disc::add_disc;
 use glam::{DVec3, UVec2, Vec2, Vec3, Vec4};
 use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
 use glimt_probe::rotate::{cos_sin_degrees, rotate_z};

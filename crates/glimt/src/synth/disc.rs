@@ -7,7 +7,13 @@ use std::f64::consts::{PI, TAU};
 /// Adds a disc of constant radiance to a lat-long map: every texel gets the share of its solid angle that lies inside
 /// the cap of angular radius `radius` (in radians) about `centre`. The energy added does not depend on where the disc stands,
 /// however small it is beside a texel.
-pub fn add_disc(texels: &mut [Vec4], size: UVec2, centre: DVec3, radius: f64, radiance: Vec3) {
+pub(super) fn add_disc(
+    texels: &mut [Vec4],
+    size: UVec2,
+    centre: DVec3,
+    radius: f64,
+    radiance: Vec3,
+) {
     let shares = disc_coverage(size, centre, radius);
     let covered: f64 = shares
         .iter()
