@@ -12,14 +12,14 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
-    /// How to talk.
+    /// What to print.
     #[command(flatten)]
-    pub talk: Talk,
+    pub print: PrintFlags,
 }
 
-/// Flags that every command has.
+/// Flags that every command has: what it prints.
 #[derive(Clone, Copy, Debug, Args)]
-pub struct Talk {
+pub struct PrintFlags {
     /// Print nothing but warnings and errors
     #[arg(long, short, global = true)]
     pub quiet: bool,
@@ -199,7 +199,7 @@ pub struct PastFlags {
 pub struct FollowFlags {
     /// Render frames as they appear in the folder of probe.frames, dropping the oldest when behind
     ///
-    /// The first frame is the newest that is there, or the first of --frames or render.frames. Lag and drops are told.
+    /// The first frame is the newest that is there, or the first of --frames or render.frames. Lag and drops are reported.
     #[arg(long)]
     pub follow: bool,
     /// With --follow: end when no frame has come for so long; a backplate is waited for half as long

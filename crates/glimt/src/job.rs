@@ -5,7 +5,7 @@ use crate::cli::{PastFlags, RenderFlags};
 use crate::error::{Error, Result};
 use crate::input::footage::{self, Footage};
 use crate::input::frames::FrameFiles;
-use crate::light::{Probe, colour};
+use crate::light::{Probe, Selection, colour};
 use crate::notes::Notes;
 use crate::output::state::{self, Saved};
 use crate::report::Reporter;
@@ -50,12 +50,11 @@ impl Job {
         reporter: &Reporter,
     ) -> Result<Self> {
         let (mut shot, source) = parse::read(file, &setup::overrides(flags))?;
-        let base = file.parent().unwrap_or(Path::new(""));
-        footage::adopt_size(&mut shot, &source, base)?;
+        footage::adopt_size(&mut shot, &source)?;
         check::check(&shot, &source)?;
 
-        let files = probe_files(&shot, &source, base)?;
-        let footage = Footage::find(&shot, &source, base, &files, notes)?;
+        let files = probe_files(&shot, &source)?;
+        let footage = Footage::find(&shot, &source, &files, notes)?;
         let (asked, of_shot) = choose_frames(&shot, &files, footage.as_ref(), flags, notes)?;
         check_past(&flags.past, &shot.render)?;
         let (frames, preroll) = with_preroll(asked, &of_shot, &files, &flags.past, notes)?;
@@ -63,8 +62,12 @@ impl Job {
             footage.require(&frames, UVec2::from(shot.image.size), notes)?;
         }
         let found = |done, all| reporter.stage("looking for the ball", done, all);
-        let range = of_shot.clone();
-        let mut probe = Probe::open(files, &frames, range, &shot.probe, notes, &found)?;
+        let selection = Selection {
+            files,
+            frames: &frames,
+            of_shot: of_shot.clone(),
+        };
+        let mut probe = Probe::open(selection, &shot.probe, notes, &found)?;
         colour::correct(
             &mut probe,
             &shot,
@@ -73,7 +76,7 @@ impl Job {
             frames[0],
             notes,
         )?;
-        let mut setup = Setup::load(shot, source, base, *of_shot.start(), flags, notes)?;
+        let mut setup = Setup::load(shot, source, *of_shot.start(), flags, notes)?;
         bake::expect(&mut setup)?;
         let state_in = match &flags.past.state_in {
             Some(file) => Some(read_state(file, &setup, frames[0], notes)?),
@@ -258,8 +261,8 @@ fn read_state(file: &Path, setup: &Setup, first: u32, notes: &mut Notes) -> Resu
 ///
 /// # Errors
 /// They cannot be named so.
-pub fn probe_files(shot: &Shot, source: &Source, base: &Path) -> Result<FrameFiles> {
-    FrameFiles::new(base, &shot.probe.frames).map_err(|e| {
+pub fn probe_files(shot: &Shot, source: &Source) -> Result<FrameFiles> {
+    FrameFiles::new(source.folder(), &shot.probe.frames).map_err(|e| {
         source
             .error("probe.frames", e.what)
             .fix(e.fix.unwrap_or_default())

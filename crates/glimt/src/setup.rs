@@ -60,12 +60,11 @@ impl Setup {
     pub fn load(
         shot: Shot,
         source: Source,
-        base: &Path,
         first: u32,
         flags: &RenderFlags,
         notes: &mut Notes,
     ) -> Result<Self> {
-        let placed = place::place(&shot, &source, base, notes)?;
+        let placed = place::place(&shot, &source, notes)?;
         let moves = placed.movers.iter().any(|m| m.motion.is_moving());
         let clock = match moves {
             true => digest::of_text(&format!("{first} {:?}", shot.probe.fps)),
@@ -77,7 +76,7 @@ impl Setup {
             view: placed.view,
             movers: placed.movers,
             triangles: placed.triangles,
-            out: out_folder(flags, base.join(&shot.output.dir)),
+            out: out_folder(flags, source.folder().join(&shot.output.dir)),
             scene: placed.scene,
             owners: placed.owners,
             samples_light: shot.render.method != shot::Method::Prt,

@@ -53,10 +53,10 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
     reporter.start_filming(numbers.len(), &flags.out, &unwarper.processor.name());
 
     reporter.notes(notes.take());
-    let told = flags.out.join("track.json");
+    let track_file = flags.out.join("track.json");
     let poses = match Poses::given(&ball) {
         Some(given) => {
-            write_text(&told, &format!("{:#}", given_track(&numbers, &given)))?;
+            write_text(&track_file, &format!("{:#}", given_track(&numbers, &given)))?;
             given
         }
         None => {
@@ -70,7 +70,7 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
             reporter.notes(notes.take());
             let tracked = tracked?;
             let poses = locate::of_track(&tracked);
-            write_text(&told, &format!("{:#}", track(&tracked, &poses)))?;
+            write_text(&track_file, &format!("{:#}", track(&tracked, &poses)))?;
             poses
         }
     };

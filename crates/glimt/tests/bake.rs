@@ -28,9 +28,8 @@ fn baked(scratch: &Scratch, args: &[&str]) -> Ran {
 fn setup(shot: &Path, set: &[&str]) -> (Setup, SceneBuffers) {
     let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
     let (read, source) = parse::read::<Shot>(shot, &set).expect("a shot");
-    let base = shot.parent().expect("a folder");
     let flags = RenderFlags::default();
-    let setup = Setup::load(read, source, base, 1, &flags, &mut Notes::default()).expect("meshes");
+    let setup = Setup::load(read, source, 1, &flags, &mut Notes::default()).expect("meshes");
     let scene = SceneBuffers::build(&setup.scene).expect("a scene");
     (setup, scene)
 }

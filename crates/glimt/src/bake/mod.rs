@@ -16,7 +16,7 @@ use crate::setup::Setup;
 use crate::shot::digest;
 use crate::shot::parse::Source;
 use crate::shot::{Method, Shot, check, parse, range};
-use file::Plan;
+use file::FilePlan;
 use glimt_render_gpu::gpu;
 use glimt_render_gpu::host::bake::{self, BakeError, BakeSettings, Baked};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
@@ -34,7 +34,7 @@ use stored::Stored;
 pub fn file_of(shot: &Shot, source: &Source) -> PathBuf {
     match shot.render.prt.bake.as_str() {
         "" => source.file.with_extension("prt.glb"),
-        name => source.file.parent().unwrap_or(Path::new("")).join(name),
+        name => source.folder().join(name),
     }
 }
 
@@ -235,7 +235,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         reporter.finish(summary, &text);
         return Ok(());
     }
-    let plan = Plan::new(&out, &scene, &header)?;
+    let plan = FilePlan::new(&out, &scene, &header)?;
     let processor = device::open_processor(flags.device)?;
     // What cannot be written is not computed.
     let pending = plan.begin(&out)?;
@@ -291,12 +291,11 @@ fn read_shot(file: &Path, flags: &BakeFlags, notes: &mut Notes) -> Result<Setup>
     let set: Vec<String> = flags.set.iter().cloned().chain(own).collect();
     let (shot, source) = parse::read::<Shot>(file, &set)?;
     check::check(&shot, &source)?;
-    let base = file.parent().unwrap_or(Path::new(""));
     let first = match shot.render.frames.as_str() {
         "" => 1,
         text => *range::parse(text)?.start(),
     };
-    Setup::load(shot, source, base, first, &RenderFlags::default(), notes)
+    Setup::load(shot, source, first, &RenderFlags::default(), notes)
 }
 
 /// Transfer is of objects that stand still; cameras may move, those of mesh files among them.

@@ -27,7 +27,7 @@ pub(super) fn refuse_other(out: &Path, shot: &Shot, source: &Source) -> Result<(
     if !there.is_file() {
         return refused("this is no file that can be replaced");
     }
-    let base = source.file.parent().unwrap_or(Path::new(""));
+    let base = source.folder();
     if is_same_file(&source.file, out) {
         return refused("this is the shot itself");
     }

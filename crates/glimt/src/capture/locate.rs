@@ -14,8 +14,8 @@ use glimt_ball::{
 use glimt_probe::unwarp::Outline;
 use glimt_render_gpu::host::unwarp::BallPose;
 
-/// Finds the ball in all of these frames and steadies what was found; `progress` is told how many frames are done, and of how
-/// many.
+/// Finds the ball in all of these frames and steadies what was found; `progress` is called with how many frames are done, and of
+/// how many.
 ///
 /// # Errors
 /// A frame cannot be read, or too few of them show a ball.

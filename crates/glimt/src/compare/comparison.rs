@@ -78,7 +78,7 @@ impl<'a> Comparison<'a> {
 /// The filter of all: as the shot or a flag gives it, else rays through the pixel's centre, since light is what is compared.
 pub(super) fn common_filter(file: &Path, flags: &RenderFlags) -> Result<Filter> {
     let (mut shot, source) = parse::read::<Shot>(file, &setup::overrides(flags))?;
-    footage::adopt_size(&mut shot, &source, file.parent().unwrap_or(Path::new("")))?;
+    footage::adopt_size(&mut shot, &source)?;
     Ok(match source.gives("image.filter") {
         true => shot.image.filter,
         false => Filter::Centre,

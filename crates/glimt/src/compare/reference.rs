@@ -154,7 +154,7 @@ impl Growing {
     }
 
     /// Renders until every frame's relative noise is below its target, or `limit` seconds of rendering are over; each frame has
-    /// at least two scramblings then. `progress` is told how many seconds of rendering are probably left.
+    /// at least two scramblings then. `progress` is called with the seconds of each image, and how many are probably left.
     ///
     /// # Errors
     /// A frame cannot be rendered or written.

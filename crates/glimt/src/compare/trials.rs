@@ -138,7 +138,7 @@ fn tag(references: &[Reference]) -> String {
     digest::hex(&digest::of_text(&text))
 }
 
-/// Relative RMSE of each measured frame, as the difference of few seeds tells it without a reference. `progress` is told the
+/// Relative RMSE of each measured frame, as the difference of few seeds shows it without a reference. `progress` is called with the
 /// seconds of each frame.
 ///
 /// # Errors
@@ -263,7 +263,7 @@ impl<'a> Trials<'a> {
         })
     }
 
-    /// Renders what is not there; one trial for each measured frame. `progress` is told the seconds of each frame.
+    /// Renders what is not there; one trial for each measured frame. `progress` is called with the seconds of each frame.
     ///
     /// # Errors
     /// A frame cannot be rendered, or a file not be written.

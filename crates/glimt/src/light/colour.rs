@@ -198,7 +198,7 @@ pub fn correction(
                     )
                     .fix("choose patches that light falls on")
             })?;
-            notes.note(photo.file, told(&found, pairs.len()));
+            notes.note(photo.file, in_words(&found, pairs.len()));
             matrix = found.matrix * matrix;
         }
     }
@@ -254,7 +254,7 @@ impl<'a> Image<'a> {
     }
 }
 
-fn told(found: &Fit, count: usize) -> String {
+fn in_words(found: &Fit, count: usize) -> String {
     let m = found.matrix.transpose();
     let row = |v: DVec3| format!("[{:.4}, {:.4}, {:.4}]", v.x, v.y, v.z);
     let residual = 100.0 * found.residual;

@@ -33,53 +33,54 @@ pub struct Probe {
     colour: ColourMatrix,
 }
 
+/// The first image of a probe that is still being filmed.
+#[derive(Clone, Copy, Debug)]
+pub struct FirstImage<'a> {
+    /// Its file.
+    pub file: &'a Path,
+    /// Its width and height in pixels.
+    pub size: UVec2,
+    /// Where the mirror ball is in it, if it shows one.
+    pub pose: Option<BallPose>,
+}
+
+/// The files of a probe, and which of its frames are wanted.
+#[derive(Clone, Debug)]
+pub struct Selection<'a> {
+    /// The files.
+    pub files: FrameFiles,
+    /// The frames that are asked for, at least one.
+    pub frames: &'a [u32],
+    /// All frames of the shot.
+    pub of_shot: RangeInclusive<u32>,
+}
+
 impl Probe {
-    /// Checks the headers of all frames: that they are images, of one size, and fit the mapping. In film of a mirror ball,
-    /// the ball is looked for in all that `shot` has, whichever are asked for: what is smoothed over a shot must not hang on which
-    /// part of it is rendered. `progress` is told how many are done, and of how many.
+    /// Checks the headers of all frames that are asked for: that they are images, of one size, and fit the mapping. In film of a
+    /// mirror ball, the ball is looked for in all frames of the shot, whichever are asked for: what is smoothed over a shot must not
+    /// depend on which part of it is rendered. `progress` is called with how many are done, and of how many.
     ///
     /// # Errors
     /// The first frame that is not as it should be.
     pub fn open(
-        files: FrameFiles,
-        frames: &[u32],
-        shot: RangeInclusive<u32>,
+        selection: Selection<'_>,
         keys: &shot::Probe,
         notes: &mut Notes,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Self> {
-        let mapping = keys.mapping;
-        let read_size = |file: &Path| match mapping {
-            Mapping::MirrorBall => light_image::read_photo_size(file),
-            _ => Ok(read_header(file)?.size),
-        };
-        let first = files.path(frames[0]);
-        let size = read_size(&first)?;
-        check_shape(mapping, size, &first, notes)?;
-        let others = if files.is_still() { &[] } else { &frames[1..] };
-        for &frame in others {
-            let path = files.path(frame);
-            check_size(&path, read_size(&path)?, size, &first)?;
-        }
-        let capture = match mapping {
+        let size = size_of_all(&selection, keys.mapping, notes)?;
+        let capture = match keys.mapping {
             Mapping::MirrorBall => {
                 let ball = keys.ball.clone().unwrap_or_default();
                 let poses = match Poses::given(&ball) {
                     Some(given) => given,
-                    None => {
-                        let mut all = match files.is_still() {
-                            true => frames.to_vec(),
-                            false => files.existing()?,
-                        };
-                        all.retain(|frame| shot.contains(frame) || frames.contains(frame));
-                        locate::poses(&files, &all, &ball, notes, progress)?
-                    }
+                    None => found_poses(&selection, &ball, notes, progress)?,
                 };
                 Some(Arc::new(Capture::new(&ball, poses)))
             }
             _ => None,
         };
-        Ok(Self::new(files, keys, size, capture))
+        Ok(Self::new(selection.files, keys, size, capture))
     }
 
     /// A probe whose images have this size.
@@ -99,22 +100,22 @@ impl Probe {
         }
     }
 
-    /// A probe that is still being filmed, by its first image; `pose` is where the mirror ball is in it, if it shows one.
+    /// A probe that is still being filmed, by its first image.
     ///
     /// # Errors
     /// The image does not fit the mapping.
     pub fn live(
         files: FrameFiles,
         keys: &shot::Probe,
-        first: &Path,
-        size: UVec2,
-        pose: Option<BallPose>,
+        first: &FirstImage<'_>,
         notes: &mut Notes,
     ) -> Result<Self> {
-        check_shape(keys.mapping, size, first, notes)?;
+        check_shape(keys.mapping, first.size, first.file, notes)?;
         let ball = keys.ball.clone().unwrap_or_default();
-        let capture = pose.map(|pose| Arc::new(Capture::new(&ball, Poses::Fixed(pose))));
-        Ok(Self::new(files, keys, size, capture))
+        let capture = first
+            .pose
+            .map(|pose| Arc::new(Capture::new(&ball, Poses::Fixed(pose))));
+        Ok(Self::new(files, keys, first.size, capture))
     }
 
     /// Sets how its colours are changed.
@@ -234,6 +235,44 @@ impl Probe {
         }
         (size, texels)
     }
+}
+
+/// The size of all frames that are asked for, by their headers.
+fn size_of_all(selection: &Selection<'_>, mapping: Mapping, notes: &mut Notes) -> Result<UVec2> {
+    let read_size = |file: &Path| match mapping {
+        Mapping::MirrorBall => light_image::read_photo_size(file),
+        _ => Ok(read_header(file)?.size),
+    };
+    let Selection { files, frames, .. } = selection;
+    let first = files.path(frames[0]);
+    let size = read_size(&first)?;
+    check_shape(mapping, size, &first, notes)?;
+    let others = if files.is_still() { &[] } else { &frames[1..] };
+    for &frame in others {
+        let path = files.path(frame);
+        check_size(&path, read_size(&path)?, size, &first)?;
+    }
+    Ok(size)
+}
+
+/// Where the ball is found in the frames of the shot.
+fn found_poses(
+    selection: &Selection<'_>,
+    ball: &shot::Ball,
+    notes: &mut Notes,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Poses> {
+    let Selection {
+        files,
+        frames,
+        of_shot,
+    } = selection;
+    let mut all = match files.is_still() {
+        true => frames.to_vec(),
+        false => files.existing()?,
+    };
+    all.retain(|frame| of_shot.contains(frame) || frames.contains(frame));
+    locate::poses(files, &all, ball, notes, progress)
 }
 
 /// Reads an image of a probe: a photograph of a mirror ball, or an image of all directions.

@@ -16,7 +16,6 @@ use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::f32::consts::FRAC_PI_2;
-use std::path::Path;
 
 /// A scene, and what moves in it.
 #[derive(Clone, Debug)]
@@ -79,7 +78,7 @@ fn unfolded(transform: Mat4) -> Mat4 {
 ///
 /// # Errors
 /// A mesh cannot be loaded, has no node, animation or camera that the shot names, or lies beyond the world's end.
-pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Result<Placed> {
+pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> {
     let mut scene = SceneDescription::default();
     let mut loaded: HashMap<(&str, u32), Loaded> = HashMap::new();
     let mut digests = Vec::new();
@@ -94,7 +93,7 @@ pub fn place(shot: &Shot, source: &Source, base: &Path, notes: &mut Notes) -> Re
         let entry = match loaded.entry((name, object.subdivide)) {
             Entry::Occupied(known) => &*known.into_mut(),
             Entry::Vacant(place) => {
-                let mut model = load(base, name, notes)?;
+                let mut model = load(source.folder(), name, notes)?;
                 cut(&mut model, object.subdivide, index, source)?;
                 &*place.insert(Loaded::new(model, &mut scene))
             }

@@ -43,7 +43,7 @@ pub use geometry::{FrameTruth, Shake, SunTruth};
 pub use job::run;
 pub use settings::{
     Ball, Capture, Clouds, Lamp, Light, Noise, Occluder, Output, Plate, PlateFormat, Rig, Shape,
-    Stage, Sun, Synth, Truth,
+    Sun, Surroundings, Synth, Truth,
 };
 pub use truth::{MASK_HIDDEN, MASK_RIG, MASK_RIM, MASK_SEEN, rig_half_angle};
 pub use world::World;
