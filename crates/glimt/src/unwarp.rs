@@ -1,7 +1,7 @@
 //! Host file: `glimt unwarp`: film of a mirror ball to a sequence of lat-long maps.
 
 use crate::capture::{Capture, Poses, locate};
-use crate::cli::{Device, UnwarpFlags};
+use crate::cli::UnwarpFlags;
 use crate::device::{self, Processor};
 use crate::error::{Error, Kind, Result};
 use crate::input::frames::{FrameFiles, check_size};
@@ -31,6 +31,70 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
     let ball = keys(flags)?;
     let mut notes = Notes::new(flags.strict);
     let files = FrameFiles::new(Path::new(""), &frames.to_string_lossy())?;
+    let numbers = frames_of(&files, flags)?;
+    files.note_gaps(&numbers, "no map is made for what is not there", &mut notes);
+    atomic::prepare_folder(&flags.out)?;
+    let processor = device::open_processor(flags.device)?;
+    reporter.start_filming(numbers.len(), &flags.out, &processor.name());
+
+    reporter.notes(notes.take());
+    let poses = match Poses::given(&ball) {
+        Some(given) => {
+            write_track(flags, &given_track(&numbers, &given))?;
+            given
+        }
+        None => {
+            let found = |done, all| reporter.stage("looking for the ball", done, all);
+            // In all that there are: what is smoothed over a shot must not depend on which part of it is asked for.
+            let all = match files.is_still() {
+                true => numbers.clone(),
+                false => files.existing()?,
+            };
+            let tracked = locate::track(&files, &all, ball.steady, &mut notes, &found);
+            reporter.notes(notes.take());
+            let tracked = tracked?;
+            let poses = locate::of_track(&tracked);
+            write_track(flags, &track(&tracked, &poses))?;
+            poses
+        }
+    };
+    let mut maps = Maps {
+        flags,
+        capture: Capture::new(&ball, poses),
+        ball,
+        unwarper: Unwarper {
+            processor,
+            ready: None,
+        },
+        mask: None,
+    };
+    let mut written = 0;
+    for (done, &frame) in (1..).zip(&numbers) {
+        let status = maps.write(frame, &files.path(frame), &mut notes);
+        reporter.notes(notes.take());
+        let status = status?;
+        written += usize::from(status != FrameStatus::Skipped);
+        reporter.frame(frame, status, done, numbers.len());
+    }
+    let size = maps.capture.size();
+    let skipped = numbers.len() - written;
+    let seconds = began.elapsed().as_secs_f64();
+    let summary = json!({
+        "unwarped": written, "skipped": skipped, "seconds": seconds, "out": shown(&flags.out), "size": size.to_array(),
+    });
+    let text = format!(
+        "{} of {} × {} unwarped, {skipped} there already, in {seconds:.1} s: {}",
+        count(written, "map"),
+        size.x,
+        size.y,
+        flags.out.display()
+    );
+    reporter.finish(summary, &text);
+    Ok(())
+}
+
+/// The frames that are asked for, or all that there are, checked to be of one size.
+fn frames_of(files: &FrameFiles, flags: &UnwarpFlags) -> Result<Vec<u32>> {
     let numbers = match &flags.frames {
         Some(text) => {
             let asked = range::parse(text).map_err(|e| e.at("--frames"))?;
@@ -47,83 +111,52 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
         let file = files.path(frame);
         check_size(&file, read_photo_size(&file)?, size, &first)?;
     }
-    files.note_gaps(&numbers, "no map is made for what is not there", &mut notes);
-    atomic::prepare_folder(&flags.out)?;
-    let mut unwarper = Unwarper::open(flags.device)?;
-    reporter.start_filming(numbers.len(), &flags.out, &unwarper.processor.name());
+    Ok(numbers)
+}
 
-    reporter.notes(notes.take());
-    let track_file = flags.out.join("track.json");
-    let poses = match Poses::given(&ball) {
-        Some(given) => {
-            write_text(&track_file, &format!("{:#}", given_track(&numbers, &given)))?;
-            given
-        }
-        None => {
-            let found = |done, all| reporter.stage("looking for the ball", done, all);
-            // In all that there are: what is smoothed over a shot must not hang on which part of it is asked for.
-            let all = match files.is_still() {
-                true => numbers.clone(),
-                false => files.existing()?,
-            };
-            let tracked = locate::track(&files, &all, ball.steady, &mut notes, &found);
-            reporter.notes(notes.take());
-            let tracked = tracked?;
-            let poses = locate::of_track(&tracked);
-            write_text(&track_file, &format!("{:#}", track(&tracked, &poses)))?;
-            poses
-        }
-    };
-    let capture = Capture::new(&ball, poses);
-    // Frames whose ball was looked for were read already.
-    let unread = matches!(capture.poses(), Poses::Fixed(_));
-    let (mut written, mut mask) = (0, Vec::new());
-    for (done, &frame) in (1..).zip(&numbers) {
-        let file = files.path(frame);
-        let stamp = stamp(&file, frame, &ball, &capture)?;
-        let target = flags.out.join(name("latlong", frame, "exr"));
-        let started = Instant::now();
-        let mut status = FrameStatus::Skipped;
-        let mask_file = flags.out.join(name("mask", frame, "png"));
-        let mask_there = done > 1 || mask_file.is_file();
-        if exr::read_hash(&target, &[]).as_ref() == Some(&stamp.hash) && mask_there {
-            // What is there may have been made without --strict.
-            if flags.strict && unread {
-                read_photo(&file, &mut notes)?;
+fn write_track(flags: &UnwarpFlags, track: &serde_json::Value) -> Result<()> {
+    write_text(&flags.out.join("track.json"), &format!("{track:#}"))
+}
+
+/// Makes and writes the maps, frame after frame.
+struct Maps<'a> {
+    flags: &'a UnwarpFlags,
+    ball: Ball,
+    capture: Capture,
+    unwarper: Unwarper,
+    /// The mask that was written last, empty where all frames so far were there already. `None` before the first frame.
+    mask: Option<Vec<u8>>,
+}
+
+impl Maps<'_> {
+    /// Writes the map of a frame, unless it is there already.
+    fn write(&mut self, frame: u32, file: &Path, notes: &mut Notes) -> Result<FrameStatus> {
+        let stamp = stamp(file, frame, &self.ball, &self.capture)?;
+        let target = self.flags.out.join(name("latlong", frame, "exr"));
+        let mask_file = self.flags.out.join(name("mask", frame, "png"));
+        let began = Instant::now();
+        let mask_is_there = self.mask.is_some() || mask_file.is_file();
+        let last_mask = self.mask.get_or_insert_default();
+        if exr::read_hash(&target, &[]).as_ref() == Some(&stamp.hash) && mask_is_there {
+            // Frames whose ball was looked for were read already. What is there may have been made without --strict.
+            if self.flags.strict && matches!(self.capture.poses(), Poses::Fixed(_)) {
+                read_photo(file, notes)?;
             }
-        } else {
-            let photo = read_photo(&file, &mut notes);
-            reporter.notes(notes.take());
-            let photo = photo?;
-            let map = capture.map(frame, &file, photo.size)?;
-            let texels = unwarper.apply(&map, &photo, &capture.look(&ColourMatrix::IDENTITY))?;
-            exr::write_rgb(&target, map.size(), &texels, &stamp, exr::Storage::Float)?;
-            let own = mask_of(&map);
-            // One mask serves until it changes.
-            if own != mask {
-                png::write_mask(&mask_file, map.size(), &own)?;
-                mask = own;
-            }
-            written += 1;
-            status = FrameStatus::Rendered(started.elapsed().as_secs_f64());
+            return Ok(FrameStatus::Skipped);
         }
-        reporter.frame(frame, status, done, numbers.len());
+        let photo = read_photo(file, notes)?;
+        let map = self.capture.map(frame, file, photo.size)?;
+        let look = self.capture.look(&ColourMatrix::IDENTITY);
+        let texels = self.unwarper.apply(&map, &photo, &look)?;
+        exr::write_rgb(&target, map.size(), &texels, &stamp, exr::Storage::Float)?;
+        let mask = mask_of(&map);
+        // One mask serves until it changes.
+        if mask != *last_mask {
+            png::write_mask(&mask_file, map.size(), &mask)?;
+            *last_mask = mask;
+        }
+        Ok(FrameStatus::Rendered(began.elapsed().as_secs_f64()))
     }
-    let size = capture.size();
-    let skipped = numbers.len() - written;
-    let seconds = began.elapsed().as_secs_f64();
-    let summary = json!({
-        "unwarped": written, "skipped": skipped, "seconds": seconds, "out": shown(&flags.out), "size": size.to_array(),
-    });
-    let text = format!(
-        "{} of {} × {} unwarped, {skipped} there already, in {seconds:.1} s: {}",
-        count(written, "map"),
-        size.x,
-        size.y,
-        flags.out.display()
-    );
-    reporter.finish(summary, &text);
-    Ok(())
 }
 
 /// The keys of `[probe.ball]` that the flags give.
@@ -225,13 +258,6 @@ struct Unwarper {
 }
 
 impl Unwarper {
-    fn open(device: Device) -> Result<Self> {
-        Ok(Self {
-            processor: device::open_processor(device)?,
-            ready: None,
-        })
-    }
-
     fn apply(
         &mut self,
         map: &Arc<UnwarpMap>,

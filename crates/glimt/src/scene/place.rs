@@ -79,32 +79,69 @@ fn unfolded(transform: Mat4) -> Mat4 {
 /// # Errors
 /// A mesh cannot be loaded, has no node, animation or camera that the shot names, or lies beyond the world's end.
 pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> {
-    let mut scene = SceneDescription::default();
     let mut loaded: HashMap<(&str, u32), Loaded> = HashMap::new();
-    let mut digests = Vec::new();
-    let mut cameras = Vec::new();
-    let mut all: Option<(Vec3, Vec3)> = None;
-    let mut subject: Option<(Vec3, Vec3)> = None;
-    let mut triangles = 0;
-    let mut owners = Vec::new();
-    let mut movers = Vec::new();
+    let mut placing = Placing::default();
     for (index, object) in shot.objects.iter().enumerate() {
         let name = object.mesh.as_str();
         let entry = match loaded.entry((name, object.subdivide)) {
             Entry::Occupied(known) => &*known.into_mut(),
-            Entry::Vacant(place) => {
+            Entry::Vacant(vacant) => {
                 let mut model = load(source.folder(), name, notes)?;
                 cut(&mut model, object.subdivide, index, source)?;
-                &*place.insert(Loaded::new(model, &mut scene))
+                &*vacant.insert(Loaded::new(model, &mut placing.scene))
             }
         };
-        let model = &entry.model;
-        digests.push(model.digest(name)?);
-        triangles += model.triangles();
-
-        let motion = Motion::new(object, index, model, source)?;
+        let motion = Motion::new(object, index, &entry.model, source)?;
         let nodes = motion.nodes_at(0, shot.probe.fps);
-        let to_world = transform(object, model, &nodes);
+        let mover = Mover {
+            to_world: transform(object, &entry.model, &nodes),
+            motion,
+            parts: entry.model.parts.iter().map(|part| part.node).collect(),
+        };
+        if let Some(bounds) = entry.model.bounds(&nodes, mover.to_world) {
+            placing.add_bounds(object, bounds).map_err(|what| {
+                source
+                    .error(&format!("object.{index}.scale"), what)
+                    .fix("the world ends at 1e9 units: lower its scale, or move it nearer")
+            })?;
+        }
+        placing.digests.push(entry.model.digest(name)?);
+        placing.add(object, entry, mover, shot.probe.fps);
+    }
+    let bounds = placing.subject.or(placing.all);
+    let bounds = bounds.unwrap_or((Vec3::NEG_ONE, Vec3::ONE));
+    Ok(Placed {
+        view: View::new(shot, source, bounds, &placing.cameras)?,
+        movers: placing.movers,
+        scene: placing.scene,
+        digest: join(&placing.digests),
+        triangles: placing.triangles,
+        owners: placing.owners,
+    })
+}
+
+/// The objects of a shot that are placed so far.
+#[derive(Default)]
+struct Placing {
+    scene: SceneDescription,
+    movers: Vec<Mover>,
+    /// Which of the shot's objects each object of the scene is a part of.
+    owners: Vec<usize>,
+    cameras: Vec<FileCamera>,
+    digests: Vec<Hash>,
+    triangles: usize,
+    /// Bounds of all objects.
+    all: Option<(Vec3, Vec3)>,
+    /// Bounds of those that a camera looks at when a shot does not say.
+    subject: Option<(Vec3, Vec3)>,
+}
+
+impl Placing {
+    /// Adds the parts and the cameras of the shot's next object.
+    fn add(&mut self, object: &shot::Object, entry: &Loaded, mover: Mover, fps: f32) {
+        let index = self.movers.len();
+        let model = &entry.model;
+        let scene = &mut self.scene;
         let material = object.material.as_ref().map(|m| {
             scene.materials.push(Material::BlinnPhong {
                 diffuse: m.diffuse.into(),
@@ -113,12 +150,7 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
             });
             scene.materials.len() as u32 - 1
         });
-        let mover = Mover {
-            to_world,
-            motion,
-            parts: model.parts.iter().map(|part| part.node).collect(),
-        };
-        let in_world = mover.nodes_at(0, shot.probe.fps);
+        let in_world = mover.nodes_at(0, fps);
         let pairs = model.parts.iter().zip(mover.parts_at(&in_world));
         scene.objects.extend(pairs.map(|(part, transform)| Object {
             mesh: entry.first_mesh + part.mesh as u32,
@@ -126,38 +158,37 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
             material,
             catcher: object.catcher,
         }));
-        owners.resize(scene.objects.len(), index);
-        cameras.extend(model.cameras.iter().map(|camera| FileCamera {
+        self.owners.resize(scene.objects.len(), index);
+        let cameras = model.cameras.iter().map(|camera| FileCamera {
             name: camera.name.clone(),
             object: index,
             node: camera.node,
             fov_y: camera.fov_y,
-        }));
-        movers.push(mover);
-        if let Some(bounds) = model.bounds(&nodes, to_world) {
-            let reach = bounds.0.abs().max(bounds.1.abs()).max_element();
-            if !(reach <= MAX_COORDINATE) {
-                let what = format!("the object reaches {reach:.1e} units from the origin");
-                return Err(source
-                    .error(&format!("object.{index}.scale"), what)
-                    .fix("the world ends at 1e9 units: lower its scale, or move it nearer"));
-            }
-            grow(&mut all, bounds);
-            // What is in the footage already is no more the subject than a floor.
-            if name != "plane" && !object.catcher {
-                grow(&mut subject, bounds);
-            }
-        }
+        });
+        self.cameras.extend(cameras);
+        self.triangles += model.triangles();
+        self.movers.push(mover);
     }
-    let bounds = subject.or(all).unwrap_or((Vec3::NEG_ONE, Vec3::ONE));
-    Ok(Placed {
-        view: View::new(shot, source, bounds, &cameras)?,
-        movers,
-        scene,
-        digest: join(&digests),
-        triangles,
-        owners,
-    })
+
+    /// Extends the bounds by those of an object, or says how it lies beyond the world's end.
+    fn add_bounds(
+        &mut self,
+        object: &shot::Object,
+        bounds: (Vec3, Vec3),
+    ) -> std::result::Result<(), String> {
+        let reach = bounds.0.abs().max(bounds.1.abs()).max_element();
+        if !(reach <= MAX_COORDINATE) {
+            return Err(format!(
+                "the object reaches {reach:.1e} units from the origin"
+            ));
+        }
+        grow(&mut self.all, bounds);
+        // What is in the footage already is no more the subject than a floor.
+        if object.mesh != "plane" && !object.catcher {
+            grow(&mut self.subject, bounds);
+        }
+        Ok(())
+    }
 }
 
 /// Cuts the triangles of a model, which the shot's object `index` stands for.
