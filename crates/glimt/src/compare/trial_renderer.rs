@@ -25,6 +25,10 @@ const LIGHT_BYTES: usize = 2 << 30;
 /// A frame that was rendered.
 #[derive(Clone, Debug)]
 pub struct Rendered {
+    /// Its number.
+    pub frame: u32,
+    /// The seed that it was rendered with.
+    pub seed: u32,
     /// Radiance of what reflects light, objects and catchers both; alpha is how much of the pixel they cover.
     pub pixels: Vec<Vec4>,
     /// Seconds that the renderer took.
@@ -168,6 +172,8 @@ impl<'a> TrialRenderer<'a> {
         }
         let phases = self.renderer.phases();
         Ok(Rendered {
+            frame,
+            seed,
             pixels,
             seconds,
             lineage,

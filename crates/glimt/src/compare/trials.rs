@@ -6,7 +6,7 @@ use super::lineage::Lineage;
 use super::measures::{mean_offset, square_error, square_flicker};
 use super::moments::{Kept, Moments};
 use super::reference::Reference;
-use super::trial_renderer::{TrialRenderer, luminance_of};
+use super::trial_renderer::{Rendered, TrialRenderer, luminance_of};
 use crate::error::Result;
 use crate::shot::digest;
 use serde::{Deserialize, Serialize};
@@ -289,49 +289,30 @@ impl<'a> Trials<'a> {
             }
             let seed = plan.seed(contestant, k);
             renderer.forget_past()?;
-            let mut before: Option<(u32, Vec<glam::Vec4>)> = None;
+            let mut before: Option<Rendered> = None;
             for &frame in &frames {
                 let image = renderer.render(&contestant.shot, frame, seed)?;
                 progress(image.seconds);
                 if let Ok(i) = plan.measured.binary_search(&frame)
                     && waits(&trials[i])
                 {
-                    let reference = self.reference(frame);
-                    let flicker = before
+                    let before = before
                         .as_ref()
-                        .filter(|(number, _)| Some(*number) == plan.before(frame))
-                        .map(|(number, pixels)| {
-                            square_flicker(
-                                &image.pixels,
-                                pixels,
-                                reference,
-                                self.reference(*number),
-                            )
-                        });
-                    let shown = self.index(frame).and_then(|i| self.shown.get(i));
-                    let flip = match shown {
-                        Some(shown) => {
-                            let picture = renderer.display(&contestant.shot, &image.pixels)?;
-                            flip::mean(renderer.size(), shown, &picture)
-                        }
-                        None => None,
+                        .filter(|before| Some(before.frame) == plan.before(frame));
+                    let picture = match self.shown.is_empty() {
+                        true => None,
+                        false => Some(renderer.display(&contestant.shot, &image.pixels)?),
                     };
-                    trials[i].about.push(Record {
-                        seed,
-                        square_error: square_error(&image.pixels, reference),
-                        offset: mean_offset(&image.pixels, reference),
-                        square_flicker: flicker,
-                        flip,
-                        seconds: image.seconds,
-                        lineage: image.lineage,
-                    });
-                    trials[i].moments.push(&image.pixels);
-                    if trials[i].sample.is_none() {
-                        trials[i].sample = Some(image.pixels.clone());
+                    let record = self.measure(&image, before, picture.as_deref());
+                    let trial = &mut trials[i];
+                    trial.about.push(record);
+                    trial.moments.push(&image.pixels);
+                    if trial.sample.is_none() {
+                        trial.sample = Some(image.pixels.clone());
                     }
                     changed = true;
                 }
-                before = Some((frame, image.pixels));
+                before = Some(image);
             }
             if changed && (saved.elapsed() > SAVE_EVERY || k + 1 == plan.seeds) {
                 self.save(contestant, &trials)?;
@@ -339,6 +320,34 @@ impl<'a> Trials<'a> {
             }
         }
         Ok(trials)
+    }
+
+    /// What an image is measured to be: against the reference, against the image of the frame `before`, and as the `picture` that
+    /// is displayed of it, where those are there.
+    fn measure(
+        &self,
+        image: &Rendered,
+        before: Option<&Rendered>,
+        picture: Option<&[u8]>,
+    ) -> Record {
+        let reference = self.reference(image.frame);
+        let flicker = |then: &Rendered| {
+            let reference_then = self.reference(then.frame);
+            square_flicker(&image.pixels, &then.pixels, reference, reference_then)
+        };
+        let shown = self.index(image.frame).and_then(|i| self.shown.get(i));
+        let flip = |(shown, picture): (&Vec<u8>, &[u8])| {
+            flip::mean(reference.moments.size, shown, picture)
+        };
+        Record {
+            seed: image.seed,
+            square_error: square_error(&image.pixels, reference),
+            offset: mean_offset(&image.pixels, reference),
+            square_flicker: before.map(flicker),
+            flip: shown.zip(picture).and_then(flip),
+            seconds: image.seconds,
+            lineage: image.lineage,
+        }
     }
 
     fn save(&self, contestant: &Contestant, trials: &[Trial]) -> Result<()> {
