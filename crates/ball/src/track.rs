@@ -202,30 +202,16 @@ pub fn stabilise(observations: &[Observation], options: &Options) -> Result<Trac
     let rolls = rolls(observations, &time, &kept);
 
     let radius_line = Line::fit(&radii, &sigmas);
-    let span = time[time.len() - 1] - time[0];
     let lines = [
         (Quantity::CentreX, Line::fit(&xs, &[])),
         (Quantity::CentreY, Line::fit(&ys, &[])),
         (Quantity::Radius, radius_line),
         (Quantity::Roll, Line::fit(&rolls, &[])),
     ];
-    let drifts: Vec<Drift> = lines
-        .iter()
-        .map(|(quantity, line)| Drift {
-            quantity: *quantity,
-            total: line.slope * span,
-            sigma: line.slope_sigma * span,
-        })
-        .collect();
+    let drifts = drifts(&lines, time[time.len() - 1] - time[0]);
     let significant: Vec<Drift> = drifts
         .iter()
-        .filter(|drift| {
-            let px = match drift.quantity {
-                Quantity::Roll => drift.total * radius_line.mean,
-                _ => drift.total,
-            };
-            px.abs() > options.drift_px && drift.total.abs() > options.drift_sigmas * drift.sigma
-        })
+        .filter(|drift| is_significant(drift, radius_line.mean, options))
         .copied()
         .collect();
     let follows = significant.iter().any(|d| d.quantity == Quantity::Radius);
@@ -262,6 +248,25 @@ pub fn stabilise(observations: &[Observation], options: &Options) -> Result<Trac
     let no_roll = options.rolls && rolls.is_empty() && observations.len() > 1;
     tracked.notes = notes(&tracked, observations, no_roll);
     Ok(tracked)
+}
+
+/// What the lines change over a shot, which spans `span` frames.
+fn drifts(lines: &[(Quantity, Line)], span: f64) -> Vec<Drift> {
+    let drift = |(quantity, line): &(Quantity, Line)| Drift {
+        quantity: *quantity,
+        total: line.slope * span,
+        sigma: line.slope_sigma * span,
+    };
+    lines.iter().map(drift).collect()
+}
+
+/// Whether a drift moves the outline of a ball of this radius far enough, and is beyond doubt.
+fn is_significant(drift: &Drift, radius: f64, options: &Options) -> bool {
+    let px = match drift.quantity {
+        Quantity::Roll => drift.total * radius,
+        _ => drift.total,
+    };
+    px.abs() > options.drift_px && drift.total.abs() > options.drift_sigmas * drift.sigma
 }
 
 fn check(observations: &[Observation], options: &Options) -> Result<(), TrackError> {

@@ -64,7 +64,7 @@ fn choose<T>(
             let adapter = context.adapter();
             if adapter.is_software() {
                 tracing::warn!(
-                    "{} is no GPU but a program: slower than --device cpu, and where a ray has hundreds of samples it may \
+                    "{} is not a GPU but a program: slower than --device cpu, and where a ray has hundreds of samples it may \
                      leave some out",
                     adapter.name
                 );

@@ -28,9 +28,9 @@ pub struct Job {
     pub frames: Vec<u32>,
     /// How many frames only lead up to the others.
     pub preroll: usize,
-    /// What the sequential sampler goes on from.
+    /// What the sequential sampler continues from.
     pub state_in: Option<Saved>,
-    /// Where what comes after the last frame goes on from is saved.
+    /// Where what comes after the last frame continues from is saved.
     pub state_out: Option<PathBuf>,
     /// Whether these are all frames of the shot.
     pub whole: bool,
@@ -145,7 +145,7 @@ impl Job {
         Ok(Some(plate))
     }
 
-    /// Whether each frame goes on from the one before it.
+    /// Whether each frame continues from the one before it.
     pub fn is_chain(&self) -> bool {
         self.setup.shot.render.goes_on()
     }
@@ -178,7 +178,7 @@ impl Job {
     }
 }
 
-/// Few methods go on from frame to frame, and only one has a state that takes long to come by.
+/// Few methods continue from frame to frame, and only one has a state that takes long to come by.
 fn check_past(flags: &PastFlags, render: &Render) -> Result<()> {
     let given = [
         ("--state-in", flags.state_in.is_some()),
@@ -193,7 +193,7 @@ fn check_past(flags: &PastFlags, render: &Render) -> Result<()> {
                 false => "leave it out, or add --method smc",
             };
             Err(Error::usage(format!(
-                "{flag} is for methods that go on from frame to frame: here each stands alone"
+                "{flag} is for methods that continue from frame to frame: here each stands alone"
             ))
             .fix(fix))
         }
@@ -249,7 +249,7 @@ fn read_state(file: &Path, setup: &Setup, first: u32, notes: &mut Notes) -> Resu
     }
     if past.frame.checked_add(1) != Some(first) {
         let text = format!(
-            "the state is of frame {}, and frame {first} goes on from it",
+            "the state is of frame {}, and frame {first} continues from it",
             past.frame
         );
         notes.note(file, text);

@@ -40,7 +40,7 @@ struct Plan<'a> {
     stamps: Vec<Stamp>,
     /// Whether each frame is there already, or need not be, as it only leads up to others.
     current: Vec<bool>,
-    /// Whether each frame is computed: those that are not there, and those that they go on from.
+    /// Whether each frame is computed: those that are not there, and those that they continue from.
     computed: Vec<bool>,
     /// Hash of all that the last frame came from.
     chain: Hash,
@@ -136,7 +136,7 @@ impl SceneRenderer {
         Ok(opened)
     }
 
-    /// Saves what the next frame would go on from, where that is asked for.
+    /// Saves what the next frame would continue from, where that is asked for.
     fn save(&mut self, plan: &Plan<'_>) -> Result<()> {
         let Some(file) = &plan.job.state_out else {
             return Ok(());

@@ -37,7 +37,7 @@ pub fn duration(seconds: f64) -> String {
     }
 }
 
-/// A path as text: `json!` panics at one that is no UTF-8.
+/// A path as text: `json!` panics at one that is not UTF-8.
 #[must_use]
 pub fn shown(path: &Path) -> String {
     path.display().to_string()
@@ -240,7 +240,7 @@ impl Reporter {
             bar.set_message(format!("{what}: {done}/{all}"));
             return;
         }
-        // A line for each would drown what matters; ten tell that it goes on.
+        // A line for each would drown what matters; ten show that it continues.
         if done == all || done * 10 / all != (done - 1) * 10 / all {
             self.plain(&format!("{what}: {done}/{all}"));
         }
@@ -296,7 +296,7 @@ impl Reporter {
     /// An answer on standard output: `text`, or `value` as JSON.
     pub fn answer(&self, value: &Value, text: &str) {
         let mut out = std::io::stdout().lock();
-        // A closed pipe (`glimt info | head`) is no error of ours.
+        // A closed pipe (`glimt info | head`) is not an error of ours.
         let _ = if self.flags.json {
             writeln!(out, "{value}")
         } else {

@@ -181,7 +181,7 @@ fn keys(flags: &UnwarpFlags) -> Result<Ball> {
     let (shot, source): (Shot, _) =
         parse::parse(Path::new("the command line"), text.to_owned(), &set)?;
     let ball = shot.probe.ball.unwrap_or_default();
-    // The text above is no file in which a line could be looked up.
+    // The text above is not a file in which a line could be looked up.
     check::check_ball(&ball, &source).map_err(|e| Error {
         place: e.place.filter(|_| e.file.is_none()),
         ..e

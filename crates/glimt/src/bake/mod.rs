@@ -52,7 +52,7 @@ pub fn settings_of(shot: &Shot) -> BakeSettings {
 /// it stands, and of as many bands as the shot says; how many directions it was computed from is left to the file.
 ///
 /// # Errors
-/// The file is not there, not whole, of something else, of other bands, or holds what is no number. Each error names it, and
+/// The file is not there, not whole, of something else, of other bands, or holds what is not a number. Each error names it, and
 /// the command that makes it again.
 pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Result<Transfer> {
     let command = bake_command(setup, shot);

@@ -133,7 +133,7 @@ impl<'a> TrialRenderer<'a> {
         Ok(())
     }
 
-    /// Renders a frame. Reading the light and moving the scene are no part of its time.
+    /// Renders a frame. Reading the light and moving the scene are not part of its time.
     ///
     /// # Errors
     /// The light cannot be read, or the device fails.

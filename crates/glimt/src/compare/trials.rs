@@ -34,7 +34,7 @@ pub struct Record {
     pub flip: Option<f64>,
     /// Seconds of rendering.
     pub seconds: f64,
-    /// How its rays fare, where they go on from frame to frame.
+    /// How its rays fare, where they continue from frame to frame.
     #[serde(default)]
     pub lineage: Option<Lineage>,
 }
@@ -76,7 +76,7 @@ impl TrialPlan {
         needed
     }
 
-    /// The frames that a contestant renders, in order: one that goes on from the frame before renders all.
+    /// The frames that a contestant renders, in order: one that continues from the frame before renders all.
     #[must_use]
     pub fn sequence(&self, contestant: &Contestant) -> Vec<u32> {
         let last = self.measured.last().copied().unwrap_or(0);
@@ -254,7 +254,7 @@ impl<'a> Trials<'a> {
     fn open(&self, contestant: &Contestant, frame: u32, renderer: &TrialRenderer<'_>) -> Trial {
         let file = self.plan.file(contestant, frame);
         let kept = Trial::read(&file, &self.identity(contestant, frame), renderer.size());
-        // A run with more seeds goes on; what one with fewer finds cannot be divided.
+        // A run with more seeds continues; what one with fewer finds cannot be divided.
         let kept = kept.filter(|k| k.about.len() <= self.plan.seeds as usize);
         kept.unwrap_or_else(|| Trial {
             moments: Moments::new(renderer.size()),
@@ -414,7 +414,7 @@ mod tests {
         }
     }
 
-    /// One that goes on from the frame before renders all frames from the first to the last that is measured.
+    /// One that continues from the frame before renders all frames from the first to the last that is measured.
     #[test]
     fn frames_are_rendered_in_order() {
         let mut contestant = contestant("order");
@@ -426,7 +426,7 @@ mod tests {
         assert_eq!(plan.sequence(&contestant), [3, 4, 5, 6, 7, 8, 9, 10]);
     }
 
-    /// What images are made of is their identity: for one that goes on, all frames before.
+    /// What images are made of is their identity: for one that continues, all frames before.
     #[test]
     fn identities_tell_inputs_apart() {
         let mut contestant = contestant("identities");

@@ -31,7 +31,7 @@ const MAP: UVec2 = UVec2::new(640, 320);
 /// Makes the demonstration.
 ///
 /// # Errors
-/// The flags are wrong, or something cannot be written. What is done stays, and another run goes on from there.
+/// The flags are wrong, or something cannot be written. What is done stays, and another run continues from there.
 pub fn run(flags: &RenderFlags, reporter: &Reporter) -> Result<()> {
     if let Some(text) = &flags.frames {
         let asked = range::parse(text).map_err(|e| e.at("--frames"))?;

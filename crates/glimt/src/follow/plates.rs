@@ -119,7 +119,7 @@ impl Plates {
                     return Ok(Some(laid));
                 }
             }
-            // A gap in the numbers will hardly be filled, and a camera that has stopped will not go on for this frame.
+            // A gap in the numbers will hardly be filled, and a camera that has stopped will not continue for this frame.
             let skipped =
                 !self.watch.is_there(wanted) && self.watch.whole_before(u32::MAX) > Some(wanted);
             if skipped || self.in_vain == Some(self.watch.highest()) {

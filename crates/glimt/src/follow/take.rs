@@ -68,7 +68,7 @@ pub(super) struct Taker<'a> {
     /// The light, once its first frame has come.
     probe: Option<Probe>,
     has_colour: bool,
-    /// Hash of all lights so far, for frames that go on from one another.
+    /// Hash of all lights so far, for frames that continue from one another.
     chain: Hash,
     notes: Notes,
 }
@@ -227,7 +227,7 @@ impl<'a> Taker<'a> {
         }
         self.match_colours(frame, file, plate.as_ref())?;
         let Some(probe) = &self.probe else {
-            return Err(NotTaken::Dropped("it has no light".to_owned()));
+            return Err(NotTaken::Dropped("there is no light yet".to_owned()));
         };
         let mut inputs = probe.digest_at(&digest::of_file(file)?, pose);
         if let Some(plate) = &plate {

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Instant, SystemTime};
 
-/// Counts, and tells the reporter. It can be shared between threads.
+/// Counts, and reports. It can be shared between threads.
 pub(super) struct Tally<'a> {
     reporter: &'a Reporter,
     counts: Mutex<Counts>,

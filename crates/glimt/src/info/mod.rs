@@ -54,7 +54,7 @@ fn shot(file: &Path, set: &[String], notes: &mut Notes) -> Result<(serde_json::V
     Ok((value, text))
 }
 
-/// What moves in a shot: objects, and the camera at its keys or at both ends. A shot whose meshes are not all there tells nothing.
+/// What moves in a shot: objects, and the camera at its keys or at both ends. A shot whose meshes are not all there says nothing.
 fn motion(shot: Shot, source: Source, notes: &mut Notes) -> Result<Vec<String>> {
     let listed = probe_files(&shot, &source)?.listed().unwrap_or_default();
     let frames = match shot.render.frames.as_str() {

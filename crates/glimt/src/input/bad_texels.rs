@@ -1,9 +1,9 @@
-//! Host file: texels of a light that are no radiance, counted by what is wrong with them.
+//! Host file: texels of a light that are not radiance, counted by what is wrong with them.
 
 use glam::Vec4;
 use glimt_render_gpu::host::env::MAX_RADIANCE;
 
-/// Texels that are no radiance, by what is wrong with them. A texel counts once, for the first of these.
+/// Texels that are not radiance, by what is wrong with them. A texel counts once, for the first of these.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct BadTexels {
     /// With a channel that is not a number.

@@ -20,7 +20,7 @@ pub struct LightImage {
 /// Width and height of a photograph (HDR, PNG or JPEG), by its header.
 ///
 /// # Errors
-/// The file cannot be read, or is no image.
+/// The file cannot be read, or is not an image.
 pub fn read_photo_size(file: &Path) -> Result<UVec2> {
     match is_display(file)? {
         true => plate::read_size(file),
@@ -42,7 +42,7 @@ pub fn read_photo(file: &Path, notes: &mut Notes) -> Result<LightImage> {
     let worth_a_note = bad.total() - bad.negative;
     if worth_a_note > 0 {
         let what = format!(
-            "{worth_a_note} of {} pixels are no light: {bad}",
+            "{worth_a_note} of {} pixels are not light: {bad}",
             texels.len()
         );
         notes.defect(file, &what, "those channels are taken as 0")?;
@@ -69,7 +69,11 @@ pub fn read_all_directions(file: &Path, notes: &mut Notes) -> Result<LightImage>
         } else {
             "texels are"
         };
-        let what = format!("{} of {} {noun} no light: {bad}", bad.total(), texels.len());
+        let what = format!(
+            "{} of {} {noun} not light: {bad}",
+            bad.total(),
+            texels.len()
+        );
         notes.defect(file, &what, "those channels are taken as 0")?;
         EnvMap::repair(&mut texels);
     }

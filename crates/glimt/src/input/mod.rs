@@ -80,7 +80,7 @@ pub enum Format {
 /// Finds the format of a file by its first bytes.
 ///
 /// # Errors
-/// The file cannot be read, or is no HDR image.
+/// The file cannot be read, or is not an HDR image.
 pub fn format_of(file: &Path) -> Result<Format> {
     match start_of(file)?[..] {
         [0x76, 0x2f, 0x31, 0x01, ..] => Ok(Format::Exr),
@@ -123,7 +123,7 @@ pub fn is_display(file: &Path) -> Result<bool> {
 /// Reads the header of an HDR image.
 ///
 /// # Errors
-/// The file cannot be read, or is no HDR image that is understood.
+/// The file cannot be read, or is not an HDR image that is understood.
 pub fn read_header(file: &Path) -> Result<Header> {
     match format_of(file)? {
         Format::Exr => exr::read_header(file),
@@ -134,7 +134,7 @@ pub fn read_header(file: &Path) -> Result<Header> {
 /// Reads an HDR image.
 ///
 /// # Errors
-/// The file cannot be read, or is no HDR image that is understood.
+/// The file cannot be read, or is not an HDR image that is understood.
 pub fn read_image(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
     match format_of(file)? {
         Format::Exr => exr::read_image(file, notes),

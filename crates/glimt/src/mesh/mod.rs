@@ -36,7 +36,7 @@ pub fn load(base: &Path, name: &str, notes: &mut Notes) -> Result<Model> {
         "obj" => obj::load(&file, notes)?,
         "ply" => ply::load(&file, notes)?,
         _ => {
-            return Err(Error::input(&file, "it is no kind of mesh that is known")
+            return Err(Error::input(&file, "it is not a known kind of mesh")
                 .fix("known are .glb, .gltf, .obj, .ply, .ply.gz, and the built-in \"sphere\", \"plane\", \"armillary\" and \"helicopter\""));
         }
     };

@@ -183,7 +183,7 @@ impl Placing {
             ));
         }
         grow(&mut self.all, bounds);
-        // What is in the footage already is no more the subject than a floor.
+        // What is in the footage already is as little the subject as a floor.
         if object.mesh != "plane" && !object.catcher {
             grow(&mut self.subject, bounds);
         }

@@ -74,7 +74,7 @@ impl Filming {
         truth_of(&self.synth, frame, world.sun())
     }
 
-    /// The same for one whose surroundings are not at hand.
+    /// The same for one whose surroundings are not available.
     pub fn truth_of(&self, frame: u32) -> FrameTruth {
         truth_of(&self.synth, frame, self.base.sun(&self.synth, frame))
     }
@@ -127,7 +127,7 @@ impl Filming {
     /// The backplate: linear, and as it is displayed.
     ///
     /// # Errors
-    /// The GPU fails, or the plate's camera is no camera.
+    /// The GPU fails, or the plate's camera is not a camera.
     pub fn film_plate(
         &self,
         processor: &Processor,

@@ -199,7 +199,7 @@ impl Job {
             && (!plate.on || plate_there())
     }
 
-    /// What does not hang on filming: the numbers of all frames, the mask, and the shot.
+    /// What does not depend on filming: the numbers of all frames, the mask, and the shot.
     fn write_truth(&self) -> Result<()> {
         let synth = self.filming.synth();
         let truth: Vec<FrameTruth> = (1..=synth.frames)

@@ -83,7 +83,7 @@ impl World {
 pub(super) enum Base {
     /// The built-in sky; kept where its sun stands still.
     Sky { still: OnceLock<Vec<Vec4>> },
-    /// A map, the blob of its sun taken out where that is drawn anew.
+    /// A map, the blob of its sun taken out where that is drawn again.
     Map {
         size: UVec2,
         texels: Vec<Vec4>,

@@ -2,7 +2,7 @@
 
 use crate::compare::statistics::Estimate;
 
-/// Colours that are told apart with any kind of colour vision (Okabe and Ito 2008), and on dark and light ground.
+/// Colours that are distinguished with any kind of colour vision (Okabe and Ito 2008), and on dark and light ground.
 const COLOURS: [&str; 7] = [
     "#0072b2", "#e69f00", "#009e73", "#d55e00", "#cc79a7", "#56b4e9", "#999933",
 ];

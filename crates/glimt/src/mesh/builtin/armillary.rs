@@ -1,6 +1,6 @@
 //! Host file: the sculpture: an armillary sphere on a turned pedestal. It stands on z = 0, in metres.
 
-use super::solid::{Knurl, Placement, Solid, around_z};
+use super::solid::{Knurl, Placement, Ring, Solid, around_z};
 use crate::mesh::model::Model;
 use glam::{DMat3, DVec2, DVec3, UVec2, Vec3, dvec2, uvec2, vec3};
 use glimt_render_gpu::host::scene::Material;
@@ -102,7 +102,16 @@ fn pedestal(solid: &mut Solid) {
             turn: DMat3::IDENTITY,
             origin: height * DVec3::Z,
         };
-        solid.ring(BRASS, uvec2(128, 24), radius, half, Knurl::NONE, &place);
+        solid.ring(
+            BRASS,
+            uvec2(128, 24),
+            &Ring {
+                radius,
+                half,
+                knurl: Knurl::NONE,
+            },
+            &place,
+        );
     }
     solid.lathe(
         BRASS,
@@ -121,11 +130,13 @@ fn cradle(solid: &mut Solid) {
     solid.ring(
         ENAMEL,
         uvec2(360, 28),
-        0.90,
-        dvec2(0.060, 0.022),
-        Knurl {
-            count: 72.0,
-            depth: 0.012,
+        &Ring {
+            radius: 0.90,
+            half: dvec2(0.060, 0.022),
+            knurl: Knurl {
+                count: 72.0,
+                depth: 0.012,
+            },
         },
         &level,
     );
@@ -163,9 +174,11 @@ fn sphere(solid: &mut Solid) {
     solid.ring(
         BRASS,
         uvec2(384, 28),
-        0.79,
-        dvec2(0.024, 0.036),
-        knurl,
+        &Ring {
+            radius: 0.79,
+            half: dvec2(0.024, 0.036),
+            knurl,
+        },
         &polar.turned(upright),
     );
     for turn in [FRAC_PI_2 * 0.5, -FRAC_PI_2 * 0.5] {
@@ -173,18 +186,22 @@ fn sphere(solid: &mut Solid) {
         solid.ring(
             BRASS,
             around,
-            0.705,
-            dvec2(0.014, 0.022),
-            Knurl::NONE,
+            &Ring {
+                radius: 0.705,
+                half: dvec2(0.014, 0.022),
+                knurl: Knurl::NONE,
+            },
             &colure,
         );
     }
     solid.ring(
         BRASS,
         around,
-        0.715,
-        dvec2(0.018, 0.045),
-        Knurl::NONE,
+        &Ring {
+            radius: 0.715,
+            half: dvec2(0.018, 0.045),
+            knurl: Knurl::NONE,
+        },
         &polar,
     );
     for latitude in [obliquity, -obliquity] {
@@ -193,9 +210,11 @@ fn sphere(solid: &mut Solid) {
         solid.ring(
             BRASS,
             around,
-            radius,
-            dvec2(0.014, 0.020),
-            Knurl::NONE,
+            &Ring {
+                radius,
+                half: dvec2(0.014, 0.020),
+                knurl: Knurl::NONE,
+            },
             &tropic,
         );
     }
@@ -203,9 +222,11 @@ fn sphere(solid: &mut Solid) {
     solid.ring(
         IVORY,
         around,
-        0.66,
-        dvec2(0.012, 0.070),
-        Knurl::NONE,
+        &Ring {
+            radius: 0.66,
+            half: dvec2(0.012, 0.070),
+            knurl: Knurl::NONE,
+        },
         &ecliptic,
     );
     globe(solid, &polar);

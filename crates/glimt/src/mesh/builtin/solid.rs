@@ -66,18 +66,13 @@ impl Solid {
         });
     }
 
-    /// Adds a ring about the z axis of `place`, then turned and moved by it. Its section is a rounded rectangle
-    /// `2 half.x` thick (along the radius) and `2 half.y` wide (along the axis); `knurl` notches that deep run
-    /// around its outer face.
-    pub(super) fn ring(
-        &mut self,
-        material: u32,
-        cells: UVec2,
-        radius: f64,
-        half: DVec2,
-        knurl: Knurl,
-        place: &Placement,
-    ) {
+    /// Adds a ring about the z axis of `place`, then turned and moved by it.
+    pub(super) fn ring(&mut self, material: u32, cells: UVec2, ring: &Ring, place: &Placement) {
+        let Ring {
+            radius,
+            half,
+            knurl,
+        } = *ring;
         self.patch(material, cells, |uv| {
             let section = half * rounded_square(TAU * uv.y);
             let outer = (section.x / half.x).max(0.0);
@@ -109,6 +104,17 @@ impl Solid {
             place.at(around_z(uv.x, radius(z)) + z * DVec3::Z)
         });
     }
+}
+
+/// A ring whose section is a rounded rectangle.
+#[derive(Clone, Copy)]
+pub(super) struct Ring {
+    /// From its axis to the middle of its section.
+    pub(super) radius: f64,
+    /// Half its thickness along the radius, and half its width along the axis.
+    pub(super) half: DVec2,
+    /// Notches around its outer face.
+    pub(super) knurl: Knurl,
 }
 
 /// Notches around the outside of a ring.
