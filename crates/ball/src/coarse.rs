@@ -3,7 +3,7 @@
 //! The votes are on the logarithm of the luminance and saturate, so that a lamp's outline counts no more than a rim that is
 //! hardly darker than what surrounds it. An edge votes on both of its sides: the ball may be the brighter or the darker one.
 
-use crate::Circle;
+use crate::circle::Circle;
 use crate::plane::Plane;
 use glam::DVec2;
 use rayon::prelude::*;

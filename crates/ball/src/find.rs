@@ -1,6 +1,6 @@
 //! Host file: finds the ball in one frame, coarse to fine.
 
-use crate::Circle;
+use crate::circle::Circle;
 use crate::coarse::candidates;
 use crate::edge::{BLURS, USUAL_BLUR, nearest};
 use crate::plane::Pyramid;

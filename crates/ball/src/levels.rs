@@ -1,6 +1,6 @@
 //! Host file: how bright a frame's ball is, in cells, so that a frame of another exposure is told from changed light.
 
-use crate::Circle;
+use crate::circle::Circle;
 use crate::plane::Pyramid;
 use glam::{DVec2, UVec2, Vec4};
 use std::f64::consts::TAU;

@@ -49,6 +49,7 @@
 //! - The ball lies in the frame as a whole, and its radius is at least 20 pixels.
 //! - Work is done by rayon's threads; results do not depend on their number.
 
+mod circle;
 mod coarse;
 mod edge;
 mod find;
@@ -62,6 +63,7 @@ mod robust;
 pub mod roll;
 mod track;
 
+pub use circle::Circle;
 pub use find::{FindError, Found, Side, find};
 pub use live::{Pose, Tracker, TrackerOptions};
 pub use look::{Look, look};
@@ -69,32 +71,3 @@ pub use track::{
     Drift, ExposureJump, Observation, Options, Quantity, State, TrackError, Tracked, TrackedPose,
     stabilise,
 };
-
-use glam::DVec2;
-
-/// The outline of a ball.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Circle {
-    /// Centre in pixels.
-    pub centre: DVec2,
-    /// Radius in pixels.
-    pub radius: f64,
-}
-
-impl Circle {
-    /// The same circle in an image whose pixels are `1 / factor` times as large.
-    #[must_use]
-    pub fn scaled(self, factor: f64) -> Self {
-        Self {
-            centre: self.centre * factor,
-            radius: self.radius * factor,
-        }
-    }
-}
-
-impl std::fmt::Display for Circle {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { centre, radius } = self;
-        write!(f, "({:.1}, {:.1}) r {radius:.1} px", centre.x, centre.y)
-    }
-}

@@ -1,9 +1,11 @@
 //! Host file: the ball in frames as they come in: each pose from this frame and those before it.
 
+use crate::circle::Circle;
+use crate::find::{FindError, Found};
 use crate::find::{find_in, reduced};
 use crate::plane::Pyramid;
 use crate::roll::Reference;
-use crate::{Circle, FindError, Found, State};
+use crate::track::State;
 use glam::{DVec2, UVec2, Vec4};
 
 /// How a [`Tracker`] goes about it.

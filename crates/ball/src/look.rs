@@ -1,9 +1,10 @@
 //! Host file: all that a sequence needs to know of one frame, from one reduction of its image.
 
+use crate::circle::Circle;
+use crate::find::{FindError, Found};
 use crate::find::{find_in, reduced};
 use crate::levels::Levels;
 use crate::roll::Reference;
-use crate::{Circle, FindError, Found};
 use glam::{UVec2, Vec4};
 
 /// A frame, looked at.

@@ -1,6 +1,6 @@
 //! Host file: luminance alone, in one float a pixel, and its reductions by two.
 
-use crate::Circle;
+use crate::circle::Circle;
 use glam::{UVec2, Vec4};
 use glimt_sampling::math::luminance;
 use rayon::prelude::*;

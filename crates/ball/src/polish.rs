@@ -8,7 +8,7 @@
 //! same while the circle moves, so that likelihoods can be compared. All is done in square roots of the luminance, in which
 //! the noise is even.
 
-use crate::Circle;
+use crate::circle::Circle;
 use crate::plane::Plane;
 use crate::refine::{Profile, Try, badness, covariance, least, minimum};
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};

@@ -6,7 +6,7 @@
 //! One circle for all sectors minimises the sum of that, each sector's share being bounded: a sector that shows the
 //! mount, or a lamp's glare, does not pull.
 
-use crate::Circle;
+use crate::circle::Circle;
 use crate::edge::{BLURS, terms};
 use crate::plane::Plane;
 use glam::{DMat3, DVec2, DVec3};

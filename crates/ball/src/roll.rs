@@ -5,7 +5,7 @@
 //! rings; from the best one Gauss-Newton steps on fine rings find the turn to a fraction of a pixel's angle, together with
 //! a small shift, since the centre is not known exactly. Pixels that differ much, where the light changed, hardly count.
 
-use crate::Circle;
+use crate::circle::Circle;
 use crate::plane::{Plane, Pyramid};
 use glam::{DMat3, DVec3, UVec2, Vec4};
 use rayon::prelude::*;

@@ -1,10 +1,10 @@
 //! Host file: the poses of a whole shot from what was seen in each frame: one radius, lost frames filled, drifts and
 //! changed exposures said.
 
+use crate::find::{FindError, Found};
 use crate::levels::{Levels, median};
 use crate::robust::{Line, running_median_residuals, spread};
 use crate::roll::Roll;
-use crate::{FindError, Found};
 use glam::DVec2;
 
 /// What was seen in a frame.
