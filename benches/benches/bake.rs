@@ -280,7 +280,7 @@ fn object(name: &str, vertices: usize) -> TriangleMesh {
     mesh
 }
 
-fn of_model(name: &str, model: &mesh::Model) -> TriangleMesh {
+fn of_model(name: &str, model: &mesh::model::Model) -> TriangleMesh {
     let own = &model.meshes[0];
     // Vertices that no face uses would count, and cost nothing.
     let mut numbers = HashMap::new();

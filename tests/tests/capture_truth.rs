@@ -5,13 +5,14 @@
 //! solid angle; the flux; and where the brightest region is.
 
 use glam::{DVec3, UVec2, Vec4};
-use glimt::ball::find;
-use glimt::capture::photo::Photo;
 use glimt::capture::{Capture, Poses};
+use glimt::device::Processor;
+use glimt::input::light_image::LightImage;
 use glimt::input::read_image;
 use glimt::notes::Notes;
 use glimt::shot;
-use glimt::synth::{Filming, Processor, Synth, SynthFrame, rig_half_angle};
+use glimt::synth::{Filming, Synth, SynthFrame, rig_half_angle};
+use glimt_ball::find;
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
 use glimt_probe::unwarp::{Outline, Visibility};
@@ -122,7 +123,7 @@ impl Filmed {
     /// The map that the program makes, and what became of each of its texels.
     fn unwarp(&self, keys: &shot::Ball, pose: BallPose) -> (Vec<Vec4>, Vec<Visibility>) {
         let capture = Capture::new(keys, Poses::Fixed(pose));
-        let photo = Photo {
+        let photo = LightImage {
             size: self.frame.size,
             pixels: self.frame.pixels.clone(),
         };

@@ -11,7 +11,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use glam::{Vec3, Vec4};
-use glimt::cli::{RenderFlags, Talk};
+use glimt::cli::{PrintFlags, RenderFlags};
 use glimt::job::Job;
 use glimt::notes::Notes;
 use glimt::report::Reporter;
@@ -93,7 +93,7 @@ fn shot(model: &str, map: &str, set: &[&str]) -> Shot {
         ..RenderFlags::default()
     };
     let mut notes = Notes::new(false);
-    let reporter = Reporter::new(Talk {
+    let reporter = Reporter::new(PrintFlags {
         quiet: true,
         json: false,
         verbose: 0,

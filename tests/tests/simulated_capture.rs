@@ -2,7 +2,8 @@
 //! out here; and the frames of the GPU against the CPU's.
 
 use glam::{DVec2, DVec3, UVec2, Vec2, Vec3, Vec4, dvec2, dvec3};
-use glimt::synth::{Filming, Lamp, Processor, Shape, Synth, SynthFrame};
+use glimt::device::Processor;
+use glimt::synth::{Filming, Lamp, Shape, Synth, SynthFrame};
 use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
 use glimt_probe::mirror_ball::{MirrorBall, pixel_to_image};
 use glimt_probe::rotate::cos_sin_degrees;

@@ -428,12 +428,12 @@ fn enlarged(file: &Path, size: UVec2, mut texels: Vec<Vec4>) -> Outcome<PathBuf>
 fn run(args: &[&str]) -> Outcome<()> {
     use clap::Parser;
     let cli = Cli::try_parse_from([&["glimt", "--quiet"], args].concat())?;
-    command::run(cli.command, &Reporter::new(cli.talk)).map_err(told)
+    command::run(cli.command, &Reporter::new(cli.print)).map_err(told)
 }
 
 /// An error of the program with its fix.
 fn told(error: glimt::error::Error) -> Box<dyn Error> {
-    let reporter = Reporter::new(glimt::cli::Talk {
+    let reporter = Reporter::new(glimt::cli::PrintFlags {
         quiet: false,
         json: false,
         verbose: 0,

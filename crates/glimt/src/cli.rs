@@ -12,14 +12,14 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
-    /// How to talk.
+    /// What to print.
     #[command(flatten)]
-    pub talk: Talk,
+    pub print: PrintFlags,
 }
 
-/// Flags that every command has.
+/// Flags that every command has: what it prints.
 #[derive(Clone, Copy, Debug, Args)]
-pub struct Talk {
+pub struct PrintFlags {
     /// Print nothing but warnings and errors
     #[arg(long, short, global = true)]
     pub quiet: bool,
@@ -52,7 +52,7 @@ pub enum Command {
         /// Common flags.
         #[command(flatten)]
         flags: RenderFlags,
-        /// What frames go on from.
+        /// What frames continue from.
         #[command(flatten)]
         past: PastFlags,
         /// Whether frames are still to come.
@@ -66,7 +66,7 @@ pub enum Command {
     /// catchers count as they are lit. Each is rendered with --seeds independent scramblings and held against a long reference run.
     ///
     /// Writes compare.html (one file, with pictures, curves and definitions), compare.json and compare.csv. What is rendered is kept
-    /// in cache/ below: another run goes on from there, and a longer --reference-time refines what is there.
+    /// in cache/ below: another run continues from there, and a longer --reference-time refines what is there.
     #[command(after_help = COMPARE_EXAMPLES)]
     Compare {
         /// The shot file (TOML)
@@ -167,15 +167,15 @@ pub struct RenderFlags {
     /// Seed of the random streams, instead of the shot's render.seed
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = seed)]
     pub seed: Option<u32>,
-    /// Refuse inputs with defects (texels that are no light, degenerate triangles) rather than work around them
+    /// Refuse inputs with defects (texels that are not light, degenerate triangles) rather than work around them
     #[arg(long)]
     pub strict: bool,
-    /// What the sequential sampler goes on from: flags of `glimt render` alone.
+    /// What the sequential sampler continues from: flags of `glimt render` alone.
     #[arg(skip)]
     pub past: PastFlags,
 }
 
-/// Flags of the method "smc", whose frames go on from one another.
+/// Flags of the method "smc", whose frames continue from one another.
 #[derive(Clone, Debug, Default, Args)]
 pub struct PastFlags {
     /// With the method smc, or prt with `render.prt.temporal`: render so many frames before the first, without writing them
@@ -186,10 +186,10 @@ pub struct PastFlags {
         conflicts_with = "state_in"
     )]
     pub preroll: u32,
-    /// With the method smc: go on from a state that --state-out saved
+    /// With the method smc: continue from a state that --state-out saved
     #[arg(long, value_name = "FILE", conflicts_with = "follow")]
     pub state_in: Option<PathBuf>,
-    /// With the method smc: save what the next frame would go on from
+    /// With the method smc: save what the next frame would continue from
     #[arg(long, value_name = "FILE", conflicts_with = "follow")]
     pub state_out: Option<PathBuf>,
 }
@@ -199,7 +199,7 @@ pub struct PastFlags {
 pub struct FollowFlags {
     /// Render frames as they appear in the folder of probe.frames, dropping the oldest when behind
     ///
-    /// The first frame is the newest that is there, or the first of --frames or render.frames. Lag and drops are told.
+    /// The first frame is the newest that is there, or the first of --frames or render.frames. Lag and drops are reported.
     #[arg(long)]
     pub follow: bool,
     /// With --follow: end when no frame has come for so long; a backplate is waited for half as long
@@ -297,7 +297,7 @@ pub struct SynthFlags {
     /// Seed of shake, noise and clouds, instead of the key seed
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = seed)]
     pub seed: Option<u32>,
-    /// Refuse a light map with texels that are no light, rather than take them as 0
+    /// Refuse a light map with texels that are not light, rather than take them as 0
     #[arg(long)]
     pub strict: bool,
 }
@@ -326,7 +326,7 @@ pub struct UnwarpFlags {
     /// Set any key of the shot's [probe.ball], as rig_deg=8, rim_px=2 or steady=false
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// Refuse frames with pixels that are no light, rather than take them as 0
+    /// Refuse frames with pixels that are not light, rather than take them as 0
     #[arg(long)]
     pub strict: bool,
 }
@@ -361,7 +361,7 @@ pub struct ShFlags {
     /// File for the coefficients; standard output if not given
     #[arg(long, short, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Refuse maps with texels that are no light, rather than take them as 0
+    /// Refuse maps with texels that are not light, rather than take them as 0
     #[arg(long)]
     pub strict: bool,
 }
@@ -535,7 +535,7 @@ Examples:
   glimt compare shot.toml --frames 1-90 --stride 10 --reference-time 600 --keep --json
   glimt compare shot.toml --reference compare/reference  # what --keep wrote
 
-Each contestant needs --seeds frames for every measured frame and the one before it; SMC, which goes on from frame to frame,
+Each contestant needs --seeds frames for every measured frame and the one before it; SMC, which continues from frame to frame,
 all frames of --frames up to the last that is measured.";
 
 const BAKE_EXAMPLES: &str = "\

@@ -1,12 +1,11 @@
 //! Host file: the commands, each handed over to who does it.
 
-use crate::capture::unwarp;
 use crate::cli::{Command, RenderFlags};
 use crate::error::Result;
 use crate::job::Job;
 use crate::notes::Notes;
 use crate::report::Reporter;
-use crate::{bake, compare, demo, follow, info, render, sh, synth};
+use crate::{bake, compare, demo, follow, info, render, sh, synth, unwarp};
 
 /// Does what a command asks for.
 ///

@@ -2,11 +2,29 @@
 
 use crate::cli::Device;
 use crate::error::{Error, Kind, Result};
-use crate::synth::Processor;
 use glimt_executor::HostError;
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::{self, AdapterPreference, GpuContext, GpuError, GpuRenderer};
 use glimt_render_gpu::host::render::{RenderError, Renderer};
+
+/// What runs the kernels.
+#[derive(Debug)]
+pub enum Processor {
+    /// All of rayon's threads.
+    Cpu,
+    /// A GPU.
+    Gpu(Box<GpuContext>),
+}
+
+impl Processor {
+    /// What it is, for messages.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Cpu => format!("CPU, {} threads", rayon::current_num_threads()),
+            Self::Gpu(gpu) => format!("GPU, {}", gpu.adapter()),
+        }
+    }
+}
 
 /// Opens a device. `auto` takes a GPU where a real one is found that works: a software one is slower than the CPU
 /// renderer.
@@ -46,7 +64,7 @@ fn choose<T>(
             let adapter = context.adapter();
             if adapter.is_software() {
                 tracing::warn!(
-                    "{} is no GPU but a program: slower than --device cpu, and where a ray has hundreds of samples it may \
+                    "{} is not a GPU but a program: slower than --device cpu, and where a ray has hundreds of samples it may \
                      leave some out",
                     adapter.name
                 );

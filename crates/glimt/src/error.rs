@@ -130,6 +130,18 @@ impl Error {
         self
     }
 
+    /// Says which names there are in place of one that is unknown, and which of them was probably meant.
+    pub fn fix_name(self, unknown: &str, known: &[&str]) -> Self {
+        let all = match known {
+            [] => return self.fix("it has none"),
+            _ => known.join(", "),
+        };
+        match nearest(unknown, known.iter().copied()) {
+            Some(near) => self.fix(format!("did you mean `{near}`? There are: {all}")),
+            None => self.fix(format!("there are: {all}")),
+        }
+    }
+
     /// Says what to do.
     pub fn fix(mut self, fix: impl fmt::Display) -> Self {
         self.fix = Some(one_line(&fix.to_string()));

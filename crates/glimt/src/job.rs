@@ -1,12 +1,11 @@
 //! Host file: what there is to render: a shot file or the built-in shot, loaded and checked, ready for the pipeline.
 
 use crate::bake;
-use crate::capture::colour;
 use crate::cli::{PastFlags, RenderFlags};
 use crate::error::{Error, Result};
 use crate::input::footage::{self, Footage};
 use crate::input::frames::FrameFiles;
-use crate::input::probe::Probe;
+use crate::light::{Probe, Selection, colour};
 use crate::notes::Notes;
 use crate::output::state::{self, Saved};
 use crate::report::Reporter;
@@ -29,9 +28,9 @@ pub struct Job {
     pub frames: Vec<u32>,
     /// How many frames only lead up to the others.
     pub preroll: usize,
-    /// What the sequential sampler goes on from.
+    /// What the sequential sampler continues from.
     pub state_in: Option<Saved>,
-    /// Where what comes after the last frame goes on from is saved.
+    /// Where what comes after the last frame continues from is saved.
     pub state_out: Option<PathBuf>,
     /// Whether these are all frames of the shot.
     pub whole: bool,
@@ -51,12 +50,11 @@ impl Job {
         reporter: &Reporter,
     ) -> Result<Self> {
         let (mut shot, source) = parse::read(file, &setup::overrides(flags))?;
-        let base = file.parent().unwrap_or(Path::new(""));
-        footage::adopt_size(&mut shot, &source, base)?;
+        footage::adopt_size(&mut shot, &source)?;
         check::check(&shot, &source)?;
 
-        let files = probe_files(&shot, &source, base)?;
-        let footage = Footage::find(&shot, &source, base, &files, notes)?;
+        let files = probe_files(&shot, &source)?;
+        let footage = Footage::find(&shot, &source, &files, notes)?;
         let (asked, of_shot) = choose_frames(&shot, &files, footage.as_ref(), flags, notes)?;
         check_past(&flags.past, &shot.render)?;
         let (frames, preroll) = with_preroll(asked, &of_shot, &files, &flags.past, notes)?;
@@ -64,8 +62,12 @@ impl Job {
             footage.require(&frames, UVec2::from(shot.image.size), notes)?;
         }
         let found = |done, all| reporter.stage("looking for the ball", done, all);
-        let range = of_shot.clone();
-        let mut probe = Probe::open(files, &frames, range, &shot.probe, notes, &found)?;
+        let selection = Selection {
+            files,
+            frames: &frames,
+            of_shot: of_shot.clone(),
+        };
+        let mut probe = Probe::open(selection, &shot.probe, notes, &found)?;
         colour::correct(
             &mut probe,
             &shot,
@@ -74,7 +76,7 @@ impl Job {
             frames[0],
             notes,
         )?;
-        let mut setup = Setup::load(shot, source, base, *of_shot.start(), flags, notes)?;
+        let mut setup = Setup::load(shot, source, *of_shot.start(), flags, notes)?;
         bake::expect(&mut setup)?;
         let state_in = match &flags.past.state_in {
             Some(file) => Some(read_state(file, &setup, frames[0], notes)?),
@@ -143,7 +145,7 @@ impl Job {
         Ok(Some(plate))
     }
 
-    /// Whether each frame goes on from the one before it.
+    /// Whether each frame continues from the one before it.
     pub fn is_chain(&self) -> bool {
         self.setup.shot.render.goes_on()
     }
@@ -176,7 +178,7 @@ impl Job {
     }
 }
 
-/// Few methods go on from frame to frame, and only one has a state that takes long to come by.
+/// Few methods continue from frame to frame, and only one has a state that takes long to come by.
 fn check_past(flags: &PastFlags, render: &Render) -> Result<()> {
     let given = [
         ("--state-in", flags.state_in.is_some()),
@@ -191,7 +193,7 @@ fn check_past(flags: &PastFlags, render: &Render) -> Result<()> {
                 false => "leave it out, or add --method smc",
             };
             Err(Error::usage(format!(
-                "{flag} is for methods that go on from frame to frame: here each stands alone"
+                "{flag} is for methods that continue from frame to frame: here each stands alone"
             ))
             .fix(fix))
         }
@@ -247,7 +249,7 @@ fn read_state(file: &Path, setup: &Setup, first: u32, notes: &mut Notes) -> Resu
     }
     if past.frame.checked_add(1) != Some(first) {
         let text = format!(
-            "the state is of frame {}, and frame {first} goes on from it",
+            "the state is of frame {}, and frame {first} continues from it",
             past.frame
         );
         notes.note(file, text);
@@ -259,8 +261,8 @@ fn read_state(file: &Path, setup: &Setup, first: u32, notes: &mut Notes) -> Resu
 ///
 /// # Errors
 /// They cannot be named so.
-pub fn probe_files(shot: &Shot, source: &Source, base: &Path) -> Result<FrameFiles> {
-    FrameFiles::new(base, &shot.probe.frames).map_err(|e| {
+pub fn probe_files(shot: &Shot, source: &Source) -> Result<FrameFiles> {
+    FrameFiles::new(source.folder(), &shot.probe.frames).map_err(|e| {
         source
             .error("probe.frames", e.what)
             .fix(e.fix.unwrap_or_default())

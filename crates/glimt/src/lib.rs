@@ -4,27 +4,27 @@
 //! [`mesh`] for what is read, [`output`] for what is written, and [`render`] for the pipeline between them.
 
 pub mod bake;
-pub mod ball;
 pub mod capture;
 pub mod cli;
 pub mod command;
 pub mod compare;
 pub mod demo;
 pub mod device;
-pub mod disc;
 pub mod error;
 pub mod follow;
 pub mod frame;
 pub mod info;
 pub mod input;
 pub mod job;
+pub mod light;
 pub mod mesh;
 pub mod notes;
 pub mod output;
 pub mod render;
 pub mod report;
+pub mod scene;
 pub mod setup;
 pub mod sh;
 pub mod shot;
 pub mod synth;
-pub mod view;
+pub mod unwarp;

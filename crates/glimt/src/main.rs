@@ -12,8 +12,8 @@ use tracing_subscriber::EnvFilter;
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
-    start_log(cli.talk.verbose);
-    let reporter = Reporter::new(cli.talk);
+    start_log(cli.print.verbose);
+    let reporter = Reporter::new(cli.print);
     let outcome = catch_unwind(AssertUnwindSafe(|| command::run(cli.command, &reporter)))
         .unwrap_or_else(|_| {
             Err(Error::new(

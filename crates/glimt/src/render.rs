@@ -40,7 +40,7 @@ struct Plan<'a> {
     stamps: Vec<Stamp>,
     /// Whether each frame is there already, or need not be, as it only leads up to others.
     current: Vec<bool>,
-    /// Whether each frame is computed: those that are not there, and those that they go on from.
+    /// Whether each frame is computed: those that are not there, and those that they continue from.
     computed: Vec<bool>,
     /// Hash of all that the last frame came from.
     chain: Hash,
@@ -66,13 +66,13 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
     atomic::prepare_folder(&job.setup.out)?;
     let plan = Plan::new(&job, reporter)?;
     check_current(&plan, &mut notes, reporter)?;
-    let mut stage = match plan.computed.contains(&true) {
-        true => Some(Stage::set(&job, device)?),
+    let mut ready = match plan.computed.contains(&true) {
+        true => Some(SceneRenderer::open(&job, device)?),
         false => None,
     };
     tracing::info!("scene and device are ready after {:.2?}", began.elapsed());
-    let name = match &stage {
-        Some(stage) => stage.renderer.name(),
+    let name = match &ready {
+        Some(ready) => ready.renderer.name(),
         None => "no device".to_owned(),
     };
     let asked = job.frames.len() - job.preroll;
@@ -82,7 +82,7 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
     let rendered = std::thread::scope(|scope| {
         let (finish, finished) = sync_channel(1);
         let writer = scope.spawn(|| write_frames(&plan, reporter, finished));
-        let rendered = render_frames(&plan, stage.as_mut(), inputs, &finish, reporter);
+        let rendered = render_frames(&plan, ready.as_mut(), inputs, &finish, reporter);
         // The writer waits for more as long as there is a sender.
         drop(finish);
         let written = writer
@@ -91,8 +91,8 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
         rendered.and_then(|count| written.map(|()| count))
     })?;
 
-    if let Some(stage) = &mut stage {
-        stage.save(&plan)?;
+    if let Some(ready) = &mut ready {
+        ready.save(&plan)?;
     }
 
     let seconds = began.elapsed().as_secs_f64();
@@ -113,30 +113,30 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
 }
 
 /// What renders, and what is rendered.
-struct Stage {
+struct SceneRenderer {
     renderer: Box<dyn Renderer>,
     scene: SceneBuffers,
 }
 
-impl Stage {
-    fn set(job: &Job, device: Device) -> Result<Self> {
-        let mut stage = Self {
+impl SceneRenderer {
+    fn open(job: &Job, device: Device) -> Result<Self> {
+        let mut opened = Self {
             scene: SceneBuffers::build(&job.setup.scene)
                 .map_err(|e| job.setup.refused_scene(job.setup.first, &e))?,
             renderer: device::open(device)?,
         };
-        bake::give(&job.setup, &job.setup.shot, &mut stage.scene)?;
+        bake::set_transfer(&job.setup, &job.setup.shot, &mut opened.scene)?;
         if let Some(saved) = &job.state_in {
             let state = Some(saved.state.clone());
-            stage
+            opened
                 .renderer
                 .set_smc_state(state)
                 .map_err(device::failure)?;
         }
-        Ok(stage)
+        Ok(opened)
     }
 
-    /// Saves what the next frame would go on from, where that is asked for.
+    /// Saves what the next frame would continue from, where that is asked for.
     fn save(&mut self, plan: &Plan<'_>) -> Result<()> {
         let Some(file) = &plan.job.state_out else {
             return Ok(());
@@ -284,7 +284,7 @@ fn read_inputs(job: &Arc<Job>, plan: &Plan<'_>, mut notes: Notes) -> Result<Pref
 /// Renders what is not there and passes it on; says how many frames were rendered.
 fn render_frames(
     plan: &Plan<'_>,
-    mut stage: Option<&mut Stage>,
+    mut ready: Option<&mut SceneRenderer>,
     mut inputs: Prefetch<Read>,
     finish: &SyncSender<Finished>,
     reporter: &Reporter,
@@ -292,8 +292,8 @@ fn render_frames(
     let mut rendered = 0;
     let preroll = plan.job.preroll;
     for (index, stamp) in plan.stamps.iter().enumerate() {
-        let frame = match (&mut stage, plan.computed[index]) {
-            (Some(stage), true) => {
+        let frame = match (&mut ready, plan.computed[index]) {
+            (Some(ready), true) => {
                 let Some((read, notes)) = inputs.next() else {
                     break;
                 };
@@ -303,12 +303,12 @@ fn render_frames(
                 let setup = &plan.job.setup;
                 let pose = setup.pose(stamp.frame)?;
                 let refused = |e| setup.refused_scene(stamp.frame, &e);
-                stage.scene.pose(&pose.transforms).map_err(refused)?;
+                ready.scene.pose(&pose.transforms).map_err(refused)?;
                 let settings = setup.settings(stamp.frame, pose.camera);
                 let part = |fraction| reporter.part(index.saturating_sub(preroll), fraction);
-                let image = stage
+                let image = ready
                     .renderer
-                    .render_over(&stage.scene, &light, plate.as_deref(), &settings, &part)
+                    .render_over(&ready.scene, &light, plate.as_deref(), &settings, &part)
                     .map_err(device::failure)?;
                 match plan.current[index] {
                     // It was only gone on from.
@@ -325,7 +325,7 @@ fn render_frames(
         if index < preroll {
             continue;
         }
-        // A writer that has failed takes no more; its error is told when it is joined.
+        // A writer that has failed takes no more; its error is reported when it is joined.
         if finish.send(frame).is_err() {
             return Ok(rendered);
         }

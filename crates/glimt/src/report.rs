@@ -1,6 +1,6 @@
 //! Host file: what the program says while it works: a bar on a terminal, lines elsewhere, JSON lines if asked for.
 
-use crate::cli::Talk;
+use crate::cli::PrintFlags;
 use crate::error::Error;
 use crate::notes::{Note, Severity};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -15,7 +15,7 @@ const STEPS: u64 = 1000;
 /// Says what happens. It can be shared between threads.
 #[derive(Debug)]
 pub struct Reporter {
-    talk: Talk,
+    flags: PrintFlags,
     bar: Mutex<Option<ProgressBar>>,
 }
 
@@ -37,7 +37,7 @@ pub fn duration(seconds: f64) -> String {
     }
 }
 
-/// A path as text: `json!` panics at one that is no UTF-8.
+/// A path as text: `json!` panics at one that is not UTF-8.
 #[must_use]
 pub fn shown(path: &Path) -> String {
     path.display().to_string()
@@ -63,17 +63,17 @@ impl FrameStatus {
 }
 
 impl Reporter {
-    /// A reporter that talks as asked.
-    pub fn new(talk: Talk) -> Self {
+    /// A reporter that prints what the flags say.
+    pub fn new(flags: PrintFlags) -> Self {
         Self {
-            talk,
+            flags,
             bar: Mutex::new(None),
         }
     }
 
     /// Whether events go to standard output.
     pub fn is_json(&self) -> bool {
-        self.talk.json
+        self.flags.json
     }
 
     /// Work on `frames` frames begins.
@@ -94,7 +94,7 @@ impl Reporter {
     }
 
     fn begin(&self, what: &str, frames: usize, out: &Path, device: &str) {
-        if self.talk.quiet || self.talk.json {
+        if self.flags.quiet || self.flags.json {
             return;
         }
         self.line(&format!("{what}, on {device}, into {}", out.display()));
@@ -128,7 +128,7 @@ impl Reporter {
 
     /// A bar for [`progress`](Self::progress), on a terminal.
     pub fn start_bar(&self) {
-        if self.talk.quiet || self.talk.json {
+        if self.flags.quiet || self.flags.json {
             return;
         }
         if std::io::stderr().is_terminal() {
@@ -191,7 +191,7 @@ impl Reporter {
         self.event(
             &json!({"event": "dropped", "frame": frame, "file": shown(file), "reason": reason}),
         );
-        match (is_fault, self.talk.json) {
+        match (is_fault, self.flags.json) {
             (true, false) => {
                 self.line(&format!(
                     "warning: frame {frame} is dropped: {reason} ({})",
@@ -240,7 +240,7 @@ impl Reporter {
             bar.set_message(format!("{what}: {done}/{all}"));
             return;
         }
-        // A line for each would drown what matters; ten tell that it goes on.
+        // A line for each would drown what matters; ten show that it continues.
         if done == all || done * 10 / all != (done - 1) * 10 / all {
             self.plain(&format!("{what}: {done}/{all}"));
         }
@@ -254,8 +254,8 @@ impl Reporter {
                 Severity::Warning => "warning",
             };
             self.event(&json!({"event": name, "file": shown(&note.file), "message": note.text}));
-            let hidden = self.talk.quiet && note.severity == Severity::Note;
-            if !hidden && !self.talk.json {
+            let hidden = self.flags.quiet && note.severity == Severity::Note;
+            if !hidden && !self.flags.json {
                 self.line(&format!("{name}: {}: {}", note.file.display(), note.text));
             }
         }
@@ -296,8 +296,8 @@ impl Reporter {
     /// An answer on standard output: `text`, or `value` as JSON.
     pub fn answer(&self, value: &Value, text: &str) {
         let mut out = std::io::stdout().lock();
-        // A closed pipe (`glimt info | head`) is no error of ours.
-        let _ = if self.talk.json {
+        // A closed pipe (`glimt info | head`) is not an error of ours.
+        let _ = if self.flags.json {
             writeln!(out, "{value}")
         } else {
             writeln!(out, "{}", text.trim_end())
@@ -306,7 +306,7 @@ impl Reporter {
 
     /// A line of progress, which --quiet and --json leave out.
     fn plain(&self, text: &str) {
-        if !self.talk.quiet && !self.talk.json {
+        if !self.flags.quiet && !self.flags.json {
             self.line(text);
         }
     }
@@ -322,7 +322,7 @@ impl Reporter {
     }
 
     fn event(&self, value: &Value) {
-        if self.talk.json {
+        if self.flags.json {
             let _ = writeln!(std::io::stdout().lock(), "{value}");
         }
     }

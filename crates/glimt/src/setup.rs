@@ -2,13 +2,13 @@
 
 use crate::cli::RenderFlags;
 use crate::error::{Error, Kind, Result};
-use crate::mesh::place::{self, Mover};
 use crate::notes::Notes;
 use crate::output::aov;
+use crate::scene::place::{self, Mover};
+use crate::scene::view::View;
 use crate::shot::digest::{self, Hash};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot};
-use crate::view::View;
 use glam::{Mat4, UVec2};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::render::{
@@ -60,12 +60,11 @@ impl Setup {
     pub fn load(
         shot: Shot,
         source: Source,
-        base: &Path,
         first: u32,
         flags: &RenderFlags,
         notes: &mut Notes,
     ) -> Result<Self> {
-        let placed = place::place(&shot, &source, base, notes)?;
+        let placed = place::place(&shot, &source, notes)?;
         let moves = placed.movers.iter().any(|m| m.motion.is_moving());
         let clock = match moves {
             true => digest::of_text(&format!("{first} {:?}", shot.probe.fps)),
@@ -77,7 +76,7 @@ impl Setup {
             view: placed.view,
             movers: placed.movers,
             triangles: placed.triangles,
-            out: out_folder(flags, base.join(&shot.output.dir)),
+            out: out_folder(flags, source.folder().join(&shot.output.dir)),
             scene: placed.scene,
             owners: placed.owners,
             samples_light: shot.render.method != shot::Method::Prt,
@@ -226,7 +225,12 @@ impl Setup {
 
     /// Settings of a frame that is seen from `camera`.
     pub fn settings(&self, frame: u32, camera: Camera) -> RenderSettings {
-        let (image, render) = (&self.shot.image, &self.shot.render);
+        Self::settings_of(&self.shot, frame, camera)
+    }
+
+    /// Settings of a frame of `shot` that is seen from `camera`.
+    pub fn settings_of(shot: &Shot, frame: u32, camera: Camera) -> RenderSettings {
+        let (image, render) = (&shot.image, &shot.render);
         RenderSettings {
             size: UVec2::from(image.size),
             camera,
@@ -262,12 +266,12 @@ impl Setup {
                 shot::Tonemap::Srgb => Tonemap::Srgb,
                 shot::Tonemap::Reinhard => Tonemap::Reinhard,
             },
-            shadow: match self.shot.backplate.as_ref().map(|plate| plate.shadow) {
+            shadow: match shot.backplate.as_ref().map(|plate| plate.shadow) {
                 Some(shot::Shadow::Add) => Shadow::Add,
                 Some(shot::Shadow::Multiply) | None => Shadow::Multiply,
             },
-            layers: aov::any_layer(&self.shot.output.aovs),
-            diagnostics: aov::any_diagnostic(&self.shot.output.aovs),
+            layers: aov::any_layer(&shot.output.aovs),
+            diagnostics: aov::any_diagnostic(&shot.output.aovs),
         }
     }
 }

@@ -76,7 +76,7 @@ fn texels_that_are_no_light() {
         3,
         &[
             "light.exr",
-            "6 of 32 texels are no light: 2 NaN, 2 infinite, 2 negative",
+            "6 of 32 texels are not light: 2 NaN, 2 infinite, 2 negative",
             "--strict",
         ],
     );

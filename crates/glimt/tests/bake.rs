@@ -28,9 +28,8 @@ fn baked(scratch: &Scratch, args: &[&str]) -> Ran {
 fn setup(shot: &Path, set: &[&str]) -> (Setup, SceneBuffers) {
     let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
     let (read, source) = parse::read::<Shot>(shot, &set).expect("a shot");
-    let base = shot.parent().expect("a folder");
     let flags = RenderFlags::default();
-    let setup = Setup::load(read, source, base, 1, &flags, &mut Notes::default()).expect("meshes");
+    let setup = Setup::load(read, source, 1, &flags, &mut Notes::default()).expect("meshes");
     let scene = SceneBuffers::build(&setup.scene).expect("a scene");
     (setup, scene)
 }
@@ -181,8 +180,8 @@ fn what_is_of_something_else_is_refused() {
     let file = scratch.file(name);
     let whole = std::fs::read(&file).expect("the file");
     for (length, what) in [
-        (0, "no file of transfer"),
-        (11, "no file of transfer"),
+        (0, "not a file of transfer"),
+        (11, "not a file of transfer"),
         (100, "ends too early"),
         (whole.len() / 2, "ends too early"),
         (whole.len() - 1, "ends too early"),
@@ -193,11 +192,11 @@ fn what_is_of_something_else_is_refused() {
     for (bytes, what) in [
         (
             glb(r#"{"asset":{"version":"2.0"}}"#, b"1234"),
-            "no file of transfer",
+            "not a file of transfer",
         ),
         (
             b"P6 8 8 255 and some more bytes".to_vec(),
-            "no file of transfer",
+            "not a file of transfer",
         ),
         (
             glb(
@@ -321,9 +320,9 @@ fn what_others_made_stays() {
         ("model.glb", "the mesh of object.1"),
         ("folder/../model.glb", "the mesh of object.1"),
         ("shot.toml", "the shot itself"),
-        ("light.0001.exr", "no file of transfer"),
-        ("other.glb", "no file of transfer"),
-        ("half.glb", "no file of transfer"),
+        ("light.0001.exr", "not a file of transfer"),
+        ("other.glb", "not a file of transfer"),
+        ("half.glb", "not a file of transfer"),
         ("folder", "a folder"),
     ] {
         let words = [name, what, "another file", "--out", "render.prt.bake"];

@@ -3,10 +3,11 @@
 mod common;
 
 use glam::{DVec2, DVec3, UVec2, Vec4};
-use glimt::ball::{Circle, find};
+use glimt::device::Processor;
 use glimt::input::read_image;
 use glimt::notes::Notes;
-use glimt::synth::{Filming, Processor, Synth};
+use glimt::synth::{Filming, Synth};
+use glimt_ball::{Circle, find};
 
 /// A limit on the root mean square of each error, in pixels.
 const LIMIT: f64 = 0.25;

@@ -921,7 +921,7 @@ fn pixels_that_are_no_light() {
     photo.write(&t, "capture/ball.0002.exr");
     let count = [
         "ball.0002.exr",
-        "2 of 120000 pixels are no light",
+        "2 of 120000 pixels are not light",
         "1 NaN",
         "1 infinite",
     ];

@@ -222,7 +222,7 @@ fn frames_that_do_not_fit_are_dropped() {
     t.exr("live/light.0003.exr", 8, 4, nan);
     Live::start(&t, &["--wait", "1", "--strict"])
         .end()
-        .fails(3, &["light.0003.exr", "texels are no light", "--strict"]);
+        .fails(3, &["light.0003.exr", "texels are not light", "--strict"]);
 }
 
 #[test]

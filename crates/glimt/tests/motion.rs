@@ -5,7 +5,7 @@ mod common;
 
 use common::{Scratch, glb, read_exr};
 use glam::{Mat4, Quat, Vec3};
-use glimt::cli::{Device, RenderFlags, Talk};
+use glimt::cli::{Device, PrintFlags, RenderFlags};
 use glimt::error::Result;
 use glimt::job::Job;
 use glimt::notes::Notes;
@@ -90,7 +90,7 @@ fn load(t: &Scratch, set: &[&str]) -> Result<Job> {
         set: set.iter().map(|&s| s.to_owned()).collect(),
         ..RenderFlags::default()
     };
-    let reporter = Reporter::new(Talk {
+    let reporter = Reporter::new(PrintFlags {
         quiet: true,
         json: false,
         verbose: 0,

@@ -358,7 +358,7 @@ fn bad_plates_are_named() {
     render("nan.exr").ok().says(&[
         "warning:",
         "nan.exr",
-        "2 of 192 pixels are no colour: 1 NaN, 1 infinite",
+        "2 of 192 pixels are not colours: 1 NaN, 1 infinite",
     ]);
     t.run(&["render", "shot.toml", "--strict"])
         .fails(3, &["nan.exr", "2 of 192 pixels"]);

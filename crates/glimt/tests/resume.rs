@@ -47,7 +47,7 @@ fn strict_looks_at_frames_that_are_there() {
     );
     t.shot("light.####.exr", "[output]\nvideo = \"\"\n");
     let strict = || t.run(&["render", "shot.toml", "--strict"]);
-    let words = ["light.0003.exr", "4 of 32 texels are no light", "--strict"];
+    let words = ["light.0003.exr", "4 of 32 texels are not light", "--strict"];
     t.run(&["render", "shot.toml"]).ok();
     strict().fails(3, &words);
     strict().fails(3, &words);
@@ -73,7 +73,7 @@ fn a_still_is_read_once() {
     );
     let ran = t.run(&["render", "shot.toml", "-v"]).ok();
     let times = |text: &str| ran.err.lines().filter(|line| line.contains(text)).count();
-    assert_eq!(times("texels are no light"), 1, "{}", ran.err);
+    assert_eq!(times("texels are not light"), 1, "{}", ran.err);
     assert_eq!(times("light of frame"), 1, "{}", ran.err);
     ran.says(&["5 frames rendered"]);
 }

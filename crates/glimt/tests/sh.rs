@@ -433,7 +433,7 @@ fn texels_that_are_no_light_are_counted() {
     let ran = t
         .run(&["sh", "light.exr"])
         .ok()
-        .says(&["1 of 32", "no light: 1 NaN"]);
+        .says(&["1 of 32", "not light: 1 NaN"]);
     assert!(
         rows(&ran.out)
             .iter()

@@ -52,13 +52,13 @@ impl Layout {
 
 /// A file of which all is known but the coefficients: how long it will be, before any of them is computed.
 #[derive(Debug)]
-pub struct Plan {
+pub struct FilePlan {
     head: Vec<u8>,
     bytes: u64,
 }
 
-impl Plan {
-    /// The plan of a scene's transfer, of which `header` tells, in `file`.
+impl FilePlan {
+    /// The plan of a scene's transfer, that `header` describes, in `file`.
     ///
     /// # Errors
     /// The file would be too long.

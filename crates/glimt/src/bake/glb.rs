@@ -36,7 +36,7 @@ impl From<std::io::Error> for Broken {
 /// The document of a file, checked to be as long as it says. The reader then stands at its chunk of bytes.
 ///
 /// # Errors
-/// It is no binary glTF file, or not whole.
+/// It is not a binary glTF file, or not whole.
 pub fn read_document(file: &mut (impl Read + Seek)) -> Result<Value, Broken> {
     let (there, said) = lengths(file)?;
     if there < said {
@@ -48,7 +48,7 @@ pub fn read_document(file: &mut (impl Read + Seek)) -> Result<Value, Broken> {
 /// The same, whether or not the bytes behind the document are all there.
 ///
 /// # Errors
-/// It is no binary glTF file, or its document is not whole.
+/// It is not a binary glTF file, or its document is not whole.
 pub fn read_any_document(file: &mut (impl Read + Seek)) -> Result<Value, Broken> {
     let (there, said) = lengths(file)?;
     file.seek(SeekFrom::Start(12))?;

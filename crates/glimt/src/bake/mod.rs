@@ -8,7 +8,7 @@ pub mod stored;
 mod target;
 
 use crate::cli::{BakeFlags, RenderFlags};
-use crate::device;
+use crate::device::{self, Processor};
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
 use crate::report::{Reporter, count, shown};
@@ -16,8 +16,7 @@ use crate::setup::Setup;
 use crate::shot::digest;
 use crate::shot::parse::Source;
 use crate::shot::{Method, Shot, check, parse, range};
-use crate::synth::Processor;
-use file::Plan;
+use file::FilePlan;
 use glimt_render_gpu::gpu;
 use glimt_render_gpu::host::bake::{self, BakeError, BakeSettings, Baked};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
@@ -35,7 +34,7 @@ use stored::Stored;
 pub fn file_of(shot: &Shot, source: &Source) -> PathBuf {
     match shot.render.prt.bake.as_str() {
         "" => source.file.with_extension("prt.glb"),
-        name => source.file.parent().unwrap_or(Path::new("")).join(name),
+        name => source.folder().join(name),
     }
 }
 
@@ -53,23 +52,23 @@ pub fn settings_of(shot: &Shot) -> BakeSettings {
 /// it stands, and of as many bands as the shot says; how many directions it was computed from is left to the file.
 ///
 /// # Errors
-/// The file is not there, not whole, of something else, of other bands, or holds what is no number. Each error names it, and
-/// the command that makes it anew.
+/// The file is not there, not whole, of something else, of other bands, or holds what is not a number. Each error names it, and
+/// the command that makes it again.
 pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Result<Transfer> {
-    let anew = anew(setup, shot);
+    let command = bake_command(setup, shot);
     let stored = Stored::open(file).map_err(|e| {
         // What is something else is not written over.
         match target::refuse_other(file, shot, &setup.source) {
-            Ok(()) => e.fix(&anew),
+            Ok(()) => e.fix(&command),
             Err(_) => e.fix(format!(
-                "remove it, or name another file by render.prt.bake; then {anew}"
+                "remove it, or name another file by render.prt.bake; then {command}"
             )),
         }
     })?;
     let settings = settings_of(shot);
     let now = Header::new(scene, &settings);
     if let Some(difference) = now.differs(stored.header()) {
-        let error = Error::input(file, format!("it is stale: {}", difference.what)).fix(&anew);
+        let error = Error::input(file, format!("it is stale: {}", difference.what)).fix(&command);
         return Err(match difference.object {
             Some(object) => error.at(named(setup, &now, object)),
             None => error,
@@ -79,11 +78,11 @@ pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Re
     if found != wanted {
         let what = format!("it has {found} bands, and render.prt.bands is {wanted}");
         return Err(
-            Error::input(file, what).fix(format!("{anew}, or set render.prt.bands={found}"))
+            Error::input(file, what).fix(format!("{command}, or set render.prt.bands={found}"))
         );
     }
     let transfer = stored.transfer().map_err(|e| match e.kind {
-        Kind::Input => e.fix(&anew),
+        Kind::Input => e.fix(&command),
         _ => e,
     })?;
     match transfer.check(scene.vertex_counts().iter().sum()) {
@@ -92,9 +91,9 @@ pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Re
             let (object, vertex) = place_of(&now, vertex);
             let what = format!("a coefficient of vertex {vertex} is not a finite number");
             let whose = named(setup, &now, object);
-            Err(Error::input(file, what).at(whose).fix(anew))
+            Err(Error::input(file, what).at(whose).fix(command))
         }
-        Err(e) => Err(Error::input(file, e).fix(anew)),
+        Err(e) => Err(Error::input(file, e).fix(command)),
     }
 }
 
@@ -118,15 +117,16 @@ pub fn expect(setup: &mut Setup) -> Result<()> {
 /// # Errors
 /// The file is not there.
 pub fn hash_of(shot: &Shot, source: &Source) -> Result<digest::Hash> {
-    digest::of_file(&file_of(shot, source)).map_err(|e| e.fix(command(source, Vec::new())))
+    digest::of_file(&file_of(shot, source))
+        .map_err(|e| e.fix(command_with_keys(source, Vec::new())))
 }
 
-/// Gives a scene, built of the setup's, the transfer that it is rendered by, where it is: as the keys of `shot` say, which may differ
-/// from the setup's under `render`.
+/// Sets the transfer of a scene, which was built of the setup's, where `shot` is rendered by it. The keys of `shot` may differ from
+/// the setup's under `render`.
 ///
 /// # Errors
 /// As [`load`].
-pub fn give(setup: &Setup, shot: &Shot, scene: &mut SceneBuffers) -> Result<()> {
+pub fn set_transfer(setup: &Setup, shot: &Shot, scene: &mut SceneBuffers) -> Result<()> {
     if shot.render.method != Method::Prt {
         return Ok(());
     }
@@ -137,11 +137,11 @@ pub fn give(setup: &Setup, shot: &Shot, scene: &mut SceneBuffers) -> Result<()> 
     let reflections: Vec<f32> = owners.map(|&of_shot| objects[of_shot].reflection).collect();
     scene
         .set_transfer(transfer, &reflections)
-        .map_err(|e| Error::input(&file, e).fix(anew(setup, shot)))
+        .map_err(|e| Error::input(&file, e).fix(bake_command(setup, shot)))
 }
 
-/// What makes a transfer that can be used: a command with what was set on the command line and changes its result.
-fn anew(setup: &Setup, shot: &Shot) -> String {
+/// The command that makes a transfer that can be used, with what was set on the command line and changes its result.
+fn bake_command(setup: &Setup, shot: &Shot) -> String {
     let mut more = Vec::new();
     // A comparison's contestants have keys of their own.
     let (own, common) = (&shot.render.prt, &setup.shot.render.prt);
@@ -151,11 +151,11 @@ fn anew(setup: &Setup, shot: &Shot) -> String {
     if own.bake != common.bake {
         more.push(format!("render.prt.bake={}", own.bake));
     }
-    command(&setup.source, more)
+    command_with_keys(&setup.source, more)
 }
 
 /// The command that makes a shot's transfer, with `more` keys beside those that were set.
-fn command(source: &Source, more: Vec<String>) -> String {
+fn command_with_keys(source: &Source, more: Vec<String>) -> String {
     let set = source.overrides_of(&["object", "render.prt"]);
     let set = set.map(str::to_owned).chain(more);
     let set: String = set
@@ -235,7 +235,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         reporter.finish(summary, &text);
         return Ok(());
     }
-    let plan = Plan::new(&out, &scene, &header)?;
+    let plan = FilePlan::new(&out, &scene, &header)?;
     let processor = device::open_processor(flags.device)?;
     // What cannot be written is not computed.
     let pending = plan.begin(&out)?;
@@ -271,7 +271,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     Ok(())
 }
 
-/// Whether a file holds the transfer that a header tells of, whole and in finite numbers.
+/// Whether a file holds the transfer that a header describes, whole and in finite numbers.
 fn is_there(file: &Path, header: &Header) -> bool {
     let vertices: u64 = header.objects.iter().map(|o| o.vertices).sum();
     Stored::open(file)
@@ -291,12 +291,11 @@ fn read_shot(file: &Path, flags: &BakeFlags, notes: &mut Notes) -> Result<Setup>
     let set: Vec<String> = flags.set.iter().cloned().chain(own).collect();
     let (shot, source) = parse::read::<Shot>(file, &set)?;
     check::check(&shot, &source)?;
-    let base = file.parent().unwrap_or(Path::new(""));
     let first = match shot.render.frames.as_str() {
         "" => 1,
         text => *range::parse(text)?.start(),
     };
-    Setup::load(shot, source, base, first, &RenderFlags::default(), notes)
+    Setup::load(shot, source, first, &RenderFlags::default(), notes)
 }
 
 /// Transfer is of objects that stand still; cameras may move, those of mesh files among them.
@@ -326,15 +325,15 @@ fn compute(
     reporter: &Reporter,
 ) -> Result<Baked> {
     let clock = Mutex::new(Clock::new());
-    let tell = |share: f32| {
+    let report = |share: f32| {
         let mut clock = clock
             .lock()
             .unwrap_or_else(std::sync::PoisonError::into_inner);
-        clock.tell(reporter, f64::from(share));
+        clock.report(reporter, f64::from(share));
     };
     let baked = match processor {
-        Processor::Cpu => bake::bake(scene, settings, &tell),
-        Processor::Gpu(context) => gpu::bake(context, scene, settings, &tell),
+        Processor::Cpu => bake::bake(scene, settings, &report),
+        Processor::Gpu(context) => gpu::bake(context, scene, settings, &report),
     };
     baked.map_err(|e| match &e {
         BakeError::Memory { .. } => {
@@ -345,10 +344,10 @@ fn compute(
     })
 }
 
-/// Tells of progress, not too often.
+/// Reports progress, not too often.
 struct Clock {
     began: Instant,
-    told: Instant,
+    reported: Instant,
     share: f64,
 }
 
@@ -357,21 +356,21 @@ impl Clock {
         let now = Instant::now();
         Self {
             began: now,
-            told: now,
+            reported: now,
             share: 0.0,
         }
     }
 
-    fn tell(&mut self, reporter: &Reporter, share: f64) {
+    fn report(&mut self, reporter: &Reporter, share: f64) {
         let every = match reporter.draws() {
             true => Duration::from_millis(100),
             false => Duration::from_secs(5),
         };
         // Threads may come in another order than they counted.
-        if share <= self.share || self.told.elapsed() < every {
+        if share <= self.share || self.reported.elapsed() < every {
             return;
         }
-        self.told = Instant::now();
+        self.reported = Instant::now();
         self.share = share;
         let left = self.began.elapsed().as_secs_f64() * (1.0 - share) / share;
         reporter.progress("transfer", share, Some(left));

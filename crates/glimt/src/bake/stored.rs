@@ -27,7 +27,7 @@ impl Stored {
     /// Opens a file.
     ///
     /// # Errors
-    /// It cannot be read, or is no file of transfer that is whole; the error has no fix yet where a new one would do.
+    /// It cannot be read, or is not a file of transfer that is whole; the error has no fix yet where a new one would do.
     pub fn open(file: &Path) -> Result<Self> {
         let mut reader = open(file)?;
         let document = glb::read_document(&mut reader).map_err(|e| broken(file, e))?;
@@ -140,7 +140,7 @@ fn open(file: &Path) -> Result<BufReader<File>> {
 fn broken(file: &Path, broken: Broken) -> Error {
     match broken {
         Broken::Io(e) => Error::reading(file, &e),
-        Broken::NotGlb => Error::input(file, "it is no file of transfer"),
+        Broken::NotGlb => Error::input(file, "it is not a file of transfer"),
         Broken::Short(there, said) => Error::input(
             file,
             format!("the file ends too early: {there} of {said} bytes are there"),
@@ -151,7 +151,7 @@ fn broken(file: &Path, broken: Broken) -> Error {
 fn header(file: &Path, document: &Value) -> Result<Header> {
     let header = &document["asset"]["extras"]["glimt_bake"];
     if header.is_null() {
-        return Err(Error::input(file, "it is no file of transfer"));
+        return Err(Error::input(file, "it is not a file of transfer"));
     }
     let known: Option<Header> = serde_json::from_value(header.clone()).ok();
     known

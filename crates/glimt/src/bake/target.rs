@@ -25,9 +25,9 @@ pub(super) fn refuse_other(out: &Path, shot: &Shot, source: &Source) -> Result<(
         return refused("this is a folder, and transfer is one file");
     }
     if !there.is_file() {
-        return refused("this is no file that can be replaced");
+        return refused("this is not a file that can be replaced");
     }
-    let base = source.file.parent().unwrap_or(Path::new(""));
+    let base = source.folder();
     if is_same_file(&source.file, out) {
         return refused("this is the shot itself");
     }
@@ -38,7 +38,7 @@ pub(super) fn refuse_other(out: &Path, shot: &Shot, source: &Source) -> Result<(
     match there.len() == 0 || is_transfer(out)? {
         true => Ok(()),
         false => {
-            let error = Error::usage("this is there already, and it is no file of transfer");
+            let error = Error::usage("this is there already, and it is not a file of transfer");
             Err(error
                 .file(out)
                 .fix("remove it, or name another file with --out or render.prt.bake"))

@@ -1,20 +1,21 @@
 //! Host file: where the mirror ball is in each frame of a capture.
 
-use super::{Poses, photo};
-use crate::ball::roll::Reference;
-use crate::ball::{
-    self, FindError, Look, Observation, Options, TrackError, Tracked, TrackedPose, look,
-};
+use super::Poses;
 use crate::error::{Error, Result};
 use crate::input::frames::FrameFiles;
+use crate::input::light_image::read_photo;
 use crate::notes::Notes;
 use crate::shot;
 use glam::DVec2;
+use glimt_ball::roll::Reference;
+use glimt_ball::{
+    FindError, Look, Observation, Options, TrackError, Tracked, TrackedPose, look, stabilise,
+};
 use glimt_probe::unwarp::Outline;
 use glimt_render_gpu::host::unwarp::BallPose;
 
-/// Finds the ball in all of these frames and steadies what was found; `progress` is told how many frames are done, and of how
-/// many.
+/// Finds the ball in all of these frames and steadies what was found; `progress` is called with how many frames are done, and of
+/// how many.
 ///
 /// # Errors
 /// A frame cannot be read, or too few of them show a ball.
@@ -35,7 +36,7 @@ pub fn track(
         frames
     };
     for (done, &frame) in looked_at.iter().enumerate() {
-        let photo = photo::read(&files.path(frame), notes)?;
+        let photo = read_photo(&files.path(frame), notes)?;
         let Look {
             found,
             levels,
@@ -61,7 +62,7 @@ pub fn track(
         ..Options::default()
     };
     let tracked =
-        ball::stabilise(&observations, &options).map_err(|e| refused(&e, files, &observations))?;
+        stabilise(&observations, &options).map_err(|e| refused(&e, files, &observations))?;
     for text in &tracked.notes {
         notes.warn(&files.path(frames[0]), text);
     }

@@ -1,9 +1,6 @@
 //! Host file: film of a mirror ball as light: photographs in, found and steadied, lat-long maps out.
 
-pub mod colour;
 pub mod locate;
-pub mod photo;
-pub mod unwarp;
 
 use crate::error::{Error, Result};
 use crate::shot;

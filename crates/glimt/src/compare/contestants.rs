@@ -266,8 +266,7 @@ impl Field<'_> {
         let mut all = setup::overrides(self.flags);
         all.extend_from_slice(set);
         let (mut shot, source) = parse::read(self.file, &all)?;
-        let base = self.file.parent().unwrap_or(Path::new(""));
-        footage::adopt_size(&mut shot, &source, base)?;
+        footage::adopt_size(&mut shot, &source)?;
         check::check(&shot, &source)?;
         shot.image.filter = self.filter;
         shot.image.background = Background::Transparent;

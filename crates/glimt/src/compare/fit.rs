@@ -78,7 +78,7 @@ pub fn fit(
     rounds: usize,
 ) -> Result<(Vec<Fitted>, Option<f64>)> {
     let mut searches: Vec<Search> = counts.iter().map(|&n| Search::new(n)).collect();
-    // What is done once (shaders, memory) is no part of a frame.
+    // What is done once (shaders, memory) is not part of a frame.
     measure(clock, &searches, 1)?;
     let mut steps = STEPS;
     loop {
@@ -354,7 +354,7 @@ mod tests {
         assert_eq!((fitted[1].count, fitted[1].hold), (1, Hold::Granular));
     }
 
-    /// Noise may make neighbours look too short and too long; where the steps are fine, that is no excuse.
+    /// Noise may make neighbours look too short and too long; where the steps are fine, that is not an excuse.
     #[test]
     fn noise_is_no_coarse_count() {
         let mut fake = Fake::new(&[0.0], &[0.006], 0.3);

@@ -1,18 +1,18 @@
-//! Host file: how the rays of a contestant fare that go on from frame to frame.
+//! Host file: how the rays of a contestant fare that continue from frame to frame.
 
 use glam::Vec4;
 use serde::{Deserialize, Serialize};
 
-/// The most that may start anew in a frame, of a sampler that is worth its memory.
+/// The most that may re-initialise in a frame, of a sampler that is worth its memory.
 pub const MOST_STARTED: f64 = 0.2;
 
 /// The median age in frames that it should exceed.
 pub const LEAST_AGE: f64 = 10.0;
 
-/// Rays that go on from the frame before, and those that do not.
+/// Rays that continue from the frame before, and those that do not.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Lineage {
-    /// The share of rays that start anew in a frame.
+    /// The share of rays that re-initialise in a frame.
     pub started: f64,
     /// The median age over pixels, in frames.
     pub age: f64,
@@ -49,7 +49,7 @@ impl Lineage {
         let holds = self.started < MOST_STARTED && self.age > LEAST_AGE;
         let (of, most) = ("of the rays of", 100.0 * MOST_STARTED);
         let text = format!(
-            "{of} \u{201c}{name}\u{201d} {started:.1} % start anew in a frame and their median age is {:.1} frames",
+            "{of} \u{201c}{name}\u{201d} {started:.1} % re-initialise in a frame and their median age is {:.1} frames",
             self.age
         );
         match holds {

@@ -5,8 +5,8 @@
 
 use super::moments::Moments;
 use super::reference::Reference;
-use super::stage::luminance_of;
 use super::statistics::{Estimate, normal_two_sided, sidak, student_two_sided};
+use super::trial_renderer::luminance_of;
 use glam::{Vec3, Vec4};
 use serde::{Deserialize, Serialize};
 
@@ -68,7 +68,7 @@ pub const DEFINITIONS: [(&str, &str); 10] = [
 /// Side of a tile in pixels.
 const TILE: u32 = 8;
 
-/// 32-bit images cannot be told apart below this share of their brightness.
+/// 32-bit images cannot be distinguished below this share of their brightness.
 const ROUNDING: f64 = 1e-6;
 
 /// Mean square of the difference over P and the channels, over Ȳ²: E² of one image.

@@ -96,7 +96,7 @@ pub struct Figures {
     pub hold: Hold,
     /// 1/(error² × time), relative to the baseline's.
     pub efficiency: Estimate,
-    /// How its rays fare, where they go on from frame to frame.
+    /// How its rays fare, where they continue from frame to frame.
     pub lineage: Option<Lineage>,
     /// Of all measured frames.
     pub overall: Score,
@@ -225,6 +225,30 @@ impl Outcome {
             ),
             None => "THE REFERENCE CRITERION CANNOT BE CHECKED (the noise of a given reference is not known)".to_owned(),
         };
+        let mut more = Vec::new();
+        if (self.about.seeds.len() as u32) < LEAST {
+            more.push(format!(
+                "{} SEEDS ARE TOO FEW for a standard error, which needs {LEAST}",
+                self.about.seeds.len()
+            ));
+        }
+        for c in self.biased() {
+            more.push(format!(
+                "\u{201c}{}\u{201d} IS BIASED by {}",
+                c.name,
+                percent(c.overall.bias.of_image)
+            ));
+        }
+        for c in &self.contestants {
+            more.extend(c.lineage.map(|lineage| lineage.sentence(&c.name)));
+        }
+        more.extend(self.best());
+        let time = self.time_sentence();
+        format!("{reference}; {time}; {}.", more.join("; "))
+    }
+
+    /// Whether all contestants take the same time, in words.
+    fn time_sentence(&self) -> String {
         let names = |hold: Hold| -> Vec<String> {
             let these = self.contestants.iter().filter(|c| c.hold == hold);
             these
@@ -234,7 +258,7 @@ impl Outcome {
         let budget = milliseconds(self.budget.unwrap_or(0.0));
         let (coarse, missed) = (names(Hold::Granular), names(Hold::Missed));
         let fixed = names(Hold::Fixed);
-        let time = match self.time_criterion {
+        match self.time_criterion {
             None => "counts of samples are as given, times differ".to_owned(),
             Some(true) => {
                 format!("the equal-time criterion is met (all medians are within 5 % of {budget})")
@@ -256,48 +280,32 @@ impl Outcome {
                 }
                 format!("THE EQUAL-TIME CRITERION IS NOT MET ({})", why.join("; "))
             }
-        };
-        let mut more = Vec::new();
-        if (self.about.seeds.len() as u32) < LEAST {
-            more.push(format!(
-                "{} SEEDS ARE TOO FEW for a standard error, which needs {LEAST}",
-                self.about.seeds.len()
-            ));
         }
-        for c in self.biased() {
-            more.push(format!(
-                "\u{201c}{}\u{201d} IS BIASED by {}",
-                c.name,
-                percent(c.overall.bias.of_image)
-            ));
-        }
-        for c in &self.contestants {
-            more.extend(c.lineage.map(|lineage| lineage.sentence(&c.name)));
-        }
-        if let Some(best) = self
+    }
+
+    /// The contestant of the smallest error, in words.
+    fn best(&self) -> Option<String> {
+        let best = self
             .contestants
             .iter()
-            .min_by(|a, b| a.overall.error.value.total_cmp(&b.overall.error.value))
-        {
-            let mut text = format!(
-                "the smallest relative RMSE is that of \u{201c}{}\u{201d}, {}",
-                best.name,
-                plus_minus(best.overall.error)
-            );
-            let base = self
-                .contestants
-                .iter()
-                .find(|c| c.is_baseline && !best.is_baseline);
-            if let Some(base) = base {
-                text.push_str(&format!(
-                    ", which is {} times as efficient as \u{201c}{}\u{201d}",
-                    plus_minus(best.efficiency),
-                    base.name
-                ));
-            }
-            more.push(text);
+            .min_by(|a, b| a.overall.error.value.total_cmp(&b.overall.error.value))?;
+        let mut text = format!(
+            "the smallest relative RMSE is that of \u{201c}{}\u{201d}, {}",
+            best.name,
+            plus_minus(best.overall.error)
+        );
+        let base = self
+            .contestants
+            .iter()
+            .find(|c| c.is_baseline && !best.is_baseline);
+        if let Some(base) = base {
+            text.push_str(&format!(
+                ", which is {} times as efficient as \u{201c}{}\u{201d}",
+                plus_minus(best.efficiency),
+                base.name
+            ));
         }
-        format!("{reference}; {time}; {}.", more.join("; "))
+        Some(text)
     }
 }
 
@@ -411,7 +419,7 @@ fn efficiency(of: &Figures, base: &Figures, is_base: bool) -> Estimate {
 #[must_use]
 pub fn plus_minus(e: Estimate) -> String {
     match e.error {
-        // What is left of rounding is no spread.
+        // What is left of rounding is not a spread.
         Some(error) if error > 1e-9 * e.value.abs() && error.is_finite() => {
             let digits = (1.0 - error.log10().floor()).clamp(0.0, 12.0) as usize;
             format!("{:.digits$} ± {error:.digits$}", e.value)

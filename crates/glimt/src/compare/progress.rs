@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 pub struct Progress<'a> {
     reporter: &'a Reporter,
     began: Instant,
-    told: Option<Instant>,
+    reported: Option<Instant>,
     done: f64,
     planned: f64,
 }
@@ -19,7 +19,7 @@ impl<'a> Progress<'a> {
         Self {
             reporter,
             began: Instant::now(),
-            told: None,
+            reported: None,
             done: 0.0,
             planned: 0.0,
         }
@@ -38,10 +38,10 @@ impl<'a> Progress<'a> {
             true => Duration::from_millis(100),
             false => Duration::from_secs(5),
         };
-        if self.told.is_some_and(|told| told.elapsed() < every) {
+        if self.reported.is_some_and(|at| at.elapsed() < every) {
             return;
         }
-        self.told = Some(Instant::now());
+        self.reported = Some(Instant::now());
         // Reading and measuring take time beside rendering.
         let slower = (self.began.elapsed().as_secs_f64() / self.done.max(1e-9)).clamp(1.0, 20.0);
         if self.planned == 0.0 {

@@ -2,7 +2,7 @@
 //! are given.
 
 use super::moments::{Kept, Moments};
-use super::stage::{Stage, luminance_of};
+use super::trial_renderer::{TrialRenderer, luminance_of};
 use crate::error::{Error, Result};
 use crate::output::exr;
 use crate::shot::{Shot, digest};
@@ -154,13 +154,13 @@ impl Growing {
     }
 
     /// Renders until every frame's relative noise is below its target, or `limit` seconds of rendering are over; each frame has
-    /// at least two scramblings then. `progress` is told how many seconds of rendering are probably left.
+    /// at least two scramblings then. `progress` is called with the seconds of each image, and how many are probably left.
     ///
     /// # Errors
     /// A frame cannot be rendered or written.
     pub fn grow(
         &mut self,
-        stage: &mut Stage<'_>,
+        renderer: &mut TrialRenderer<'_>,
         targets: &[f64],
         limit: Option<f64>,
         progress: &mut dyn FnMut(f64, f64),
@@ -201,7 +201,7 @@ impl Growing {
                     }
                     let frame = &mut self.frames[*i];
                     let seed = seed(&self.shot, frame.moments.n);
-                    let image = stage.render(&self.shot, frame.number, seed)?;
+                    let image = renderer.render(&self.shot, frame.number, seed)?;
                     frame.moments.push(&image.pixels);
                     self.seconds += image.seconds;
                     self.pace = image.seconds;

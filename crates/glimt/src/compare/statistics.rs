@@ -1,4 +1,4 @@
-//! Host file: means with standard errors, medians, and the tails by which a difference is told from noise.
+//! Host file: means with standard errors, medians, and the tails by which a difference is distinguished from noise.
 
 use serde::{Deserialize, Serialize};
 use std::f64::consts::SQRT_2;

@@ -6,7 +6,7 @@ use super::lineage::Lineage;
 use super::measures::{mean_offset, square_error, square_flicker};
 use super::moments::{Kept, Moments};
 use super::reference::Reference;
-use super::stage::{Stage, luminance_of};
+use super::trial_renderer::{Rendered, TrialRenderer, luminance_of};
 use crate::error::Result;
 use crate::shot::digest;
 use serde::{Deserialize, Serialize};
@@ -34,7 +34,7 @@ pub struct Record {
     pub flip: Option<f64>,
     /// Seconds of rendering.
     pub seconds: f64,
-    /// How its rays fare, where they go on from frame to frame.
+    /// How its rays fare, where they continue from frame to frame.
     #[serde(default)]
     pub lineage: Option<Lineage>,
 }
@@ -43,7 +43,8 @@ pub struct Record {
 pub type Trial = Kept<Vec<Record>>;
 
 /// Where and what to render.
-pub struct Plan {
+#[derive(Clone, Debug)]
+pub struct TrialPlan {
     /// Frames of the shot, in order, and their identities.
     pub frames: Vec<(u32, String)>,
     /// Frames in which errors are measured, in order.
@@ -54,7 +55,7 @@ pub struct Plan {
     pub folder: PathBuf,
 }
 
-impl Plan {
+impl TrialPlan {
     /// The frame before, if the shot has it.
     #[must_use]
     pub fn before(&self, frame: u32) -> Option<u32> {
@@ -75,7 +76,7 @@ impl Plan {
         needed
     }
 
-    /// The frames that a contestant renders, in order: one that goes on from the frame before renders all.
+    /// The frames that a contestant renders, in order: one that continues from the frame before renders all.
     #[must_use]
     pub fn sequence(&self, contestant: &Contestant) -> Vec<u32> {
         let last = self.measured.last().copied().unwrap_or(0);
@@ -137,15 +138,15 @@ fn tag(references: &[Reference]) -> String {
     digest::hex(&digest::of_text(&text))
 }
 
-/// Relative RMSE of each measured frame, as the difference of few seeds tells it without a reference. `progress` is told the
+/// Relative RMSE of each measured frame, as the difference of few seeds shows it without a reference. `progress` is called with the
 /// seconds of each frame.
 ///
 /// # Errors
 /// A frame cannot be rendered.
 pub fn pilot(
-    plan: &Plan,
+    plan: &TrialPlan,
     contestant: &Contestant,
-    stage: &mut Stage<'_>,
+    renderer: &mut TrialRenderer<'_>,
     progress: &mut dyn FnMut(f64),
 ) -> Result<Vec<f64>> {
     let last = plan.measured.last().copied().unwrap_or(0);
@@ -161,7 +162,7 @@ pub fn pilot(
     {
         return Ok(errors);
     }
-    let mut moments = vec![Moments::new(stage.size()); plan.measured.len()];
+    let mut moments = vec![Moments::new(renderer.size()); plan.measured.len()];
     let frames = match contestant.is_stateful() {
         true => plan.sequence(contestant),
         false => plan.measured.clone(),
@@ -169,9 +170,9 @@ pub fn pilot(
     for k in 0..PILOT_SEEDS {
         // Others than those of the trials.
         let seed = plan.seed(contestant, k).wrapping_add(1 << 30);
-        stage.break_off()?;
+        renderer.forget_past()?;
         for &frame in &frames {
-            let image = stage.render(&contestant.shot, frame, seed)?;
+            let image = renderer.render(&contestant.shot, frame, seed)?;
             progress(image.seconds);
             if let Ok(i) = plan.measured.binary_search(&frame) {
                 moments[i].push(&image.pixels);
@@ -196,8 +197,8 @@ pub fn pilot(
 /// What a contestant's trials have in common.
 pub struct Trials<'a> {
     /// What to render.
-    pub plan: &'a Plan,
-    /// References of [`Plan::needed`], in that order.
+    pub plan: &'a TrialPlan,
+    /// References of [`TrialPlan::needed`], in that order.
     pub references: &'a [Reference],
     /// What they display, where FLIP is measured.
     shown: Vec<Vec<u8>>,
@@ -210,15 +211,15 @@ impl<'a> Trials<'a> {
     /// # Errors
     /// The shot's settings are refused.
     pub fn new(
-        plan: &'a Plan,
+        plan: &'a TrialPlan,
         references: &'a [Reference],
         of: &Contestant,
-        stage: &mut Stage<'_>,
+        renderer: &TrialRenderer<'_>,
     ) -> Result<Self> {
         let mut shown = Vec::new();
         if flip::IS_THERE {
             for reference in references {
-                shown.push(stage.display(&of.shot, &reference.moments.mean)?);
+                shown.push(renderer.display(&of.shot, &reference.moments.mean)?);
             }
         }
         Ok(Self {
@@ -250,33 +251,33 @@ impl<'a> Trials<'a> {
         self.plan.identity(contestant, frame, &what)
     }
 
-    fn open(&self, contestant: &Contestant, frame: u32, stage: &Stage<'_>) -> Trial {
+    fn open(&self, contestant: &Contestant, frame: u32, renderer: &TrialRenderer<'_>) -> Trial {
         let file = self.plan.file(contestant, frame);
-        let kept = Trial::read(&file, &self.identity(contestant, frame), stage.size());
-        // A run with more seeds goes on; what one with fewer finds cannot be divided.
+        let kept = Trial::read(&file, &self.identity(contestant, frame), renderer.size());
+        // A run with more seeds continues; what one with fewer finds cannot be divided.
         let kept = kept.filter(|k| k.about.len() <= self.plan.seeds as usize);
         kept.unwrap_or_else(|| Trial {
-            moments: Moments::new(stage.size()),
+            moments: Moments::new(renderer.size()),
             sample: None,
             about: Vec::new(),
         })
     }
 
-    /// Renders what is not there; one trial for each measured frame. `progress` is told the seconds of each frame.
+    /// Renders what is not there; one trial for each measured frame. `progress` is called with the seconds of each frame.
     ///
     /// # Errors
     /// A frame cannot be rendered, or a file not be written.
     pub fn run(
         &self,
         contestant: &Contestant,
-        stage: &mut Stage<'_>,
+        renderer: &mut TrialRenderer<'_>,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Vec<Trial>> {
         let plan = self.plan;
         let mut trials: Vec<Trial> = plan
             .measured
             .iter()
-            .map(|&frame| self.open(contestant, frame, stage))
+            .map(|&frame| self.open(contestant, frame, renderer))
             .collect();
         let mut saved = Instant::now();
         let mut changed = false;
@@ -287,50 +288,31 @@ impl<'a> Trials<'a> {
                 continue;
             }
             let seed = plan.seed(contestant, k);
-            stage.break_off()?;
-            let mut before: Option<(u32, Vec<glam::Vec4>)> = None;
+            renderer.forget_past()?;
+            let mut before: Option<Rendered> = None;
             for &frame in &frames {
-                let image = stage.render(&contestant.shot, frame, seed)?;
+                let image = renderer.render(&contestant.shot, frame, seed)?;
                 progress(image.seconds);
                 if let Ok(i) = plan.measured.binary_search(&frame)
                     && waits(&trials[i])
                 {
-                    let reference = self.reference(frame);
-                    let flicker = before
+                    let before = before
                         .as_ref()
-                        .filter(|(number, _)| Some(*number) == plan.before(frame))
-                        .map(|(number, pixels)| {
-                            square_flicker(
-                                &image.pixels,
-                                pixels,
-                                reference,
-                                self.reference(*number),
-                            )
-                        });
-                    let shown = self.index(frame).and_then(|i| self.shown.get(i));
-                    let flip = match shown {
-                        Some(shown) => {
-                            let picture = stage.display(&contestant.shot, &image.pixels)?;
-                            flip::mean(stage.size(), shown, &picture)
-                        }
-                        None => None,
+                        .filter(|before| Some(before.frame) == plan.before(frame));
+                    let picture = match self.shown.is_empty() {
+                        true => None,
+                        false => Some(renderer.display(&contestant.shot, &image.pixels)?),
                     };
-                    trials[i].about.push(Record {
-                        seed,
-                        square_error: square_error(&image.pixels, reference),
-                        offset: mean_offset(&image.pixels, reference),
-                        square_flicker: flicker,
-                        flip,
-                        seconds: image.seconds,
-                        lineage: image.lineage,
-                    });
-                    trials[i].moments.push(&image.pixels);
-                    if trials[i].sample.is_none() {
-                        trials[i].sample = Some(image.pixels.clone());
+                    let record = self.measure(&image, before, picture.as_deref());
+                    let trial = &mut trials[i];
+                    trial.about.push(record);
+                    trial.moments.push(&image.pixels);
+                    if trial.sample.is_none() {
+                        trial.sample = Some(image.pixels.clone());
                     }
                     changed = true;
                 }
-                before = Some((frame, image.pixels));
+                before = Some(image);
             }
             if changed && (saved.elapsed() > SAVE_EVERY || k + 1 == plan.seeds) {
                 self.save(contestant, &trials)?;
@@ -338,6 +320,34 @@ impl<'a> Trials<'a> {
             }
         }
         Ok(trials)
+    }
+
+    /// What an image is measured to be: against the reference, against the image of the frame `before`, and as the `picture` that
+    /// is displayed of it, where those are there.
+    fn measure(
+        &self,
+        image: &Rendered,
+        before: Option<&Rendered>,
+        picture: Option<&[u8]>,
+    ) -> Record {
+        let reference = self.reference(image.frame);
+        let flicker = |then: &Rendered| {
+            let reference_then = self.reference(then.frame);
+            square_flicker(&image.pixels, &then.pixels, reference, reference_then)
+        };
+        let shown = self.index(image.frame).and_then(|i| self.shown.get(i));
+        let flip = |(shown, picture): (&Vec<u8>, &[u8])| {
+            flip::mean(reference.moments.size, shown, picture)
+        };
+        Record {
+            seed: image.seed,
+            square_error: square_error(&image.pixels, reference),
+            offset: mean_offset(&image.pixels, reference),
+            square_flicker: before.map(flicker),
+            flip: shown.zip(picture).and_then(flip),
+            seconds: image.seconds,
+            lineage: image.lineage,
+        }
     }
 
     fn save(&self, contestant: &Contestant, trials: &[Trial]) -> Result<()> {
@@ -350,10 +360,10 @@ impl<'a> Trials<'a> {
 
     /// Frames that a contestant has still to render, about.
     #[must_use]
-    pub fn left(&self, contestant: &Contestant, stage: &Stage<'_>) -> usize {
+    pub fn left(&self, contestant: &Contestant, renderer: &TrialRenderer<'_>) -> usize {
         let there = self.plan.measured.iter();
         let there = there
-            .map(|&f| self.open(contestant, f, stage).about.len())
+            .map(|&f| self.open(contestant, f, renderer).about.len())
             .min();
         let seeds = self.plan.seeds as usize - there.unwrap_or(0);
         seeds * self.plan.sequence(contestant).len()
@@ -395,8 +405,8 @@ mod tests {
         all.unwrap().remove(0)
     }
 
-    fn plan() -> Plan {
-        Plan {
+    fn plan() -> TrialPlan {
+        TrialPlan {
             frames: (3..=12).map(|f| (f, format!("identity of {f}"))).collect(),
             measured: vec![3, 5, 10],
             seeds: 2,
@@ -404,7 +414,7 @@ mod tests {
         }
     }
 
-    /// One that goes on from the frame before renders all frames from the first to the last that is measured.
+    /// One that continues from the frame before renders all frames from the first to the last that is measured.
     #[test]
     fn frames_are_rendered_in_order() {
         let mut contestant = contestant("order");
@@ -416,7 +426,7 @@ mod tests {
         assert_eq!(plan.sequence(&contestant), [3, 4, 5, 6, 7, 8, 9, 10]);
     }
 
-    /// What images are made of is their identity: for one that goes on, all frames before.
+    /// What images are made of is their identity: for one that continues, all frames before.
     #[test]
     fn identities_tell_inputs_apart() {
         let mut contestant = contestant("identities");

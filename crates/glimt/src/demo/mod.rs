@@ -4,20 +4,8 @@
 //! its light, and joins what came of it in one picture. Everything that it does is done by the commands that others use, on
 //! two files that it writes: `film/synth.toml` and `shot.toml`.
 
-mod armillary;
-mod helicopter;
-mod land;
 mod sheet;
-mod sky;
-mod solid;
-mod sun;
 
-pub use armillary::model as armillary;
-pub use helicopter::model as helicopter;
-pub(crate) use sky::clear_sky;
-pub(crate) use sun::irradiance as sun_irradiance;
-
-use crate::capture::unwarp;
 use crate::cli::{RenderFlags, SynthFlags, UnwarpFlags};
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -25,15 +13,12 @@ use crate::notes::Notes;
 use crate::output::{atomic, write_text};
 use crate::report::Reporter;
 use crate::shot::range;
-use crate::{render, synth};
+use crate::{render, synth, unwarp};
 use glam::UVec2;
 use std::path::{Path, PathBuf};
 
 /// Frames of the shot, numbered from 1.
 pub const FRAMES: u32 = 24;
-
-/// Width and height of the built-in surroundings in texels: a texel is 0.18° wide at the horizon.
-pub const ENV_SIZE: UVec2 = UVec2::new(2048, 1024);
 
 /// Settings of the simulated capture.
 const SYNTH: &str = include_str!("synth.toml");
@@ -46,7 +31,7 @@ const MAP: UVec2 = UVec2::new(640, 320);
 /// Makes the demonstration.
 ///
 /// # Errors
-/// The flags are wrong, or something cannot be written. What is done stays, and another run goes on from there.
+/// The flags are wrong, or something cannot be written. What is done stays, and another run continues from there.
 pub fn run(flags: &RenderFlags, reporter: &Reporter) -> Result<()> {
     if let Some(text) = &flags.frames {
         let asked = range::parse(text).map_err(|e| e.at("--frames"))?;

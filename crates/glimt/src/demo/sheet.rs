@@ -1,9 +1,8 @@
 //! Host file: the contact sheet: for some frames a row of probe, unwarped map, render and composite.
 
 use super::frame_file;
-use crate::ball::find;
-use crate::capture::photo;
 use crate::error::{Error, Result};
+use crate::input::light_image::read_photo;
 use crate::input::plate;
 use crate::input::read_image;
 use crate::input::resample::{Window, resample};
@@ -11,6 +10,7 @@ use crate::notes::Notes;
 use crate::output::png;
 use ::exr::prelude::read_first_flat_layer_from_file;
 use glam::{UVec2, Vec3};
+use glimt_ball::find;
 use glimt_render_gpu::host::plate::linear_to_srgb8;
 use rayon::prelude::*;
 use std::path::Path;
@@ -91,7 +91,7 @@ pub(super) fn write(file: &Path, out: &Path, frames: &[u32]) -> Result<()> {
 /// The photograph around the ball.
 fn probe(out: &Path, frame: u32) -> Result<Panel> {
     let file = frame_file(&out.join("film/capture"), "ball", frame, "exr");
-    let photo = photo::read(&file, &mut Notes::default())?;
+    let photo = read_photo(&file, &mut Notes::default())?;
     let pixels: Vec<Vec3> = photo
         .pixels
         .iter()

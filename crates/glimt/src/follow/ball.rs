@@ -1,12 +1,12 @@
 //! Host file: the mirror ball in frames as they come, and what is said when it is not where it should be.
 
-use crate::ball::levels::Levels;
-use crate::ball::{Circle, State, Tracker, TrackerOptions};
-use crate::capture::photo::Photo;
 use crate::capture::{Poses, locate};
 use crate::error::{Error, Result};
+use crate::input::light_image::LightImage;
 use crate::notes::Notes;
 use crate::shot;
+use glimt_ball::levels::Levels;
+use glimt_ball::{Circle, State, Tracker, TrackerOptions};
 use glimt_render_gpu::host::unwarp::BallPose;
 use std::path::Path;
 
@@ -44,7 +44,7 @@ impl Ball {
         &mut self,
         frame: u32,
         file: &Path,
-        photo: &Photo,
+        photo: &LightImage,
         notes: &mut Notes,
     ) -> Result<BallPose> {
         if let Some(given) = self.given {
@@ -80,7 +80,7 @@ impl Ball {
         &mut self,
         frame: u32,
         file: &Path,
-        photo: &Photo,
+        photo: &LightImage,
         circle: Circle,
         notes: &mut Notes,
     ) {

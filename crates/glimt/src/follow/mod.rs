@@ -61,9 +61,8 @@ pub fn render(file: &Path, flags: &RenderFlags, wait: Duration, reporter: &Repor
     let began = Instant::now();
     let mut notes = Notes::new(flags.strict);
     let (mut shot, source) = parse::read(file, &setup::overrides(flags))?;
-    let base = file.parent().unwrap_or(Path::new(""));
     check::check(&shot, &source)?;
-    let files = probe_files(&shot, &source, base)?;
+    let files = probe_files(&shot, &source)?;
     if files.is_still() {
         return Err(source
             .error(
@@ -80,13 +79,13 @@ pub fn render(file: &Path, flags: &RenderFlags, wait: Duration, reporter: &Repor
     // From here on frames count as new.
     let mut watch = Watcher::new(files, range.as_ref().map(|range| *range.start()));
     watch.look();
-    let mut plates = Plates::of(&shot, &source, base, wait / 2)?;
+    let mut plates = Plates::of(&shot, &source, wait / 2)?;
     if let Some(plates) = plates.as_mut().filter(|_| !source.gives("image.size")) {
         shot.image.size = plates.size(wait)?.to_array();
         check::check(&shot, &source)?;
     }
     let first = first_frame(&shot, &watch)?;
-    let setup = Setup::load(shot, source, base, first, flags, &mut notes);
+    let setup = Setup::load(shot, source, first, flags, &mut notes);
     reporter.notes(notes.take());
     let mut setup = setup?;
     bake::expect(&mut setup)?;
@@ -133,7 +132,7 @@ impl Follow<'_> {
         };
         let mut scene =
             SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
-        bake::give(setup, &setup.shot, &mut scene)?;
+        bake::set_transfer(setup, &setup.shot, &mut scene)?;
         let mut renderer = device::open(self.device)?;
         let files = watch.files().clone();
         self.reporter.start_following(
@@ -146,11 +145,11 @@ impl Follow<'_> {
         let stop = AtomicBool::new(false);
         let stamps = std::thread::scope(|scope| {
             // A frame is handed over when the renderer asks for it: whoever waits longer is newer.
-            let (give, taken) = sync_channel(0);
+            let (hand_over, taken) = sync_channel(0);
             let (finish, finished) = sync_channel(1);
             let mut taker = Taker::new(self, &tally, watch, plates, notes);
             let (stop, film, tally) = (&stop, film.as_ref(), &tally);
-            let taking = scope.spawn(move || take_frames(&mut taker, stop, &give));
+            let taking = scope.spawn(move || take_frames(&mut taker, stop, &hand_over));
             let writing = scope.spawn(move || self.write_frames(film, tally, finished));
             let rendered = self.render_frames(&mut *renderer, &mut scene, &taken, &finish);
             stop.store(true, Ordering::Relaxed);
@@ -212,7 +211,7 @@ impl Follow<'_> {
                 arrived,
                 image,
             };
-            // A writer that has failed takes no more; its error is told when it is joined.
+            // A writer that has failed takes no more; its error is reported when it is joined.
             if finish.send(finished).is_err() {
                 break;
             }
@@ -309,9 +308,13 @@ impl Follow<'_> {
 }
 
 /// Hands frames over until there are no more, or no one takes them.
-fn take_frames(taker: &mut Taker<'_>, stop: &AtomicBool, give: &SyncSender<Taken>) -> Result<()> {
+fn take_frames(
+    taker: &mut Taker<'_>,
+    stop: &AtomicBool,
+    hand_over: &SyncSender<Taken>,
+) -> Result<()> {
     while let Some(taken) = taker.next(stop)? {
-        if give.send(taken).is_err() {
+        if hand_over.send(taken).is_err() {
             break;
         }
     }

@@ -12,14 +12,14 @@ use crate::shot::digest::{Hash, of_file};
 use crate::shot::parse::Source;
 use glam::UVec2;
 use glimt_render_gpu::host::plate::Plate;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 /// A backplate that has been read.
 #[derive(Clone, Debug)]
-pub(super) struct Laid {
+pub(super) struct PlateOfFrame {
     number: u32,
     /// The file that it came from.
     pub(super) file: PathBuf,
@@ -34,7 +34,7 @@ pub(super) struct Plates {
     watch: Watcher,
     /// What is known of them once there is one.
     footage: Option<Footage>,
-    last: Option<Laid>,
+    last: Option<PlateOfFrame>,
     /// The highest number that there was when one was waited for in vain: no other is waited for until it rises.
     in_vain: Option<Option<u32>>,
     wait: Duration,
@@ -45,13 +45,8 @@ impl Plates {
     ///
     /// # Errors
     /// They cannot be named so.
-    pub(super) fn of(
-        shot: &Shot,
-        source: &Source,
-        base: &Path,
-        wait: Duration,
-    ) -> Result<Option<Self>> {
-        let files = footage::files(shot, source, base)?;
+    pub(super) fn of(shot: &Shot, source: &Source, wait: Duration) -> Result<Option<Self>> {
+        let files = footage::files(shot, source)?;
         let plates = |files: FrameFiles| Self {
             watch: Watcher::new(files, Some(0)),
             footage: None,
@@ -103,7 +98,7 @@ impl Plates {
         first: u32,
         setup: &Setup,
         notes: &mut Notes,
-    ) -> Result<Option<Laid>> {
+    ) -> Result<Option<PlateOfFrame>> {
         let until = Instant::now() + self.wait;
         let mut wanted = frame;
         let mut waited = true;
@@ -124,7 +119,7 @@ impl Plates {
                     return Ok(Some(laid));
                 }
             }
-            // A gap in the numbers will hardly be filled, and a camera that has stopped will not go on for this frame.
+            // A gap in the numbers will hardly be filled, and a camera that has stopped will not continue for this frame.
             let skipped =
                 !self.watch.is_there(wanted) && self.watch.whole_before(u32::MAX) > Some(wanted);
             if skipped || self.in_vain == Some(self.watch.highest()) {
@@ -167,7 +162,7 @@ impl Plates {
         // It may still be written; the next look sees.
         let files = self.watch.files().clone();
         if let Ok(footage) = Footage::new(files, &setup.shot, first, [lowest; 2], notes) {
-            footage.tell_stretch(setup.size(), notes);
+            footage.note_stretch(setup.size(), notes);
             self.footage = Some(footage);
         }
     }
@@ -177,7 +172,7 @@ impl Plates {
         number: u32,
         setup: &Setup,
         notes: &mut Notes,
-    ) -> Result<Option<Laid>> {
+    ) -> Result<Option<PlateOfFrame>> {
         while let Some(older) = self.watch.whole_before(number) {
             if let Some(laid) = self.load(older, setup, notes)? {
                 return Ok(Some(laid));
@@ -187,7 +182,12 @@ impl Plates {
     }
 
     /// Reads one; `None` where that fails, which may be because it is still being written.
-    fn load(&mut self, number: u32, setup: &Setup, notes: &mut Notes) -> Result<Option<Laid>> {
+    fn load(
+        &mut self,
+        number: u32,
+        setup: &Setup,
+        notes: &mut Notes,
+    ) -> Result<Option<PlateOfFrame>> {
         let Some(footage) = &self.footage else {
             return Ok(None);
         };
@@ -200,7 +200,7 @@ impl Plates {
                 return Ok(None);
             }
         };
-        let laid = Laid {
+        let laid = PlateOfFrame {
             number,
             hash: of_file(&file)?,
             file,

@@ -1,14 +1,14 @@
 //! Host file: frames taken from a folder as they come, one ahead of the renderer.
 
 use super::ball::Ball;
-use super::plates::{Laid, Plates};
-use super::tally::{Tally, Why};
+use super::plates::{PlateOfFrame, Plates};
+use super::tally::{DropReason, Tally};
 use super::watch::{POLL, State, Watcher, choose};
 use super::{Follow, read_live};
-use crate::capture::colour;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::frame::Frames;
-use crate::input::probe::{self, Probe};
+use crate::input::light_image::LightImage;
+use crate::light::{self, FirstImage, Probe, colour};
 use crate::notes::Notes;
 use crate::output::Stamp;
 use crate::shot::Mapping;
@@ -39,6 +39,25 @@ pub(super) struct Inputs {
     pub(super) plate: Option<Arc<Plate>>,
 }
 
+/// Why a frame that was read is not taken.
+enum NotTaken {
+    /// It is dropped, for this reason.
+    Dropped(String),
+    /// Following ends.
+    Failed(Error),
+}
+
+impl From<Error> for NotTaken {
+    fn from(error: Error) -> Self {
+        Self::Failed(error)
+    }
+}
+
+/// What is wrong with a frame is a reason to drop it.
+fn dropped(error: Error) -> NotTaken {
+    NotTaken::Dropped(error.what)
+}
+
 /// Takes frames.
 pub(super) struct Taker<'a> {
     follow: &'a Follow<'a>,
@@ -49,7 +68,7 @@ pub(super) struct Taker<'a> {
     /// The light, once its first frame has come.
     probe: Option<Probe>,
     has_colour: bool,
-    /// Hash of all lights so far, for frames that go on from one another.
+    /// Hash of all lights so far, for frames that continue from one another.
     chain: Hash,
     notes: Notes,
 }
@@ -92,16 +111,19 @@ impl<'a> Taker<'a> {
             }
             for frame in self.watch.take_late() {
                 let why = "it came after a later one was taken".to_owned();
-                self.tally
-                    .drop(frame, &self.watch.files().path(frame), Why::Wrong(why));
+                self.tally.drop(
+                    frame,
+                    &self.watch.files().path(frame),
+                    DropReason::Wrong(why),
+                );
             }
             let waiting = self.watch.waiting(self.follow.last, self.follow.wait);
             let choice = choose(&waiting);
             for unwanted in choice.drop {
                 let why = match (unwanted.state, self.watch.failure(unwanted.frame)) {
-                    (State::Whole, _) => Why::Behind,
-                    (_, Some(error)) => Why::Wrong(error.to_string()),
-                    (_, None) => Why::Wrong("it is still being written".to_owned()),
+                    (State::Whole, _) => DropReason::Behind,
+                    (_, Some(error)) => DropReason::Wrong(error.to_string()),
+                    (_, None) => DropReason::Wrong("it is still being written".to_owned()),
                 };
                 self.drop(unwanted.frame, why);
             }
@@ -130,7 +152,7 @@ impl<'a> Taker<'a> {
         !waits && (passed || self.watch.idle() > self.follow.wait)
     }
 
-    fn drop(&mut self, frame: u32, why: Why) {
+    fn drop(&mut self, frame: u32, why: DropReason) {
         let gap = self.watch.pass(frame);
         self.tally.drop(frame, &self.watch.files().path(frame), why);
         if let Some(gap) = gap {
@@ -143,7 +165,9 @@ impl<'a> Taker<'a> {
         let began = Instant::now();
         let file = self.watch.files().path(frame);
         let mapping = self.follow.setup.shot.probe.mapping;
-        let read = read_live(&mut self.notes, |notes| probe::read(mapping, &file, notes))?;
+        let read = read_live(&mut self.notes, |notes| {
+            light::read_frame(mapping, &file, notes)
+        })?;
         let image = match read {
             Ok(image) => image,
             Err(error) => {
@@ -151,53 +175,63 @@ impl<'a> Taker<'a> {
                 return Ok(None);
             }
         };
-        let read = began.elapsed();
+        tracing::info!("light of frame {frame}: read in {:.2?}", began.elapsed());
         let arrived = self.watch.arrival(frame);
         if let Some(gap) = self.watch.pass(frame) {
             self.tally.missing(gap);
         }
-        let wrong = |what: String| {
-            self.tally.drop(frame, &file, Why::Wrong(what));
-            Ok(None)
-        };
-        if let Some(probe) = &self.probe
-            && let Err(error) = probe.fits(&file, image.size)
-        {
-            return wrong(error.what);
+        match self.prepare(frame, &file, image) {
+            Ok((stamp, inputs)) => Ok(Some(Taken {
+                stamp,
+                arrived,
+                inputs,
+            })),
+            Err(NotTaken::Dropped(reason)) => {
+                self.tally.drop(frame, &file, DropReason::Wrong(reason));
+                Ok(None)
+            }
+            Err(NotTaken::Failed(error)) => Err(error),
+        }
+    }
+
+    /// The identity of a frame whose image was read, and what it is rendered from, where its outputs are not there.
+    fn prepare(
+        &mut self,
+        frame: u32,
+        file: &Path,
+        image: LightImage,
+    ) -> std::result::Result<(Stamp, Option<Inputs>), NotTaken> {
+        let began = Instant::now();
+        let setup = &self.follow.setup;
+        if let Some(probe) = &self.probe {
+            probe.check_size(file, image.size).map_err(dropped)?;
         }
         let pose = match &mut self.ball {
             None => None,
-            Some(ball) => match ball.locate(frame, &file, &image, &mut self.notes) {
-                Ok(pose) => Some(pose),
-                Err(error) => return wrong(error.what),
-            },
-        };
-        let located = began.elapsed() - read;
-        let laid = match &mut self.plates {
-            None => None,
-            Some(plates) => {
-                let first = self.watch.lowest().unwrap_or(frame);
-                let setup = &self.follow.setup;
-                match plates.of_frame(frame, first, setup, &mut self.notes)? {
-                    None => return wrong("there has been no backplate yet".to_owned()),
-                    laid => laid,
-                }
+            Some(ball) => {
+                let pose = ball.locate(frame, file, &image, &mut self.notes);
+                Some(pose.map_err(dropped)?)
             }
         };
-        let setup = &self.follow.setup;
+        let located = began.elapsed();
+        let plate = self.plate_of(frame)?;
         if self.probe.is_none() {
             let files = self.watch.files().clone();
-            let keys = &setup.shot.probe;
-            let probe = Probe::live(files, keys, &file, image.size, pose, &mut self.notes)?;
+            let first = FirstImage {
+                file,
+                size: image.size,
+                pose,
+            };
+            let probe = Probe::live(files, &setup.shot.probe, &first, &mut self.notes)?;
             self.probe = Some(probe);
         }
-        self.match_colours(frame, &file, laid.as_ref())?;
+        self.match_colours(frame, file, plate.as_ref())?;
         let Some(probe) = &self.probe else {
-            return Ok(None);
+            return Err(NotTaken::Dropped("there is no light yet".to_owned()));
         };
-        let mut inputs = probe.digest_at(&digest::of_file(&file)?, pose);
-        if let Some(laid) = &laid {
-            inputs = digest::join([&inputs, &laid.hash]);
+        let mut inputs = probe.digest_at(&digest::of_file(file)?, pose);
+        if let Some(plate) = &plate {
+            inputs = digest::join([&inputs, &plate.hash]);
         }
         let is_chain = setup.shot.render.goes_on();
         if is_chain {
@@ -206,33 +240,42 @@ impl<'a> Taker<'a> {
         }
         let hash = digest::of_frame(&setup.digest, &inputs, frame);
         let stamp = Stamp { hash, frame };
-        let mut taken = Taken {
-            stamp,
-            arrived,
-            inputs: None,
-        };
-        // Of frames that go on from one another none is left out.
-        if !is_chain && Frames::of(setup).are_there(&taken.stamp) {
-            return Ok(Some(taken));
+        // Of frames that continue from one another none is left out.
+        if !is_chain && Frames::of(setup).are_there(&stamp) {
+            return Ok((stamp, None));
         }
-        let tables = Instant::now();
-        let light = match probe.light_of(image, &file, pose, &mut self.notes) {
-            Ok(map) => setup.tables(map, Some(&file))?,
-            Err(error) => return wrong(error.what),
-        };
+        let began = Instant::now();
+        let map = probe.light_of(image, file, pose, &mut self.notes);
+        let light = setup.tables(map.map_err(dropped)?, Some(file))?;
         tracing::info!(
-            "light of frame {frame}: read in {read:.2?}, ball found in {located:.2?}, map and tables in {:.2?}",
-            tables.elapsed()
+            "light of frame {frame}: ball found in {located:.2?}, map and tables in {:.2?}",
+            began.elapsed()
         );
-        taken.inputs = Some(Inputs {
-            light,
-            plate: laid.map(|laid| laid.plate),
-        });
-        Ok(Some(taken))
+        let plate = plate.map(|plate| plate.plate);
+        Ok((stamp, Some(Inputs { light, plate })))
+    }
+
+    /// The backplate of a frame, if the shot has any.
+    fn plate_of(&mut self, frame: u32) -> std::result::Result<Option<PlateOfFrame>, NotTaken> {
+        let Some(plates) = &mut self.plates else {
+            return Ok(None);
+        };
+        let first = self.watch.lowest().unwrap_or(frame);
+        match plates.of_frame(frame, first, &self.follow.setup, &mut self.notes)? {
+            None => Err(NotTaken::Dropped(
+                "there has been no backplate yet".to_owned(),
+            )),
+            plate => Ok(plate),
+        }
     }
 
     /// Fits the colours, on the first frame that is taken.
-    fn match_colours(&mut self, frame: u32, file: &Path, laid: Option<&Laid>) -> Result<()> {
+    fn match_colours(
+        &mut self,
+        frame: u32,
+        file: &Path,
+        plate: Option<&PlateOfFrame>,
+    ) -> Result<()> {
         let setup = &self.follow.setup;
         let (Some(keys), false, Some(probe)) =
             (&setup.shot.probe.colour, self.has_colour, &mut self.probe)
@@ -245,7 +288,7 @@ impl<'a> Taker<'a> {
             );
             self.notes.note(file, what);
         }
-        let plate = laid.map(|laid| laid.file.as_path());
+        let plate = plate.map(|plate| plate.file.as_path());
         let colour = colour::correction(keys, &setup.source, file, plate, &mut self.notes)?;
         probe.set_colour(colour);
         self.has_colour = true;

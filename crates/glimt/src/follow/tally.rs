@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Instant, SystemTime};
 
-/// Counts, and tells the reporter. It can be shared between threads.
+/// Counts, and reports. It can be shared between threads.
 pub(super) struct Tally<'a> {
     reporter: &'a Reporter,
     counts: Mutex<Counts>,
@@ -25,8 +25,8 @@ struct Counts {
     last_reason: Option<String>,
 }
 
-/// Why a frame is dropped.
-pub(super) enum Why {
+/// DropReason a frame is dropped.
+pub(super) enum DropReason {
     /// Later ones are there.
     Behind,
     /// Something is wrong with it.
@@ -61,12 +61,12 @@ impl<'a> Tally<'a> {
     }
 
     /// A frame is dropped.
-    pub(super) fn drop(&self, frame: u32, file: &Path, why: Why) {
+    pub(super) fn drop(&self, frame: u32, file: &Path, why: DropReason) {
         let mut counts = self.lock();
         counts.dropped.push(frame);
         let (reason, is_fault) = match why {
-            Why::Behind => ("later frames are there already".to_owned(), false),
-            Why::Wrong(reason) => (reason, true),
+            DropReason::Behind => ("later frames are there already".to_owned(), false),
+            DropReason::Wrong(reason) => (reason, true),
         };
         self.reporter.dropped(frame, file, &reason, is_fault);
         counts.last_reason = Some(reason);

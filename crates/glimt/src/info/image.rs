@@ -1,7 +1,7 @@
 //! Host file: what an HDR image holds.
 
 use crate::error::Result;
-use crate::input::probe::BadTexels;
+use crate::input::BadTexels;
 use crate::input::read_image;
 use crate::notes::Notes;
 use crate::report::shown;

@@ -1,8 +1,9 @@
 //! Host file: what a mesh file holds.
 
 use crate::error::Result;
+use crate::mesh;
+use crate::mesh::model::Model;
 use crate::mesh::node::names;
-use crate::mesh::{self, Model};
 use crate::notes::Notes;
 use crate::report::shown;
 use glam::{Mat4, Vec3};

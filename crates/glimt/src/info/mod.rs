@@ -42,30 +42,27 @@ pub fn file(file: &Path, set: &[String], reporter: &Reporter) -> Result<()> {
 /// The shot with every key; behind them, as comments, what moves.
 fn shot(file: &Path, set: &[String], notes: &mut Notes) -> Result<(serde_json::Value, String)> {
     let (mut shot, source) = parse::read(file, set)?;
-    let base = file.parent().unwrap_or(Path::new(""));
-    footage::adopt_size(&mut shot, &source, base)?;
+    footage::adopt_size(&mut shot, &source)?;
     check::check(&shot, &source)?;
     let fail = |e: &dyn std::fmt::Display| Error::new(crate::error::Kind::Internal, e);
     let value = serde_json::to_value(&shot).map_err(|e| fail(&e))?;
     // By way of JSON floats would turn into doubles with all their digits; TOML takes the shot itself.
     let mut text = toml::to_string(&shot).map_err(|e| fail(&e))?;
-    for line in motion(shot, source, base, notes)? {
+    for line in motion(shot, source, notes)? {
         text.push_str(&format!("# {line}\n"));
     }
     Ok((value, text))
 }
 
-/// What moves in a shot: objects, and the camera at its keys or at both ends. A shot whose meshes are not all there tells nothing.
-fn motion(shot: Shot, source: Source, base: &Path, notes: &mut Notes) -> Result<Vec<String>> {
-    let listed = probe_files(&shot, &source, base)?
-        .listed()
-        .unwrap_or_default();
+/// What moves in a shot: objects, and the camera at its keys or at both ends. A shot whose meshes are not all there says nothing.
+fn motion(shot: Shot, source: Source, notes: &mut Notes) -> Result<Vec<String>> {
+    let listed = probe_files(&shot, &source)?.listed().unwrap_or_default();
     let frames = match shot.render.frames.as_str() {
         "" => listed.first().copied().unwrap_or(1)..=listed.last().copied().unwrap_or(1),
         text => range::parse(text)?,
     };
     let flags = RenderFlags::default();
-    let setup = match Setup::load(shot, source, base, *frames.start(), &flags, notes) {
+    let setup = match Setup::load(shot, source, *frames.start(), &flags, notes) {
         Err(error) if error.kind == Kind::Input => return Ok(Vec::new()),
         setup => setup?,
     };

@@ -60,11 +60,11 @@ impl Rate {
 ///
 /// # Errors
 /// They cannot be named so.
-pub fn files(shot: &Shot, source: &Source, base: &Path) -> Result<Option<FrameFiles>> {
+pub fn files(shot: &Shot, source: &Source) -> Result<Option<FrameFiles>> {
     let Some(keys) = &shot.backplate else {
         return Ok(None);
     };
-    let files = FrameFiles::new(base, &keys.frames).map_err(|e| {
+    let files = FrameFiles::new(source.folder(), &keys.frames).map_err(|e| {
         source
             .error("backplate.frames", e.what)
             .fix(e.fix.unwrap_or_default())
@@ -84,11 +84,11 @@ fn span(files: &FrameFiles) -> Result<[u32; 2]> {
 ///
 /// # Errors
 /// The first frame of the footage cannot be read.
-pub fn adopt_size(shot: &mut Shot, source: &Source, base: &Path) -> Result<()> {
+pub fn adopt_size(shot: &mut Shot, source: &Source) -> Result<()> {
     if source.gives("image.size") {
         return Ok(());
     }
-    if let Some(files) = files(shot, source, base)?.filter(|_| named(shot)) {
+    if let Some(files) = files(shot, source)?.filter(|_| named(shot)) {
         let [first, _] = span(&files)?;
         shot.image.size = read_size(&files.path(first))?.to_array();
     }
@@ -110,11 +110,10 @@ impl Footage {
     pub fn find(
         shot: &Shot,
         source: &Source,
-        base: &Path,
         probe: &FrameFiles,
         notes: &mut Notes,
     ) -> Result<Option<Self>> {
-        let Some(files) = files(shot, source, base)? else {
+        let Some(files) = files(shot, source)? else {
             return Ok(None);
         };
         let span = span(&files)?;
@@ -262,12 +261,12 @@ impl Footage {
                 break;
             }
         }
-        self.tell_stretch(image, notes);
+        self.note_stretch(image, notes);
         Ok(())
     }
 
     /// Says so where the image has other proportions.
-    pub fn tell_stretch(&self, image: UVec2, notes: &mut Notes) {
+    pub fn note_stretch(&self, image: UVec2, notes: &mut Notes) {
         let proportions = |size: UVec2| f64::from(size.x) / f64::from(size.y);
         let stretched = proportions(image) / proportions(self.size);
         if self.fit == Fit::Stretch && !((stretched - 1.0).abs() <= 0.01) {

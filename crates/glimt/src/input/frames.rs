@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::notes::Notes;
+use glam::UVec2;
 use std::path::{Path, PathBuf};
 
 /// Where the frames of a sequence are.
@@ -179,7 +180,7 @@ impl FrameFiles {
     }
 
     /// Says which frames are missing between those of `numbers`, and what comes of it.
-    pub fn tell_gaps(&self, numbers: &[u32], consequence: &str, notes: &mut Notes) {
+    pub fn note_gaps(&self, numbers: &[u32], consequence: &str, notes: &mut Notes) {
         for pair in numbers.windows(2) {
             let which = match pair[1] - pair[0] {
                 0 | 1 => continue,
@@ -192,6 +193,25 @@ impl FrameFiles {
             );
         }
     }
+}
+
+/// Checks that a frame has the size of the first.
+///
+/// # Errors
+/// It has another size.
+pub fn check_size(file: &Path, size: UVec2, wanted: UVec2, first: &Path) -> Result<()> {
+    if size == wanted {
+        return Ok(());
+    }
+    let what = format!(
+        "it is {} × {}, but {} is {} × {}",
+        size.x,
+        size.y,
+        first.display(),
+        wanted.x,
+        wanted.y
+    );
+    Err(Error::input(file, what).fix("all frames of a sequence must have one size: resize it"))
 }
 
 #[cfg(test)]

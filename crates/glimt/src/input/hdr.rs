@@ -104,7 +104,7 @@ fn read_lines(file: &Path) -> Result<Lines> {
                 let factor: f32 = value.trim().parse().unwrap_or(f32::NAN);
                 if !(factor > 0.0 && factor.is_finite()) {
                     return Err(
-                        Error::input(file, format!("EXPOSURE={value} is no exposure"))
+                        Error::input(file, format!("EXPOSURE={value} is not an exposure"))
                             .at("header")
                             .fix("remove that line"),
                     );

@@ -1,13 +1,16 @@
 //! Host file: HDR images in: what kind of file it is, how large, and its texels as linear Rec. 709 radiance.
 
+pub mod bad_texels;
 pub mod exr;
 pub mod footage;
 pub mod frames;
 pub mod hdr;
+pub mod light_image;
 pub mod plate;
 pub mod primaries;
-pub mod probe;
 pub mod resample;
+
+pub use bad_texels::BadTexels;
 
 use crate::error::{Error, Result};
 use crate::notes::Notes;
@@ -77,7 +80,7 @@ pub enum Format {
 /// Finds the format of a file by its first bytes.
 ///
 /// # Errors
-/// The file cannot be read, or is no HDR image.
+/// The file cannot be read, or is not an HDR image.
 pub fn format_of(file: &Path) -> Result<Format> {
     match start_of(file)?[..] {
         [0x76, 0x2f, 0x31, 0x01, ..] => Ok(Format::Exr),
@@ -120,7 +123,7 @@ pub fn is_display(file: &Path) -> Result<bool> {
 /// Reads the header of an HDR image.
 ///
 /// # Errors
-/// The file cannot be read, or is no HDR image that is understood.
+/// The file cannot be read, or is not an HDR image that is understood.
 pub fn read_header(file: &Path) -> Result<Header> {
     match format_of(file)? {
         Format::Exr => exr::read_header(file),
@@ -131,7 +134,7 @@ pub fn read_header(file: &Path) -> Result<Header> {
 /// Reads an HDR image.
 ///
 /// # Errors
-/// The file cannot be read, or is no HDR image that is understood.
+/// The file cannot be read, or is not an HDR image that is understood.
 pub fn read_image(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
     match format_of(file)? {
         Format::Exr => exr::read_image(file, notes),

@@ -1,7 +1,6 @@
 //! Host file: one frame of footage: PNG and JPEG as they are, or OpenEXR and Radiance as linear colour.
 
-use super::probe::BadTexels;
-use super::{read_header, read_image, start_of};
+use super::{BadTexels, read_header, read_image, start_of};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use glam::{UVec2, Vec3};
@@ -69,7 +68,7 @@ fn format_of(file: &Path) -> Result<Format> {
 /// Width and height of a plate, by its header.
 ///
 /// # Errors
-/// The file cannot be read, or is no plate.
+/// The file cannot be read, or is not a plate.
 pub fn read_size(file: &Path) -> Result<UVec2> {
     let Format::Display(format) = format_of(file)? else {
         return Ok(read_header(file)?.size);
@@ -92,7 +91,7 @@ pub fn read_size(file: &Path) -> Result<UVec2> {
 /// Reads a plate.
 ///
 /// # Errors
-/// The file cannot be read, is broken or truncated; or has pixels that are no colour and `notes` is strict.
+/// The file cannot be read, is broken or truncated; or has pixels that are not colours and `notes` is strict.
 pub fn read(file: &Path, notes: &mut Notes) -> Result<PlateImage> {
     match format_of(file)? {
         Format::Display(format) => read_display(file, format, notes),
@@ -110,7 +109,7 @@ fn read_linear(file: &Path, notes: &mut Notes) -> Result<PlateImage> {
     let mut colours: Vec<Vec3> = image.texels.iter().map(|t| t.truncate()).collect();
     if bad.total() > 0 {
         let what = format!(
-            "{} of {} pixels are no colour: {bad}",
+            "{} of {} pixels are not colours: {bad}",
             bad.total(),
             colours.len()
         );

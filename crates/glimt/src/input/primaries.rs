@@ -68,7 +68,7 @@ pub(super) fn to_rec_709(file: &Path, texels: &mut [Vec4], c: Chromaticities, no
     let mut outside = 0_usize;
     for texel in texels.iter_mut() {
         let colour = texel.truncate().as_dvec3();
-        // A texel that is no light stays as it is, to be counted as such.
+        // A texel that is not light stays as it is, to be counted as such.
         if !(colour.min_element() >= 0.0 && colour.is_finite()) {
             continue;
         }

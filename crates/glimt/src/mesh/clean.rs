@@ -1,6 +1,6 @@
 //! Host file: what every mesh must fulfil, whatever file it came from.
 
-use super::Model;
+use super::model::Model;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use glam::{DVec3, Vec3};

@@ -1,7 +1,7 @@
 //! Host file: Wavefront OBJ meshes and their MTL materials.
 
+use super::model::{Model, Part, default_material};
 use super::node::Node;
-use super::{Model, Part, default_material};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use glam::{Vec2, Vec3};

@@ -1,6 +1,6 @@
 //! Host file: PLY meshes, ASCII or binary, plain or gzipped.
 
-use super::Model;
+use super::model::Model;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use flate2::bufread::MultiGzDecoder;

@@ -1,6 +1,6 @@
 //! Host file: triangles cut in four by the middles of their edges.
 
-use super::Model;
+use super::model::Model;
 use glam::Vec3;
 use glimt_render_gpu::host::scene::Mesh;
 use std::collections::HashMap;

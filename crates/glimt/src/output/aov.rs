@@ -62,12 +62,12 @@ pub fn diagnostic(aov: Aov) -> Option<usize> {
 
 /// Whether some of them are layers of the composite.
 pub fn any_layer(aovs: &[Aov]) -> bool {
-    aovs.iter().any(|aov| diagnostic(*aov).is_none())
+    aovs.iter().any(|aov| !aov.is_diagnostic())
 }
 
 /// Whether some of them say how particles fare.
 pub fn any_diagnostic(aovs: &[Aov]) -> bool {
-    aovs.iter().any(|aov| diagnostic(*aov).is_some())
+    aovs.iter().any(|aov| aov.is_diagnostic())
 }
 
 /// How the image is made of its layers.

@@ -1,4 +1,4 @@
-//! Host file: what the sequential sampler goes on from, saved between runs: `--state-out` and `--state-in`.
+//! Host file: what the sequential sampler continues from, saved between runs: `--state-out` and `--state-in`.
 //!
 //! A line of text that names the format, the length of a header, the header in JSON, then light map, rays and particles as they
 //! lie in memory (little-endian), and the SHA-256 of all of it.
@@ -127,13 +127,13 @@ pub fn read(file: &Path) -> Result<Saved> {
     let none_of_ours = || {
         Error::input(
             file,
-            "it is no state of the sequential sampler that this version knows",
+            "it is not a state of the sequential sampler that this version knows",
         )
-        .fix("write it anew with --state-out")
+        .fix("write it again with --state-out")
     };
     let broken = || {
         Error::input(file, "the state is damaged or cut short")
-            .fix("write it anew with --state-out")
+            .fix("write it again with --state-out")
     };
     if !bytes.starts_with(MAGIC) {
         return Err(none_of_ours());

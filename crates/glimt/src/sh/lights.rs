@@ -1,12 +1,11 @@
 //! Host file: the lights that `glimt sh` projects: a sequence, files, or what lights a shot.
 
-use crate::capture::colour;
 use crate::cli::ShFlags;
 use crate::error::{Error, Result};
 use crate::input::footage::Footage;
 use crate::input::frames::FrameFiles;
-use crate::input::probe::Probe;
 use crate::job::probe_files;
+use crate::light::{Probe, Selection, colour};
 use crate::notes::Notes;
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, check, parse, range};
@@ -50,7 +49,7 @@ impl Found {
             && !sequence.is_still()
         {
             let frames = frames_of(sequence, flags.frames.as_deref(), "check the path")?;
-            sequence.tell_gaps(&frames, NOT_THERE, notes);
+            sequence.note_gaps(&frames, NOT_THERE, notes);
             return Ok(Self {
                 range: frames[0]..=frames[frames.len() - 1],
                 sources: vec![(sequence.clone(), frames)],
@@ -87,13 +86,12 @@ impl Found {
     /// The light of a shot, as its `[probe]` says: mapping, scale, turn and colours.
     fn of_shot(file: &Path, flags: &ShFlags, notes: &mut Notes) -> Result<Self> {
         let (shot, source): (Shot, _) = parse::read(file, &[])?;
-        let base = file.parent().unwrap_or(Path::new(""));
         check::check(&shot, &source)?;
-        let files = probe_files(&shot, &source, base)?;
+        let files = probe_files(&shot, &source)?;
         // A backplate is looked at where colours are matched to it, and nowhere else.
         let matched = |keys: &shot::Colour| !keys.patches.is_empty();
         let footage = match shot.probe.colour.as_ref().is_some_and(matched) {
-            true => Footage::find(&shot, &source, base, &files, notes)?,
+            true => Footage::find(&shot, &source, &files, notes)?,
             false => None,
         };
         let of_shot = match shot.render.frames.as_str() {
@@ -102,7 +100,7 @@ impl Found {
         };
         let asked = flags.frames.as_deref().or(of_shot);
         let frames = frames_of(&files, asked, "check probe.frames")?;
-        files.tell_gaps(&frames, NOT_THERE, notes);
+        files.note_gaps(&frames, NOT_THERE, notes);
         let range = match of_shot {
             Some(text) => range::parse(text)?,
             None => frames[0]..=frames[frames.len() - 1],
@@ -135,8 +133,12 @@ impl Found {
         let (mut frames, mut probes) = (Vec::new(), Vec::new());
         let are_files = self.sources.len() > 1;
         for (files, mut numbers) in self.sources {
-            let range = self.range.clone();
-            let mut probe = Probe::open(files, &numbers, range, &self.keys, notes, progress)?;
+            let selection = Selection {
+                files,
+                frames: &numbers,
+                of_shot: self.range.clone(),
+            };
+            let mut probe = Probe::open(selection, &self.keys, notes, progress)?;
             if let Some((shot, source, footage)) = &self.shot {
                 colour::correct(
                     &mut probe,
@@ -158,12 +160,12 @@ impl Found {
                     frame
                 }
             };
-            let place = |frame: u32| Place {
+            let light = |frame: u32| LightOfProbe {
                 number: number(frame),
                 frame,
                 probe: probes.len(),
             };
-            frames.extend(numbers.into_iter().map(place));
+            frames.extend(numbers.into_iter().map(light));
             probes.push(probe);
         }
         Ok(Lights {
@@ -176,13 +178,13 @@ impl Found {
 
 /// Lights in the order in which they are projected.
 pub(super) struct Lights {
-    frames: Vec<Place>,
+    frames: Vec<LightOfProbe>,
     probes: Vec<Probe>,
     turn: Mat3,
 }
 
 /// A light among others.
-struct Place {
+struct LightOfProbe {
     /// What it is called: its frame, or of files, which of them it is.
     number: u32,
     /// Its frame.
@@ -209,13 +211,13 @@ impl Lights {
 
     /// One's file.
     pub(super) fn file(&self, i: usize) -> PathBuf {
-        let Place { frame, probe, .. } = self.frames[i];
+        let LightOfProbe { frame, probe, .. } = self.frames[i];
         self.probes[probe].file(frame)
     }
 
     /// Reads one.
     pub(super) fn load(&self, i: usize, notes: &mut Notes) -> Result<EnvMap> {
-        let Place { frame, probe, .. } = self.frames[i];
+        let LightOfProbe { frame, probe, .. } = self.frames[i];
         self.probes[probe].load(frame, notes)
     }
 

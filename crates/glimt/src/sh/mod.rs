@@ -12,7 +12,7 @@ use glam::{Mat3, UVec2};
 use glimt_render_gpu::host::env::EnvMap;
 use glimt_render_gpu::host::projection::Projector;
 use glimt_sh::{LightCoefficients, Z_UP_TO_Y_UP, rotated, temporally_filtered, windowed};
-use lights::Found;
+use lights::{Found, Lights};
 use serde_json::json;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ use std::time::Instant;
 /// A frame's coefficients, as they are written.
 struct Projected {
     frame: u32,
-    /// Whether the number is no frame's, but says which file it is.
+    /// Whether the number is not a frame's, but says which file it is.
     still: bool,
     file: PathBuf,
     size: UVec2,
@@ -57,41 +57,17 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
     let into = flags.out.as_deref().unwrap_or(Path::new("standard output"));
     reporter.start_filming(lights.len(), into, "the CPU");
 
-    // From a map's own directions to those of what is written.
     let axes = match flags.up {
         Up::Z => lights.turn(),
         Up::Y => Z_UP_TO_Y_UP * lights.turn(),
     };
-    let mut projector = None;
-    let mut projected: Vec<Projected> = Vec::new();
-    let mut before: Option<LightCoefficients> = None;
-    for i in 0..lights.len() {
-        let started = Instant::now();
-        let map = lights.load(i, &mut notes);
-        reporter.notes(notes.take());
-        let map = map?;
-        let raw = project(&mut projector, &map, bands).map_err(|e| e.file(&lights.file(i)))?;
-        let light = windowed(&raw, flags.window);
-        // The filter goes on from what it gave, not from what is written: turned or in another convention.
-        let light = match &before {
-            Some(before) => temporally_filtered(&light, before, flags.temporal),
-            None => light,
-        };
-        before = Some(light);
-        projected.push(Projected {
-            frame: lights.frame(i),
-            still: lights.is_still(i),
-            file: lights.file(i),
-            size: map.size(),
-            coefficients: if axes == Mat3::IDENTITY {
-                light
-            } else {
-                rotated(&light, &axes)
-            },
-        });
-        let status = FrameStatus::Rendered(started.elapsed().as_secs_f64());
-        reporter.frame(lights.frame(i), status, i + 1, lights.len());
-    }
+    let task = Task {
+        lights,
+        bands,
+        axes,
+        flags,
+    };
+    let projected = task.run(&mut notes, reporter)?;
     let written = match flags.format {
         ShFormat::Csv => text::csv(&projected, flags, &axes),
         ShFormat::Json => text::json(&projected, flags, bands, &axes),
@@ -117,6 +93,53 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
     );
     reporter.finish(summary, &text);
     Ok(())
+}
+
+/// What is projected, and how.
+struct Task<'a> {
+    lights: Lights,
+    bands: u32,
+    /// From a map's own directions to those of what is written.
+    axes: Mat3,
+    flags: &'a ShFlags,
+}
+
+impl Task<'_> {
+    /// Projects the lights, one after another.
+    fn run(&self, notes: &mut Notes, reporter: &Reporter) -> Result<Vec<Projected>> {
+        let mut projector = None;
+        let mut projected: Vec<Projected> = Vec::new();
+        let mut before: Option<LightCoefficients> = None;
+        for i in 0..self.lights.len() {
+            let started = Instant::now();
+            let map = self.lights.load(i, notes);
+            reporter.notes(notes.take());
+            let map = map?;
+            let raw = project(&mut projector, &map, self.bands)
+                .map_err(|e| e.file(&self.lights.file(i)))?;
+            let light = windowed(&raw, self.flags.window);
+            // The filter continues from what it gave, not from what is written: turned or in another convention.
+            let light = match &before {
+                Some(before) => temporally_filtered(&light, before, self.flags.temporal),
+                None => light,
+            };
+            before = Some(light);
+            projected.push(Projected {
+                frame: self.lights.frame(i),
+                still: self.lights.is_still(i),
+                file: self.lights.file(i),
+                size: map.size(),
+                coefficients: if self.axes == Mat3::IDENTITY {
+                    light
+                } else {
+                    rotated(&light, &self.axes)
+                },
+            });
+            let status = FrameStatus::Rendered(started.elapsed().as_secs_f64());
+            reporter.frame(self.lights.frame(i), status, i + 1, self.lights.len());
+        }
+        Ok(projected)
+    }
 }
 
 /// The bands that are written: the nine coefficients that engines take are those of three.
@@ -169,7 +192,7 @@ fn begin(out: &Path, inputs: &[PathBuf], found: &Found) -> Result<Pending> {
 fn print(text: &str) -> Result<()> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        // A closed pipe (`glimt sh light.hdr | head`) is no error of ours.
+        // A closed pipe (`glimt sh light.hdr | head`) is not an error of ours.
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
             Err(Error::writing(Path::new("standard output"), &e))
         }

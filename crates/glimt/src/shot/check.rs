@@ -4,7 +4,6 @@ use super::methods::{self, Bis, Prt, Smc};
 use super::parse::Source;
 use super::{Ball, Camera, Colour, Mapping, Method, Shot, range};
 use crate::error::{Error, Result};
-use crate::output::aov;
 use glimt_render_gpu::host::bake;
 use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
 
@@ -128,7 +127,7 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
             );
         }
     }
-    if render.method != Method::Smc && aov::any_diagnostic(&shot.output.aovs) {
+    if render.method != Method::Smc && shot.output.aovs.iter().any(|aov| aov.is_diagnostic()) {
         return bad(
             "output.aovs",
             "\"ess\", \"z-ratio\", \"age\" and \"started\" belong to the method \"smc\"",

@@ -473,6 +473,14 @@ impl Render {
     }
 }
 
+impl Aov {
+    /// Whether it reports how particles fare. The others are layers of the composite.
+    #[must_use]
+    pub fn is_diagnostic(self) -> bool {
+        matches!(self, Self::Ess | Self::ZRatio | Self::Age | Self::Started)
+    }
+}
+
 impl Default for Image {
     fn default() -> Self {
         Self {

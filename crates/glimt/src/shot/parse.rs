@@ -94,6 +94,11 @@ impl Source {
         self.set.iter().map(String::as_str).filter(concerns)
     }
 
+    /// The folder of the file, which paths in it are relative to.
+    pub fn folder(&self) -> &Path {
+        self.file.parent().unwrap_or(Path::new(""))
+    }
+
     /// Whether a key, as `image.size`, is given: in the file, by an override or by a preset.
     pub fn gives(&self, key: &str) -> bool {
         let mut table = Some(&self.given);

@@ -3,10 +3,10 @@
 use super::geometry::{FrameTruth, capture_params, plate_camera, truth_of};
 use super::settings::Synth;
 use super::world::{Base, World};
-use crate::device;
+use crate::device::{self, Processor};
 use crate::error::Result;
 use glam::{UVec2, Vec3, Vec4};
-use glimt_executor::gpu::{Direct, GpuContext};
+use glimt_executor::gpu::Direct;
 use glimt_executor::{Cpu, Device, Executor, Memory, Pass, Rayon};
 use glimt_render_gpu::generated::passes::{Expose, FilmBall, FilmLatlong, FilmPlate, StageArg};
 use glimt_render_gpu::host::render::{FrameImage, RenderError, RenderSettings};
@@ -17,25 +17,6 @@ use glimt_render_gpu::kernels::sensor::SensorParams;
 use glimt_render_gpu::kernels::stage::Stage;
 use rayon::prelude::*;
 use std::sync::OnceLock;
-
-/// What runs the kernels.
-#[derive(Debug)]
-pub enum Processor {
-    /// All of rayon's threads.
-    Cpu,
-    /// A GPU.
-    Gpu(Box<GpuContext>),
-}
-
-impl Processor {
-    /// What it is, for messages.
-    pub fn name(&self) -> String {
-        match self {
-            Self::Cpu => format!("CPU, {} threads", rayon::current_num_threads()),
-            Self::Gpu(gpu) => format!("GPU, {}", gpu.adapter()),
-        }
-    }
-}
 
 /// A capture that is ready to be filmed: all that does not change from frame to frame.
 #[derive(Debug)]
@@ -93,7 +74,7 @@ impl Filming {
         truth_of(&self.synth, frame, world.sun())
     }
 
-    /// The same for one whose surroundings are not at hand.
+    /// The same for one whose surroundings are not available.
     pub fn truth_of(&self, frame: u32) -> FrameTruth {
         truth_of(&self.synth, frame, self.base.sun(&self.synth, frame))
     }
@@ -130,7 +111,7 @@ impl Filming {
     /// The backplate: linear, and as it is displayed.
     ///
     /// # Errors
-    /// The GPU fails, or the plate's camera is no camera.
+    /// The GPU fails, or the plate's camera is not a camera.
     pub fn film_plate(
         &self,
         processor: &Processor,

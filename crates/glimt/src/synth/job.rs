@@ -1,15 +1,17 @@
 //! Host file: `glimt synth`, from its arguments to the files.
 
 use super::check;
-use super::film::{Filming, Processor};
+use super::film::Filming;
 use super::geometry::FrameTruth;
 use super::settings::{PlateFormat, Synth};
 use super::truth::{mask, shot_toml, truth_json};
 use super::world::World;
 use crate::cli::SynthFlags;
-use crate::device;
+use crate::device::{self, Processor};
 use crate::error::{Error, Result};
-use crate::input::{plate, probe};
+use crate::input::light_image::read_all_directions;
+use crate::input::plate;
+use crate::light::check_shape;
 use crate::notes::Notes;
 use crate::output::exr::Storage;
 use crate::output::{Stamp, atomic, exr, png, write_text};
@@ -197,7 +199,7 @@ impl Job {
             && (!plate.on || plate_there())
     }
 
-    /// What does not hang on filming: the numbers of all frames, the mask, and the shot.
+    /// What does not depend on filming: the numbers of all frames, the mask, and the shot.
     fn write_truth(&self) -> Result<()> {
         let synth = self.filming.synth();
         let truth: Vec<FrameTruth> = (1..=synth.frames)
@@ -244,8 +246,8 @@ impl Job {
 
 /// Reads a lat-long map of light.
 fn read_light(file: &Path, notes: &mut Notes) -> Result<(UVec2, Vec<Vec4>)> {
-    let image = probe::read(Mapping::LatLong, file, notes)?;
-    probe::check_shape(Mapping::LatLong, image.size, file, notes)?;
+    let image = read_all_directions(file, notes)?;
+    check_shape(Mapping::LatLong, image.size, file, notes)?;
     Ok((image.size, image.pixels))
 }
 

@@ -8,7 +8,8 @@
 //!
 //! ```
 //! use glam::{UVec2, Vec4};
-//! use glimt::synth::{Filming, Processor, Synth};
+//! use glimt::device::Processor;
+//! use glimt::synth::{Filming, Synth};
 //! let mut synth = Synth::default();
 //! synth.capture.size = [24, 17];
 //! synth.capture.pixel_um = 500.0;
@@ -27,20 +28,22 @@
 
 pub mod check;
 mod clouds;
+mod disc;
 mod film;
 mod geometry;
 mod job;
 mod settings;
+mod sky;
 mod sun;
 mod truth;
 mod world;
 
-pub use film::{Filming, Processor, SynthFrame};
+pub use film::{Filming, SynthFrame};
 pub use geometry::{FrameTruth, Shake, SunTruth};
 pub use job::run;
 pub use settings::{
     Ball, Capture, Clouds, Lamp, Light, Noise, Occluder, Output, Plate, PlateFormat, Rig, Shape,
-    Stage, Sun, Synth, Truth,
+    Sun, Surroundings, Synth, Truth,
 };
 pub use truth::{MASK_HIDDEN, MASK_RIG, MASK_RIM, MASK_SEEN, rig_half_angle};
 pub use world::World;

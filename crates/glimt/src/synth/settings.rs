@@ -24,7 +24,7 @@ pub struct Synth {
     /// The rig that is reflected in front.
     pub rig: Rig,
     /// Where the surroundings are.
-    pub stage: Stage,
+    pub stage: Surroundings,
     /// The sun.
     pub sun: Sun,
     /// Lamps.
@@ -132,7 +132,7 @@ words! {
 /// Where the surroundings are, and where the ball is carried through them.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct Stage {
+pub struct Surroundings {
     /// The shell on which the map lies, sun and lamps included. Its centre, where the map was taken, is the origin.
     pub shape: Shape,
     /// Its whole extent along x, y and z; a sphere takes the first.
@@ -289,7 +289,7 @@ impl Default for Synth {
             capture: Capture::default(),
             ball: Ball::default(),
             rig: Rig::default(),
-            stage: Stage::default(),
+            stage: Surroundings::default(),
             sun: Sun::default(),
             lamps: Vec::new(),
             clouds: Clouds::default(),
@@ -350,7 +350,7 @@ impl Default for Rig {
     }
 }
 
-impl Default for Stage {
+impl Default for Surroundings {
     fn default() -> Self {
         Self {
             shape: Shape::Infinite,

@@ -127,7 +127,7 @@ pub(super) fn disc_radiance(irradiance: DVec3, radius_deg: f32) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::disc::add_disc;
+    use crate::synth::disc::add_disc;
 
     #[test]
     fn a_disc_on_a_sky_is_found_and_taken_out() {

@@ -2,11 +2,11 @@
 //! passes in front.
 
 use super::clouds::transmittance;
+use super::disc::add_disc;
 use super::geometry::{SunTruth, on_path, time_of};
 use super::settings::{Lamp, Shape, Synth};
+use super::sky;
 use super::sun::{self, Blob};
-use crate::demo;
-use crate::disc::add_disc;
 use glam::{DVec3, UVec2, Vec2, Vec3, Vec4};
 use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
 use glimt_probe::rotate::{cos_sin_degrees, rotate_z};
@@ -83,7 +83,7 @@ impl World {
 pub(super) enum Base {
     /// The built-in sky; kept where its sun stands still.
     Sky { still: OnceLock<Vec<Vec4>> },
-    /// A map, the blob of its sun taken out where that is drawn anew.
+    /// A map, the blob of its sun taken out where that is drawn again.
     Map {
         size: UVec2,
         texels: Vec<Vec4>,
@@ -130,7 +130,7 @@ impl Base {
                 let irradiance = given.unwrap_or_else(|| {
                     // One irradiance along the whole arc: that in its middle.
                     let elevation = built_in_sun(synth, 0.5).z.asin();
-                    demo::sun_irradiance(elevation).as_dvec3() * f64::from(synth.light.scale)
+                    sky::sun_irradiance(elevation).as_dvec3() * f64::from(synth.light.scale)
                 });
                 Some(Blob {
                     direction: built_in_sun(synth, time),
@@ -168,13 +168,13 @@ impl Base {
         let placed = self.place_sun(synth, frame);
         let (size, mut texels) = match self {
             Self::Sky { still } => {
-                let size = demo::ENV_SIZE;
+                let size = sky::SIZE;
                 let scale = synth.light.scale;
                 let made = || {
                     let sun = to_map(built_in_sun(synth, time)).as_vec3();
                     let irradiance = placed.map_or(DVec3::ZERO, |blob| blob.irradiance);
                     let irradiance = irradiance.as_vec3() / scale.max(1e-30);
-                    let mut texels = demo::clear_sky(size, sun, irradiance);
+                    let mut texels = sky::clear_sky(size, sun, irradiance);
                     for texel in &mut texels {
                         *texel *= scale;
                     }

@@ -2,7 +2,7 @@
 
 use super::Pictures;
 use super::picture::viridis;
-use super::svg::{Curve, chart, colour};
+use super::svg::{Curve, chart, colour, escape};
 use crate::compare::fit::Hold;
 use crate::compare::flip;
 use crate::compare::measures::{DEFINITIONS, LocalBias, Score};
@@ -414,21 +414,4 @@ fn again(outcome: &Outcome) -> String {
         .map(|(name, value)| format!("<dt>{name}</dt><dd>{value}</dd>\n"))
         .collect();
     format!("<h2>To do it again</h2>\n<dl>\n{rows}</dl>\n")
-}
-
-/// Text for HTML.
-#[must_use]
-pub fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&#39;"),
-            c => escaped.push(c),
-        }
-    }
-    escaped
 }

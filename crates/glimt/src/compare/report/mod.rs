@@ -7,10 +7,10 @@ pub mod svg;
 pub mod text;
 
 use super::contestants::Contestant;
+use super::course::Findings;
 use super::measures::error_map;
-use super::outcome::Outcome;
 use super::reference::Reference;
-use super::stage::Stage;
+use super::trial_renderer::TrialRenderer;
 use super::trials::Trial;
 use crate::error::{Error, Result};
 use crate::output::write_text;
@@ -43,18 +43,23 @@ pub struct Pictures {
 /// One cannot be written.
 pub fn write(
     out: &Path,
-    outcome: &Outcome,
-    contestants: &[Contestant],
-    references: &[&Reference],
-    trials: &[Vec<Trial>],
-    stage: &mut Stage<'_>,
+    findings: &Findings,
+    renderer: &TrialRenderer<'_>,
 ) -> Result<Vec<PathBuf>> {
+    let Findings {
+        outcome,
+        contestants,
+        trials,
+        ..
+    } = findings;
+    let is_measured = |r: &&Reference| outcome.about.frames.contains(&r.frame);
+    let references: Vec<&Reference> = findings.references.iter().filter(is_measured).collect();
     let mut pictures = Vec::new();
     let shown = references.len().min(SHOWN);
     for k in 0..shown {
         let i = (k + 1) * references.len() / shown - 1;
         let of_frame: Vec<&Trial> = trials.iter().map(|t| &t[i]).collect();
-        pictures.push(draw(contestants, references[i], &of_frame, stage)?);
+        pictures.push(draw(contestants, references[i], &of_frame, renderer)?);
     }
     let [html, json, csv] = ["html", "json", "csv"].map(|e| out.join(format!("compare.{e}")));
     let value = serde_json::to_string_pretty(outcome).map_err(|e| Error::output(&json, e))?;
@@ -68,9 +73,9 @@ fn draw(
     contestants: &[Contestant],
     reference: &Reference,
     trials: &[&Trial],
-    stage: &mut Stage<'_>,
+    renderer: &TrialRenderer<'_>,
 ) -> Result<Pictures> {
-    let size = stage.size();
+    let size = renderer.size();
     let maps: Vec<Vec<f64>> = trials
         .iter()
         .map(|t| error_map(&t.moments, reference))
@@ -79,11 +84,11 @@ fn draw(
     let scale = Scale::of(&maps, &reference.pixels);
     let covered = |p: usize| reference.moments.mean[p].w > 0.0;
     let png = |bytes: &[u8]| picture::data_url(crop.size(), bytes);
-    let shown = stage.display(&contestants[0].shot, &reference.moments.mean)?;
+    let shown = renderer.display(&contestants[0].shot, &reference.moments.mean)?;
     let mut of_all = Vec::new();
     for ((contestant, trial), map) in contestants.iter().zip(trials).zip(&maps) {
         let sample = trial.sample.as_ref().unwrap_or(&trial.moments.mean);
-        let picture = stage.display(&contestant.shot, sample)?;
+        let picture = renderer.display(&contestant.shot, sample)?;
         let colours: Vec<u8> = map
             .iter()
             .enumerate()

@@ -5,8 +5,8 @@ use glam::UVec2;
 /// Largest crop.
 const CROP: UVec2 = UVec2::new(360, 270);
 
-/// Viridis, in even steps from dark to bright; between them colours are mixed. Its brightness rises evenly, and it is told apart
-/// without red or green.
+/// Viridis, in even steps from dark to bright; between them colours are mixed. Its brightness rises evenly, and
+/// it is clear without red or green.
 const VIRIDIS: [[u8; 3]; 9] = [
     [0x44, 0x01, 0x54],
     [0x47, 0x2d, 0x7b],

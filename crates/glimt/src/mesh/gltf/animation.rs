@@ -93,7 +93,7 @@ impl Reader<'_> {
                 let list = list.into_f32().map(Quat::from_array);
                 Values::Rotation(list.collect())
             }
-            ReadOutputs::MorphTargetWeights(_) => return Err(error("its values are no places")),
+            ReadOutputs::MorphTargetWeights(_) => return Err(error("its values are not places")),
         };
         let is_finite = match &values {
             Values::Translation(list) | Values::Scale(list) => list.iter().all(|v| v.is_finite()),

@@ -3,8 +3,8 @@
 mod animation;
 mod material;
 
+use super::model::{Model, ModelCamera, Part};
 use super::node::{Node, Trs};
-use super::{Model, ModelCamera, Part};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use ::gltf::accessor::{DataType, Dimensions};
@@ -88,7 +88,7 @@ fn broken(file: &Path, error: ::gltf::Error) -> Error {
     }
 }
 
-/// What is at hand while a file is read.
+/// What is available while a file is read.
 struct Reader<'a> {
     file: &'a Path,
     folder: &'a Path,
@@ -319,30 +319,38 @@ impl Reader<'_> {
                 .ok_or_else(|| beyond(&semantic))?;
             mesh.uvs = list.into_f32().map(Into::into).collect();
         }
-        let corners: Vec<u32> = match primitive.indices() {
+        let corners = match primitive.indices() {
             None => (0..count as u32).collect(),
-            Some(accessor) => {
-                let whole = matches!(
-                    accessor.data_type(),
-                    DataType::U8 | DataType::U16 | DataType::U32
-                );
-                if !whole || accessor.dimensions() != Dimensions::Scalar {
-                    return Err(error("its indices have the wrong type"));
-                }
-                if accessor.count() == 0 {
-                    Vec::new()
-                } else {
-                    let list = reader.read_indices();
-                    let list =
-                        list.ok_or_else(|| error("its indices reach beyond their buffer"))?;
-                    list.into_u32().collect()
-                }
-            }
+            Some(accessor) => self.read_corners(primitive, &accessor, &place)?,
         };
         mesh.indices = triangles(&corners, primitive.mode());
         let material = self.material(&primitive.material())?;
         mesh.materials = vec![material];
         Ok(mesh)
+    }
+
+    /// The indices of a primitive, which `place` names.
+    fn read_corners(
+        &self,
+        primitive: &Primitive<'_>,
+        indices: &::gltf::Accessor<'_>,
+        place: &str,
+    ) -> Result<Vec<u32>> {
+        let error = |what: &str| self.error(what).at(place);
+        let whole = matches!(
+            indices.data_type(),
+            DataType::U8 | DataType::U16 | DataType::U32
+        );
+        if !whole || indices.dimensions() != Dimensions::Scalar {
+            return Err(error("its indices have the wrong type"));
+        }
+        if indices.count() == 0 {
+            return Ok(Vec::new());
+        }
+        let reader = primitive.reader(|buffer| Some(&self.buffers[buffer.index()]));
+        let list = reader.read_indices();
+        let list = list.ok_or_else(|| error("its indices reach beyond their buffer"))?;
+        Ok(list.into_u32().collect())
     }
 }
 

@@ -1,0 +1,312 @@
+//! Host file: the light of a shot: its frames as lat-long maps that the renderer accepts.
+
+pub mod angular;
+pub mod colour;
+
+use crate::capture::{Capture, Poses, locate};
+use crate::error::{Error, Result};
+use crate::input::frames::{FrameFiles, check_size};
+use crate::input::light_image::{self, LightImage};
+use crate::input::read_header;
+use crate::notes::Notes;
+use crate::shot::digest::{Hash, join, of_file, of_text};
+use crate::shot::{self, Mapping};
+use angular::angular_to_latlong;
+use glam::{UVec2, Vec4};
+use glimt_probe::gather::ColourMatrix;
+use glimt_render_gpu::host::env::{EnvMap, MAX_RADIANCE};
+use glimt_render_gpu::host::unwarp::BallPose;
+use rayon::prelude::*;
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// The frames of a light probe, all of one size.
+#[derive(Clone, Debug)]
+pub struct Probe {
+    files: FrameFiles,
+    mapping: Mapping,
+    scale: f32,
+    size: UVec2,
+    /// Where the ball is, in film of one.
+    capture: Option<Arc<Capture>>,
+    colour: ColourMatrix,
+}
+
+/// The first image of a probe that is still being filmed.
+#[derive(Clone, Copy, Debug)]
+pub struct FirstImage<'a> {
+    /// Its file.
+    pub file: &'a Path,
+    /// Its width and height in pixels.
+    pub size: UVec2,
+    /// Where the mirror ball is in it, if it shows one.
+    pub pose: Option<BallPose>,
+}
+
+/// The files of a probe, and which of its frames are wanted.
+#[derive(Clone, Debug)]
+pub struct Selection<'a> {
+    /// The files.
+    pub files: FrameFiles,
+    /// The frames that are asked for, at least one.
+    pub frames: &'a [u32],
+    /// All frames of the shot.
+    pub of_shot: RangeInclusive<u32>,
+}
+
+impl Probe {
+    /// Checks the headers of all frames that are asked for: that they are images, of one size, and fit the mapping. In film of a
+    /// mirror ball, the ball is looked for in all frames of the shot, whichever are asked for: what is smoothed over a shot must not
+    /// depend on which part of it is rendered. `progress` is called with how many are done, and of how many.
+    ///
+    /// # Errors
+    /// The first frame that is not as it should be.
+    pub fn open(
+        selection: Selection<'_>,
+        keys: &shot::Probe,
+        notes: &mut Notes,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Self> {
+        let size = size_of_all(&selection, keys.mapping, notes)?;
+        let capture = match keys.mapping {
+            Mapping::MirrorBall => {
+                let ball = keys.ball.clone().unwrap_or_default();
+                let poses = match Poses::given(&ball) {
+                    Some(given) => given,
+                    None => found_poses(&selection, &ball, notes, progress)?,
+                };
+                Some(Arc::new(Capture::new(&ball, poses)))
+            }
+            _ => None,
+        };
+        Ok(Self::new(selection.files, keys, size, capture))
+    }
+
+    /// A probe whose images have this size.
+    fn new(
+        files: FrameFiles,
+        keys: &shot::Probe,
+        size: UVec2,
+        capture: Option<Arc<Capture>>,
+    ) -> Self {
+        Self {
+            files,
+            mapping: keys.mapping,
+            scale: keys.scale,
+            size,
+            capture,
+            colour: ColourMatrix::IDENTITY,
+        }
+    }
+
+    /// A probe that is still being filmed, by its first image.
+    ///
+    /// # Errors
+    /// The image does not fit the mapping.
+    pub fn live(
+        files: FrameFiles,
+        keys: &shot::Probe,
+        first: &FirstImage<'_>,
+        notes: &mut Notes,
+    ) -> Result<Self> {
+        check_shape(keys.mapping, first.size, first.file, notes)?;
+        let ball = keys.ball.clone().unwrap_or_default();
+        let capture = first
+            .pose
+            .map(|pose| Arc::new(Capture::new(&ball, Poses::Fixed(pose))));
+        Ok(Self::new(files, keys, first.size, capture))
+    }
+
+    /// Sets how its colours are changed.
+    pub fn set_colour(&mut self, colour: ColourMatrix) {
+        self.colour = colour;
+    }
+
+    /// Film of a mirror ball, if it is.
+    pub fn capture(&self) -> Option<&Arc<Capture>> {
+        self.capture.as_ref()
+    }
+
+    /// Size of its images.
+    pub fn size(&self) -> UVec2 {
+        self.size
+    }
+
+    /// Whether every frame is the same image.
+    pub fn is_still(&self) -> bool {
+        self.files.is_still()
+    }
+
+    /// The file of a frame.
+    pub fn file(&self, frame: u32) -> PathBuf {
+        self.files.path(frame)
+    }
+
+    /// Hash of the file of each of these frames, and of where the ball is in it.
+    ///
+    /// # Errors
+    /// A file cannot be read.
+    pub fn digests(&self, frames: &[u32]) -> Result<Vec<Hash>> {
+        let files = if self.files.is_still() {
+            vec![of_file(&self.files.path(1))?; frames.len()]
+        } else {
+            let paths = frames.par_iter().map(|&frame| self.files.path(frame));
+            paths.map(|path| of_file(&path)).collect::<Result<_>>()?
+        };
+        let with_pose = |(file, frame): (Hash, &u32)| self.digest_at(&file, self.pose(*frame));
+        Ok(files.into_iter().zip(frames).map(with_pose).collect())
+    }
+
+    /// Hash of an image with this one, in which the ball is there.
+    pub fn digest_at(&self, file: &Hash, pose: Option<BallPose>) -> Hash {
+        // Both print so that they read back as the same numbers.
+        join([file, &of_text(&format!("{pose:?} {:?}", self.colour))])
+    }
+
+    /// Where the ball is in a frame, in film of one.
+    fn pose(&self, frame: u32) -> Option<BallPose> {
+        self.capture.as_ref()?.poses().of(frame)
+    }
+
+    /// Reads the light of a frame.
+    ///
+    /// # Errors
+    /// The file cannot be read, is broken, or has bad texels and `notes` is strict.
+    pub fn load(&self, frame: u32, notes: &mut Notes) -> Result<EnvMap> {
+        let file = self.files.path(frame);
+        let image = read_frame(self.mapping, &file, notes)?;
+        self.light_of(image, &file, self.pose(frame), notes)
+    }
+
+    /// The light of an image that was read from `file`, in which the ball is at `pose`.
+    ///
+    /// # Errors
+    /// It has another size than the probe, or does not hold the ball.
+    pub fn light_of(
+        &self,
+        image: LightImage,
+        file: &Path,
+        pose: Option<BallPose>,
+        notes: &mut Notes,
+    ) -> Result<EnvMap> {
+        self.check_size(file, image.size)?;
+        let (size, mut texels) = match (&self.capture, pose) {
+            (Some(capture), Some(pose)) => {
+                let map = capture.map_at(&pose, file, image.size)?;
+                let look = capture.look(&self.colour);
+                (capture.size(), map.apply(&image.pixels, &look))
+            }
+            (Some(_), None) => {
+                return Err(Error::input(file, "the ball was not looked for in it"));
+            }
+            (None, _) => self.map_of(image),
+        };
+        if self.scale != 1.0 {
+            for texel in &mut texels {
+                *texel = (*texel * self.scale).min(Vec4::splat(MAX_RADIANCE));
+            }
+        }
+        if texels.iter().all(|t| t.truncate().max_element() <= 0.0) {
+            notes.warn(file, "the map is black: it lights nothing");
+        }
+        EnvMap::new(size, texels).map_err(|e| Error::input(file, e))
+    }
+
+    /// Checks that an image has the size of the probe.
+    ///
+    /// # Errors
+    /// It has another size.
+    pub fn check_size(&self, file: &Path, size: UVec2) -> Result<()> {
+        let all = self.files.folder().join(self.files.pattern());
+        check_size(file, size, self.size, &all)
+    }
+
+    /// An image of all directions as a lat-long map.
+    fn map_of(&self, image: LightImage) -> (UVec2, Vec<Vec4>) {
+        let (size, mut texels) = match self.mapping {
+            Mapping::Angular => angular_to_latlong(image.size, &image.pixels),
+            _ => (image.size, image.pixels),
+        };
+        if self.colour != ColourMatrix::IDENTITY {
+            texels
+                .par_iter_mut()
+                .for_each(|texel| *texel = self.colour.apply(*texel));
+        }
+        (size, texels)
+    }
+}
+
+/// The size of all frames that are asked for, by their headers.
+fn size_of_all(selection: &Selection<'_>, mapping: Mapping, notes: &mut Notes) -> Result<UVec2> {
+    let read_size = |file: &Path| match mapping {
+        Mapping::MirrorBall => light_image::read_photo_size(file),
+        _ => Ok(read_header(file)?.size),
+    };
+    let Selection { files, frames, .. } = selection;
+    let first = files.path(frames[0]);
+    let size = read_size(&first)?;
+    check_shape(mapping, size, &first, notes)?;
+    let others = if files.is_still() { &[] } else { &frames[1..] };
+    for &frame in others {
+        let path = files.path(frame);
+        check_size(&path, read_size(&path)?, size, &first)?;
+    }
+    Ok(size)
+}
+
+/// Where the ball is found in the frames of the shot.
+fn found_poses(
+    selection: &Selection<'_>,
+    ball: &shot::Ball,
+    notes: &mut Notes,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Poses> {
+    let Selection {
+        files,
+        frames,
+        of_shot,
+    } = selection;
+    let mut all = match files.is_still() {
+        true => frames.to_vec(),
+        false => files.existing()?,
+    };
+    all.retain(|frame| of_shot.contains(frame) || frames.contains(frame));
+    locate::poses(files, &all, ball, notes, progress)
+}
+
+/// Reads an image of a probe: a photograph of a mirror ball, or an image of all directions.
+///
+/// # Errors
+/// The file cannot be read or is broken; or it has bad texels and `notes` is strict.
+pub fn read_frame(mapping: Mapping, file: &Path, notes: &mut Notes) -> Result<LightImage> {
+    match mapping {
+        Mapping::MirrorBall => light_image::read_photo(file, notes),
+        Mapping::Angular | Mapping::LatLong => light_image::read_all_directions(file, notes),
+    }
+}
+
+/// Checks that an image can hold what its mapping says.
+pub fn check_shape(mapping: Mapping, size: UVec2, file: &Path, notes: &mut Notes) -> Result<()> {
+    match mapping {
+        Mapping::Angular if size.x != size.y => Err(Error::input(
+            file,
+            format!(
+                "an angular map is square, and this is {} × {}",
+                size.x, size.y
+            ),
+        )
+        .fix("crop it to the square around the disc, or set probe.mapping = \"lat-long\"")),
+        Mapping::LatLong if size.x != 2 * size.y => {
+            notes.note(
+                file,
+                format!(
+                    "{} × {} is not 2:1; it is taken as a lat-long map all the same",
+                    size.x, size.y
+                ),
+            );
+            Ok(())
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,126 @@
+//! Host file: what a mesh file holds, whatever its format: meshes, materials, textures, nodes, cameras, animations.
+
+use super::animation::Animation;
+use super::node::{self, Node};
+use crate::error::Result;
+use crate::shot::digest::{self, Hash};
+use glam::{Mat4, Vec3};
+use glimt_render_gpu::host::scene::{Material, Mesh, Texture};
+use std::path::PathBuf;
+
+/// What a mesh file holds. Indices are into its own lists.
+#[derive(Clone, Debug, Default)]
+pub struct Model {
+    /// Geometry.
+    pub meshes: Vec<Mesh>,
+    /// Reflection models; at least one where there is a mesh.
+    pub materials: Vec<Material>,
+    /// Name of each material.
+    pub material_names: Vec<String>,
+    /// Images.
+    pub textures: Vec<Texture>,
+    /// Places in the file, in its own axes.
+    pub nodes: Vec<Node>,
+    /// Where the meshes stand.
+    pub parts: Vec<Part>,
+    /// Cameras.
+    pub cameras: Vec<ModelCamera>,
+    /// What moves the nodes.
+    pub animations: Vec<Animation>,
+    /// The file and all that it refers to.
+    pub files: Vec<PathBuf>,
+    /// Whether z is up, rather than y, if a shot does not say.
+    pub z_up: bool,
+}
+
+/// A mesh placed in its file.
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    /// Index of the mesh.
+    pub mesh: usize,
+    /// Index of the node that it stands at.
+    pub node: usize,
+}
+
+/// A perspective camera of a file.
+#[derive(Clone, Debug)]
+pub struct ModelCamera {
+    /// Its name.
+    pub name: String,
+    /// Index of its node; it looks along −z with +y up.
+    pub node: usize,
+    /// Vertical field of view, in radians.
+    pub fov_y: f32,
+}
+
+impl Model {
+    /// One grey mesh, where its file has it, at a node of its name.
+    pub fn of_mesh(mesh: Mesh) -> Model {
+        Model {
+            nodes: vec![Node::at(&mesh.name, None, Vec3::ZERO)],
+            meshes: vec![mesh],
+            materials: vec![default_material()],
+            material_names: vec!["grey".to_owned()],
+            parts: vec![Part { mesh: 0, node: 0 }],
+            ..Model::default()
+        }
+    }
+
+    /// Number of triangles, counting each placing of a mesh.
+    pub fn triangles(&self) -> usize {
+        let count = |part: &Part| self.meshes[part.mesh].indices.len();
+        self.parts.iter().map(count).sum()
+    }
+
+    /// From each node to the file's world, as the file has it.
+    pub fn rest(&self) -> Vec<Mat4> {
+        node::to_file(&self.nodes, |_, node| node.local)
+    }
+
+    /// Bounds of all its parts, with each node where `nodes` says, after a further transform; `None` without any. Parts that
+    /// are scaled to nothing have none.
+    pub fn bounds(&self, nodes: &[Mat4], transform: Mat4) -> Option<(Vec3, Vec3)> {
+        let mut bounds: Option<(Vec3, Vec3)> = None;
+        for part in &self.parts {
+            let to_world = transform * nodes[part.node];
+            if to_world.determinant() == 0.0 {
+                continue;
+            }
+            let mesh = &self.meshes[part.mesh];
+            for &index in mesh.indices.as_flattened() {
+                let p = to_world.transform_point3(mesh.positions[index as usize]);
+                let (low, high) = bounds.unwrap_or((p, p));
+                bounds = Some((low.min(p), high.max(p)));
+            }
+        }
+        bounds
+    }
+
+    /// Hash of the contents of all its files; of its name, if it is built in.
+    ///
+    /// # Errors
+    /// A file cannot be read.
+    pub fn digest(&self, name: &str) -> Result<Hash> {
+        if self.files.is_empty() {
+            let mut hash = [0; 32];
+            let n = name.len().min(32);
+            hash[..n].copy_from_slice(&name.as_bytes()[..n]);
+            return Ok(hash);
+        }
+        let hashes: Vec<Hash> = self
+            .files
+            .iter()
+            .map(|file| digest::of_file(file))
+            .collect::<Result<_>>()?;
+        Ok(digest::join(&hashes))
+    }
+}
+
+/// Grey paint, for meshes that have no material.
+pub fn default_material() -> Material {
+    Material::BlinnPhong {
+        diffuse: Vec3::splat(0.6),
+        specular: Vec3::ZERO,
+        exponent: 1.0,
+    }
+}

@@ -1,0 +1,307 @@
+//! Host file: the objects of a shot placed in the world, in each frame.
+
+use super::motion::Motion;
+use super::view::{FileCamera, View};
+use crate::error::Result;
+use crate::mesh::load;
+use crate::mesh::model::Model;
+use crate::mesh::subdivide::{MOST_TRIANGLES, subdivide, triangles_after};
+use crate::notes::Notes;
+use crate::shot::digest::{Hash, join};
+use crate::shot::parse::Source;
+use crate::shot::{self, Shot, Up};
+use glam::{DMat3, EulerRot, Mat4, Quat, Vec3};
+use glimt_render_gpu::host::scene::{Material, Object, SceneDescription};
+use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::f32::consts::FRAC_PI_2;
+
+/// A scene, and what moves in it.
+#[derive(Clone, Debug)]
+pub struct Placed {
+    /// Meshes, materials, and objects where they stand in the first frame.
+    pub scene: SceneDescription,
+    /// Where it is seen from.
+    pub view: View,
+    /// How it moves: each of the shot's objects.
+    pub movers: Vec<Mover>,
+    /// Hash of the contents of all mesh files.
+    pub digest: Hash,
+    /// Triangles, counting each placing of a mesh.
+    pub triangles: usize,
+    /// Which of the shot's objects each object of the scene is a part of.
+    pub owners: Vec<usize>,
+}
+
+/// An object of a shot, whose parts move.
+#[derive(Clone, Debug)]
+pub struct Mover {
+    /// From its file to the world.
+    pub to_world: Mat4,
+    /// What moves its nodes.
+    pub motion: Motion,
+    /// The node of each of its parts, which are the next objects of the scene.
+    pub parts: Vec<usize>,
+}
+
+impl Mover {
+    /// From each node to the world, `frames` frames after the first.
+    pub fn nodes_at(&self, frames: i64, fps: f32) -> Vec<Mat4> {
+        let mut nodes = self.motion.nodes_at(frames, fps);
+        for node in &mut nodes {
+            *node = self.to_world * *node;
+        }
+        nodes
+    }
+
+    /// From the mesh of each part to the world, where `nodes` stand so.
+    pub fn parts_at(&self, nodes: &[Mat4]) -> impl Iterator<Item = Mat4> {
+        self.parts.iter().map(|&node| unfolded(nodes[node]))
+    }
+}
+
+/// A transform that can be inverted. What is scaled to nothing becomes so small that none of its triangles has an area: files
+/// hide things so.
+fn unfolded(transform: Mat4) -> Mat4 {
+    let flat = DMat3::from_mat4(transform.as_dmat4()).determinant() == 0.0;
+    match flat {
+        true => {
+            Mat4::from_translation(transform.w_axis.truncate())
+                * Mat4::from_scale(Vec3::splat(1e-20))
+        }
+        false => transform,
+    }
+}
+
+/// Loads the meshes of a shot and places them where they stand in the first frame.
+///
+/// # Errors
+/// A mesh cannot be loaded, has no node, animation or camera that the shot names, or lies beyond the world's end.
+pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> {
+    let mut loaded: HashMap<(&str, u32), Loaded> = HashMap::new();
+    let mut placing = Placing::default();
+    for (index, object) in shot.objects.iter().enumerate() {
+        let name = object.mesh.as_str();
+        let entry = match loaded.entry((name, object.subdivide)) {
+            Entry::Occupied(known) => &*known.into_mut(),
+            Entry::Vacant(vacant) => {
+                let mut model = load(source.folder(), name, notes)?;
+                cut(&mut model, object.subdivide, index, source)?;
+                &*vacant.insert(Loaded::new(model, &mut placing.scene))
+            }
+        };
+        let motion = Motion::new(object, index, &entry.model, source)?;
+        let nodes = motion.nodes_at(0, shot.probe.fps);
+        let mover = Mover {
+            to_world: transform(object, &entry.model, &nodes),
+            motion,
+            parts: entry.model.parts.iter().map(|part| part.node).collect(),
+        };
+        if let Some(bounds) = entry.model.bounds(&nodes, mover.to_world) {
+            placing.add_bounds(object, bounds).map_err(|what| {
+                source
+                    .error(&format!("object.{index}.scale"), what)
+                    .fix("the world ends at 1e9 units: lower its scale, or move it nearer")
+            })?;
+        }
+        placing.digests.push(entry.model.digest(name)?);
+        placing.add(object, entry, mover, shot.probe.fps);
+    }
+    let bounds = placing.subject.or(placing.all);
+    let bounds = bounds.unwrap_or((Vec3::NEG_ONE, Vec3::ONE));
+    Ok(Placed {
+        view: View::new(shot, source, bounds, &placing.cameras)?,
+        movers: placing.movers,
+        scene: placing.scene,
+        digest: join(&placing.digests),
+        triangles: placing.triangles,
+        owners: placing.owners,
+    })
+}
+
+/// The objects of a shot that are placed so far.
+#[derive(Default)]
+struct Placing {
+    scene: SceneDescription,
+    movers: Vec<Mover>,
+    /// Which of the shot's objects each object of the scene is a part of.
+    owners: Vec<usize>,
+    cameras: Vec<FileCamera>,
+    digests: Vec<Hash>,
+    triangles: usize,
+    /// Bounds of all objects.
+    all: Option<(Vec3, Vec3)>,
+    /// Bounds of those that a camera looks at when a shot does not say.
+    subject: Option<(Vec3, Vec3)>,
+}
+
+impl Placing {
+    /// Adds the parts and the cameras of the shot's next object.
+    fn add(&mut self, object: &shot::Object, entry: &Loaded, mover: Mover, fps: f32) {
+        let index = self.movers.len();
+        let model = &entry.model;
+        let scene = &mut self.scene;
+        let material = object.material.as_ref().map(|m| {
+            scene.materials.push(Material::BlinnPhong {
+                diffuse: m.diffuse.into(),
+                specular: m.specular.into(),
+                exponent: m.exponent,
+            });
+            scene.materials.len() as u32 - 1
+        });
+        let in_world = mover.nodes_at(0, fps);
+        let pairs = model.parts.iter().zip(mover.parts_at(&in_world));
+        scene.objects.extend(pairs.map(|(part, transform)| Object {
+            mesh: entry.first_mesh + part.mesh as u32,
+            transform,
+            material,
+            catcher: object.catcher,
+        }));
+        self.owners.resize(scene.objects.len(), index);
+        let cameras = model.cameras.iter().map(|camera| FileCamera {
+            name: camera.name.clone(),
+            object: index,
+            node: camera.node,
+            fov_y: camera.fov_y,
+        });
+        self.cameras.extend(cameras);
+        self.triangles += model.triangles();
+        self.movers.push(mover);
+    }
+
+    /// Extends the bounds by those of an object, or says how it lies beyond the world's end.
+    fn add_bounds(
+        &mut self,
+        object: &shot::Object,
+        bounds: (Vec3, Vec3),
+    ) -> std::result::Result<(), String> {
+        let reach = bounds.0.abs().max(bounds.1.abs()).max_element();
+        if !(reach <= MAX_COORDINATE) {
+            return Err(format!(
+                "the object reaches {reach:.1e} units from the origin"
+            ));
+        }
+        grow(&mut self.all, bounds);
+        // What is in the footage already is as little the subject as a floor.
+        if object.mesh != "plane" && !object.catcher {
+            grow(&mut self.subject, bounds);
+        }
+        Ok(())
+    }
+}
+
+/// Cuts the triangles of a model, which the shot's object `index` stands for.
+fn cut(model: &mut Model, times: u32, index: usize, source: &Source) -> Result<()> {
+    let of_mesh = model.meshes.iter().map(|mesh| mesh.indices.len() as u64);
+    let before = of_mesh.sum();
+    let after = triangles_after(before, times);
+    if times > 0 && after > MOST_TRIANGLES {
+        let what =
+            format!("it would make {after} triangles of {before}, more than {MOST_TRIANGLES}");
+        return Err(source
+            .error(&format!("object.{index}.subdivide"), what)
+            .fix("lower it: each step makes four triangles of one"));
+    }
+    subdivide(model, times);
+    Ok(())
+}
+
+/// A model whose meshes are in the scene, from `first_mesh` on.
+struct Loaded {
+    model: Model,
+    first_mesh: u32,
+}
+
+impl Loaded {
+    /// Moves a model's lists into the scene, and makes their indices the scene's.
+    fn new(mut model: Model, scene: &mut SceneDescription) -> Self {
+        let first_mesh = scene.meshes.len() as u32;
+        let first_material = scene.materials.len() as u32;
+        let first_texture = scene.textures.len() as u32;
+        for material in &mut model.materials {
+            if let Material::MetallicRoughness {
+                base_color_texture,
+                metallic_roughness_texture,
+                normal_texture,
+                ..
+            } = material
+            {
+                let textures = [
+                    base_color_texture,
+                    metallic_roughness_texture,
+                    normal_texture,
+                ];
+                for index in textures.into_iter().flatten() {
+                    *index += first_texture;
+                }
+            }
+        }
+        // The model keeps its meshes for bounds and counts; materials and textures are the scene's from here on.
+        scene.materials.append(&mut model.materials);
+        scene.textures.append(&mut model.textures);
+        scene
+            .meshes
+            .extend(model.meshes.iter().cloned().map(|mut mesh| {
+                for material in &mut mesh.materials {
+                    *material += first_material;
+                }
+                mesh
+            }));
+        Self { model, first_mesh }
+    }
+}
+
+fn grow(bounds: &mut Option<(Vec3, Vec3)>, (low, high): (Vec3, Vec3)) {
+    let (a, b) = bounds.unwrap_or((low, high));
+    *bounds = Some((a.min(low), b.max(high)));
+}
+
+/// To the world's axes, scaled, turned about x, y, z (fixed axes), set on the ground, moved.
+fn transform(object: &shot::Object, model: &Model, nodes: &[Mat4]) -> Mat4 {
+    let default_up = if model.z_up { Up::Z } else { Up::Y };
+    let up = match object.up.unwrap_or(default_up) {
+        Up::Y => Mat4::from_rotation_x(FRAC_PI_2),
+        Up::Z => Mat4::IDENTITY,
+    };
+    let [x, y, z] = object.rotate_deg.map(f32::to_radians);
+    // Fixed axes x, y, z in this order are the moving axes z, y, x.
+    let rotation = Mat4::from_quat(Quat::from_euler(EulerRot::ZYX, z, y, x));
+    let turned = rotation * Mat4::from_scale(Vec3::splat(object.scale)) * up;
+    let mut translate = Vec3::from(object.translate);
+    if object.ground
+        && let Some((low, _)) = model.bounds(nodes, turned)
+    {
+        translate.z -= low.z;
+    }
+    Mat4::from_translation(translate) * turned
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turns_about_fixed_axes_in_order() {
+        let object = shot::Object {
+            rotate_deg: [90.0, 0.0, 90.0],
+            scale: 2.0,
+            translate: [0.0, 0.0, 1.0],
+            up: Some(Up::Z),
+            ..shot::Object::default()
+        };
+        let matrix = transform(&object, &Model::default(), &[]);
+        // y → z by the turn about x, and stays so about z; x → y about z.
+        let y = matrix.transform_point3(Vec3::Y);
+        assert!((y - Vec3::new(0.0, 0.0, 3.0)).length() < 1e-5, "{y}");
+        let x = matrix.transform_point3(Vec3::X);
+        assert!((x - Vec3::new(0.0, 2.0, 1.0)).length() < 1e-5, "{x}");
+    }
+
+    #[test]
+    fn y_up_becomes_z_up() {
+        let matrix = transform(&shot::Object::default(), &Model::default(), &[]);
+        assert!((matrix.transform_point3(Vec3::Y) - Vec3::Z).length() < 1e-6);
+        assert!((matrix.transform_point3(Vec3::Z) - Vec3::NEG_Y).length() < 1e-6);
+    }
+}
