@@ -96,6 +96,9 @@ impl Lowerer<'_> {
     ) -> R<Source> {
         match ty {
             Ty::Slice(elem) => {
+                if writable {
+                    self.check_written_type(elem, &format!("the chunk `{path}`"), span)?;
+                }
                 let size = self.check_buffer_type(elem, "a slice", span)?;
                 let binding = bound.buffers.len() as u32 + 1;
                 let name = path.replace('.', "_");
@@ -267,6 +270,7 @@ impl Lowerer<'_> {
         let out = match &kernel.ret_ty {
             Ty::Unit => None,
             ty if kernel.ret == Shape::Plain => {
+                self.check_written_type(ty, "what the kernel returns", span)?;
                 let stride = self.check_buffer_type(ty, "a slice", span)?;
                 let binding = bound.buffers.len() as u32 + 1;
                 let global = self.storage("out", ty, 0, binding, true, span)?;
