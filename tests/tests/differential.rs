@@ -298,6 +298,50 @@ fn views_and_plain_arguments() {
 }
 
 #[test]
+fn enums_in_buffers() {
+    use kernels::enums::{Operation, Recipe, Step, buffered};
+    let all = [
+        Operation::Keep,
+        Operation::Add,
+        Operation::Invert,
+        Operation::Replace,
+    ];
+    let steps: Vec<Step> = (0..40u32)
+        .map(|i| Step {
+            operation: all[(i % 3) as usize],
+            amount: i * 0x0101_0101,
+            then: all[(i / 3 % 4) as usize],
+        })
+        .collect();
+    for (i, first) in all.into_iter().enumerate() {
+        let (own, step) = (all[3 - i], steps[13 + i]);
+        let recipe = Recipe {
+            first,
+            steps: &steps,
+        };
+        let cpu: Vec<[u32; 4]> = (0..COUNT)
+            .map(|id| buffered(id, own, &step, recipe, &all))
+            .collect();
+        entry("enums::buffered").unwrap_or_else(|error| panic!("{error}"));
+        let Some(context) = context() else { return };
+        let gpu_steps = context.buffer_of("steps", &steps).unwrap();
+        let operations = context.buffer_of("operations", &all).unwrap();
+        let out = context.buffer("out", u64::from(COUNT) * 16).unwrap();
+        let args = [
+            ("own", Arg::Value(bytemuck::bytes_of(&own))),
+            ("step", Arg::Value(bytemuck::bytes_of(&step))),
+            ("recipe.first", Arg::Value(bytemuck::bytes_of(&first))),
+            ("recipe.steps", Arg::Buffer(&gpu_steps)),
+            ("operations", Arg::Buffer(&operations)),
+            ("out", Arg::Buffer(&out)),
+        ];
+        launch("enums::buffered", &args, COUNT);
+        let gpu = context.read::<[u32; 4]>(&out, COUNT as usize).unwrap();
+        assert!(gpu == cpu, "{first:?}");
+    }
+}
+
+#[test]
 fn chunks() {
     let inputs = Inputs::new(COUNT, 3);
     let (ints, floats) = (&inputs.ints[..], &inputs.floats[..]);

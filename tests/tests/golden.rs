@@ -157,13 +157,16 @@ fn a_changed_kernel_is_found_out() {
     assert!(difference(&shader.wgsl, have).is_some());
 }
 
-/// The module is good for naga's other back ends: SPIR-V, whose rules on pointers are the strictest.
+/// The module is good for naga's other back ends: SPIR-V, whose rules on pointers are the strictest. 1.3 is what Vulkan 1.1 takes.
 #[test]
 fn modules_become_spirv() {
     let program = golden::program(&golden::SOURCES).unwrap_or_else(|e| panic!("{e}"));
     for spec in glimt_render_gpu::entries::ENTRIES {
         let shader = golden::lower(&program, spec).unwrap_or_else(|e| panic!("{e}"));
-        let options = naga::back::spv::Options::default();
+        let options = naga::back::spv::Options {
+            lang_version: (1, 3),
+            ..naga::back::spv::Options::default()
+        };
         let words = naga::back::spv::write_vec(&shader.module, &shader.info, &options, None)
             .unwrap_or_else(|e| panic!("{}: {e}", spec.name));
         assert_eq!(

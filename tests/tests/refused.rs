@@ -445,6 +445,55 @@ fn kernels() {
     ]);
 }
 
+/// Enums lie in buffers as `u32`, and only where the host writes and the GPU reads.
+#[test]
+fn enums_in_buffers() {
+    let e = "#[derive(Clone, Copy)]\n#[repr(u32)]\npub enum E { A, B }\n\
+             #[derive(Clone, Copy)]\n#[repr(C)]\npub struct S { pub n: u32, pub list: [E; 2] }";
+    let s = "S { n: 1, list: [E::A, E::B] }";
+    let written = |signature, body| kernel("store a `u32`", e, signature, body);
+    let chunk = "the chunk `a` holds the enum `E`";
+    let read = |attribute: &str, argument: &str, value: &str| {
+        let source = format!(
+            "#[derive(Clone, Copy)]\n{attribute}\npub enum E {{ A, B }} // HERE\n\
+             #[derive(Clone, Copy)]\n#[repr(C)]\npub struct S {{ pub e: E }}\n\
+             pub fn k(id: u32, {argument}) -> u32 {{\n    {value} as u32\n}}\n"
+        );
+        file("add #[repr(u32)]", &source)
+    };
+    let numbers = |number| {
+        let source = format!(
+            "#[derive(Clone, Copy)]\n#[repr(u32)]\npub enum E {{\n    A = {number}, // HERE\n    B,\n}}\n\
+             pub fn k(id: u32, e: E) -> u32 {{\n    e as u32\n}}\n"
+        );
+        file("write it as a literal", &source)
+    };
+    check(vec![
+        written("(id: u32) -> E", "E::A"),
+        written("(id: u32) -> [E; 2]", "[E::A, E::B]"),
+        written("(id: u32) -> S", s),
+        written("(id: u32, a: &mut [E])", "a[0] = E::A;"),
+        kernel(chunk, e, "(id: u32, a: &mut [E])", "a[0] = E::A;"),
+        kernel(
+            chunk,
+            e,
+            "(id: u32, a: &mut [S]) -> u32",
+            "a[0].list[0] as u32",
+        ),
+        read("", "e: E", "e"),
+        read("", "list: &[E]", "list[0]"),
+        read("", "s: &S", "s.e"),
+        read("#[repr(u8)]", "list: &[E]", "list[0]"),
+        read("#[repr(i32)]", "list: &[E]", "list[0]"),
+        read("#[repr(C)]", "list: &[S]", "list[0].e"),
+        read("#[repr(C, u32)]", "e: E", "e"),
+        numbers("-1"),
+        numbers("BASE"),
+        numbers("1 << 3"),
+        numbers("0x1_0000_0000"),
+    ]);
+}
+
 #[test]
 fn buffer_structs() {
     let of = |phrase, attribute: &str, fields: &str| {

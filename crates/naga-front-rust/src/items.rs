@@ -166,11 +166,14 @@ pub(crate) struct Items {
 }
 
 impl Items {
-    /// Refuses what a shared enum cannot be: variants with fields, or with other numbers than 0, 1, 2 …
-    pub(crate) fn check_enum(&self, id: usize) -> R<()> {
+    /// The numbers of an enum's variants. Refuses what a shared enum cannot have: variants with fields, and numbers that its
+    /// attributes do not make `u32`.
+    pub(crate) fn enum_numbers(&self, id: usize) -> R<Vec<u32>> {
         let item = &self.enums[id];
         check_attrs(item.file, &item.item.attrs)?;
-        for (i, v) in item.item.variants.iter().enumerate() {
+        let mut numbers = Vec::new();
+        let mut next = 0u32;
+        for v in &item.item.variants {
             let at = Span::of(item.file, v);
             check_attrs(item.file, &v.attrs)?;
             if !matches!(v.fields, syn::Fields::Unit) {
@@ -185,20 +188,49 @@ impl Items {
                     syn::Expr::Lit(syn::ExprLit {
                         lit: syn::Lit::Int(n),
                         ..
-                    }) => n.base10_parse::<usize>().ok(),
+                    }) => n.base10_parse::<u32>().ok(),
                     _ => None,
                 };
-                if value != Some(i) {
+                let Some(value) = value else {
                     return Err(err(
                         at,
-                        "the variants of a shared enum are numbered 0, 1, 2 …",
-                        "leave the numbers away",
+                        "the front end does not know this variant's number",
+                        "write it as a literal of 32 bits, without a sign",
+                    ));
+                };
+                if value != next && !self.is_u32_enum(id) {
+                    return Err(err(
+                        at,
+                        "the variants of a shared enum are numbered 0, 1, 2 … unless it is #[repr(u32)]",
+                        "add #[repr(u32)], or leave the numbers away",
                     ));
                 }
+                next = value;
             }
+            numbers.push(next);
+            next = next.wrapping_add(1);
         }
-        Ok(())
+        Ok(numbers)
     }
+
+    /// Whether an enum is `#[repr(u32)]` and nothing else: its values are the same four bytes in Rust and in WGSL.
+    pub(crate) fn is_u32_enum(&self, id: usize) -> bool {
+        reprs(&self.enums[id].item.attrs) == ["u32"]
+    }
+}
+
+/// What the `repr` attributes say, in order.
+pub(crate) fn reprs(attrs: &[syn::Attribute]) -> Vec<String> {
+    let mut list = Vec::new();
+    for attr in attrs {
+        if let syn::Meta::List(l) = &attr.meta
+            && l.path.is_ident("repr")
+        {
+            let text = l.tokens.to_string();
+            list.extend(text.split(',').map(|t| t.trim().to_string()));
+        }
+    }
+    list
 }
 
 /// Refuses attributes that could change what a reached item means.

@@ -1,6 +1,7 @@
 //! Whether a type has the same bytes in Rust and in WGSL.
 
 use crate::diag::{Error, R, Span, err};
+use crate::items::reprs;
 use crate::lower::Lowerer;
 use crate::ty::{Scalar, Ty};
 
@@ -92,34 +93,74 @@ impl Lowerer<'_> {
                 (stride * n, align)
             }
             Ty::Struct(id, _) => return self.struct_sizes(*id, ty, rules, span),
+            Ty::Enum(id) => self.enum_sizes(*id)?,
             _ => {
                 return Err(err(
                     span,
                     format!("`{}` cannot lie in a buffer", ty.show(self.items)),
-                    "buffers hold f32, u32, i32, glam vectors and matrices, arrays and #[repr(C)] structs of these",
+                    "buffers hold f32, u32, i32, fieldless #[repr(u32)] enums, glam vectors and matrices, arrays and #[repr(C)] structs of these",
                 ));
             }
         };
         Ok(layout)
     }
 
+    fn enum_sizes(&self, id: usize) -> R<Layout> {
+        self.items.enum_numbers(id)?;
+        if self.items.is_u32_enum(id) {
+            return Ok((4, 4));
+        }
+        let item = &self.items.enums[id];
+        Err(err(
+            Span::of(item.file, &item.item.ident),
+            format!(
+                "`{}` lies in a buffer, but only #[repr(u32)] makes an enum a `u32` in Rust",
+                item.item.ident
+            ),
+            "add #[repr(u32)], and no other `repr`",
+        ))
+    }
+
+    /// Refuses a type that the GPU writes and the host reads where it holds an enum: buffers may hold any number, and Rust must
+    /// never see an enum that is none of its variants. Enums only go up.
+    pub(crate) fn check_written_type(&mut self, ty: &Ty, what: &str, span: Span) -> R<()> {
+        let Some(id) = self.enum_in(ty, span)? else {
+            return Ok(());
+        };
+        let name = &self.items.enums[id].item.ident;
+        Err(err(
+            span,
+            format!(
+                "{what} holds the enum `{name}`: what is read back from a GPU may be any number, and not each is a variant of `{name}`"
+            ),
+            format!(
+                "store a `u32`, `value as u32`, and let the host check it; a kernel may only read `{name}` from buffers"
+            ),
+        ))
+    }
+
+    /// An enum that is part of a value of this type.
+    fn enum_in(&mut self, ty: &Ty, span: Span) -> R<Option<usize>> {
+        match ty {
+            Ty::Enum(id) => Ok(Some(*id)),
+            Ty::Array(element, _) => self.enum_in(element, span),
+            Ty::Struct(..) => {
+                for field in self.field_types(ty, span)? {
+                    if let Some(id) = self.enum_in(&field, span)? {
+                        return Ok(Some(id));
+                    }
+                }
+                Ok(None)
+            }
+            _ => Ok(None),
+        }
+    }
+
     fn struct_sizes(&mut self, id: usize, ty: &Ty, rules: Rules, span: Span) -> R<Layout> {
         let items = self.items;
         let item = &items.structs[id];
         let at = Span::of(item.file, &item.item.ident);
-        let mut reprs = Vec::new();
-        for attr in &item.item.attrs {
-            if let syn::Meta::List(l) = &attr.meta
-                && l.path.is_ident("repr")
-            {
-                reprs.extend(
-                    l.tokens
-                        .to_string()
-                        .split(',')
-                        .map(|t| t.trim().to_string()),
-                );
-            }
-        }
+        let reprs = reprs(&item.item.attrs);
         if let Some(other) = reprs.iter().find(|r| *r != "C") {
             return Err(err(
                 at,

@@ -39,6 +39,7 @@ mod builtins;
 mod check;
 mod diag;
 mod entry;
+mod export;
 mod hir;
 mod items;
 mod konst;

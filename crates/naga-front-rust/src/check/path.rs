@@ -111,15 +111,9 @@ impl Checker<'_> {
                 return self.const_value(key, span).map(PathValue::Expr);
             }
             Some(Def::Variant(e, v)) => {
-                self.items.check_enum(e)?;
-                if !matches!(
-                    self.items.enums[e].item.variants[v as usize].fields,
-                    syn::Fields::Unit
-                ) {
-                    return Err(enum_with_fields(span));
-                }
+                let number = self.items.enum_numbers(e)?[v as usize];
                 return Ok(PathValue::Expr(Expr {
-                    kind: Kind::Lit(Lit::U32(v)),
+                    kind: Kind::Lit(Lit::U32(number)),
                     ty: Ty::Enum(e),
                     span,
                 }));
@@ -273,9 +267,9 @@ impl Checker<'_> {
                 .iter()
                 .position(|v| v.ident == name)
         {
-            self.items.check_enum(e)?;
+            let number = self.items.enum_numbers(e)?[v];
             return Ok(PathValue::Expr(Expr {
-                kind: Kind::Lit(Lit::U32(v as u32)),
+                kind: Kind::Lit(Lit::U32(number)),
                 ty,
                 span,
             }));

@@ -98,7 +98,7 @@ impl Lowerer<'_> {
             Ty::I32 | Ty::IntVar(_) => (None, TypeInner::Scalar(NScalar::I32)),
             Ty::U32 | Ty::Usize => (None, TypeInner::Scalar(NScalar::U32)),
             Ty::Enum(id) => {
-                self.items.check_enum(*id)?;
+                self.items.enum_numbers(*id)?;
                 (None, TypeInner::Scalar(NScalar::U32))
             }
             Ty::Vec(s, n) => (
