@@ -13,6 +13,7 @@ use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::render::{Background, Filter, Pattern, RenderSettings, Renderer};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::methods::Mis;
 
 const SIZE: UVec2 = UVec2::new(128, 96);
 /// Independent scramblings over which the error is averaged.
@@ -66,8 +67,11 @@ fn settings(
 ) -> RenderSettings {
     RenderSettings {
         rays_per_pixel,
-        brdf_samples: samples,
-        env_samples: samples,
+        method: Mis {
+            brdf_samples: samples,
+            env_samples: samples,
+        }
+        .into(),
         pattern,
         filter,
         background: Background::Transparent,

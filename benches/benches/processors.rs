@@ -12,6 +12,7 @@ use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::{AdapterPreference, GpuRenderer};
 use glimt_render_gpu::host::render::{RenderSettings, Renderer};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::methods::Mis;
 
 fn main() {
     let mut gpu = match GpuRenderer::new(AdapterPreference::Fastest) {
@@ -40,8 +41,9 @@ fn main() {
 
     let UVec2 { x, y } = settings.size;
     let title = format!(
-        "{name}, a frame of {x}×{y}, {} rays a pixel with {} + {} samples",
-        settings.rays_per_pixel, settings.brdf_samples, settings.env_samples
+        "{name}, a frame of {x}×{y}, {} rays a pixel with {} samples",
+        settings.rays_per_pixel,
+        settings.method.describe()
     );
     let scores = Contest::new(&title, "pixel", f64::from(x * y))
         .entry("rayon", || {
@@ -74,8 +76,11 @@ fn settings() -> RenderSettings {
     let samples: Option<u32> = number("GLIMT_BENCH_SAMPLES");
     RenderSettings {
         rays_per_pixel: if samples.is_some() { 1 } else { 4 },
-        brdf_samples: samples.unwrap_or(1),
-        env_samples: samples.unwrap_or(1),
+        method: Mis {
+            brdf_samples: samples.unwrap_or(1),
+            env_samples: samples.unwrap_or(1),
+        }
+        .into(),
         ..RenderSettings::new(size.unwrap_or(UVec2::new(320, 240)), camera())
     }
 }

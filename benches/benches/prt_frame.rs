@@ -12,13 +12,14 @@ use glam::{UVec2, Vec4};
 use glimt_benches::inputs::{bunny, procedural_map};
 use glimt_benches::scene::{camera, on_a_plane};
 use glimt_benches::{Contest, claim};
-use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::gpu::{AdapterPreference, GpuLight, GpuRenderer};
+use glimt_render_gpu::cpu::CpuDrawing;
+use glimt_render_gpu::gpu::{AdapterPreference, GpuContext, GpuDrawing, GpuLight};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::light_sh::LightSh;
-use glimt_render_gpu::host::render::{Filter, Method, PrtSettings, RenderSettings, Renderer};
+use glimt_render_gpu::host::render::{Filter, RenderSettings, Renderer};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::host::transfer::Transfer;
+use glimt_render_gpu::methods::Prt;
 
 /// Bands, as many as there are.
 const BANDS: u32 = 6;
@@ -28,14 +29,14 @@ const FRAMES: u32 = 8;
 const ROUNDS: usize = 5;
 
 fn main() {
-    let mut gpu = match GpuRenderer::new(AdapterPreference::Fastest) {
+    let mut gpu = match GpuContext::new(AdapterPreference::Fastest).and_then(GpuDrawing::on) {
         Ok(gpu) => gpu,
         Err(error) => {
             println!("skipped: {error}");
             return;
         }
     };
-    let mut cpu = CpuRenderer::default();
+    let mut cpu = CpuDrawing::default();
     println!("{} and {}", cpu.name(), gpu.name());
     let scene = scene();
     let env = probe(PROBE);
@@ -49,12 +50,11 @@ fn settings(level: u32) -> RenderSettings {
         Some(UVec2::new(width.parse().ok()?, height.parse().ok()?))
     });
     RenderSettings {
-        method: Method::Prt,
-        prt: PrtSettings {
+        prt: Prt {
             level,
             window: 6.0,
             temporal: 0.2,
-            ..PrtSettings::default()
+            ..Prt::default()
         },
         rays_per_pixel: 4,
         ..RenderSettings::new(size.unwrap_or(UVec2::new(600, 425)), camera())
@@ -96,7 +96,7 @@ fn probe(size: UVec2) -> PreparedEnv {
 }
 
 /// The projection of the whole map, against a copy of it, both on the GPU, and against the CPU's.
-fn projection(gpu: &GpuRenderer, env: &PreparedEnv) {
+fn projection(gpu: &GpuDrawing, env: &PreparedEnv) {
     let context = gpu.context();
     let settings = settings(0).prt;
     let mut light = GpuLight::new(context, PROBE).expect("room for a map");
@@ -166,7 +166,7 @@ fn projection(gpu: &GpuRenderer, env: &PreparedEnv) {
 }
 
 /// Frames per second for each probe of the table.
-fn frames(gpu: &mut GpuRenderer, cpu: &mut CpuRenderer, scene: &SceneBuffers, env: &PreparedEnv) {
+fn frames(gpu: &mut GpuDrawing, cpu: &mut CpuDrawing, scene: &SceneBuffers, env: &PreparedEnv) {
     let mut one = settings(0);
     one.rays_per_pixel = 1;
     one.filter = Filter::Centre;

@@ -5,8 +5,9 @@ use crate::scene::on_a_plane;
 use glimt_render_gpu::host::bake::{BakeError, BakeSettings, bake};
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::light_sh::LightSh;
-use glimt_render_gpu::host::render::{PrtSettings, SettingsError};
+use glimt_render_gpu::host::render::SettingsError;
 use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::methods::Prt;
 
 /// Bands of both.
 pub const BANDS: u32 = 5;
@@ -17,9 +18,9 @@ pub const BANDS: u32 = 5;
 /// A map too large to be projected.
 pub fn halved(env: &PreparedEnv, level: u32) -> Result<f32, SettingsError> {
     let of = |level| {
-        let settings = PrtSettings {
+        let settings = Prt {
             level,
-            ..PrtSettings::default()
+            ..Prt::default()
         };
         LightSh::default().project(env, BANDS, &settings)
     };

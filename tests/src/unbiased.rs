@@ -3,11 +3,10 @@
 use glam::{DVec3, UVec2, Vec3};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::render::{
-    BisSettings, Filter, FrameImage, Method, Pattern, RenderSettings, Renderer,
-};
+use glimt_render_gpu::host::render::{Filter, FrameImage, Pattern, RenderSettings, Renderer};
 use glimt_render_gpu::host::scene::Camera;
 use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::methods::{Bis, Mis};
 use rayon::prelude::*;
 
 use crate::analytic::{AnalyticMap, AnalyticScene};
@@ -150,8 +149,11 @@ pub fn settings(rays: u32, pattern: Pattern) -> RenderSettings {
 #[must_use]
 pub fn mis(name: &'static str, [brdf_samples, env_samples]: [u32; 2], pattern: Pattern) -> Case {
     let settings = RenderSettings {
-        brdf_samples,
-        env_samples,
+        method: Mis {
+            brdf_samples,
+            env_samples,
+        }
+        .into(),
         ..settings(16, pattern)
     };
     Case { name, settings }
@@ -159,10 +161,9 @@ pub fn mis(name: &'static str, [brdf_samples, env_samples]: [u32; 2], pattern: P
 
 /// Bidirectional importance sampling on each of `rays` rays.
 #[must_use]
-pub fn bis(name: &'static str, rays: u32, bis: BisSettings, pattern: Pattern) -> Case {
+pub fn bis(name: &'static str, rays: u32, bis: Bis, pattern: Pattern) -> Case {
     let settings = RenderSettings {
-        method: Method::Bis,
-        bis,
+        method: bis.into(),
         ..settings(rays, pattern)
     };
     Case { name, settings }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use glimt_generate::sources;
 use glimt_tests::golden;
 
 /// Where two texts first differ, as a line for people.
@@ -22,18 +23,18 @@ fn difference(want: &str, have: &str) -> Option<String> {
 
 #[test]
 fn generated_files_are_up_to_date() {
-    let files = golden::files().unwrap_or_else(|e| panic!("{e}"));
+    let files = glimt_generate::files().unwrap_or_else(|e| panic!("{e}"));
     assert!(files.len() > golden::SOURCES.len());
-    let stale = golden::stale(&files).unwrap_or_else(|e| panic!("{e}"));
+    let stale = glimt_generate::stale(&files).unwrap_or_else(|e| panic!("{e}"));
     assert!(
         stale.is_empty(),
-        "nothing makes {stale:?}; shaders among them are removed by\ncargo run --release -p glimt-tests --bin regenerate"
+        "nothing makes {stale:?}; shaders among them are removed by\ncargo run --release -p glimt-generate"
     );
     for (path, want) in files {
-        let have = std::fs::read_to_string(golden::root().join(&path)).unwrap_or_default();
+        let have = std::fs::read_to_string(glimt_generate::root().join(&path)).unwrap_or_default();
         if let Some(why) = difference(&want, &have) {
             panic!(
-                "{} is out of date: {why}\nrun: cargo run --release -p glimt-tests --bin regenerate",
+                "{} is out of date: {why}\nrun: cargo run --release -p glimt-generate",
                 path.display()
             );
         }
@@ -43,11 +44,11 @@ fn generated_files_are_up_to_date() {
 /// A file beside the generated ones that nothing makes is found out: here each of them, when it is not expected.
 #[test]
 fn a_stale_file_is_found_out() {
-    let files = golden::files().unwrap_or_else(|e| panic!("{e}"));
+    let files = glimt_generate::files().unwrap_or_else(|e| panic!("{e}"));
     for i in 0..files.len() {
         let mut others = files.clone();
         let (path, _) = others.remove(i);
-        let stale = golden::stale(&others).unwrap_or_else(|e| panic!("{e}"));
+        let stale = glimt_generate::stale(&others).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(stale, [path]);
     }
 }
@@ -97,7 +98,7 @@ fn wrong_list(listed: &[(&str, &str)], files: &[(String, String)]) -> Vec<String
 #[test]
 fn shared_files_are_those_listed() {
     let mut listed_crates = 0;
-    for entry in std::fs::read_dir(golden::root().join("crates")).expect("crates/") {
+    for entry in std::fs::read_dir(glimt_generate::root().join("crates")).expect("crates/") {
         let folder = entry.expect("an entry").path();
         let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).expect("a manifest");
         let name = manifest.lines().find_map(|l| l.strip_prefix("name = \""));
@@ -135,24 +136,22 @@ fn a_wrong_list_is_found_out() {
 /// A kernel that changes without its WGSL is found out.
 #[test]
 fn a_changed_kernel_is_found_out() {
-    let mut sources = golden::SOURCES.map(|(name, files)| (name, files.to_vec()));
-    let changed = sources
+    let mut crates = sources::read().expect("the sources");
+    let changed = crates
         .iter_mut()
-        .flat_map(|(_, files)| files.iter_mut())
-        .find(|(path, text)| *path == "kernels/film.rs" && text.contains("1.055"))
+        .flat_map(|own| own.files.iter_mut())
+        .find(|(path, text)| path == "kernels/film.rs" && text.contains("1.055"))
         .expect("the sRGB curve is in film.rs");
-    let text = changed.1.replacen("1.055", "1.056", 1);
-    changed.1 = &text;
-    let views: Vec<(&str, &[(&str, &str)])> =
-        sources.iter().map(|(n, f)| (*n, f.as_slice())).collect();
-    let program = golden::program(&views).unwrap_or_else(|e| panic!("{e}"));
-    let spec = glimt_render_gpu::entries::ENTRIES
+    changed.1 = changed.1.replacen("1.055", "1.056", 1);
+    let program = sources::parse(&crates).unwrap_or_else(|e| panic!("{e}"));
+    let entries = glimt_generate::entries::all();
+    let spec = entries
         .iter()
         .find(|e| e.name == "tonemap")
         .expect("an entry");
-    let shader = golden::lower(&program, spec).unwrap_or_else(|e| panic!("{e}"));
+    let shader = glimt_generate::lower(&program, spec).unwrap_or_else(|e| panic!("{e}"));
     let path = "crates/render-gpu/src/generated/tonemap.wgsl";
-    let have = std::fs::read_to_string(golden::root().join(path)).expect(path);
+    let have = std::fs::read_to_string(glimt_generate::root().join(path)).expect(path);
     let have = have.split_once("\n\n").expect("a head line").1;
     assert!(difference(&shader.wgsl, have).is_some());
 }
@@ -160,9 +159,10 @@ fn a_changed_kernel_is_found_out() {
 /// The module is good for naga's other back ends: SPIR-V, whose rules on pointers are the strictest. 1.3 is what Vulkan 1.1 takes.
 #[test]
 fn modules_become_spirv() {
-    let program = golden::program(&golden::SOURCES).unwrap_or_else(|e| panic!("{e}"));
-    for spec in glimt_render_gpu::entries::ENTRIES {
-        let shader = golden::lower(&program, spec).unwrap_or_else(|e| panic!("{e}"));
+    let program = sources::parse(&sources::read().expect("the sources"));
+    let program = program.unwrap_or_else(|e| panic!("{e}"));
+    for spec in glimt_generate::entries::all() {
+        let shader = glimt_generate::lower(&program, &spec).unwrap_or_else(|e| panic!("{e}"));
         let options = naga::back::spv::Options {
             lang_version: (1, 3),
             ..naga::back::spv::Options::default()

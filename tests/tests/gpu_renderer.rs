@@ -13,6 +13,7 @@ use glimt_render_gpu::host::scene::{
     Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
 };
 use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::methods::Mis;
 use glimt_tests::gpu::adapter_or_skip;
 
 /// A texture-mapped plane, and a glossy ball of 40 × 20 faces on it.
@@ -196,25 +197,39 @@ fn frames_are_the_cpus() {
         base,
         RenderSettings {
             pattern: Pattern::Independent,
-            brdf_samples: 3,
-            env_samples: 2,
+            method: Mis {
+                brdf_samples: 3,
+                env_samples: 2,
+            }
+            .into(),
             frame: 5,
             ..base
         },
         RenderSettings {
             pattern: Pattern::Stratified,
-            brdf_samples: 4,
-            env_samples: 4,
+            method: Mis {
+                brdf_samples: 4,
+                env_samples: 4,
+            }
+            .into(),
             seed: 9,
             ..base
         },
         RenderSettings {
-            brdf_samples: 0,
+            method: Mis {
+                brdf_samples: 0,
+                ..Mis::default()
+            }
+            .into(),
             background: Background::Transparent,
             ..base
         },
         RenderSettings {
-            env_samples: 0,
+            method: Mis {
+                env_samples: 0,
+                ..Mis::default()
+            }
+            .into(),
             tonemap: Tonemap::Reinhard,
             ..base
         },

@@ -15,7 +15,8 @@ use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::diagnose::{self, EnvRecord, HitRecord, SurfaceRecord};
 use glimt_render_gpu::kernels::frame::FrameParams;
 use glimt_render_gpu::kernels::layers::LayerSample;
-use glimt_render_gpu::kernels::shade::shade_mis_layers;
+use glimt_render_gpu::kernels::mis::Mis;
+use glimt_render_gpu::kernels::shade::shade;
 use glimt_tests::gpu::adapter_or_skip;
 
 /// Directions and positions, relative to the largest.
@@ -96,6 +97,12 @@ struct Fixture {
     rays: u32,
 }
 
+/// One sample of each strategy.
+const MIS: Mis = Mis {
+    brdf_samples: 1,
+    env_samples: 1,
+};
+
 impl Fixture {
     fn new() -> Option<Fixture> {
         let context = adapter_or_skip("parity")?;
@@ -140,6 +147,10 @@ impl Fixture {
                 .args()
                 .into_iter()
                 .chain(env.args())
+                .chain([
+                    ("mis", Arg::Value(bytemuck::bytes_of(&MIS))),
+                    ("estimator", Arg::Value(bytemuck::bytes_of(&MIS))),
+                ])
                 .filter(|(path, _)| wanted(path)),
         );
         self.context.launch(entry, &args, 0, self.rays).unwrap();
@@ -179,9 +190,9 @@ fn near3(a: Vec3, b: Vec3, tolerance: f32) -> bool {
 fn uniforms_are_the_same_bits() {
     let Some(f) = Fixture::new() else { return };
     let gpu: Vec<[u32; 4]> = f.run(&generated::entries::DIAGNOSE_UNIFORMS);
-    let cpu = |ray| diagnose::uniforms(ray, &f.frame).to_array();
+    let cpu = |ray| diagnose::uniforms(ray, &f.frame, &MIS).to_array();
     hold("uniforms", &gpu, cpu, 0.0, |a, b| a == b).unwrap();
-    let other = |ray| diagnose::uniforms(ray + 1, &f.frame).to_array();
+    let other = |ray| diagnose::uniforms(ray + 1, &f.frame, &MIS).to_array();
     assert!(hold("another ray's uniforms", &gpu, other, 0.0, |a, b| a == b).is_err());
     assert_ne!(UVec4::from_array(gpu[0]), UVec4::ZERO);
 }
@@ -191,7 +202,7 @@ fn environment_samples_are_the_same_texels() {
     let Some(f) = Fixture::new() else { return };
     let gpu: Vec<EnvRecord> = f.run(&generated::entries::DIAGNOSE_ENV_SAMPLE);
     let view = f.env.view();
-    let cpu = |ray| diagnose::env_sample(ray, &f.frame, view);
+    let cpu = |ray| diagnose::env_sample(ray, &f.frame, &MIS, view);
     hold("texel drawn", &gpu, cpu, 0.0, |a, b| a.texel == b.texel).unwrap();
     hold("its density", &gpu, cpu, 0.0, |a, b| {
         near(a.pdf_sr, b.pdf_sr, FLOATS * b.pdf_sr)
@@ -249,7 +260,7 @@ fn hits_and_surfaces_agree() {
 fn brdf_samples_agree() {
     let Some(f) = Fixture::new() else { return };
     let gpu: Vec<[f32; 4]> = f.run(&generated::entries::DIAGNOSE_BRDF_SAMPLE);
-    let cpu = |ray| diagnose::brdf_sample(ray, &f.frame, f.scene.view()).to_array();
+    let cpu = |ray| diagnose::brdf_sample(ray, &f.frame, &MIS, f.scene.view()).to_array();
     let largest = (0..f.rays).map(|ray| cpu(ray)[3]).fold(0.0, f32::max);
     assert!(largest > 1.0);
     let direction = |a: &[f32; 4]| Vec4::from_array(*a).truncate();
@@ -279,7 +290,7 @@ fn layers_agree() {
     });
     f.scene = SceneBuffers::build(&description).unwrap();
     let gpu: Vec<LayerSample> = f.run(&generated::entries::SHADE_MIS_LAYERS);
-    let shade = |ray| shade_mis_layers(ray, &f.frame, f.env.view(), f.scene.view());
+    let shade = |ray| shade(ray, &f.frame, &MIS, f.env.view(), f.scene.view());
     let samples: Vec<LayerSample> = (0..f.rays).map(shade).collect();
     let cpu = |ray: u32| samples[ray as usize];
     let largest = samples
@@ -314,8 +325,8 @@ fn radiance_agrees() {
     let Some(f) = Fixture::new() else { return };
     let gpu: Vec<[f32; 4]> = f.run(&generated::entries::SHADE_MIS);
     let shade = |ray| {
-        glimt_render_gpu::kernels::shade::shade_mis(ray, &f.frame, f.env.view(), f.scene.view())
-            .to_array()
+        let sample: glam::Vec4 = shade(ray, &f.frame, &MIS, f.env.view(), f.scene.view());
+        sample.to_array()
     };
     let radiance = |a: &[f32; 4]| Vec4::from_array(*a).truncate();
     let largest = (0..f.rays)

@@ -4,18 +4,18 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use glam::{DVec3, Mat4, UVec2, Vec3, Vec4};
-use glimt_render_gpu::cpu::CpuRenderer;
+use glimt_render_gpu::cpu::CpuDrawing;
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::light_sh::LightSh;
 use glimt_render_gpu::host::plate::Plate;
 use glimt_render_gpu::host::render::{
-    Background, Filter, FrameImage, Method, PrtSettings, RenderError, RenderSettings, Renderer,
-    SettingsError,
+    Background, Filter, FrameImage, RenderError, RenderSettings, Renderer, SettingsError,
 };
 use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer, TransferError};
 use glimt_render_gpu::kernels::prt::vertex_light;
+use glimt_render_gpu::methods::Prt;
 use glimt_sh::{ShError, basis, cosine_lobe};
 use glimt_tests::quadrature::integrate_sphere;
 use glimt_tests::worst::largest_share;
@@ -128,7 +128,7 @@ fn light(rotate_z_deg: f32) -> PreparedEnv {
 
 fn project(env: &PreparedEnv, bands: u32) -> [Vec4; 36] {
     LightSh::default()
-        .project(env, bands, &PrtSettings::default())
+        .project(env, bands, &Prt::default())
         .unwrap()
 }
 
@@ -156,7 +156,6 @@ fn settings(size: UVec2) -> RenderSettings {
         fov_x: 0.6,
     };
     RenderSettings {
-        method: Method::Prt,
         filter: Filter::Centre,
         rays_per_pixel: 1,
         background: Background::Transparent,
@@ -170,7 +169,7 @@ fn render(
     plate: Option<&Plate>,
     settings: &RenderSettings,
 ) -> FrameImage {
-    CpuRenderer::default()
+    CpuDrawing::default()
         .render_over(scene, env, plate, settings, &|_| ())
         .unwrap()
 }
@@ -350,9 +349,9 @@ fn a_plate_takes_baked_shadows_and_is_else_untouched() {
     }
     assert!(dark > 20 && clear > 20, "{dark} {clear}");
     // Without shadows nothing is taken from the plate.
-    let prt = PrtSettings {
+    let prt = Prt {
         shadows: false,
-        ..PrtSettings::default()
+        ..Prt::default()
     };
     let image = render(
         &scene,
@@ -374,15 +373,15 @@ fn light_of_earlier_frames_fades() {
         let map = EnvMap::new(UVec2::new(4, 2), vec![Vec4::splat(level); 8]);
         map.unwrap().prepare(0.0).unwrap()
     };
-    let prt = PrtSettings {
+    let prt = Prt {
         temporal: 3.0,
-        ..PrtSettings::default()
+        ..Prt::default()
     };
     let settings = RenderSettings {
         prt,
         ..settings(UVec2::new(9, 9))
     };
-    let mut renderer = CpuRenderer::default();
+    let mut renderer = CpuDrawing::default();
     let mut middle = |level: f32| {
         let image = renderer
             .render_frame(&scene, &grey(level), &settings, &|_| ())
@@ -395,7 +394,7 @@ fn light_of_earlier_frames_fades() {
         let got = middle(5.0);
         assert!((got - expected).abs() < 4e-3, "frame {frame}: {got}");
     }
-    renderer.set_smc_state(None).unwrap();
+    renderer.forget();
     let anew = renderer
         .render_frame(&scene, &grey(5.0), &settings, &|_| ())
         .unwrap();
@@ -405,7 +404,7 @@ fn light_of_earlier_frames_fades() {
 #[test]
 fn what_does_not_fit_is_refused() {
     let mut scene = scene(vec![(sphere(6), false)]);
-    let mut renderer = CpuRenderer::default();
+    let mut renderer = CpuDrawing::default();
     let env = light(0.0);
     let settings = settings(UVec2::new(4, 4));
     let refused = |e: RenderError| match e {
@@ -444,30 +443,30 @@ fn what_does_not_fit_is_refused() {
             .is_ok()
     );
     for prt in [
-        PrtSettings {
+        Prt {
             level: 32,
-            ..PrtSettings::default()
+            ..Prt::default()
         },
-        PrtSettings {
+        Prt {
             window: f32::NAN,
-            ..PrtSettings::default()
+            ..Prt::default()
         },
-        PrtSettings {
+        Prt {
             temporal: -1.0,
-            ..PrtSettings::default()
+            ..Prt::default()
         },
-        PrtSettings {
+        Prt {
             temporal: 1.1e6,
-            ..PrtSettings::default()
+            ..Prt::default()
         },
     ] {
         let bad = RenderSettings { prt, ..settings };
         let error = renderer
             .render_frame(&scene, &env, &bad, &|_| ())
             .unwrap_err();
-        assert_eq!(refused(error), SettingsError::Prt);
+        assert!(matches!(refused(error), SettingsError::Setting(_)));
     }
-    let light = LightSh::default().project(&env, 7, &PrtSettings::default());
+    let light = LightSh::default().project(&env, 7, &Prt::default());
     let bands = SettingsError::Harmonics(ShError::Bands(7));
     assert_eq!(light.unwrap_err(), bands);
     assert!(bands.to_string().contains("7 bands"), "{bands}");

@@ -4,19 +4,20 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
-use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::gpu::{GpuContext, GpuLight, GpuOptions, GpuRenderer};
+use glimt_render_gpu::cpu::CpuDrawing;
+use glimt_render_gpu::gpu::{GpuContext, GpuDrawing, GpuLight, GpuOptions};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::light_sh::LightSh;
 use glimt_render_gpu::host::plate::Plate;
 use glimt_render_gpu::host::render::{
-    Background, Filter, FrameImage, Method, PrtSettings, RenderSettings, Renderer, Shadow, Tonemap,
+    Background, Filter, FrameImage, RenderSettings, Renderer, Shadow, Tonemap,
 };
 use glimt_render_gpu::host::scene::{
     Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
 };
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer};
+use glimt_render_gpu::methods::Prt;
 use glimt_tests::gpu::adapter_or_skip;
 use glimt_tests::light;
 use glimt_tests::worst::largest_share;
@@ -37,7 +38,7 @@ fn coefficients(
     light: &mut GpuLight,
     env: &PreparedEnv,
     bands: u32,
-    settings: &PrtSettings,
+    settings: &Prt,
 ) -> Vec<Vec4> {
     light.upload(context, env).unwrap();
     light.project(context, bands, settings).unwrap();
@@ -66,11 +67,11 @@ fn coefficients_are_the_cpus() {
     for (i, size) in (0..).zip(sizes) {
         for bands in 1..=6 {
             for level in [0, 1, 3] {
-                let settings = PrtSettings {
+                let settings = Prt {
                     level,
                     window: [0.0, 3.5][(bands % 2) as usize],
                     temporal: 0.4,
-                    ..PrtSettings::default()
+                    ..Prt::default()
                 };
                 light.forget();
                 let mut cpu = LightSh::default();
@@ -91,10 +92,10 @@ fn coefficients_are_the_cpus() {
     println!("coefficients differ by {worst:e} of the largest at most");
     // What a wrong angle, window or share of the frame before would do.
     let env = noise(UVec2::new(131, 67), 1, 10.0);
-    let right = PrtSettings {
+    let right = Prt {
         window: 4.0,
         temporal: 0.4,
-        ..PrtSettings::default()
+        ..Prt::default()
     };
     let expected = LightSh::default().project(&env, 4, &right).unwrap();
     let wrong = [
@@ -102,12 +103,12 @@ fn coefficients_are_the_cpus() {
         (noise(UVec2::new(131, 67), 2, 10.0), right),
         (
             env.clone(),
-            PrtSettings {
+            Prt {
                 window: 4.01,
                 ..right
             },
         ),
-        (env.clone(), PrtSettings { level: 1, ..right }),
+        (env.clone(), Prt { level: 1, ..right }),
     ];
     for (env, settings) in wrong {
         light.forget();
@@ -117,7 +118,7 @@ fn coefficients_are_the_cpus() {
     let found = coefficients(&context, &mut light, &env, 4, &right);
     assert!(difference(&found, &expected) > TOLERANCE, "nothing is kept");
 
-    let endless = PrtSettings {
+    let endless = Prt {
         temporal: f32::MAX,
         ..right
     };
@@ -135,9 +136,9 @@ fn a_large_map_has_many_parts() {
     let env = noise(UVec2::new(1628, 814), 5, 15.0);
     let mut light = GpuLight::new(&context, UVec2::new(1628, 814)).unwrap();
     for level in [0, 2] {
-        let settings = PrtSettings {
+        let settings = Prt {
             level,
-            ..PrtSettings::default()
+            ..Prt::default()
         };
         let expected = LightSh::default().project(&env, 6, &settings).unwrap();
         let found = coefficients(&context, &mut light, &env, 6, &settings);
@@ -282,15 +283,14 @@ fn settings() -> RenderSettings {
         fov_x: 0.8,
     };
     RenderSettings {
-        method: Method::Prt,
         rays_per_pixel: 1,
         filter: Filter::Centre,
         exposure_ev: -1.0,
-        prt: PrtSettings {
+        prt: Prt {
             level: 1,
             window: 5.0,
             temporal: 0.3,
-            ..PrtSettings::default()
+            ..Prt::default()
         },
         layers: true,
         ..RenderSettings::new(UVec2::new(131, 97), camera)
@@ -333,15 +333,15 @@ fn compare(cpu: &FrameImage, gpu: &FrameImage, edges: f64) -> Result<f64, String
 }
 
 fn both(
-    gpu: &mut GpuRenderer,
+    gpu: &mut GpuDrawing,
     scene: &SceneBuffers,
     plate: Option<&Plate>,
     settings: &RenderSettings,
 ) -> [FrameImage; 2] {
-    let cpu = CpuRenderer::default()
+    let cpu = CpuDrawing::default()
         .render_over(scene, &sky(), plate, settings, &|_| ())
         .unwrap();
-    gpu.set_smc_state(None).unwrap();
+    gpu.forget();
     let gpu = gpu
         .render_over(scene, &sky(), plate, settings, &|_| ())
         .unwrap();
@@ -349,9 +349,9 @@ fn both(
 }
 
 /// A renderer, where there is a GPU for one.
-fn renderer(test: &str, options: GpuOptions) -> Option<GpuRenderer> {
+fn renderer(test: &str, options: GpuOptions) -> Option<GpuDrawing> {
     adapter_or_skip(test)?;
-    Some(GpuRenderer::with_options(Default::default(), options).unwrap())
+    Some(GpuDrawing::on(GpuContext::with_options(Default::default(), options).unwrap()).unwrap())
 }
 
 /// The share of pixels that edges may change: of a pixel that a triangle's edge passes, two processors may see either side.
@@ -374,7 +374,7 @@ fn pictures_are_the_cpus() {
         ..settings()
     };
     let unshadowed = RenderSettings {
-        prt: PrtSettings {
+        prt: Prt {
             shadows: false,
             ..settings().prt
         },
@@ -462,15 +462,15 @@ fn no_exposure_takes_light_from_the_linear_image() {
     for (radiance, disc, reflection, catcher, exposure_ev) in cases {
         let settings = RenderSettings {
             exposure_ev,
-            prt: PrtSettings::default(),
+            prt: Prt::default(),
             ..settings()
         };
         let env = sky_with_disc(radiance, disc);
         let scene = scene(catcher, reflection);
         for plate in [None, catcher.then_some(&plate)] {
-            gpu.set_smc_state(None).unwrap();
+            gpu.forget();
             let [cpu, found] =
-                [&mut CpuRenderer::default() as &mut dyn Renderer, &mut gpu].map(|r| {
+                [&mut CpuDrawing::default() as &mut dyn Renderer, &mut gpu].map(|r| {
                     r.render_over(&scene, &env, plate, &settings, &|_| ())
                         .unwrap()
                 });
@@ -636,7 +636,7 @@ fn nothing_is_waited_for() {
     let names: Vec<_> = phases.iter().map(|(name, _)| *name).collect();
     assert_eq!(names, ["upload", "light", "draw", "read back"]);
     // Three frames under the same light and one more: the filter over time has seen all of them.
-    let mut cpu = CpuRenderer::default();
+    let mut cpu = CpuDrawing::default();
     for _ in 0..3 {
         cpu.render_over(&scene, &sky(), Some(&plate), &settings(), &|_| ())
             .unwrap();

@@ -5,8 +5,8 @@ use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
 use glimt_probe::rotate::rotate_z;
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::light_sh::LightSh;
-use glimt_render_gpu::host::render::PrtSettings;
 use glimt_render_gpu::kernels::pyramid::{Taps, half_size, halve, taps};
+use glimt_render_gpu::methods::Prt;
 use glimt_tests::light::noise;
 use glimt_tests::worst::largest_share;
 
@@ -134,10 +134,10 @@ fn wide(c: &[Vec4; 36]) -> [DVec3; 36] {
     c.map(|c| c.truncate().as_dvec3())
 }
 
-fn plain(level: u32) -> PrtSettings {
-    PrtSettings {
+fn plain(level: u32) -> Prt {
+    Prt {
         level,
-        ..PrtSettings::default()
+        ..Prt::default()
     }
 }
 
@@ -190,7 +190,7 @@ fn levels_end_at_one_texel() {
 #[test]
 fn window_turn_and_filter_over_time() {
     let size = UVec2::new(61, 30);
-    let settings = PrtSettings {
+    let settings = Prt {
         window: 4.0,
         temporal: 0.5,
         ..plain(0)
@@ -215,7 +215,7 @@ fn window_turn_and_filter_over_time() {
     }
     // Another number of bands starts anew.
     let env = prepared(size, noise(size, 9), 0.0);
-    let settings = PrtSettings {
+    let settings = Prt {
         temporal: 0.5,
         ..plain(0)
     };

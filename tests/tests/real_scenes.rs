@@ -24,7 +24,7 @@ use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::estimator::Estimator;
 use glimt_render_gpu::kernels::frame::FrameParams;
 use glimt_render_gpu::kernels::mis::Mis;
-use glimt_render_gpu::kernels::shade::shade_mis;
+use glimt_render_gpu::kernels::shade::shade;
 use glimt_sampling::uniform::UniformSource;
 use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
 use glimt_tests::data::{data, skipped};
@@ -128,9 +128,15 @@ impl Shot {
     }
 
     fn cpu_ray(&self, ray: u32, frame: &FrameParams) -> Vec4 {
-        shade_mis(ray, frame, self.env.view(), self.scene.view())
+        shade(ray, frame, &MIS, self.env.view(), self.scene.view())
     }
 }
+
+/// The estimator of the settings.
+const MIS: Mis = Mis {
+    brdf_samples: 1,
+    env_samples: 1,
+};
 
 /// Mean of the three channels over the image.
 fn mean(image: &[Vec4]) -> f64 {
@@ -198,14 +204,7 @@ fn nudged_ray(shot: &Shot, ray: u32, frame: &FrameParams, random: &mut Xoshiro12
     point.frame.t += nudge();
     point.frame.b += nudge();
     point.frame.n += nudge();
-    let estimator = Mis {
-        brdf_samples: frame.brdf_samples,
-        env_samples: frame.env_samples,
-    };
-    estimator
-        .reflected(&point, &pattern, env, scene)
-        .lit
-        .extend(1.0)
+    MIS.reflected(&point, &pattern, env, scene).lit.extend(1.0)
 }
 
 /// Whether the CPU gives `wanted` for a ray that is nearly the same.

@@ -4,11 +4,11 @@ use glam::{DVec3, UVec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::render::{
-    Background, BisSettings, CandidateSource, FrameImage, Pattern, RenderSettings, Renderer,
-    Tonemap,
+    Background, FrameImage, Pattern, RenderSettings, Renderer, Tonemap,
 };
 use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
 use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::methods::{Bis, CandidateSource, Mis};
 use glimt_tests::analytic::AnalyticScene;
 use glimt_tests::quadrature::Integral;
 use glimt_tests::unbiased::{
@@ -26,8 +26,11 @@ fn under_a_sun() -> [Case; 4] {
         Case {
             name: "Kronander 15+15",
             settings: RenderSettings {
-                brdf_samples: 15,
-                env_samples: 15,
+                method: Mis {
+                    brdf_samples: 15,
+                    env_samples: 15,
+                }
+                .into(),
                 ..settings(1, Pattern::Independent)
             },
         },
@@ -64,7 +67,7 @@ fn either_strategy_alone_is_the_integral() {
 #[test]
 fn picked_candidates_are_the_integral() {
     let cases = |candidates: [u32; 3], samples: [u32; 3]| {
-        let settings = |i: usize, source| BisSettings {
+        let settings = |i: usize, source| Bis {
             candidates: candidates[i],
             samples: samples[i],
             source,
@@ -100,7 +103,7 @@ fn picked_candidates_are_the_integral() {
         // The light alone finds a lobe of 3° too rarely to be judged.
         let judged: Vec<Case> = cases
             .into_iter()
-            .filter(|case| case.settings.bis.samples > 0)
+            .filter(|case| case.settings.method.count() > 0)
             .collect();
         assert_unbiased(&material, 50.0, &judged);
     }
@@ -108,7 +111,7 @@ fn picked_candidates_are_the_integral() {
 
 #[test]
 fn the_papers_counts_of_candidates_are_the_integral() {
-    let kronander = BisSettings {
+    let kronander = Bis {
         candidates: 400,
         samples: 20,
         source: CandidateSource::Brdf,
@@ -314,8 +317,11 @@ fn extreme_light_makes_no_nan() {
             for (brdf_samples, env_samples) in [(1, 1), (1, 0), (0, 1)] {
                 let settings = RenderSettings {
                     pattern,
-                    brdf_samples,
-                    env_samples,
+                    method: Mis {
+                        brdf_samples,
+                        env_samples,
+                    }
+                    .into(),
                     ..settings
                 };
                 let image = render(&scene, &env, &settings);

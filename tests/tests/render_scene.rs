@@ -15,6 +15,7 @@ use glimt_render_gpu::kernels::bvh::{any_hit, closest_hit};
 use glimt_render_gpu::kernels::diagnose::surface;
 use glimt_render_gpu::kernels::ray::Ray;
 use glimt_render_gpu::kernels::triangle::{Triangle, intersect};
+use glimt_render_gpu::methods::Mis;
 use glimt_sampling::warp::sample_uniform_sphere;
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_f32, unit_vec2};
 use obvhs::ray::RayHit;
@@ -505,8 +506,15 @@ fn bad_maps_and_settings_are_refused() {
     assert_eq!(refused(|s| s.size.x = 0), SettingsError::Empty);
     assert_eq!(refused(|s| s.rays_per_pixel = 0), SettingsError::Empty);
     assert_eq!(
-        refused(|s| (s.brdf_samples, s.env_samples) = (0, 0)),
-        SettingsError::NoSamples
+        refused(|s| {
+            let none = Mis {
+                brdf_samples: 0,
+                env_samples: 0,
+            };
+            s.method = none.into();
+        })
+        .to_string(),
+        "brdf_samples: it is 0, and render.env_samples too; one of them must be at least 1"
     );
     // More rays than 32 bits count, but no tile has as many.
     let mut large = good;

@@ -478,7 +478,7 @@ fn the_gpu_films_what_the_cpu_films() {
     let Some(gpu) = adapter_or_skip("the_gpu_films_what_the_cpu_films") else {
         return;
     };
-    let gpu = Processor::Gpu(Box::new(gpu));
+    let gpu = Processor::Gpu(std::sync::Arc::new(gpu));
     let mut synth = plain([96, 68]);
     synth.capture.jitter_px = 1.0;
     synth.ball.fresnel = true;

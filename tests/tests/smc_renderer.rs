@@ -4,13 +4,12 @@ use glam::{DVec3, Mat4, UVec2, Vec3};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::{AdapterPreference, GpuOptions, GpuRenderer};
 use glimt_render_gpu::host::env::PreparedEnv;
-use glimt_render_gpu::host::render::{
-    FrameImage, Method, Pattern, RenderSettings, Renderer, SmcSettings,
-};
+use glimt_render_gpu::host::render::{FrameImage, Pattern, RenderSettings, Renderer};
 use glimt_render_gpu::host::scene::Camera;
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::host::smc_state::SmcState;
 use glimt_render_gpu::kernels::past::{STARTED_NOT, STARTED_WITHOUT_PAST};
+use glimt_render_gpu::methods::{MethodMemory, Smc};
 use glimt_sampling::resample::Scheme;
 use glimt_smc::Path;
 use glimt_tests::analytic::{AnalyticMap, AnalyticScene};
@@ -46,12 +45,19 @@ fn light(frame: u32) -> AnalyticMap {
     }
 }
 
-fn smc(smc: SmcSettings, pattern: Pattern) -> RenderSettings {
+fn smc(smc: Smc, pattern: Pattern) -> RenderSettings {
     RenderSettings {
-        method: Method::Smc,
-        smc,
+        method: smc.into(),
         ..settings(1, pattern)
     }
+}
+
+/// What the sampler keeps of the last frame.
+fn state(renderer: &mut dyn Renderer) -> SmcState {
+    let MethodMemory::Smc(state) = renderer.memory().unwrap().unwrap() else {
+        unreachable!("no other method keeps anything");
+    };
+    state
 }
 
 fn render(
@@ -88,7 +94,7 @@ fn means(
                 images[usize::from(frame == 10)].push(image);
             }
         }
-        let state = renderer.smc_state().unwrap().unwrap();
+        let state = state(&mut renderer);
         let z =
             |ray: &glimt_render_gpu::kernels::past::RayState| f64::from(ray.log_normaliser).exp();
         normalisers.push(state.rays.iter().map(z).collect());
@@ -112,22 +118,22 @@ fn means(
     (means, spreads[spreads.len() / 2])
 }
 
-const NEVER: SmcSettings = SmcSettings {
+const NEVER: Smc = Smc {
     particles: 8,
     intermediate: 3,
     path: Path::Linear,
-    scheme: Scheme::Systematic,
+    resampling: Scheme::Systematic,
     ess_threshold: 2.0 / 3.0,
     floor: 0.01,
-    cap_radius: 0.2,
+    cap_deg: 11.459_156,
     cap_share: 0.5,
     light_share: 0.5,
     reinitialise: 0.0,
     max_age: 0,
     candidates: 32,
-    source: glimt_render_gpu::host::render::CandidateSource::Mixture,
+    source: glimt_render_gpu::methods::CandidateSource::Mixture,
     depth_tolerance: 0.02,
-    normal_tolerance: 0.4,
+    normal_tolerance_deg: 22.918_312,
 };
 
 #[test]
@@ -144,9 +150,9 @@ fn without_new_starts_frames_1_and_10_are_the_integral() {
             ("as usual", NEVER, Pattern::Independent),
             (
                 "geometric, residual, no floor",
-                SmcSettings {
+                Smc {
                     path: Path::Geometric,
-                    scheme: Scheme::Residual,
+                    resampling: Scheme::Residual,
                     floor: 0.0,
                     intermediate: 1,
                     ..NEVER
@@ -155,8 +161,8 @@ fn without_new_starts_frames_1_and_10_are_the_integral() {
             ),
             (
                 "no steps between, always resampled, local moves",
-                SmcSettings {
-                    scheme: Scheme::Multinomial,
+                Smc {
+                    resampling: Scheme::Multinomial,
                     intermediate: 0,
                     ess_threshold: 2.0,
                     cap_share: 0.7,
@@ -167,9 +173,9 @@ fn without_new_starts_frames_1_and_10_are_the_integral() {
             ),
             (
                 "a fixed age",
-                SmcSettings {
+                Smc {
                     max_age: 4,
-                    scheme: Scheme::Stratified,
+                    resampling: Scheme::Stratified,
                     ..NEVER
                 },
                 Pattern::Stratified,
@@ -204,7 +210,7 @@ fn with_new_starts_the_bias_is_known() {
     let buffers = SceneBuffers::build(&analytic.describe(200)).unwrap();
     let truth = reference(&analytic, &lights[10]);
     for band in [1.1, 1.25, 1.5, 2.0, 4.0] {
-        let settings = SmcSettings {
+        let settings = Smc {
             reinitialise: band,
             ..NEVER
         };
@@ -230,11 +236,10 @@ fn two_renderers(test: &str, options: GpuOptions) -> Option<(CpuRenderer, GpuRen
 }
 
 /// A larger image, from a camera that moves.
-fn moving(frame: u32, settings: SmcSettings) -> RenderSettings {
+fn moving(frame: u32, settings: Smc) -> RenderSettings {
     let camera = camera();
     RenderSettings {
-        method: Method::Smc,
-        smc: settings,
+        method: settings.into(),
         size: UVec2::new(64, 40),
         rays_per_pixel: 2,
         frame,
@@ -267,18 +272,20 @@ fn one_step_from_the_same_state_is_the_same_on_both_processors() {
         return;
     };
     let buffers = SceneBuffers::build(&scene(0.3, 0.6, 50.0).describe(60)).unwrap();
-    let settings = SmcSettings {
+    let settings = Smc {
         reinitialise: 1.5,
         ..NEVER
     };
     for frame in 0..6 {
         let env = prepare(&light(frame));
-        let before = cpu.smc_state().unwrap();
-        gpu.set_smc_state(before).unwrap();
+        match cpu.memory().unwrap() {
+            Some(memory) => gpu.set_memory(memory).unwrap(),
+            None => gpu.forget(),
+        }
         let settings = moving(frame, settings);
         let a = render(&mut cpu, &buffers, &env, &settings);
         let b = render(&mut gpu, &buffers, &env, &settings);
-        let states = [cpu.smc_state(), gpu.smc_state()].map(|s| s.unwrap().unwrap());
+        let states = [state(&mut cpu), state(&mut gpu)];
         let (moved, decided) = differences(&states[0], &states[1]);
         println!(
             "frame {frame}: {moved:.5} of the particles elsewhere, {decided:.5} of the rays decided otherwise"
@@ -325,7 +332,7 @@ fn over_twenty_frames_means_agree_on_both_processors_and_ages_grow() {
             "frame {frame}: {mean:?}"
         );
     }
-    let state = gpu.smc_state().unwrap().unwrap();
+    let state = state(&mut gpu);
     let hits: Vec<_> = state.rays.iter().filter(|ray| ray.depth > 0.0).collect();
     let old = hits.iter().filter(|ray| ray.age >= 10).count() as f64 / hits.len() as f64;
     let kept = hits.iter().filter(|ray| ray.started == STARTED_NOT).count();
@@ -354,7 +361,7 @@ fn small_bindings_change_only_what_comes_from_afar() {
         let env = prepare(&light(frame));
         let a = render(&mut whole, &buffers, &env, &settings(frame));
         let b = render(&mut tiled, &buffers, &env, &settings(frame));
-        let states = [whole.smc_state(), tiled.smc_state()].map(|s| s.unwrap().unwrap());
+        let states = [state(&mut whole), state(&mut tiled)];
         for (ray, (x, y)) in states[0].rays.iter().zip(&states[1].rays).enumerate() {
             if y.started == STARTED_WITHOUT_PAST {
                 started += usize::from(x.started == STARTED_NOT);
@@ -391,8 +398,9 @@ fn a_saved_state_goes_on_bit_for_bit() {
                 &moving(frame, NEVER),
             );
         }
-        let state = through.smc_state().unwrap();
-        later.set_smc_state(state).unwrap();
+        later
+            .set_memory(through.memory().unwrap().unwrap())
+            .unwrap();
         for frame in 3..5 {
             let (env, settings) = (prepare(&light(frame)), moving(frame, NEVER));
             let a = render(&mut *through, &buffers, &env, &settings);
@@ -405,7 +413,7 @@ fn a_saved_state_goes_on_bit_for_bit() {
             ..moving(5, NEVER)
         };
         render(&mut *later, &buffers, &prepare(&light(5)), &other);
-        let state = later.smc_state().unwrap().unwrap();
+        let state = state(&mut *later);
         assert!(state.rays.iter().all(|ray| ray.age == 0));
     }
 }
@@ -421,7 +429,7 @@ fn disocclusion_starts_anew() {
     render(&mut renderer, &buffers, &env, &moving(0, NEVER));
     // Far to the side: box and sphere uncover ground.
     render(&mut renderer, &buffers, &env, &moving(12, NEVER));
-    let state = renderer.smc_state().unwrap().unwrap();
+    let state = state(&mut renderer);
     let hits = state.rays.iter().filter(|ray| ray.depth > 0.0);
     let (mut kept, mut begun) = (0, 0);
     for ray in hits {
@@ -462,12 +470,12 @@ fn particles_go_with_their_objects() {
             .unwrap();
         if !knows {
             // As if the box had been where it is.
-            let mut state = renderer.smc_state().unwrap().unwrap();
+            let mut state = state(&mut renderer);
             state.past.transforms = buffers.transforms().to_vec();
-            renderer.set_smc_state(Some(state)).unwrap();
+            renderer.set_memory(MethodMemory::Smc(state)).unwrap();
         }
         render(&mut renderer, &buffers, &env, &still);
-        let ages = box_rays(&renderer.smc_state().unwrap().unwrap());
+        let ages = box_rays(&state(&mut renderer));
         assert!(ages.len() > 100, "{} rays", ages.len());
         ages.iter().filter(|age| **age == 1).count() as f64 / ages.len() as f64
     };

@@ -14,8 +14,8 @@ use glimt_benches::convergence::{halved, transfer_error};
 use glimt_benches::inputs::data_dir;
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::light_sh::LightSh;
-use glimt_render_gpu::host::render::PrtSettings;
 use glimt_render_gpu::kernels::environment::bilinear;
+use glimt_render_gpu::methods::Prt;
 use glimt_sampling::luminance;
 use image::RgbImage;
 use std::error::Error;
@@ -340,7 +340,7 @@ impl Studio {
     /// The light's first five bands as a map, with as much even light as keeps it above zero.
     fn band_limited(&self, light: &Path) -> Outcome<PathBuf> {
         let env = env(light)?;
-        let c = LightSh::default().project(&env, 5, &PrtSettings::default())?;
+        let c = LightSh::default().project(&env, 5, &Prt::default())?;
         let size = UVec2::new(512, 256);
         let value = |i: u32| {
             let texel = UVec2::new(i % size.x, i / size.x);

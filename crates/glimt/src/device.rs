@@ -2,10 +2,14 @@
 
 use crate::cli::Device;
 use crate::error::{Error, Kind, Result};
+use crate::shot::Shot;
 use glimt_executor::HostError;
-use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::gpu::{self, AdapterPreference, GpuContext, GpuError, GpuRenderer};
+use glimt_render_gpu::cpu::{CpuDrawing, CpuRenderer};
+use glimt_render_gpu::gpu::{
+    self, AdapterPreference, GpuContext, GpuDrawing, GpuError, GpuRenderer,
+};
 use glimt_render_gpu::host::render::{RenderError, Renderer};
+use std::sync::Arc;
 
 /// What runs the kernels.
 #[derive(Debug)]
@@ -13,7 +17,7 @@ pub enum Processor {
     /// All of rayon's threads.
     Cpu,
     /// A GPU.
-    Gpu(Box<GpuContext>),
+    Gpu(Arc<GpuContext>),
 }
 
 impl Processor {
@@ -26,16 +30,74 @@ impl Processor {
     }
 }
 
+/// What renders on a device: one renderer traces rays, another draws with precomputed transfer. Each is made when it is first
+/// needed.
+pub struct Renderers {
+    processor: Processor,
+    tracing: Option<Box<dyn Renderer>>,
+    drawing: Option<Box<dyn Renderer>>,
+}
+
+impl Renderers {
+    /// The one that renders a shot.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn of(&mut self, shot: &Shot) -> Result<&mut dyn Renderer> {
+        let traces = shot.render.estimator().is_some();
+        let slot = match traces {
+            true => &mut self.tracing,
+            false => &mut self.drawing,
+        };
+        let renderer = match slot.take() {
+            Some(known) => known,
+            None => make(&self.processor, traces).map_err(|e| gpu_failure(&e))?,
+        };
+        Ok(&mut **slot.insert(renderer))
+    }
+
+    /// What renders, for messages.
+    pub fn name(&self) -> String {
+        self.processor.name()
+    }
+
+    /// Forgets the last frames of all.
+    pub fn forget(&mut self) {
+        for renderer in [&mut self.tracing, &mut self.drawing].into_iter().flatten() {
+            renderer.forget();
+        }
+    }
+}
+
+fn make(processor: &Processor, traces: bool) -> std::result::Result<Box<dyn Renderer>, GpuError> {
+    Ok(match (processor, traces) {
+        (Processor::Cpu, true) => Box::new(CpuRenderer::default()),
+        (Processor::Cpu, false) => Box::new(CpuDrawing::default()),
+        (Processor::Gpu(context), true) => Box::new(GpuRenderer::on(Arc::clone(context))?),
+        (Processor::Gpu(context), false) => Box::new(GpuDrawing::on(Arc::clone(context))?),
+    })
+}
+
 /// Opens a device. `auto` takes a GPU where a real one is found that works: a software one is slower than the CPU
 /// renderer.
 ///
 /// # Errors
 /// A GPU is asked for, and there is none that can be used.
-pub fn open(device: Device) -> Result<Box<dyn Renderer>> {
+pub fn open(device: Device) -> Result<Renderers> {
+    let renderers = |processor, tracing| Renderers {
+        processor,
+        tracing,
+        drawing: None,
+    };
     choose(
         device,
-        || Box::new(CpuRenderer::default()) as Box<dyn Renderer>,
-        |context| Ok(Box::new(GpuRenderer::on(context)?)),
+        || renderers(Processor::Cpu, None),
+        |context| {
+            // Made at once, so that `auto` learns whether it can be.
+            let processor = Processor::Gpu(Arc::new(context));
+            let tracing = make(&processor, true)?;
+            Ok(renderers(processor, Some(tracing)))
+        },
     )
 }
 
@@ -47,7 +109,7 @@ pub fn open_processor(device: Device) -> Result<Processor> {
     choose(
         device,
         || Processor::Cpu,
-        |context| Ok(Processor::Gpu(Box::new(context))),
+        |context| Ok(Processor::Gpu(Arc::new(context))),
     )
 }
 

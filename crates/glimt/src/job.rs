@@ -147,7 +147,7 @@ impl Job {
 
     /// Whether each frame continues from the one before it.
     pub fn is_chain(&self) -> bool {
-        self.setup.shot.render.goes_on()
+        self.setup.shot.render.continues()
     }
 
     /// The identity of each frame, in the order of [`Job::frames`], and the hash of all that the last one came from.
@@ -186,7 +186,7 @@ fn check_past(flags: &PastFlags, render: &Render) -> Result<()> {
         ("--preroll", flags.preroll > 0),
     ];
     match given.iter().find(|(_, given)| *given) {
-        Some((flag, _)) if !render.goes_on() => {
+        Some((flag, _)) if !render.continues() => {
             let prt = render.method == Method::Prt && *flag == "--preroll";
             let fix = match prt {
                 true => "leave it out, or set render.prt.temporal above 0",

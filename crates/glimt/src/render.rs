@@ -2,7 +2,7 @@
 
 use crate::bake;
 use crate::cli::Device;
-use crate::device;
+use crate::device::{self, Renderers};
 use crate::error::{Error, Kind, Result};
 use crate::frame::Frames;
 use crate::job::Job;
@@ -14,8 +14,9 @@ use crate::report::{FrameStatus, Reporter, count, shown};
 use crate::shot::digest::Hash;
 use glimt_render_gpu::host::env::PreparedEnv;
 use glimt_render_gpu::host::plate::Plate;
-use glimt_render_gpu::host::render::{FrameImage, Renderer};
+use glimt_render_gpu::host::render::FrameImage;
 use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::methods::MethodMemory;
 use glimt_render_gpu::sequence::Prefetch;
 use serde_json::json;
 use std::path::PathBuf;
@@ -72,7 +73,7 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
     };
     tracing::info!("scene and device are ready after {:.2?}", began.elapsed());
     let name = match &ready {
-        Some(ready) => ready.renderer.name(),
+        Some(ready) => ready.renderers.name(),
         None => "no device".to_owned(),
     };
     let asked = job.frames.len() - job.preroll;
@@ -114,7 +115,7 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
 
 /// What renders, and what is rendered.
 struct SceneRenderer {
-    renderer: Box<dyn Renderer>,
+    renderers: Renderers,
     scene: SceneBuffers,
 }
 
@@ -123,15 +124,13 @@ impl SceneRenderer {
         let mut opened = Self {
             scene: SceneBuffers::build(&job.setup.scene)
                 .map_err(|e| job.setup.refused_scene(job.setup.first, &e))?,
-            renderer: device::open(device)?,
+            renderers: device::open(device)?,
         };
         bake::set_transfer(&job.setup, &job.setup.shot, &mut opened.scene)?;
         if let Some(saved) = &job.state_in {
-            let state = Some(saved.state.clone());
-            opened
-                .renderer
-                .set_smc_state(state)
-                .map_err(device::failure)?;
+            let memory = MethodMemory::Smc(saved.state.clone());
+            let renderer = opened.renderers.of(&job.setup.shot)?;
+            renderer.set_memory(memory).map_err(device::failure)?;
         }
         Ok(opened)
     }
@@ -141,7 +140,8 @@ impl SceneRenderer {
         let Some(file) = &plan.job.state_out else {
             return Ok(());
         };
-        if let Some(state) = self.renderer.smc_state().map_err(device::failure)? {
+        let renderer = self.renderers.of(&plan.job.setup.shot)?;
+        if let Some(MethodMemory::Smc(state)) = renderer.memory().map_err(device::failure)? {
             let saved = Saved {
                 state,
                 chain: plan.chain,
@@ -306,12 +306,12 @@ fn render_frames(
                 ready.scene.pose(&pose.transforms).map_err(refused)?;
                 let settings = setup.settings(stamp.frame, pose.camera);
                 let part = |fraction| reporter.part(index.saturating_sub(preroll), fraction);
-                let image = ready
-                    .renderer
+                let renderer = ready.renderers.of(&setup.shot)?;
+                let image = renderer
                     .render_over(&ready.scene, &light, plate.as_deref(), &settings, &part)
                     .map_err(device::failure)?;
                 match plan.current[index] {
-                    // It was only gone on from.
+                    // A later frame continues from it, no more.
                     true => Finished::Skipped(stamp.frame),
                     false => {
                         rendered += 1;

@@ -8,12 +8,10 @@ use crate::scene::place::{self, Mover};
 use crate::scene::view::View;
 use crate::shot::digest::{self, Hash};
 use crate::shot::parse::Source;
-use crate::shot::{self, Shot};
+use crate::shot::{self, Shot, check};
 use glam::{Mat4, UVec2};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::render::{
-    Background, Filter, Method, Pattern, RenderSettings, SettingsError, Shadow, Tonemap,
-};
+use glimt_render_gpu::host::render::{RenderSettings, SettingsError, Shadow};
 use glimt_render_gpu::host::scene::{Camera, SceneDescription};
 use glimt_render_gpu::host::scene_error::SceneError;
 use std::path::{Path, PathBuf};
@@ -175,16 +173,14 @@ impl Setup {
     /// A setting that it refuses.
     pub fn check_settings(&self, frame: u32) -> Result<()> {
         let refused = |e: SettingsError| {
-            let key = match e {
+            let key = match &e {
+                SettingsError::Setting(setting) => return check::refused(&self.source, setting),
                 SettingsError::Empty => "image",
-                SettingsError::NoSamples | SettingsError::TooMany => "render",
-                SettingsError::Smc => "render.smc",
+                SettingsError::TooMany | SettingsError::Memory => "render",
                 SettingsError::Exposure => "image.exposure_ev",
                 SettingsError::FieldOfView => "camera.fov_x_deg",
                 SettingsError::Camera => "camera",
-                SettingsError::Prt | SettingsError::Harmonics(_) | SettingsError::NoTransfer => {
-                    "render.prt"
-                }
+                SettingsError::Harmonics(_) | SettingsError::NoTransfer => "render.prt",
                 SettingsError::PlateSize => "backplate",
             };
             self.source.error(key, e)
@@ -235,41 +231,19 @@ impl Setup {
             size: UVec2::from(image.size),
             camera,
             rays_per_pixel: image.rays_per_pixel,
-            brdf_samples: render.brdf_samples,
-            env_samples: render.env_samples,
-            method: match render.method {
-                shot::Method::Bis => Method::Bis,
-                shot::Method::Smc => Method::Smc,
-                shot::Method::Prt => Method::Prt,
-                shot::Method::Mis => Method::Mis,
-            },
-            bis: render.bis.settings(),
-            smc: render.smc.settings(),
+            method: render.estimator().unwrap_or_default(),
             prt: render.prt.settings(),
-            pattern: match render.pattern {
-                shot::Pattern::OwenSobol => Pattern::OwenSobol,
-                shot::Pattern::Independent => Pattern::Independent,
-                shot::Pattern::Stratified => Pattern::Stratified,
-            },
-            filter: match image.filter {
-                shot::Filter::Box => Filter::Box,
-                shot::Filter::Centre => Filter::Centre,
-            },
-            background: match image.background {
-                shot::Background::Environment => Background::Environment,
-                shot::Background::Transparent => Background::Transparent,
-            },
+            pattern: render.pattern,
+            filter: image.filter,
+            background: image.background,
             seed: render.seed,
             frame,
             exposure_ev: image.exposure_ev,
-            tonemap: match image.tonemap {
-                shot::Tonemap::Srgb => Tonemap::Srgb,
-                shot::Tonemap::Reinhard => Tonemap::Reinhard,
-            },
-            shadow: match shot.backplate.as_ref().map(|plate| plate.shadow) {
-                Some(shot::Shadow::Add) => Shadow::Add,
-                Some(shot::Shadow::Multiply) | None => Shadow::Multiply,
-            },
+            tonemap: image.tonemap,
+            shadow: shot
+                .backplate
+                .as_ref()
+                .map_or(Shadow::Multiply, |plate| plate.shadow),
             layers: aov::any_layer(&shot.output.aovs),
             diagnostics: aov::any_diagnostic(&shot.output.aovs),
         }

@@ -1,111 +1,122 @@
-//! Host file: the kernels that are lowered to entry points, one `generated/NAME.wgsl` for each.
+//! Host file: the kernels that are lowered to entry points, one `generated/NAME.wgsl` for each. It depends on nothing, so that what
+//! writes those files can be built before they exist.
 
-/// An entry point to generate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct EntrySpec {
-    /// Name of the entry point and of its files.
-    pub name: &'static str,
-    /// Path of the kernel, from the crate's name on.
-    pub kernel: &'static str,
-    /// Invocations in a workgroup.
-    pub workgroup_size: u32,
+/// The methods without memory, one line each: a new one is added here.
+///
+/// `Settings in module = word, kernel's estimator, pass over rays, pass in layers`. The settings stand in
+/// `methods/<module>.rs`; the word names the method in a shot; the estimator is a path below `kernels`. The passes are made from
+/// the word.
+#[macro_export]
+macro_rules! each_estimator {
+    ($then:ident) => {
+        $then! {
+            Mis in mis = "mis", "mis::Mis", ShadeMis, ShadeMisLayers;
+            Bis in bis = "bis", "bis::Bis", ShadeBis, ShadeBisLayers;
+        }
+    };
 }
 
-const fn entry(name: &'static str, kernel: &'static str) -> EntrySpec {
-    // Two warps, or one wave: a ray's traversal keeps many registers, and more per group would leave cores idle.
+/// What an entry is for. Whatever depends on it takes the digest of all entries of its role.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Its results reach the pixels of a rendered frame.
+    Pixels,
+    /// It precomputes transfer.
+    Bake,
+    /// It films a simulated capture.
+    Synth,
+    /// It shows tests one stage of a kernel.
+    Diagnosis,
+}
+
+/// An entry point to generate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EntrySpec {
+    /// Name of the entry point and of its files.
+    pub name: String,
+    /// Path of the kernel, from the crate's name on.
+    pub kernel: String,
+    /// Invocations in a workgroup.
+    pub workgroup_size: u32,
+    /// What it is for.
+    pub role: Role,
+}
+
+fn entry(role: Role, name: &str, kernel: &str) -> EntrySpec {
     EntrySpec {
-        name,
-        kernel,
+        name: name.to_owned(),
+        kernel: format!("glimt_render_gpu::kernels::{kernel}"),
+        // Two warps, or one wave: a ray's traversal keeps many registers, and more per group would leave cores idle.
         workgroup_size: 64,
+        role,
     }
 }
 
-/// All entry points: the passes of rendering, then the stages that parity tests compare.
-pub const ENTRIES: &[EntrySpec] = &[
-    entry("shade_mis", "glimt_render_gpu::kernels::shade::shade_mis"),
-    entry("shade_bis", "glimt_render_gpu::kernels::shade::shade_bis"),
-    entry(
-        "shade_bis_layers",
-        "glimt_render_gpu::kernels::shade::shade_bis_layers",
-    ),
-    entry("shade_smc", "glimt_render_gpu::kernels::smc::shade_smc"),
-    entry(
-        "shade_smc_layers",
-        "glimt_render_gpu::kernels::smc::shade_smc_layers",
-    ),
-    entry(
-        "diagnose_smc",
-        "glimt_render_gpu::kernels::smc::diagnose_smc",
-    ),
-    entry(
-        "reconstruct",
-        "glimt_render_gpu::kernels::film::reconstruct",
-    ),
-    entry("tonemap", "glimt_render_gpu::kernels::film::tonemap"),
-    entry("transfer", "glimt_render_gpu::kernels::transfer::transfer"),
-    entry("unwarp", "glimt_render_gpu::kernels::unwarp::unwarp"),
-    entry(
-        "shade_mis_layers",
-        "glimt_render_gpu::kernels::shade::shade_mis_layers",
-    ),
-    entry(
-        "reconstruct_layers",
-        "glimt_render_gpu::kernels::layers::reconstruct_layers",
-    ),
-    entry(
-        "composite_over_plate",
-        "glimt_render_gpu::kernels::composite::composite_over_plate",
-    ),
-    entry(
-        "display_over_plate",
-        "glimt_render_gpu::kernels::composite::display_over_plate",
-    ),
-    entry(
-        "composite_alone",
-        "glimt_render_gpu::kernels::composite::composite_alone",
-    ),
-    entry("taps", "glimt_render_gpu::kernels::pyramid::taps"),
-    entry("halve", "glimt_render_gpu::kernels::pyramid::halve"),
-    entry(
-        "light_coefficient",
-        "glimt_render_gpu::kernels::light_sh::light_coefficient",
-    ),
-    entry(
-        "vertex_light",
-        "glimt_render_gpu::kernels::prt::vertex_light",
-    ),
-    entry(
-        "unpack_layers",
-        "glimt_render_gpu::kernels::raster::unpack_layers",
-    ),
-    entry("film_ball", "glimt_render_gpu::kernels::capture::film_ball"),
-    entry(
-        "film_plate",
-        "glimt_render_gpu::kernels::capture::film_plate",
-    ),
-    entry(
-        "film_latlong",
-        "glimt_render_gpu::kernels::capture::film_latlong",
-    ),
-    entry("expose", "glimt_render_gpu::kernels::sensor::expose"),
-    entry(
-        "diagnose_uniforms",
-        "glimt_render_gpu::kernels::diagnose::uniforms",
-    ),
-    entry(
-        "diagnose_env_sample",
-        "glimt_render_gpu::kernels::diagnose::env_sample",
-    ),
-    entry(
-        "diagnose_primary_hit",
-        "glimt_render_gpu::kernels::diagnose::primary_hit",
-    ),
-    entry(
-        "diagnose_surface",
-        "glimt_render_gpu::kernels::diagnose::surface",
-    ),
-    entry(
-        "diagnose_brdf_sample",
-        "glimt_render_gpu::kernels::diagnose::brdf_sample",
-    ),
+macro_rules! words_and_estimators {
+    ($($settings:ident in $module:ident = $word:literal, $estimator:literal, $flat:ident, $layers:ident;)+) => {
+        const ESTIMATORS: &[(&str, &str)] = &[$(($word, $estimator)),+];
+    };
+}
+
+each_estimator!(words_and_estimators);
+
+/// The first pass of a method without memory, over rays and in layers.
+fn shading((word, estimator): &(&str, &str)) -> [EntrySpec; 2] {
+    let kernel =
+        |sample: &str| format!("shade::shade::<glimt_render_gpu::kernels::{estimator}, {sample}>");
+    let flat = kernel("glam::Vec4");
+    let layers = kernel("glimt_render_gpu::kernels::layers::LayerSample");
+    [
+        entry(Role::Pixels, &format!("shade_{word}"), &flat),
+        entry(Role::Pixels, &format!("shade_{word}_layers"), &layers),
+    ]
+}
+
+/// All entry points.
+#[must_use]
+pub fn all() -> Vec<EntrySpec> {
+    let mut list: Vec<EntrySpec> = ESTIMATORS.iter().flat_map(shading).collect();
+    let of_role = |role: Role, entries: &[(&str, &str)]| -> Vec<EntrySpec> {
+        let each = entries.iter();
+        each.map(|(name, kernel)| entry(role, name, kernel))
+            .collect()
+    };
+    list.extend(of_role(Role::Pixels, PIXELS));
+    list.extend(of_role(Role::Bake, &[("transfer", "transfer::transfer")]));
+    list.extend(of_role(Role::Synth, SYNTH));
+    list.extend(of_role(Role::Diagnosis, DIAGNOSIS));
+    list
+}
+
+const PIXELS: &[(&str, &str)] = &[
+    ("shade_smc", "smc::shade_smc"),
+    ("shade_smc_layers", "smc::shade_smc_layers"),
+    ("diagnose_smc", "smc::diagnose_smc"),
+    ("reconstruct", "film::reconstruct"),
+    ("tonemap", "film::tonemap"),
+    ("unwarp", "unwarp::unwarp"),
+    ("reconstruct_layers", "layers::reconstruct_layers"),
+    ("composite_over_plate", "composite::composite_over_plate"),
+    ("display_over_plate", "composite::display_over_plate"),
+    ("composite_alone", "composite::composite_alone"),
+    ("taps", "pyramid::taps"),
+    ("halve", "pyramid::halve"),
+    ("light_coefficient", "light_sh::light_coefficient"),
+    ("vertex_light", "prt::vertex_light"),
+    ("unpack_layers", "raster::unpack_layers"),
+];
+
+const SYNTH: &[(&str, &str)] = &[
+    ("film_ball", "capture::film_ball"),
+    ("film_plate", "capture::film_plate"),
+    ("film_latlong", "capture::film_latlong"),
+    ("expose", "sensor::expose"),
+];
+
+const DIAGNOSIS: &[(&str, &str)] = &[
+    ("diagnose_uniforms", "diagnose::uniforms"),
+    ("diagnose_env_sample", "diagnose::env_sample"),
+    ("diagnose_primary_hit", "diagnose::primary_hit"),
+    ("diagnose_surface", "diagnose::surface"),
+    ("diagnose_brdf_sample", "diagnose::brdf_sample"),
 ];

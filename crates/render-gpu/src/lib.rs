@@ -33,13 +33,13 @@
 //! ```
 //!
 //! Where objects stand still, light that arrives at their vertices may be computed once for any light, and frames by it alone
-//! (precomputed radiance transfer): [`host::bake`], then [`Method::Prt`](host::render::Method::Prt). The triangle of above again:
+//! (precomputed radiance transfer): [`host::bake`], then [`CpuDrawing`](cpu::CpuDrawing). The triangle of above again:
 //!
 //! ```
 //! # use glam::{Mat4, UVec2, Vec3, Vec4};
-//! # use glimt_render_gpu::cpu::CpuRenderer;
+//! # use glimt_render_gpu::cpu::CpuDrawing;
 //! # use glimt_render_gpu::host::env::EnvMap;
-//! # use glimt_render_gpu::host::render::{Method, RenderSettings, Renderer};
+//! # use glimt_render_gpu::host::render::{RenderSettings, Renderer};
 //! # use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
 //! # use glimt_render_gpu::host::scene_build::SceneBuffers;
 //! use glimt_render_gpu::host::bake::{BakeSettings, bake};
@@ -57,10 +57,10 @@
 //! # let camera = Camera { eye: Vec3::new(0.2, 0.2, 9.0), target: Vec3::new(0.2, 0.2, 0.0), up: Vec3::Y, fov_x: 0.01 };
 //! let baked = bake(&scene, &BakeSettings::default(), &|_| ())?;
 //! scene.set_transfer(baked.transfer.into(), &[])?;
-//! let settings = RenderSettings { method: Method::Prt, ..RenderSettings::new(UVec2::ONE, camera) };
+//! let settings = RenderSettings::new(UVec2::ONE, camera);
 //! // No tables: such a frame draws no directions from its light.
 //! let sky = EnvMap::new(UVec2::new(8, 4), vec![Vec4::ONE; 32])?.untabled(0.0)?;
-//! let image = CpuRenderer::default().render_frame(&scene, &sky, &settings, &|_| ())?;
+//! let image = CpuDrawing::default().render_frame(&scene, &sky, &settings, &|_| ())?;
 //! assert!((image.linear[0].x - 0.5).abs() < 0.02);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -77,8 +77,10 @@
 //! - P. Debevec: *Rendering synthetic objects into real scenes*, SIGGRAPH 1998 (differential rendering, § 5.2).
 //! - A. Kensler: *Correlated multi-jittered sampling*, Pixar technical memo 13-01, 2013.
 
-pub mod cpu;
+#[macro_use]
 pub mod entries;
+
+pub mod cpu;
 mod film;
 // As the front end writes it.
 #[rustfmt::skip]
@@ -86,55 +88,11 @@ pub mod generated;
 pub mod gpu;
 pub mod host;
 pub mod kernels;
-mod methods;
+pub mod methods;
 pub mod sequence;
+pub mod settings;
+pub mod words;
 
 /// The crate's name and its shared files, `(path below src/, text)`, for a front end that lowers them to WGSL.
 #[cfg(feature = "shader-source")]
-pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
-    "glimt_render_gpu",
-    &[
-        ("lib.rs", include_str!("lib.rs")),
-        ("kernels/mod.rs", include_str!("kernels/mod.rs")),
-        ("kernels/bis.rs", include_str!("kernels/bis.rs")),
-        ("kernels/bvh.rs", include_str!("kernels/bvh.rs")),
-        ("kernels/camera.rs", include_str!("kernels/camera.rs")),
-        (
-            "kernels/candidates.rs",
-            include_str!("kernels/candidates.rs"),
-        ),
-        ("kernels/composite.rs", include_str!("kernels/composite.rs")),
-        ("kernels/capture.rs", include_str!("kernels/capture.rs")),
-        ("kernels/diagnose.rs", include_str!("kernels/diagnose.rs")),
-        (
-            "kernels/environment.rs",
-            include_str!("kernels/environment.rs"),
-        ),
-        ("kernels/estimator.rs", include_str!("kernels/estimator.rs")),
-        ("kernels/film.rs", include_str!("kernels/film.rs")),
-        ("kernels/frame.rs", include_str!("kernels/frame.rs")),
-        ("kernels/layers.rs", include_str!("kernels/layers.rs")),
-        ("kernels/light_sh.rs", include_str!("kernels/light_sh.rs")),
-        (
-            "kernels/light_target.rs",
-            include_str!("kernels/light_target.rs"),
-        ),
-        ("kernels/material.rs", include_str!("kernels/material.rs")),
-        ("kernels/mis.rs", include_str!("kernels/mis.rs")),
-        ("kernels/past.rs", include_str!("kernels/past.rs")),
-        ("kernels/pattern.rs", include_str!("kernels/pattern.rs")),
-        ("kernels/prt.rs", include_str!("kernels/prt.rs")),
-        ("kernels/pyramid.rs", include_str!("kernels/pyramid.rs")),
-        ("kernels/raster.rs", include_str!("kernels/raster.rs")),
-        ("kernels/ray.rs", include_str!("kernels/ray.rs")),
-        ("kernels/scene.rs", include_str!("kernels/scene.rs")),
-        ("kernels/sensor.rs", include_str!("kernels/sensor.rs")),
-        ("kernels/shade.rs", include_str!("kernels/shade.rs")),
-        ("kernels/smc.rs", include_str!("kernels/smc.rs")),
-        ("kernels/stage.rs", include_str!("kernels/stage.rs")),
-        ("kernels/texture.rs", include_str!("kernels/texture.rs")),
-        ("kernels/transfer.rs", include_str!("kernels/transfer.rs")),
-        ("kernels/triangle.rs", include_str!("kernels/triangle.rs")),
-        ("kernels/unwarp.rs", include_str!("kernels/unwarp.rs")),
-    ],
-);
+pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = ("glimt_render_gpu", generated::sources::FILES);

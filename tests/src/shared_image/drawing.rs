@@ -10,7 +10,7 @@ use glimt_render_gpu::host::render::{Pattern, Tonemap};
 use glimt_render_gpu::host::transfer::Transfer;
 use glimt_render_gpu::kernels::layers::LayerSample;
 use glimt_render_gpu::kernels::light_sh::{LightParams, light_coefficient};
-use glimt_render_gpu::kernels::prt::{VertexLight, shade_prt, shade_prt_layers, vertex_light};
+use glimt_render_gpu::kernels::prt::{VertexLight, shade_prt, vertex_light};
 use glimt_render_gpu::kernels::pyramid::{Taps, half_size, halve, taps};
 use glimt_render_gpu::kernels::raster::{DrawnLayout, RasterParams, unpack_layers};
 use naga_front_rust::Program;
@@ -148,12 +148,12 @@ pub fn drawing_pair(program: &Program, context: &GpuContext) -> Pair {
         words(
             &(0..rays)
                 .map(|ray| shade_prt(ray, &frame, map, view, surface))
-                .collect::<Vec<_>>(),
+                .collect::<Vec<Vec4>>(),
         ),
         words(
             &(0..rays)
-                .map(|ray| shade_prt_layers(ray, &frame, map, view, surface))
-                .collect::<Vec<_>>(),
+                .map(|ray| shade_prt(ray, &frame, map, view, surface))
+                .collect::<Vec<LayerSample>>(),
         ),
         words(
             &(0..corners)
@@ -220,12 +220,12 @@ pub fn drawing_pair(program: &Program, context: &GpuContext) -> Pair {
     let gpu = [
         of_lights.read(context),
         run(
-            &format!("{KERNELS}::prt::shade_prt"),
+            &format!("{KERNELS}::prt::shade_prt::<glam::Vec4>"),
             Output::new::<Vec4>(context, rays),
             rays,
         ),
         run(
-            &format!("{KERNELS}::prt::shade_prt_layers"),
+            &format!("{KERNELS}::prt::shade_prt::<{KERNELS}::layers::LayerSample>"),
             Output::new::<LayerSample>(context, rays),
             rays,
         ),

@@ -3,11 +3,10 @@
 use glam::{Mat4, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::Arg;
-use glimt_render_gpu::host::render::{
-    BisSettings, CandidateSource, Method, Pattern, RenderSettings, Renderer, SmcSettings, Tonemap,
-};
+use glimt_render_gpu::host::render::{Pattern, RenderSettings, Renderer, Tonemap};
 use glimt_render_gpu::kernels::past::{Past, RayState};
-use glimt_render_gpu::kernels::{shade, smc};
+use glimt_render_gpu::kernels::{bis, shade, smc};
+use glimt_render_gpu::methods::{CandidateSource, MethodMemory, Smc};
 
 use super::frame::{RAYS, SIZE, Stage, environment, settings};
 use super::{Output, Pair, words};
@@ -19,23 +18,27 @@ fn value<T: bytemuck::NoUninit>(value: &T) -> Arg<'_> {
 impl Stage<'_> {
     pub(super) fn picked(&self) -> Pair {
         let settings = RenderSettings {
-            method: Method::Bis,
             ..settings(Pattern::OwenSobol, Tonemap::Srgb)
         };
-        let bis = BisSettings {
+        let bis = bis::Bis {
             candidates: 9,
             samples: 3,
             source: CandidateSource::Mixture,
         };
-        let (frame, bis) = (settings.frame_params(), bis.params());
-        let (frame, bis) = (frame.expect("settings"), bis.expect("settings"));
+        let frame = settings.frame_params().expect("settings");
         let rays = SIZE.x * SIZE.y * RAYS;
         let cpu: Vec<Vec4> = (0..rays)
-            .map(|ray| shade::shade_bis(ray, &frame, &bis, self.env.view(), self.scene.view()))
+            .map(|ray| shade::shade(ray, &frame, &bis, self.env.view(), self.scene.view()))
             .collect();
         let out = Output::new::<Vec4>(self.context, rays);
-        let more = [("bis", value(&bis))];
-        self.shade_with("shade::shade_bis", &frame, &more, &out, rays);
+        let more = [("estimator", value(&bis))];
+        self.shade_with(
+            "shade::shade::<glimt_render_gpu::kernels::bis::Bis, glam::Vec4>",
+            &frame,
+            &more,
+            &out,
+            rays,
+        );
         Pair {
             name: "picked".to_owned(),
             cpu: words(&cpu),
@@ -45,14 +48,13 @@ impl Stage<'_> {
 
     /// From a frame of the CPU's, seen from a little beside, to the next one.
     pub(super) fn followed(&self) -> Pair {
-        let of_smc = SmcSettings {
+        let of_smc = Smc {
             reinitialise: 1.5,
             max_age: 8,
-            ..SmcSettings::default()
+            ..Smc::default()
         };
         let settings = RenderSettings {
-            method: Method::Smc,
-            smc: of_smc,
+            method: of_smc.into(),
             ..settings(Pattern::OwenSobol, Tonemap::Srgb)
         };
         let mut before = settings;
@@ -63,11 +65,14 @@ impl Stage<'_> {
         renderer
             .render_frame(&self.scene, &light, &before, &|_| ())
             .expect("a frame");
-        let state = renderer.smc_state().expect("a state").expect("a state");
+        let memory = renderer.memory().expect("a state").expect("a state");
+        let MethodMemory::Smc(state) = memory else {
+            unreachable!("no other method keeps anything");
+        };
 
         let frame = settings.frame_params().expect("settings");
         let (mean, previous) = (self.env.mean_luminance(), light.mean_luminance());
-        let params = of_smc.params(mean, previous).expect("settings");
+        let params = of_smc.params(mean, previous);
         let view = of_smc.past_view(&state.past.view, 0, SIZE.x * SIZE.y);
         let motions = vec![Mat4::IDENTITY; self.scene.transforms().len()];
         let n = of_smc.particles as usize;

@@ -10,7 +10,8 @@ use glimt_render_gpu::host::scene::{
 };
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::environment::Environment;
-use glimt_render_gpu::kernels::frame::{BACKGROUND_TRANSPARENT, FrameParams, SHADOW_ADD};
+use glimt_render_gpu::kernels::frame::{Background, FrameParams, Shadow};
+use glimt_render_gpu::kernels::mis::Mis;
 use glimt_render_gpu::kernels::scene::Scene;
 use glimt_render_gpu::kernels::{diagnose, film, shade};
 use naga_front_rust::Program;
@@ -19,6 +20,16 @@ use super::{Output, Pair, launch, words};
 
 pub(super) const SIZE: UVec2 = UVec2::new(40, 30);
 pub(super) const RAYS: u32 = 4;
+/// One sample of each strategy on a ray.
+pub(super) const MIS: Mis = Mis {
+    brdf_samples: 1,
+    env_samples: 1,
+};
+/// The kernel of multiple importance sampling, below `kernels`.
+const MIS_ON_RAYS: &str = "shade::shade::<glimt_render_gpu::kernels::mis::Mis, glam::Vec4>";
+/// The same in layers.
+pub(super) const MIS_IN_LAYERS: &str = "shade::shade::<glimt_render_gpu::kernels::mis::Mis, \
+     glimt_render_gpu::kernels::layers::LayerSample>";
 
 /// A frame by each sample pattern, then the stages of the first, then frames whose floor is a catcher.
 ///
@@ -39,10 +50,10 @@ pub fn frame_pairs(program: &Program, context: &GpuContext) -> Vec<Pair> {
     ];
     pairs.extend([
         stage.diagnose("uniforms", |ray, frame, _, _| {
-            diagnose::uniforms(ray, frame)
+            diagnose::uniforms(ray, frame, &MIS)
         }),
         stage.diagnose("env_sample", |ray, frame, env, _| {
-            diagnose::env_sample(ray, frame, env)
+            diagnose::env_sample(ray, frame, &MIS, env)
         }),
         stage.diagnose("primary_hit", |ray, frame, _, scene| {
             diagnose::primary_hit(ray, frame, scene)
@@ -51,15 +62,15 @@ pub fn frame_pairs(program: &Program, context: &GpuContext) -> Vec<Pair> {
             diagnose::surface(ray, frame, scene)
         }),
         stage.diagnose("brdf_sample", |ray, frame, _, scene| {
-            diagnose::brdf_sample(ray, frame, scene)
+            diagnose::brdf_sample(ray, frame, &MIS, scene)
         }),
     ]);
     pairs.extend([stage.picked(), stage.followed()]);
     stage.scene = scene(true);
     let base = params(Pattern::OwenSobol, Tonemap::Srgb);
     let transparent = FrameParams {
-        background: BACKGROUND_TRANSPARENT,
-        shadow: SHADOW_ADD,
+        background: Background::Transparent,
+        shadow: Shadow::Add,
         ..base
     };
     pairs.extend([
@@ -83,7 +94,7 @@ impl Stage<'_> {
         let (pixels, rays) = (SIZE.x * SIZE.y, SIZE.x * SIZE.y * RAYS);
         let (env, scene) = (self.env.view(), self.scene.view());
         let samples: Vec<Vec4> = (0..rays)
-            .map(|ray| shade::shade_mis(ray, &frame, env, scene))
+            .map(|ray| shade::shade(ray, &frame, &MIS, env, scene))
             .collect();
         let linear: Vec<Vec4> = (0..pixels)
             .map(|pixel| film::reconstruct(pixel, &frame, &samples))
@@ -102,7 +113,7 @@ impl Stage<'_> {
             ("samples", Arg::Buffer(&out[0].buffer)),
             ("linear", Arg::Buffer(&out[1].buffer)),
         ];
-        self.shade("shade::shade_mis", &frame, &out[0], rays);
+        self.shade(MIS_ON_RAYS, &frame, &out[0], rays);
         for (kernel, out) in [("reconstruct", &out[1]), ("tonemap", &out[2])] {
             let kernel = format!("glimt_render_gpu::kernels::film::{kernel}");
             launch(
@@ -159,6 +170,11 @@ impl Stage<'_> {
         let mut args = vec![("frame", Arg::Value(bytemuck::bytes_of(frame)))];
         args.extend(scene.args());
         args.extend(env.args());
+        args.push(("mis", Arg::Value(bytemuck::bytes_of(&MIS))));
+        let known = |path: &str| more.iter().any(|(name, _)| *name == path);
+        if !known("estimator") {
+            args.push(("estimator", Arg::Value(bytemuck::bytes_of(&MIS))));
+        }
         args.extend(more);
         let kernel = format!("glimt_render_gpu::kernels::{kernel}");
         launch(

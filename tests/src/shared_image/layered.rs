@@ -8,7 +8,7 @@ use glimt_render_gpu::kernels::frame::FrameParams;
 use glimt_render_gpu::kernels::layers::{LayerSample, PixelLayers, reconstruct_layers};
 use glimt_render_gpu::kernels::shade;
 
-use super::frame::{RAYS, SIZE, Stage};
+use super::frame::{MIS, MIS_IN_LAYERS, RAYS, SIZE, Stage};
 use super::{Output, Pair, launch, words};
 
 impl Stage<'_> {
@@ -18,7 +18,7 @@ impl Stage<'_> {
         let (env, scene) = (self.env.view(), self.scene.view());
         let plate = plate();
         let samples: Vec<LayerSample> = (0..rays)
-            .map(|ray| shade::shade_mis_layers(ray, frame, env, scene))
+            .map(|ray| shade::shade(ray, frame, &MIS, env, scene))
             .collect();
         let layers: Vec<PixelLayers> = (0..pixels)
             .map(|pixel| reconstruct_layers(pixel, frame, env, &samples))
@@ -32,7 +32,7 @@ impl Stage<'_> {
 
         let context = self.context;
         let out_samples = Output::new::<LayerSample>(context, rays);
-        self.shade("shade::shade_mis_layers", frame, &out_samples, rays);
+        self.shade(MIS_IN_LAYERS, frame, &out_samples, rays);
         let out_layers = Output::new::<PixelLayers>(context, pixels);
         let plate = context.buffer_of("plate", plate.pixels());
         let plate = plate.expect("a small buffer");

@@ -2,7 +2,7 @@
 
 use crate::shot::digest::{self, Hash};
 use glam::Vec3;
-use glimt_render_gpu::generated::entries::TRANSFER;
+use glimt_render_gpu::generated::digests;
 use glimt_render_gpu::host::bake::BakeSettings;
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use serde::{Deserialize, Serialize};
@@ -69,7 +69,7 @@ impl Header {
             directions: settings.directions,
             seed: settings.seed,
             shadowed: true,
-            kernel: digest::hex(&digest::of_text(&TRANSFER.wgsl)),
+            kernel: digests::BAKE.to_owned(),
             scene: digest::hex(&of_bytes(hashes)),
             objects,
         }

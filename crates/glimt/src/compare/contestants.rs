@@ -308,7 +308,7 @@ impl Contestant {
     /// Whether it goes on from the frame before.
     #[must_use]
     pub fn is_stateful(&self) -> bool {
-        self.shot.render.goes_on()
+        self.shot.render.continues()
     }
 
     /// What the renderer says of its settings.

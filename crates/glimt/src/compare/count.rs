@@ -1,32 +1,19 @@
 //! Host file: the count of a contestant that its time is fitted by.
 
 use crate::report;
-use crate::shot::{Method, Shot};
+use crate::shot::Shot;
+use glimt_render_gpu::methods::Method as Estimator;
 
 /// The most of any count: what a shot may have.
 pub const MOST: u32 = 65_536;
 
 /// What a contestant has more of when it is given more time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Knob {
     /// Rays through each pixel.
     Rays(u32),
-    /// MIS on one ray: samples of the BRDF and of the environment, in the proportion that they were given in.
-    Samples {
-        /// Of the BRDF.
-        brdf: u32,
-        /// Of the environment.
-        env: u32,
-    },
-    /// BIS on one ray: picks N, with M / N candidates for each.
-    Picks {
-        /// M.
-        candidates: u32,
-        /// N.
-        samples: u32,
-    },
-    /// SMC on one ray: particles N.
-    Particles(u32),
+    /// What its estimator counts on the one ray that there is.
+    OnARay(Estimator),
     /// Precomputed transfer: it draws nothing at random.
     Fixed,
 }
@@ -36,19 +23,10 @@ impl Knob {
     /// a ray.
     #[must_use]
     pub fn of(shot: &Shot) -> Self {
-        let render = &shot.render;
-        match render.method {
-            Method::Prt => Self::Fixed,
-            _ if shot.image.rays_per_pixel > 1 => Self::Rays(shot.image.rays_per_pixel),
-            Method::Bis => Self::Picks {
-                candidates: render.bis.candidates,
-                samples: render.bis.samples,
-            },
-            Method::Smc => Self::Particles(render.smc.particles),
-            Method::Mis => Self::Samples {
-                brdf: render.brdf_samples,
-                env: render.env_samples,
-            },
+        match (shot.render.estimator(), shot.image.rays_per_pixel) {
+            (None, _) => Self::Fixed,
+            (Some(estimator), 1) => Self::OnARay(estimator),
+            (Some(_), rays) => Self::Rays(rays),
         }
     }
 
@@ -62,9 +40,8 @@ impl Knob {
     #[must_use]
     pub fn count(self) -> u32 {
         match self {
-            Self::Rays(n) | Self::Particles(n) => n,
-            Self::Samples { brdf, env } => brdf.max(env),
-            Self::Picks { samples, .. } => samples,
+            Self::Rays(n) => n,
+            Self::OnARay(estimator) => estimator.count(),
             Self::Fixed => 1,
         }
         .max(1)
@@ -73,22 +50,12 @@ impl Knob {
     /// The keys that give another count.
     #[must_use]
     pub fn keys(self, count: u32) -> Vec<String> {
-        let scaled = |other: u32| {
-            let n = f64::from(count) * f64::from(other) / f64::from(self.count());
-            // A kind of sample that there was stays.
-            (n.round() as u32).clamp(other.min(1), MOST)
-        };
         match self {
             Self::Rays(_) => vec![format!("image.rays_per_pixel={count}")],
-            Self::Samples { brdf, env } => vec![
-                format!("render.brdf_samples={}", scaled(brdf)),
-                format!("render.env_samples={}", scaled(env)),
-            ],
-            Self::Picks { candidates, .. } => vec![
-                format!("render.bis.candidates={}", scaled(candidates)),
-                format!("render.bis.samples={count}"),
-            ],
-            Self::Particles(_) => vec![format!("render.smc.particles={count}")],
+            Self::OnARay(estimator) => {
+                let keys = estimator.with_count(count).into_iter();
+                keys.map(|(key, n)| format!("render.{key}={n}")).collect()
+            }
             Self::Fixed => Vec::new(),
         }
     }
@@ -98,19 +65,11 @@ impl Knob {
     pub fn describe(self, shot: &Shot) -> String {
         let now = Self::of(shot);
         match now {
-            Self::Rays(n) => match shot.render.method {
-                Method::Mis => format!(
-                    "{n} rays × ({} + {})",
-                    shot.render.brdf_samples, shot.render.env_samples
-                ),
+            Self::Rays(n) => match shot.render.estimator() {
+                Some(mis @ Estimator::Mis(_)) => format!("{n} rays × ({})", mis.describe()),
                 _ => report::count(n as usize, "ray"),
             },
-            Self::Samples { brdf, env } => format!("{brdf} + {env} on 1 ray"),
-            Self::Picks {
-                candidates,
-                samples,
-            } => format!("M = {candidates}, N = {samples} on 1 ray"),
-            Self::Particles(n) => format!("N = {n} on 1 ray"),
+            Self::OnARay(estimator) => format!("{} on 1 ray", estimator.describe()),
             Self::Fixed => format!("{} bands", shot.render.prt.bands),
         }
     }
@@ -119,6 +78,7 @@ impl Knob {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shot::Method;
 
     #[test]
     fn counts_keep_their_proportions() {

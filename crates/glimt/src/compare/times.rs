@@ -128,7 +128,7 @@ impl Clock for FrameClock<'_, '_> {
             && let Some(before) = plan.before(frame)
         {
             // What is timed is a frame in the middle of a shot.
-            renderer.forget_past()?;
+            renderer.forget_past();
             renderer.render(&contestant.shot, before, seed)?;
         }
         let image = renderer.render(&contestant.shot, frame, seed)?;

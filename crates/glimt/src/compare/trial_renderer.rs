@@ -4,7 +4,7 @@ use super::contestants::Contestant;
 use super::lineage::Lineage;
 use crate::bake;
 use crate::cli::Device;
-use crate::device;
+use crate::device::{self, Renderers};
 use crate::error::{Error, Kind, Result};
 use crate::job::Job;
 use crate::notes::Notes;
@@ -13,7 +13,7 @@ use crate::setup::Setup;
 use crate::shot::{self, Shot};
 use glam::{UVec2, Vec3, Vec4};
 use glimt_render_gpu::host::env::PreparedEnv;
-use glimt_render_gpu::host::render::{Method, RenderSettings, Renderer};
+use glimt_render_gpu::host::render::RenderSettings;
 use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::film::tonemap;
 use std::sync::Arc;
@@ -43,7 +43,7 @@ pub struct Rendered {
 pub struct TrialRenderer<'a> {
     /// The shot.
     pub job: Job,
-    renderer: Box<dyn Renderer>,
+    renderers: Renderers,
     scene: SceneBuffers,
     /// File and bands of the transfer that the scene has.
     transfer: Option<(String, u32)>,
@@ -67,7 +67,7 @@ impl<'a> TrialRenderer<'a> {
         let refused = |e| job.setup.refused_scene(job.setup.first, &e);
         let scene = SceneBuffers::build(&job.setup.scene).map_err(refused)?;
         Ok(Self {
-            renderer: device::open(device)?,
+            renderers: device::open(device)?,
             scene,
             transfer: None,
             lights: LightCache {
@@ -83,7 +83,7 @@ impl<'a> TrialRenderer<'a> {
     /// The device's name.
     #[must_use]
     pub fn device(&self) -> String {
-        self.renderer.name()
+        self.renderers.name()
     }
 
     /// Width and height of the image.
@@ -103,7 +103,7 @@ impl<'a> TrialRenderer<'a> {
             seed,
             // What falls on catchers is a layer.
             layers: self.scene.has_catcher(),
-            diagnostics: settings.method == Method::Smc,
+            diagnostics: settings.method.has_memory(),
             ..settings
         })
     }
@@ -147,9 +147,9 @@ impl<'a> TrialRenderer<'a> {
         self.scene
             .pose(&setup.pose(frame)?.transforms)
             .map_err(refused)?;
+        let renderer = self.renderers.of(shot)?;
         let began = Instant::now();
-        let image = self
-            .renderer
+        let image = renderer
             .render_frame(&self.scene, &light, &settings, &|_| ())
             .map_err(device::failure)?;
         let seconds = began.elapsed().as_secs_f64();
@@ -170,7 +170,7 @@ impl<'a> TrialRenderer<'a> {
             )
             .fix("please report it, with the shot"));
         }
-        let phases = self.renderer.phases();
+        let phases = renderer.phases();
         Ok(Rendered {
             frame,
             seed,
@@ -185,11 +185,8 @@ impl<'a> TrialRenderer<'a> {
     }
 
     /// Forgets the last frame: a contestant that continues from frame to frame re-initialises in the next.
-    ///
-    /// # Errors
-    /// The device fails.
-    pub fn forget_past(&mut self) -> Result<()> {
-        self.renderer.set_smc_state(None).map_err(device::failure)
+    pub fn forget_past(&mut self) {
+        self.renderers.forget();
     }
 
     /// What is displayed of radiance, over black.

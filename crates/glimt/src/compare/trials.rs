@@ -170,7 +170,7 @@ pub fn pilot(
     for k in 0..PILOT_SEEDS {
         // Others than those of the trials.
         let seed = plan.seed(contestant, k).wrapping_add(1 << 30);
-        renderer.forget_past()?;
+        renderer.forget_past();
         for &frame in &frames {
             let image = renderer.render(&contestant.shot, frame, seed)?;
             progress(image.seconds);
@@ -288,7 +288,7 @@ impl<'a> Trials<'a> {
                 continue;
             }
             let seed = plan.seed(contestant, k);
-            renderer.forget_past()?;
+            renderer.forget_past();
             let mut before: Option<Rendered> = None;
             for &frame in &frames {
                 let image = renderer.render(&contestant.shot, frame, seed)?;

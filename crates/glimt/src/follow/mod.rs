@@ -133,14 +133,15 @@ impl Follow<'_> {
         let mut scene =
             SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
         bake::set_transfer(setup, &setup.shot, &mut scene)?;
-        let mut renderer = device::open(self.device)?;
+        let mut renderers = device::open(self.device)?;
         let files = watch.files().clone();
         self.reporter.start_following(
             &files.folder().join(files.pattern()),
             &setup.out,
-            &renderer.name(),
+            &renderers.name(),
             setup.triangles,
         );
+        let renderer = renderers.of(&setup.shot)?;
         let tally = Tally::new(self.reporter);
         let stop = AtomicBool::new(false);
         let stamps = std::thread::scope(|scope| {
@@ -151,7 +152,7 @@ impl Follow<'_> {
             let (stop, film, tally) = (&stop, film.as_ref(), &tally);
             let taking = scope.spawn(move || take_frames(&mut taker, stop, &hand_over));
             let writing = scope.spawn(move || self.write_frames(film, tally, finished));
-            let rendered = self.render_frames(&mut *renderer, &mut scene, &taken, &finish);
+            let rendered = self.render_frames(renderer, &mut scene, &taken, &finish);
             stop.store(true, Ordering::Relaxed);
             drop((taken, finish));
             let taken = taking

@@ -233,7 +233,7 @@ impl<'a> Taker<'a> {
         if let Some(plate) = &plate {
             inputs = digest::join([&inputs, &plate.hash]);
         }
-        let is_chain = setup.shot.render.goes_on();
+        let is_chain = setup.shot.render.continues();
         if is_chain {
             self.chain = digest::join([&self.chain, &inputs]);
             inputs = self.chain;

@@ -1,11 +1,11 @@
 //! Host file: what a shot must fulfil beyond being well-formed.
 
-use super::methods::{self, Bis, Prt, Smc};
 use super::parse::Source;
-use super::{Ball, Camera, Colour, Mapping, Method, Shot, range};
+use super::{Ball, Camera, Colour, Mapping, Method, Prt, Shot, range};
 use crate::error::{Error, Result};
 use glimt_render_gpu::host::bake;
 use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
+use glimt_render_gpu::settings::SettingError;
 
 /// Largest width or height of an image.
 const MAX_SIDE: u32 = 32_768;
@@ -103,42 +103,22 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
     check_objects(shot, source)?;
 
     let render = &shot.render;
-    check_bis(&render.bis, source)?;
-    check_smc(&render.smc, source)?;
+    render.check().map_err(|e| refused(source, &e))?;
     check_prt(&render.prt, source)?;
-    let samples = [
-        ("render.brdf_samples", render.brdf_samples),
-        ("render.env_samples", render.env_samples),
-    ];
-    for (key, n) in samples {
-        if n > 65_536 {
-            return bad(key, "it is above 65536", "1 is usual");
-        }
-    }
-    for (key, n) in samples {
-        if u64::from(n) * u64::from(image.rays_per_pixel) > u64::from(u32::MAX) {
-            return bad(
-                key,
-                &format!(
-                    "with image.rays_per_pixel = {} a pixel takes 2^32 of them",
-                    image.rays_per_pixel
-                ),
-                "lower one of the two",
-            );
-        }
+    let estimator = render.estimator();
+    let samples = estimator.map_or(1, |estimator| estimator.samples_per_ray());
+    if u64::from(samples) * u64::from(image.rays_per_pixel) > u64::from(u32::MAX) {
+        return bad(
+            "image.rays_per_pixel",
+            &format!("with {samples} samples on each ray a pixel takes 2^32 of them"),
+            "lower one of the two",
+        );
     }
     if render.method != Method::Smc && shot.output.aovs.iter().any(|aov| aov.is_diagnostic()) {
         return bad(
             "output.aovs",
             "\"ess\", \"z-ratio\", \"age\" and \"started\" belong to the method \"smc\"",
             "leave them out, or set render.method = \"smc\"",
-        );
-    }
-    if render.brdf_samples + render.env_samples == 0 {
-        return bad(
-            "render.brdf_samples",
-            "it is 0, and render.env_samples too",
-            "one of them must be at least 1",
         );
     }
     if !render.frames.is_empty() {
@@ -266,79 +246,13 @@ pub fn check_ball(ball: &Ball, source: &Source) -> Result<()> {
     Ok(())
 }
 
-fn check_bis(bis: &Bis, source: &Source) -> Result<()> {
-    for (key, n) in [("candidates", bis.candidates), ("samples", bis.samples)] {
-        if n == 0 || n > 65_536 {
-            return Err(source
-                .error(
-                    &format!("render.bis.{key}"),
-                    "it is not between 1 and 65536",
-                )
-                .fix("the paper has 400 candidates and 20 samples"));
-        }
-    }
-    Ok(())
-}
-
-fn check_smc(smc: &Smc, source: &Source) -> Result<()> {
-    let bad = |key: &str, what: &str, fix: &str| {
-        Err(source.error(&format!("render.smc.{key}"), what).fix(fix))
+/// What the renderer says of a setting, with the setting's place.
+pub fn refused(source: &Source, error: &SettingError) -> Error {
+    let key = match error.table {
+        "" => format!("render.{}", error.key),
+        table => format!("render.{table}.{}", error.key),
     };
-    if smc.particles == 0 || smc.particles > 4096 {
-        return bad("particles", "it is not between 1 and 4096", "8 is usual");
-    }
-    if smc.candidates == 0 || smc.candidates > 65_536 {
-        return bad("candidates", "it is not between 1 and 65536", "64 is usual");
-    }
-    if smc.intermediate > 1000 {
-        return bad("intermediate", "it is above 1000", "3 is usual");
-    }
-    if smc.source == methods::Source::Environment {
-        return bad(
-            "source",
-            "the light alone misses directions where it is black and the target is not",
-            "take \"brdf\" or \"mixture\"",
-        );
-    }
-    for (key, share) in [
-        ("cap_share", smc.cap_share),
-        ("light_share", smc.light_share),
-    ] {
-        if !(share >= 0.0 && share <= 1.0) {
-            return bad(key, "it is not between 0 and 1", "0.5 is usual");
-        }
-    }
-    if !(smc.ess_threshold >= 0.0 && smc.ess_threshold <= 2.0) {
-        return bad(
-            "ess_threshold",
-            "it is not between 0 and 2",
-            "0.67 is usual, 0 for never",
-        );
-    }
-    if !(smc.floor >= 0.0 && smc.floor <= 1e6) {
-        return bad("floor", "it is not between 0 and 1e6", "0.01 is usual");
-    }
-    if !(smc.cap_deg > 0.0 && smc.cap_deg <= 180.0) {
-        return bad("cap_deg", "it is not between 0 and 180", "5 is usual");
-    }
-    if !(smc.reinitialise == 0.0 || smc.reinitialise >= 1.0 && smc.reinitialise <= 1e30) {
-        return bad(
-            "reinitialise",
-            "it is a factor below 1",
-            "1.25 is usual, 0 for never",
-        );
-    }
-    if !(smc.depth_tolerance >= 0.0) {
-        return bad("depth_tolerance", "it is not 0 or more", "0.02 is usual");
-    }
-    if !(smc.normal_tolerance_deg >= 0.0 && smc.normal_tolerance_deg <= 180.0) {
-        return bad(
-            "normal_tolerance_deg",
-            "it is not between 0 and 180",
-            "25 is usual",
-        );
-    }
-    Ok(())
+    source.error(&key, &error.what).fix(error.fix)
 }
 
 fn check_prt(prt: &Prt, source: &Source) -> Result<()> {
@@ -353,27 +267,6 @@ fn check_prt(prt: &Prt, source: &Source) -> Result<()> {
             "directions",
             "it is not between 1 and 1048576",
             "2500 is usual, 100 a draft",
-        );
-    }
-    if prt.level > 15 {
-        return bad(
-            "level",
-            "it is above 15",
-            "0 projects the light map as it is, 1 after halving it once",
-        );
-    }
-    if !(prt.window >= 0.0 && prt.window <= 1e6) {
-        return bad(
-            "window",
-            "it is not between 0 and 1e6",
-            "as many as there are bands is usual; 0 for no window",
-        );
-    }
-    if !(prt.temporal >= 0.0 && prt.temporal <= 1e6) {
-        return bad(
-            "temporal",
-            "it is not between 0 and 1e6",
-            "0 takes each frame's light as it is, 1 as much of the frame before",
         );
     }
     Ok(())

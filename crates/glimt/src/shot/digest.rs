@@ -2,12 +2,7 @@
 
 use super::Shot;
 use crate::error::{Error, Result};
-use glimt_render_gpu::generated::entries::{
-    COMPOSITE_ALONE, COMPOSITE_OVER_PLATE, DISPLAY_OVER_PLATE, HALVE, LIGHT_COEFFICIENT,
-    RECONSTRUCT, RECONSTRUCT_LAYERS, SHADE_BIS, SHADE_BIS_LAYERS, SHADE_MIS, SHADE_MIS_LAYERS,
-    SHADE_SMC, SHADE_SMC_LAYERS, TAPS, TONEMAP, UNPACK_LAYERS, VERTEX_LIGHT,
-};
-use glimt_render_gpu::gpu::HAND_WRITTEN;
+use glimt_render_gpu::generated::digests;
 use sha2::{Digest, Sha256};
 use std::fs::File;
 use std::io::Read;
@@ -80,30 +75,7 @@ pub fn of_frame(scene: &Hash, inputs: &Hash, frame: u32) -> String {
     hasher.update(VERSION.as_bytes());
     hasher.update([0]);
     // What the kernels compute, whatever the version says: their shaders are made from them.
-    for entry in [
-        &SHADE_MIS,
-        &RECONSTRUCT,
-        &TONEMAP,
-        &SHADE_MIS_LAYERS,
-        &SHADE_BIS,
-        &SHADE_BIS_LAYERS,
-        &SHADE_SMC,
-        &SHADE_SMC_LAYERS,
-        &RECONSTRUCT_LAYERS,
-        &COMPOSITE_OVER_PLATE,
-        &DISPLAY_OVER_PLATE,
-        &COMPOSITE_ALONE,
-        &TAPS,
-        &HALVE,
-        &LIGHT_COEFFICIENT,
-        &VERTEX_LIGHT,
-        &UNPACK_LAYERS,
-    ] {
-        hasher.update(entry.wgsl.as_bytes());
-    }
-    for wgsl in HAND_WRITTEN {
-        hasher.update(wgsl.as_bytes());
-    }
+    hasher.update(digests::PIXELS.as_bytes());
     hasher.update(scene);
     hasher.update(inputs);
     hasher.update(frame.to_le_bytes());

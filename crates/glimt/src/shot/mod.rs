@@ -2,10 +2,12 @@
 
 pub mod check;
 pub mod digest;
-pub mod methods;
 pub mod parse;
 pub mod range;
+mod render;
 
+pub use glimt_render_gpu::host::render::{Background, Filter, Pattern, Shadow, Tonemap};
+pub use render::{Method, Prt, Render};
 use serde::{Deserialize, Serialize};
 
 /// A shot: what is rendered, from where, under which light, how, and where it goes.
@@ -39,12 +41,15 @@ pub struct Image {
     /// Rays through each pixel.
     pub rays_per_pixel: u32,
     /// Where in its pixel a ray passes.
+    #[serde(with = "glimt_render_gpu::words")]
     pub filter: Filter,
     /// Curve of the display image.
+    #[serde(with = "glimt_render_gpu::words")]
     pub tonemap: Tonemap,
     /// Exposure of the display image, in stops.
     pub exposure_ev: f32,
     /// What is seen where no object is.
+    #[serde(with = "glimt_render_gpu::words")]
     pub background: Background,
 }
 
@@ -258,38 +263,13 @@ pub struct Backplate {
     /// File of a still, or of a sequence with `####` for the frame's number.
     pub frames: String,
     /// How it takes shadows.
+    #[serde(with = "glimt_render_gpu::words")]
     pub shadow: Shadow,
     /// How it is fitted to an image of other proportions.
     pub fit: Fit,
     /// Frames per second, if not those of the probe: frames are then matched by time, from each one's first on.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fps: Option<f32>,
-}
-
-/// How it is rendered.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct Render {
-    /// Estimator of reflected light.
-    pub method: Method,
-    /// BRDF samples on each ray.
-    pub brdf_samples: u32,
-    /// Environment samples on each ray.
-    pub env_samples: u32,
-    /// Of the method "bis".
-    pub bis: methods::Bis,
-    /// Of the method "smc".
-    pub smc: methods::Smc,
-    /// Of the method "prt".
-    pub prt: methods::Prt,
-    /// Settings under one name; keys that are given beside it win.
-    pub preset: Preset,
-    /// Where the uniforms come from.
-    pub pattern: Pattern,
-    /// Seed of the random streams.
-    pub seed: u32,
-    /// Frames of the shot, as `1-96`; all that the probe has, if empty.
-    pub frames: String,
 }
 
 /// What is written.
@@ -321,39 +301,12 @@ macro_rules! words {
 pub(crate) use words;
 
 words! {
-    /// Where in its pixel a ray passes.
-    Filter {
-        /// Anywhere in the pixel.
-        #[default] Box = "box",
-        /// Through its centre.
-        Centre = "centre",
-    }
-}
-words! {
-    /// Curve of the display image.
-    Tonemap {
-        /// Clipped, then the sRGB curve.
-        #[default] Srgb = "srgb",
-        /// `x / (1 + x)`, then the sRGB curve.
-        Reinhard = "reinhard",
-    }
-}
-words! {
     /// What is between two keys of the camera.
     Interpolation {
         /// A cubic curve through all keys.
         #[default] Smooth = "smooth",
         /// A straight line from each key to the next.
         Linear = "linear",
-    }
-}
-words! {
-    /// What is seen where no object is.
-    Background {
-        /// The light.
-        #[default] Environment = "environment",
-        /// Nothing, with alpha 0.
-        Transparent = "transparent",
     }
 }
 words! {
@@ -374,28 +327,6 @@ words! {
         #[default] Y = "y",
         /// As in the world here.
         Z = "z",
-    }
-}
-words! {
-    /// Estimator of reflected light.
-    Method {
-        /// Multiple importance sampling.
-        #[default] Mis = "mis",
-        /// Bidirectional importance sampling.
-        Bis = "bis",
-        /// Sequential Monte Carlo.
-        Smc = "smc",
-        /// Precomputed radiance transfer.
-        Prt = "prt",
-    }
-}
-words! {
-    /// How a backplate takes shadows.
-    Shadow {
-        /// Times the share of light that is left.
-        #[default] Multiply = "multiply",
-        /// Minus the light that is lost.
-        Add = "add",
     }
 }
 words! {
@@ -439,17 +370,6 @@ words! {
     }
 }
 words! {
-    /// Where the uniforms come from.
-    Pattern {
-        /// Owen-scrambled Sobol points.
-        #[default] OwenSobol = "owen-sobol",
-        /// Independent uniforms.
-        Independent = "independent",
-        /// Independent uniforms in strata.
-        Stratified = "stratified",
-    }
-}
-words! {
     /// Codec of the video.
     Codec {
         /// H.264 where `ffmpeg` is found, else AV1.
@@ -458,18 +378,6 @@ words! {
         Av1 = "av1",
         /// H.264, encoded by `ffmpeg`.
         H264 = "h264",
-    }
-}
-
-impl Render {
-    /// Whether each frame goes on from the one before it.
-    #[must_use]
-    pub fn goes_on(&self) -> bool {
-        match self.method {
-            Method::Smc => true,
-            Method::Prt => self.prt.temporal > 0.0,
-            Method::Mis | Method::Bis => false,
-        }
     }
 }
 
@@ -567,23 +475,6 @@ impl Default for Material {
             diffuse: [0.5; 3],
             specular: [0.0; 3],
             exponent: 50.0,
-        }
-    }
-}
-
-impl Default for Render {
-    fn default() -> Self {
-        Self {
-            method: Method::Mis,
-            brdf_samples: 1,
-            env_samples: 1,
-            bis: methods::Bis::default(),
-            smc: methods::Smc::default(),
-            prt: methods::Prt::default(),
-            preset: Preset::None,
-            pattern: Pattern::OwenSobol,
-            seed: 1,
-            frames: String::new(),
         }
     }
 }

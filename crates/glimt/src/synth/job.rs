@@ -19,7 +19,7 @@ use crate::report::{FrameStatus, Reporter, count, shown};
 use crate::shot::digest::{self, Hash};
 use crate::shot::{Mapping, parse, range};
 use glam::{UVec2, Vec4};
-use glimt_render_gpu::generated::entries::{EXPOSE, FILM_BALL, FILM_LATLONG, FILM_PLATE};
+use glimt_render_gpu::generated::digests;
 use rayon::prelude::*;
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -136,9 +136,7 @@ impl Job {
 
         let mut hasher = Sha256::new();
         hasher.update(digest::VERSION.as_bytes());
-        for entry in [&FILM_BALL, &FILM_PLATE, &FILM_LATLONG, &EXPOSE] {
-            hasher.update(entry.wgsl.as_bytes());
-        }
+        hasher.update(digests::SYNTH.as_bytes());
         let mut plain = synth.clone();
         // Contents count, not names.
         plain.light.map.clear();

@@ -1,4 +1,4 @@
-// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct BvhNode {
     min: vec3<f32>,
@@ -53,8 +53,6 @@ struct FrameParams {
     rays_per_pixel: u32,
     up: vec3<f32>,
     first_pixel: u32,
-    brdf_samples: u32,
-    env_samples: u32,
     pattern: u32,
     filter_: u32,
     background: u32,
@@ -64,7 +62,14 @@ struct FrameParams {
     exposure: f32,
     shadow: u32,
     film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
     unused_c: u32,
+}
+
+struct Mis {
+    brdf_samples: u32,
+    env_samples: u32,
 }
 
 struct PixelPattern {
@@ -160,6 +165,7 @@ struct Params {
     first: u32,
     count: u32,
     frame: FrameParams,
+    mis: Mis,
 }
 
 @group(0) @binding(1) 
@@ -177,10 +183,10 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:88
+// glimt_render_gpu/src/kernels/frame.rs:115
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:89
+    // glimt_render_gpu/src/kernels/frame.rs:116
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -784,14 +790,14 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_7)) - (this_8.up * y_1)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:118
+// glimt_render_gpu/src/kernels/frame.rs:145
 fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:119
+    // glimt_render_gpu/src/kernels/frame.rs:146
     let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:120
+    // glimt_render_gpu/src/kernels/frame.rs:147
     let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:126
+    // glimt_render_gpu/src/kernels/frame.rs:153
     let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
     return _e22;
 }
@@ -813,24 +819,24 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:102
+// glimt_render_gpu/src/kernels/frame.rs:129
 fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:103
+    // glimt_render_gpu/src/kernels/frame.rs:130
     if (this_10.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:104
+        // glimt_render_gpu/src/kernels/frame.rs:131
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:106
+        // glimt_render_gpu/src/kernels/frame.rs:133
         let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:110
+        // glimt_render_gpu/src/kernels/frame.rs:137
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_2 = _e24;
     }
     let place_1 = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:112
+    // glimt_render_gpu/src/kernels/frame.rs:139
     let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
     let _e30 = Ray_new(this_10.eye, _e29);
     return _e30;
@@ -1876,28 +1882,28 @@ fn BlinnPhong_sample(this_25: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec
     return BrdfSample(wi_2, _e25);
 }
 
-// glimt_render_gpu/src/kernels/diagnose.rs:134
-fn brdf_sample(ray_9: u32, frame_2: FrameParams) -> vec4<f32> {
+// glimt_render_gpu/src/kernels/diagnose.rs:135
+fn brdf_sample(ray_9: u32, frame_2: FrameParams, mis: Mis) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/diagnose.rs:135
-    let _e4 = FrameParams_pattern_of(frame_2, ray_9);
     // glimt_render_gpu/src/kernels/diagnose.rs:136
-    let _e6 = FrameParams_camera_ray(frame_2, _e4);
+    let _e5 = FrameParams_pattern_of(frame_2, ray_9);
     // glimt_render_gpu/src/kernels/diagnose.rs:137
-    let _e8 = Scene_closest_hit(_e6);
-    let hit_1 = _e8.value;
-    if _e8.is_some {
-        // glimt_render_gpu/src/kernels/diagnose.rs:138
-        let _e12 = Scene_shading_point(_e6, hit_1);
+    let _e7 = FrameParams_camera_ray(frame_2, _e5);
+    // glimt_render_gpu/src/kernels/diagnose.rs:138
+    let _e9 = Scene_closest_hit(_e7);
+    let hit_1 = _e9.value;
+    if _e9.is_some {
         // glimt_render_gpu/src/kernels/diagnose.rs:139
-        let _e17 = PixelPattern_triple(_e4, 2u, 0u, frame_2.brdf_samples);
+        let _e13 = Scene_shading_point(_e7, hit_1);
         // glimt_render_gpu/src/kernels/diagnose.rs:140
-        let _e23 = unit_vec2_(_e17.xy);
-        let _e24 = BlinnPhong_sample(_e12.brdf, _e12.wo, _e17.z, _e23);
+        let _e18 = PixelPattern_triple(_e5, 2u, 0u, mis.brdf_samples);
         // glimt_render_gpu/src/kernels/diagnose.rs:141
-        return vec4<f32>(_e24.wi, _e24.pdf_sr);
+        let _e24 = unit_vec2_(_e18.xy);
+        let _e25 = BlinnPhong_sample(_e13.brdf, _e13.wo, _e18.z, _e24);
+        // glimt_render_gpu/src/kernels/diagnose.rs:142
+        return vec4<f32>(_e25.wi, _e25.pdf_sr);
     }
-    // glimt_render_gpu/src/kernels/diagnose.rs:143
+    // glimt_render_gpu/src/kernels/diagnose.rs:144
     return vec4(0f);
 }
 
@@ -1910,6 +1916,7 @@ fn diagnose_brdf_sample(@builtin(global_invocation_id) id: vec3<u32>, @builtin(n
     }
     let _e14 = params.first;
     let _e17 = params.frame;
-    let _e18 = brdf_sample((_e14 + local), _e17);
-    out[local] = _e18;
+    let _e19 = params.mis;
+    let _e20 = brdf_sample((_e14 + local), _e17, _e19);
+    out[local] = _e20;
 }

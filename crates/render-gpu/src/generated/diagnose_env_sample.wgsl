@@ -1,4 +1,4 @@
-// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct FrameParams {
     eye: vec3<f32>,
@@ -9,8 +9,6 @@ struct FrameParams {
     rays_per_pixel: u32,
     up: vec3<f32>,
     first_pixel: u32,
-    brdf_samples: u32,
-    env_samples: u32,
     pattern: u32,
     filter_: u32,
     background: u32,
@@ -20,7 +18,14 @@ struct FrameParams {
     exposure: f32,
     shadow: u32,
     film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
     unused_c: u32,
+}
+
+struct Mis {
+    brdf_samples: u32,
+    env_samples: u32,
 }
 
 struct PixelPattern {
@@ -65,7 +70,8 @@ struct Params {
     first: u32,
     count: u32,
     frame: FrameParams,
-    env_cdf_size: vec2<u32>,
+    mis: Mis,
+    @align(16) env_cdf_size: vec2<u32>,
     env_rotation: vec2<f32>,
 }
 
@@ -78,10 +84,10 @@ var<storage, read_write> out: array<EnvRecord>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:88
+// glimt_render_gpu/src/kernels/frame.rs:115
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:89
+    // glimt_render_gpu/src/kernels/frame.rs:116
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -984,18 +990,18 @@ fn Environment_texel(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, direction_1: 
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/diagnose.rs:71
-fn env_sample(ray_1: u32, frame_2: FrameParams, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> EnvRecord {
+// glimt_render_gpu/src/kernels/diagnose.rs:72
+fn env_sample(ray_1: u32, frame_2: FrameParams, mis: Mis, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> EnvRecord {
 
-    // glimt_render_gpu/src/kernels/diagnose.rs:72
-    let _e6 = FrameParams_pattern_of(frame_2, ray_1);
     // glimt_render_gpu/src/kernels/diagnose.rs:73
-    let _e11 = PixelPattern_pair(_e6, 3u, 0u, frame_2.env_samples);
+    let _e7 = FrameParams_pattern_of(frame_2, ray_1);
     // glimt_render_gpu/src/kernels/diagnose.rs:74
-    let _e13 = Environment_sample(env_cdf_size, env_rotation, _e11);
+    let _e12 = PixelPattern_pair(_e7, 3u, 0u, mis.env_samples);
     // glimt_render_gpu/src/kernels/diagnose.rs:75
-    let _e19 = Environment_texel(env_cdf_size, env_rotation, _e13.direction);
-    return EnvRecord(_e13.direction, _e13.pdf_sr, _e13.texel, _e19);
+    let _e14 = Environment_sample(env_cdf_size, env_rotation, _e12);
+    // glimt_render_gpu/src/kernels/diagnose.rs:76
+    let _e20 = Environment_texel(env_cdf_size, env_rotation, _e14.direction);
+    return EnvRecord(_e14.direction, _e14.pdf_sr, _e14.texel, _e20);
 }
 
 @compute @workgroup_size(64, 1, 1) 
@@ -1007,8 +1013,9 @@ fn diagnose_env_sample(@builtin(global_invocation_id) id: vec3<u32>, @builtin(nu
     }
     let _e14 = params.first;
     let _e17 = params.frame;
-    let _e19 = params.env_cdf_size;
-    let _e21 = params.env_rotation;
-    let _e22 = env_sample((_e14 + local), _e17, _e19, _e21);
-    out[local] = _e22;
+    let _e19 = params.mis;
+    let _e21 = params.env_cdf_size;
+    let _e23 = params.env_rotation;
+    let _e24 = env_sample((_e14 + local), _e17, _e19, _e21, _e23);
+    out[local] = _e24;
 }

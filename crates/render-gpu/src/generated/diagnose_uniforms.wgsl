@@ -1,4 +1,4 @@
-// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct FrameParams {
     eye: vec3<f32>,
@@ -9,8 +9,6 @@ struct FrameParams {
     rays_per_pixel: u32,
     up: vec3<f32>,
     first_pixel: u32,
-    brdf_samples: u32,
-    env_samples: u32,
     pattern: u32,
     filter_: u32,
     background: u32,
@@ -20,7 +18,14 @@ struct FrameParams {
     exposure: f32,
     shadow: u32,
     film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
     unused_c: u32,
+}
+
+struct Mis {
+    brdf_samples: u32,
+    env_samples: u32,
 }
 
 struct PixelPattern {
@@ -51,6 +56,7 @@ struct Params {
     first: u32,
     count: u32,
     frame: FrameParams,
+    mis: Mis,
 }
 
 @group(0) @binding(1) 
@@ -58,10 +64,10 @@ var<storage, read_write> out: array<vec4<u32>>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:88
+// glimt_render_gpu/src/kernels/frame.rs:115
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:89
+    // glimt_render_gpu/src/kernels/frame.rs:116
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -714,17 +720,17 @@ fn PixelPattern_triple(this_9: PixelPattern, purpose_4: u32, sample_1: u32, samp
     return vec3<u32>(_e42, _e43);
 }
 
-// glimt_render_gpu/src/kernels/diagnose.rs:62
-fn uniforms(ray_1: u32, frame_2: FrameParams) -> vec4<u32> {
+// glimt_render_gpu/src/kernels/diagnose.rs:63
+fn uniforms(ray_1: u32, frame_2: FrameParams, mis: Mis) -> vec4<u32> {
 
-    // glimt_render_gpu/src/kernels/diagnose.rs:63
-    let _e4 = FrameParams_pattern_of(frame_2, ray_1);
     // glimt_render_gpu/src/kernels/diagnose.rs:64
-    let _e9 = PixelPattern_pair(_e4, 1u, 0u, 1u);
+    let _e5 = FrameParams_pattern_of(frame_2, ray_1);
     // glimt_render_gpu/src/kernels/diagnose.rs:65
-    let _e14 = PixelPattern_triple(_e4, 2u, 0u, frame_2.brdf_samples);
+    let _e10 = PixelPattern_pair(_e5, 1u, 0u, 1u);
     // glimt_render_gpu/src/kernels/diagnose.rs:66
-    return vec4<u32>(_e9.x, _e14.x, _e14.y, _e14.z);
+    let _e15 = PixelPattern_triple(_e5, 2u, 0u, mis.brdf_samples);
+    // glimt_render_gpu/src/kernels/diagnose.rs:67
+    return vec4<u32>(_e10.x, _e15.x, _e15.y, _e15.z);
 }
 
 @compute @workgroup_size(64, 1, 1) 
@@ -736,6 +742,7 @@ fn diagnose_uniforms(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_
     }
     let _e14 = params.first;
     let _e17 = params.frame;
-    let _e18 = uniforms((_e14 + local), _e17);
-    out[local] = _e18;
+    let _e19 = params.mis;
+    let _e20 = uniforms((_e14 + local), _e17, _e19);
+    out[local] = _e20;
 }

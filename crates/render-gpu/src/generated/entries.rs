@@ -1,45 +1,16 @@
 //! Host file: the compute shaders.
 //!
-//! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
-
+//! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 use std::borrow::Cow::Borrowed;
 
 use glimt_executor::{BufferSlot, Entry, ParamField, ParamsSpace};
 
-/// `shade::shade_mis` as a compute entry point.
+/// `shade::shade::<crate::kernels::mis::Mis, glam::Vec4>` as a compute entry point.
 pub static SHADE_MIS: Entry = Entry {
     name: Borrowed("shade_mis"),
-    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade_mis"),
+    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade::<glimt_render_gpu::kernels::mis::Mis, glam::Vec4>"),
     wgsl: Borrowed(include_str!("shade_mis.wgsl")),
-    workgroup_size: 64,
-    params_size: 144,
-    params_space: ParamsSpace::Uniform,
-    params: Borrowed(&[
-        ParamField::new("first", 0, 4),
-        ParamField::new("count", 4, 4),
-        ParamField::new("frame", 16, 112),
-        ParamField::new("env.cdf.size", 128, 8),
-        ParamField::new("env.rotation", 136, 8),
-    ]),
-    buffers: Borrowed(&[
-        BufferSlot::new("env.texels", 1, 16, false),
-        BufferSlot::new("env.cdf.marginal", 2, 4, false),
-        BufferSlot::new("env.cdf.conditional", 3, 4, false),
-        BufferSlot::new("scene.nodes", 4, 32, false),
-        BufferSlot::new("scene.triangles", 5, 48, false),
-        BufferSlot::new("scene.corners", 6, 32, false),
-        BufferSlot::new("scene.materials", 7, 96, false),
-        BufferSlot::new("scene.texels", 8, 4, false),
-        BufferSlot::new("out", 9, 16, true),
-    ]),
-};
-
-/// `shade::shade_bis` as a compute entry point.
-pub static SHADE_BIS: Entry = Entry {
-    name: Borrowed("shade_bis"),
-    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade_bis"),
-    wgsl: Borrowed(include_str!("shade_bis.wgsl")),
     workgroup_size: 64,
     params_size: 160,
     params_space: ParamsSpace::Uniform,
@@ -47,7 +18,7 @@ pub static SHADE_BIS: Entry = Entry {
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
         ParamField::new("frame", 16, 112),
-        ParamField::new("bis", 128, 16),
+        ParamField::new("estimator", 128, 8),
         ParamField::new("env.cdf.size", 144, 8),
         ParamField::new("env.rotation", 152, 8),
     ]),
@@ -64,10 +35,68 @@ pub static SHADE_BIS: Entry = Entry {
     ]),
 };
 
-/// `shade::shade_bis_layers` as a compute entry point.
+/// `shade::shade::<crate::kernels::mis::Mis, crate::kernels::layers::LayerSample>` as a compute entry point.
+pub static SHADE_MIS_LAYERS: Entry = Entry {
+    name: Borrowed("shade_mis_layers"),
+    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade::<glimt_render_gpu::kernels::mis::Mis, glimt_render_gpu::kernels::layers::LayerSample>"),
+    wgsl: Borrowed(include_str!("shade_mis_layers.wgsl")),
+    workgroup_size: 64,
+    params_size: 160,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("estimator", 128, 8),
+        ParamField::new("env.cdf.size", 144, 8),
+        ParamField::new("env.rotation", 152, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.cdf.marginal", 2, 4, false),
+        BufferSlot::new("env.cdf.conditional", 3, 4, false),
+        BufferSlot::new("scene.nodes", 4, 32, false),
+        BufferSlot::new("scene.triangles", 5, 48, false),
+        BufferSlot::new("scene.corners", 6, 32, false),
+        BufferSlot::new("scene.materials", 7, 96, false),
+        BufferSlot::new("scene.texels", 8, 4, false),
+        BufferSlot::new("out", 9, 32, true),
+    ]),
+};
+
+/// `shade::shade::<crate::kernels::bis::Bis, glam::Vec4>` as a compute entry point.
+pub static SHADE_BIS: Entry = Entry {
+    name: Borrowed("shade_bis"),
+    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade::<glimt_render_gpu::kernels::bis::Bis, glam::Vec4>"),
+    wgsl: Borrowed(include_str!("shade_bis.wgsl")),
+    workgroup_size: 64,
+    params_size: 160,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("estimator", 128, 12),
+        ParamField::new("env.cdf.size", 144, 8),
+        ParamField::new("env.rotation", 152, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.cdf.marginal", 2, 4, false),
+        BufferSlot::new("env.cdf.conditional", 3, 4, false),
+        BufferSlot::new("scene.nodes", 4, 32, false),
+        BufferSlot::new("scene.triangles", 5, 48, false),
+        BufferSlot::new("scene.corners", 6, 32, false),
+        BufferSlot::new("scene.materials", 7, 96, false),
+        BufferSlot::new("scene.texels", 8, 4, false),
+        BufferSlot::new("out", 9, 16, true),
+    ]),
+};
+
+/// `shade::shade::<crate::kernels::bis::Bis, crate::kernels::layers::LayerSample>` as a compute entry point.
 pub static SHADE_BIS_LAYERS: Entry = Entry {
     name: Borrowed("shade_bis_layers"),
-    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade_bis_layers"),
+    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade::<glimt_render_gpu::kernels::bis::Bis, glimt_render_gpu::kernels::layers::LayerSample>"),
     wgsl: Borrowed(include_str!("shade_bis_layers.wgsl")),
     workgroup_size: 64,
     params_size: 160,
@@ -76,7 +105,7 @@ pub static SHADE_BIS_LAYERS: Entry = Entry {
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
         ParamField::new("frame", 16, 112),
-        ParamField::new("bis", 128, 16),
+        ParamField::new("estimator", 128, 12),
         ParamField::new("env.cdf.size", 144, 8),
         ParamField::new("env.rotation", 152, 8),
     ]),
@@ -231,33 +260,6 @@ pub static TONEMAP: Entry = Entry {
     ]),
 };
 
-/// `transfer::transfer` as a compute entry point.
-pub static TRANSFER: Entry = Entry {
-    name: Borrowed("transfer"),
-    kernel: Borrowed("glimt_render_gpu::kernels::transfer::transfer"),
-    wgsl: Borrowed(include_str!("transfer.wgsl")),
-    workgroup_size: 64,
-    params_size: 64,
-    params_space: ParamsSpace::Uniform,
-    params: Borrowed(&[
-        ParamField::new("first", 0, 4),
-        ParamField::new("count", 4, 4),
-        ParamField::new("state_len", 8, 4),
-        ParamField::new("lit_len", 12, 4),
-        ParamField::new("blocked_len", 16, 4),
-        ParamField::new("params", 32, 24),
-    ]),
-    buffers: Borrowed(&[
-        BufferSlot::new("nodes", 1, 32, false),
-        BufferSlot::new("triangles", 2, 48, false),
-        BufferSlot::new("vertices", 3, 48, false),
-        BufferSlot::new("state", 4, 4, true),
-        BufferSlot::new("lit", 5, 4, true),
-        BufferSlot::new("blocked", 6, 4, true),
-        BufferSlot::new("out", 7, 4, true),
-    ]),
-};
-
 /// `unwarp::unwarp` as a compute entry point.
 pub static UNWARP: Entry = Entry {
     name: Borrowed("unwarp"),
@@ -277,34 +279,6 @@ pub static UNWARP: Entry = Entry {
         BufferSlot::new("map.taps", 2, 4, false),
         BufferSlot::new("pixels", 3, 16, false),
         BufferSlot::new("out", 4, 16, true),
-    ]),
-};
-
-/// `shade::shade_mis_layers` as a compute entry point.
-pub static SHADE_MIS_LAYERS: Entry = Entry {
-    name: Borrowed("shade_mis_layers"),
-    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade_mis_layers"),
-    wgsl: Borrowed(include_str!("shade_mis_layers.wgsl")),
-    workgroup_size: 64,
-    params_size: 144,
-    params_space: ParamsSpace::Uniform,
-    params: Borrowed(&[
-        ParamField::new("first", 0, 4),
-        ParamField::new("count", 4, 4),
-        ParamField::new("frame", 16, 112),
-        ParamField::new("env.cdf.size", 128, 8),
-        ParamField::new("env.rotation", 136, 8),
-    ]),
-    buffers: Borrowed(&[
-        BufferSlot::new("env.texels", 1, 16, false),
-        BufferSlot::new("env.cdf.marginal", 2, 4, false),
-        BufferSlot::new("env.cdf.conditional", 3, 4, false),
-        BufferSlot::new("scene.nodes", 4, 32, false),
-        BufferSlot::new("scene.triangles", 5, 48, false),
-        BufferSlot::new("scene.corners", 6, 32, false),
-        BufferSlot::new("scene.materials", 7, 96, false),
-        BufferSlot::new("scene.texels", 8, 4, false),
-        BufferSlot::new("out", 9, 32, true),
     ]),
 };
 
@@ -493,6 +467,33 @@ pub static UNPACK_LAYERS: Entry = Entry {
     ]),
 };
 
+/// `transfer::transfer` as a compute entry point.
+pub static TRANSFER: Entry = Entry {
+    name: Borrowed("transfer"),
+    kernel: Borrowed("glimt_render_gpu::kernels::transfer::transfer"),
+    wgsl: Borrowed(include_str!("transfer.wgsl")),
+    workgroup_size: 64,
+    params_size: 64,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("state_len", 8, 4),
+        ParamField::new("lit_len", 12, 4),
+        ParamField::new("blocked_len", 16, 4),
+        ParamField::new("params", 32, 24),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("nodes", 1, 32, false),
+        BufferSlot::new("triangles", 2, 48, false),
+        BufferSlot::new("vertices", 3, 48, false),
+        BufferSlot::new("state", 4, 4, true),
+        BufferSlot::new("lit", 5, 4, true),
+        BufferSlot::new("blocked", 6, 4, true),
+        BufferSlot::new("out", 7, 4, true),
+    ]),
+};
+
 /// `capture::film_ball` as a compute entry point.
 pub static FILM_BALL: Entry = Entry {
     name: Borrowed("film_ball"),
@@ -578,12 +579,13 @@ pub static DIAGNOSE_UNIFORMS: Entry = Entry {
     kernel: Borrowed("glimt_render_gpu::kernels::diagnose::uniforms"),
     wgsl: Borrowed(include_str!("diagnose_uniforms.wgsl")),
     workgroup_size: 64,
-    params_size: 128,
+    params_size: 144,
     params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
         ParamField::new("frame", 16, 112),
+        ParamField::new("mis", 128, 8),
     ]),
     buffers: Borrowed(&[
         BufferSlot::new("out", 1, 16, true),
@@ -596,14 +598,15 @@ pub static DIAGNOSE_ENV_SAMPLE: Entry = Entry {
     kernel: Borrowed("glimt_render_gpu::kernels::diagnose::env_sample"),
     wgsl: Borrowed(include_str!("diagnose_env_sample.wgsl")),
     workgroup_size: 64,
-    params_size: 144,
+    params_size: 160,
     params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
         ParamField::new("frame", 16, 112),
-        ParamField::new("env.cdf.size", 128, 8),
-        ParamField::new("env.rotation", 136, 8),
+        ParamField::new("mis", 128, 8),
+        ParamField::new("env.cdf.size", 144, 8),
+        ParamField::new("env.rotation", 152, 8),
     ]),
     buffers: Borrowed(&[
         BufferSlot::new("env.cdf.marginal", 1, 4, false),
@@ -661,12 +664,13 @@ pub static DIAGNOSE_BRDF_SAMPLE: Entry = Entry {
     kernel: Borrowed("glimt_render_gpu::kernels::diagnose::brdf_sample"),
     wgsl: Borrowed(include_str!("diagnose_brdf_sample.wgsl")),
     workgroup_size: 64,
-    params_size: 128,
+    params_size: 144,
     params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
         ParamField::new("frame", 16, 112),
+        ParamField::new("mis", 128, 8),
     ]),
     buffers: Borrowed(&[
         BufferSlot::new("scene.nodes", 1, 32, false),

@@ -1,7 +1,6 @@
 //! Host file: the same bytes in Rust and in WGSL.
 //!
-//! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
-
+//! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 use core::mem::{offset_of, size_of};
 
@@ -14,11 +13,10 @@ const _: () = {
     assert!(offset_of!(glimt_probe::gather::TexelTaps, tap) == 0);
     assert!(offset_of!(glimt_probe::gather::TexelTaps, pixel) == 4);
     assert!(offset_of!(glimt_probe::gather::TexelTaps, grazing) == 8);
-    assert!(size_of::<crate::kernels::bis::Bis>() == 16);
+    assert!(size_of::<crate::kernels::bis::Bis>() == 12);
     assert!(offset_of!(crate::kernels::bis::Bis, candidates) == 0);
     assert!(offset_of!(crate::kernels::bis::Bis, samples) == 4);
     assert!(offset_of!(crate::kernels::bis::Bis, source) == 8);
-    assert!(offset_of!(crate::kernels::bis::Bis, unused) == 12);
     assert!(size_of::<crate::kernels::bvh::BvhNode>() == 32);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, min) == 0);
     assert!(offset_of!(crate::kernels::bvh::BvhNode, count) == 12);
@@ -82,17 +80,17 @@ const _: () = {
     assert!(offset_of!(crate::kernels::frame::FrameParams, rays_per_pixel) == 44);
     assert!(offset_of!(crate::kernels::frame::FrameParams, up) == 48);
     assert!(offset_of!(crate::kernels::frame::FrameParams, first_pixel) == 60);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, brdf_samples) == 64);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, env_samples) == 68);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, pattern) == 72);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, filter) == 76);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, background) == 80);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, seed) == 84);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, frame) == 88);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, tonemap) == 92);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, exposure) == 96);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, shadow) == 100);
-    assert!(offset_of!(crate::kernels::frame::FrameParams, film_frame) == 104);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, pattern) == 64);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, filter) == 68);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, background) == 72);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, seed) == 76);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, frame) == 80);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, tonemap) == 84);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, exposure) == 88);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, shadow) == 92);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, film_frame) == 96);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, unused_a) == 100);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, unused_b) == 104);
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_c) == 108);
     assert!(size_of::<crate::kernels::layers::LayerSample>() == 32);
     assert!(offset_of!(crate::kernels::layers::LayerSample, radiance) == 0);
@@ -127,6 +125,9 @@ const _: () = {
     assert!(offset_of!(crate::kernels::material::Material, base_color_texture) == 48);
     assert!(offset_of!(crate::kernels::material::Material, metallic_roughness_texture) == 64);
     assert!(offset_of!(crate::kernels::material::Material, normal_texture) == 80);
+    assert!(size_of::<crate::kernels::mis::Mis>() == 8);
+    assert!(offset_of!(crate::kernels::mis::Mis, brdf_samples) == 0);
+    assert!(offset_of!(crate::kernels::mis::Mis, env_samples) == 4);
     assert!(size_of::<crate::kernels::past::PastView>() == 64);
     assert!(offset_of!(crate::kernels::past::PastView, eye) == 0);
     assert!(offset_of!(crate::kernels::past::PastView, first_pixel) == 12);

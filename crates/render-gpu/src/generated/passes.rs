@@ -1,7 +1,6 @@
 //! Host file: the kernels with their arguments, for executors.
 //!
-//! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
-
+//! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 use glimt_executor::{Binder, Entry, Host, HostMemory, Memory, Pass};
 
@@ -343,10 +342,12 @@ impl<'a> From<crate::kernels::stage::Stage<'a>> for StageArg<'a, Host> {
     }
 }
 
-/// `shade::shade_mis` with its arguments.
+/// `shade::shade::<crate::kernels::mis::Mis, glam::Vec4>` with its arguments.
 pub struct ShadeMis<'a, M: Memory> {
     /// The kernel's `frame`.
     pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `estimator`.
+    pub estimator: &'a crate::kernels::mis::Mis,
     /// The kernel's `env`.
     pub env: EnvironmentArg<'a, M>,
     /// The kernel's `scene`.
@@ -364,8 +365,9 @@ impl<'a, M: Memory> Pass for ShadeMis<'a, M> {
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
-        binder.value(3, &self.env.cdf.size);
-        binder.value(4, &self.env.rotation);
+        binder.value(3, self.estimator);
+        binder.value(4, &self.env.cdf.size);
+        binder.value(5, &self.env.rotation);
         binder.slice(0, self.env.texels);
         binder.slice(1, self.env.cdf.marginal);
         binder.slice(2, self.env.cdf.conditional);
@@ -390,8 +392,8 @@ impl<'a, M: Memory> Pass for ShadeMis<'a, M> {
     {
         let (out, rest_of_out) = M::split_at(self.out, at);
         (
-            Self { frame: self.frame, env: self.env, scene: self.scene, out },
-            Self { frame: self.frame, env: self.env, scene: self.scene, out: rest_of_out },
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out },
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out: rest_of_out },
         )
     }
 
@@ -402,17 +404,84 @@ impl<'a, M: Memory> Pass for ShadeMis<'a, M> {
         let env = self.env.view();
         let scene = self.scene.view();
         for (id, out) in (first..).zip(M::each(self.out)) {
-            out[0] = crate::kernels::shade::shade_mis(id, self.frame, env, scene);
+            out[0] = crate::kernels::shade::shade::<crate::kernels::mis::Mis, glam::Vec4>(id, self.frame, self.estimator, env, scene);
         }
     }
 }
 
-/// `shade::shade_bis` with its arguments.
+/// `shade::shade::<crate::kernels::mis::Mis, crate::kernels::layers::LayerSample>` with its arguments.
+pub struct ShadeMisLayers<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `estimator`.
+    pub estimator: &'a crate::kernels::mis::Mis,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::layers::LayerSample>,
+}
+
+impl<'a, M: Memory> Pass for ShadeMisLayers<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SHADE_MIS_LAYERS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, self.estimator);
+        binder.value(4, &self.env.cdf.size);
+        binder.value(5, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.cdf.marginal);
+        binder.slice(2, self.env.cdf.conditional);
+        binder.slice(3, self.scene.nodes);
+        binder.slice(4, self.scene.triangles);
+        binder.slice(5, self.scene.corners);
+        binder.slice(6, self.scene.materials);
+        binder.slice(7, self.scene.texels);
+        binder.out(8, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out },
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::shade::shade::<crate::kernels::mis::Mis, crate::kernels::layers::LayerSample>(id, self.frame, self.estimator, env, scene);
+        }
+    }
+}
+
+/// `shade::shade::<crate::kernels::bis::Bis, glam::Vec4>` with its arguments.
 pub struct ShadeBis<'a, M: Memory> {
     /// The kernel's `frame`.
     pub frame: &'a crate::kernels::frame::FrameParams,
-    /// The kernel's `bis`.
-    pub bis: &'a crate::kernels::bis::Bis,
+    /// The kernel's `estimator`.
+    pub estimator: &'a crate::kernels::bis::Bis,
     /// The kernel's `env`.
     pub env: EnvironmentArg<'a, M>,
     /// The kernel's `scene`.
@@ -430,7 +499,7 @@ impl<'a, M: Memory> Pass for ShadeBis<'a, M> {
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
-        binder.value(3, self.bis);
+        binder.value(3, self.estimator);
         binder.value(4, &self.env.cdf.size);
         binder.value(5, &self.env.rotation);
         binder.slice(0, self.env.texels);
@@ -457,8 +526,8 @@ impl<'a, M: Memory> Pass for ShadeBis<'a, M> {
     {
         let (out, rest_of_out) = M::split_at(self.out, at);
         (
-            Self { frame: self.frame, bis: self.bis, env: self.env, scene: self.scene, out },
-            Self { frame: self.frame, bis: self.bis, env: self.env, scene: self.scene, out: rest_of_out },
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out },
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out: rest_of_out },
         )
     }
 
@@ -469,17 +538,17 @@ impl<'a, M: Memory> Pass for ShadeBis<'a, M> {
         let env = self.env.view();
         let scene = self.scene.view();
         for (id, out) in (first..).zip(M::each(self.out)) {
-            out[0] = crate::kernels::shade::shade_bis(id, self.frame, self.bis, env, scene);
+            out[0] = crate::kernels::shade::shade::<crate::kernels::bis::Bis, glam::Vec4>(id, self.frame, self.estimator, env, scene);
         }
     }
 }
 
-/// `shade::shade_bis_layers` with its arguments.
+/// `shade::shade::<crate::kernels::bis::Bis, crate::kernels::layers::LayerSample>` with its arguments.
 pub struct ShadeBisLayers<'a, M: Memory> {
     /// The kernel's `frame`.
     pub frame: &'a crate::kernels::frame::FrameParams,
-    /// The kernel's `bis`.
-    pub bis: &'a crate::kernels::bis::Bis,
+    /// The kernel's `estimator`.
+    pub estimator: &'a crate::kernels::bis::Bis,
     /// The kernel's `env`.
     pub env: EnvironmentArg<'a, M>,
     /// The kernel's `scene`.
@@ -497,7 +566,7 @@ impl<'a, M: Memory> Pass for ShadeBisLayers<'a, M> {
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
-        binder.value(3, self.bis);
+        binder.value(3, self.estimator);
         binder.value(4, &self.env.cdf.size);
         binder.value(5, &self.env.rotation);
         binder.slice(0, self.env.texels);
@@ -524,8 +593,8 @@ impl<'a, M: Memory> Pass for ShadeBisLayers<'a, M> {
     {
         let (out, rest_of_out) = M::split_at(self.out, at);
         (
-            Self { frame: self.frame, bis: self.bis, env: self.env, scene: self.scene, out },
-            Self { frame: self.frame, bis: self.bis, env: self.env, scene: self.scene, out: rest_of_out },
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out },
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out: rest_of_out },
         )
     }
 
@@ -536,7 +605,7 @@ impl<'a, M: Memory> Pass for ShadeBisLayers<'a, M> {
         let env = self.env.view();
         let scene = self.scene.view();
         for (id, out) in (first..).zip(M::each(self.out)) {
-            out[0] = crate::kernels::shade::shade_bis_layers(id, self.frame, self.bis, env, scene);
+            out[0] = crate::kernels::shade::shade::<crate::kernels::bis::Bis, crate::kernels::layers::LayerSample>(id, self.frame, self.estimator, env, scene);
         }
     }
 }
@@ -880,78 +949,6 @@ impl<'a, M: Memory> Pass for Tonemap<'a, M> {
     }
 }
 
-/// `transfer::transfer` with its arguments.
-pub struct Transfer<'a, M: Memory> {
-    /// The kernel's `params`.
-    pub params: &'a crate::kernels::transfer::TransferParams,
-    /// The kernel's `nodes`.
-    pub nodes: M::Slice<'a, crate::kernels::bvh::BvhNode>,
-    /// The kernel's `triangles`.
-    pub triangles: M::Slice<'a, crate::kernels::triangle::Triangle>,
-    /// The kernel's `vertices`.
-    pub vertices: M::Slice<'a, crate::kernels::transfer::TransferVertex>,
-    /// The kernel's own `state`.
-    pub state: M::Chunks<'a, u32>,
-    /// The kernel's own `lit`.
-    pub lit: M::Chunks<'a, f32>,
-    /// The kernel's own `blocked`.
-    pub blocked: M::Chunks<'a, f32>,
-    /// What the kernel returns.
-    pub out: M::Chunks<'a, u32>,
-}
-
-impl<'a, M: Memory> Pass for Transfer<'a, M> {
-    type Memory = M;
-
-    fn entry() -> &'static Entry {
-        &entries::TRANSFER
-    }
-
-    fn bind(&self, binder: &mut impl Binder<M>) {
-        binder.value(5, self.params);
-        binder.slice(0, self.nodes);
-        binder.slice(1, self.triangles);
-        binder.slice(2, self.vertices);
-        binder.chunks(3, 2, &self.state);
-        binder.chunks(4, 3, &self.lit);
-        binder.chunks(5, 4, &self.blocked);
-        binder.out(6, &self.out);
-    }
-
-    fn elements(&self) -> usize
-    where
-        M: HostMemory,
-    {
-        M::count(&self.state).min(M::count(&self.lit)).min(M::count(&self.blocked)).min(M::count(&self.out))
-    }
-
-    fn split_at(self, at: usize) -> (Self, Self)
-    where
-        M: HostMemory,
-    {
-        let (state, rest_of_state) = M::split_at(self.state, at);
-        let (lit, rest_of_lit) = M::split_at(self.lit, at);
-        let (blocked, rest_of_blocked) = M::split_at(self.blocked, at);
-        let (out, rest_of_out) = M::split_at(self.out, at);
-        (
-            Self { params: self.params, nodes: self.nodes, triangles: self.triangles, vertices: self.vertices, state, lit, blocked, out },
-            Self { params: self.params, nodes: self.nodes, triangles: self.triangles, vertices: self.vertices, state: rest_of_state, lit: rest_of_lit, blocked: rest_of_blocked, out: rest_of_out },
-        )
-    }
-
-    fn compute(self, first: u32)
-    where
-        M: HostMemory,
-    {
-        let nodes = M::values(self.nodes);
-        let triangles = M::values(self.triangles);
-        let vertices = M::values(self.vertices);
-        for ((((id, state), lit), blocked), out) in (first..).zip(M::each(self.state)).zip(M::each(self.lit)).zip(M::each(self.blocked)).zip(M::each(self.out)) {
-            out[0] = crate::kernels::transfer::transfer(id, self.params, nodes, triangles, vertices, state, lit, blocked);
-        }
-    }
-}
-
 /// `unwarp::unwarp` with its arguments.
 pub struct Unwarp<'a, M: Memory> {
     /// The kernel's `map`.
@@ -1008,70 +1005,6 @@ impl<'a, M: Memory> Pass for Unwarp<'a, M> {
         let pixels = M::values(self.pixels);
         for (id, out) in (first..).zip(M::each(self.out)) {
             out[0] = crate::kernels::unwarp::unwarp(id, map, self.colour, self.reflectance, pixels);
-        }
-    }
-}
-
-/// `shade::shade_mis_layers` with its arguments.
-pub struct ShadeMisLayers<'a, M: Memory> {
-    /// The kernel's `frame`.
-    pub frame: &'a crate::kernels::frame::FrameParams,
-    /// The kernel's `env`.
-    pub env: EnvironmentArg<'a, M>,
-    /// The kernel's `scene`.
-    pub scene: SceneArg<'a, M>,
-    /// What the kernel returns.
-    pub out: M::Chunks<'a, crate::kernels::layers::LayerSample>,
-}
-
-impl<'a, M: Memory> Pass for ShadeMisLayers<'a, M> {
-    type Memory = M;
-
-    fn entry() -> &'static Entry {
-        &entries::SHADE_MIS_LAYERS
-    }
-
-    fn bind(&self, binder: &mut impl Binder<M>) {
-        binder.value(2, self.frame);
-        binder.value(3, &self.env.cdf.size);
-        binder.value(4, &self.env.rotation);
-        binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.scene.nodes);
-        binder.slice(4, self.scene.triangles);
-        binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.materials);
-        binder.slice(7, self.scene.texels);
-        binder.out(8, &self.out);
-    }
-
-    fn elements(&self) -> usize
-    where
-        M: HostMemory,
-    {
-        M::count(&self.out)
-    }
-
-    fn split_at(self, at: usize) -> (Self, Self)
-    where
-        M: HostMemory,
-    {
-        let (out, rest_of_out) = M::split_at(self.out, at);
-        (
-            Self { frame: self.frame, env: self.env, scene: self.scene, out },
-            Self { frame: self.frame, env: self.env, scene: self.scene, out: rest_of_out },
-        )
-    }
-
-    fn compute(self, first: u32)
-    where
-        M: HostMemory,
-    {
-        let env = self.env.view();
-        let scene = self.scene.view();
-        for (id, out) in (first..).zip(M::each(self.out)) {
-            out[0] = crate::kernels::shade::shade_mis_layers(id, self.frame, env, scene);
         }
     }
 }
@@ -1591,6 +1524,78 @@ impl<'a, M: Memory> Pass for UnpackLayers<'a, M> {
     }
 }
 
+/// `transfer::transfer` with its arguments.
+pub struct Transfer<'a, M: Memory> {
+    /// The kernel's `params`.
+    pub params: &'a crate::kernels::transfer::TransferParams,
+    /// The kernel's `nodes`.
+    pub nodes: M::Slice<'a, crate::kernels::bvh::BvhNode>,
+    /// The kernel's `triangles`.
+    pub triangles: M::Slice<'a, crate::kernels::triangle::Triangle>,
+    /// The kernel's `vertices`.
+    pub vertices: M::Slice<'a, crate::kernels::transfer::TransferVertex>,
+    /// The kernel's own `state`.
+    pub state: M::Chunks<'a, u32>,
+    /// The kernel's own `lit`.
+    pub lit: M::Chunks<'a, f32>,
+    /// The kernel's own `blocked`.
+    pub blocked: M::Chunks<'a, f32>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, u32>,
+}
+
+impl<'a, M: Memory> Pass for Transfer<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::TRANSFER
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(5, self.params);
+        binder.slice(0, self.nodes);
+        binder.slice(1, self.triangles);
+        binder.slice(2, self.vertices);
+        binder.chunks(3, 2, &self.state);
+        binder.chunks(4, 3, &self.lit);
+        binder.chunks(5, 4, &self.blocked);
+        binder.out(6, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.state).min(M::count(&self.lit)).min(M::count(&self.blocked)).min(M::count(&self.out))
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (state, rest_of_state) = M::split_at(self.state, at);
+        let (lit, rest_of_lit) = M::split_at(self.lit, at);
+        let (blocked, rest_of_blocked) = M::split_at(self.blocked, at);
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { params: self.params, nodes: self.nodes, triangles: self.triangles, vertices: self.vertices, state, lit, blocked, out },
+            Self { params: self.params, nodes: self.nodes, triangles: self.triangles, vertices: self.vertices, state: rest_of_state, lit: rest_of_lit, blocked: rest_of_blocked, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let nodes = M::values(self.nodes);
+        let triangles = M::values(self.triangles);
+        let vertices = M::values(self.vertices);
+        for ((((id, state), lit), blocked), out) in (first..).zip(M::each(self.state)).zip(M::each(self.lit)).zip(M::each(self.blocked)).zip(M::each(self.out)) {
+            out[0] = crate::kernels::transfer::transfer(id, self.params, nodes, triangles, vertices, state, lit, blocked);
+        }
+    }
+}
+
 /// `capture::film_ball` with its arguments.
 pub struct FilmBall<'a, M: Memory> {
     /// The kernel's `capture`.
@@ -1806,6 +1811,8 @@ impl<'a, M: Memory> Pass for Expose<'a, M> {
 pub struct DiagnoseUniforms<'a, M: Memory> {
     /// The kernel's `frame`.
     pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `mis`.
+    pub mis: &'a crate::kernels::mis::Mis,
     /// What the kernel returns.
     pub out: M::Chunks<'a, glam::UVec4>,
 }
@@ -1819,6 +1826,7 @@ impl<'a, M: Memory> Pass for DiagnoseUniforms<'a, M> {
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
+        binder.value(3, self.mis);
         binder.out(0, &self.out);
     }
 
@@ -1835,8 +1843,8 @@ impl<'a, M: Memory> Pass for DiagnoseUniforms<'a, M> {
     {
         let (out, rest_of_out) = M::split_at(self.out, at);
         (
-            Self { frame: self.frame, out },
-            Self { frame: self.frame, out: rest_of_out },
+            Self { frame: self.frame, mis: self.mis, out },
+            Self { frame: self.frame, mis: self.mis, out: rest_of_out },
         )
     }
 
@@ -1845,7 +1853,7 @@ impl<'a, M: Memory> Pass for DiagnoseUniforms<'a, M> {
         M: HostMemory,
     {
         for (id, out) in (first..).zip(M::each(self.out)) {
-            out[0] = crate::kernels::diagnose::uniforms(id, self.frame);
+            out[0] = crate::kernels::diagnose::uniforms(id, self.frame, self.mis);
         }
     }
 }
@@ -1854,6 +1862,8 @@ impl<'a, M: Memory> Pass for DiagnoseUniforms<'a, M> {
 pub struct DiagnoseEnvSample<'a, M: Memory> {
     /// The kernel's `frame`.
     pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `mis`.
+    pub mis: &'a crate::kernels::mis::Mis,
     /// The kernel's `env`.
     pub env: EnvironmentArg<'a, M>,
     /// What the kernel returns.
@@ -1869,8 +1879,9 @@ impl<'a, M: Memory> Pass for DiagnoseEnvSample<'a, M> {
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
-        binder.value(3, &self.env.cdf.size);
-        binder.value(4, &self.env.rotation);
+        binder.value(3, self.mis);
+        binder.value(4, &self.env.cdf.size);
+        binder.value(5, &self.env.rotation);
         binder.slice(0, self.env.cdf.marginal);
         binder.slice(1, self.env.cdf.conditional);
         binder.out(2, &self.out);
@@ -1889,8 +1900,8 @@ impl<'a, M: Memory> Pass for DiagnoseEnvSample<'a, M> {
     {
         let (out, rest_of_out) = M::split_at(self.out, at);
         (
-            Self { frame: self.frame, env: self.env, out },
-            Self { frame: self.frame, env: self.env, out: rest_of_out },
+            Self { frame: self.frame, mis: self.mis, env: self.env, out },
+            Self { frame: self.frame, mis: self.mis, env: self.env, out: rest_of_out },
         )
     }
 
@@ -1900,7 +1911,7 @@ impl<'a, M: Memory> Pass for DiagnoseEnvSample<'a, M> {
     {
         let env = self.env.view();
         for (id, out) in (first..).zip(M::each(self.out)) {
-            out[0] = crate::kernels::diagnose::env_sample(id, self.frame, env);
+            out[0] = crate::kernels::diagnose::env_sample(id, self.frame, self.mis, env);
         }
     }
 }
@@ -2018,6 +2029,8 @@ impl<'a, M: Memory> Pass for DiagnoseSurface<'a, M> {
 pub struct DiagnoseBrdfSample<'a, M: Memory> {
     /// The kernel's `frame`.
     pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `mis`.
+    pub mis: &'a crate::kernels::mis::Mis,
     /// The kernel's `scene`.
     pub scene: SceneArg<'a, M>,
     /// What the kernel returns.
@@ -2033,6 +2046,7 @@ impl<'a, M: Memory> Pass for DiagnoseBrdfSample<'a, M> {
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
+        binder.value(3, self.mis);
         binder.slice(0, self.scene.nodes);
         binder.slice(1, self.scene.triangles);
         binder.slice(2, self.scene.corners);
@@ -2054,8 +2068,8 @@ impl<'a, M: Memory> Pass for DiagnoseBrdfSample<'a, M> {
     {
         let (out, rest_of_out) = M::split_at(self.out, at);
         (
-            Self { frame: self.frame, scene: self.scene, out },
-            Self { frame: self.frame, scene: self.scene, out: rest_of_out },
+            Self { frame: self.frame, mis: self.mis, scene: self.scene, out },
+            Self { frame: self.frame, mis: self.mis, scene: self.scene, out: rest_of_out },
         )
     }
 
@@ -2065,7 +2079,7 @@ impl<'a, M: Memory> Pass for DiagnoseBrdfSample<'a, M> {
     {
         let scene = self.scene.view();
         for (id, out) in (first..).zip(M::each(self.out)) {
-            out[0] = crate::kernels::diagnose::brdf_sample(id, self.frame, scene);
+            out[0] = crate::kernels::diagnose::brdf_sample(id, self.frame, self.mis, scene);
         }
     }
 }

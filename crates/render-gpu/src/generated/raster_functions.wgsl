@@ -1,4 +1,4 @@
-// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct Triangle {
     v0_: vec3<f32>,
@@ -46,8 +46,6 @@ struct FrameParams {
     rays_per_pixel: u32,
     up: vec3<f32>,
     first_pixel: u32,
-    brdf_samples: u32,
-    env_samples: u32,
     pattern: u32,
     filter_: u32,
     background: u32,
@@ -57,6 +55,8 @@ struct FrameParams {
     exposure: f32,
     shadow: u32,
     film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
     unused_c: u32,
 }
 
@@ -707,18 +707,18 @@ fn reflected(point: ShadingPoint, lit_1: vec3<f32>, blocked_1: vec3<f32>, reflec
     return _e33;
 }
 
-// glimt_render_gpu/src/kernels/prt.rs:178
+// glimt_render_gpu/src/kernels/prt.rs:157
 fn at_hit(ray_1: Ray, hit_2: Hit, map_size_1: vec2<u32>, map_rotation_1: vec2<f32>) -> Reflected {
 
-    // glimt_render_gpu/src/kernels/prt.rs:185
+    // glimt_render_gpu/src/kernels/prt.rs:164
     let _e6 = Scene_shading_point(ray_1, hit_2);
-    // glimt_render_gpu/src/kernels/prt.rs:186
+    // glimt_render_gpu/src/kernels/prt.rs:165
     let _e8 = Surface_light_at(hit_2);
-    // glimt_render_gpu/src/kernels/prt.rs:187
+    // glimt_render_gpu/src/kernels/prt.rs:166
     let _e13 = scene_triangles[hit_2.triangle];
     let _e14 = Triangle_object_index(_e13);
     let _e15 = Surface_reflection(_e14);
-    // glimt_render_gpu/src/kernels/prt.rs:188
+    // glimt_render_gpu/src/kernels/prt.rs:167
     let _e19 = reflected(_e6, _e8.lit, _e8.blocked, _e15, map_size_1, map_rotation_1);
     return _e19;
 }

@@ -1,4 +1,4 @@
-// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct BvhNode {
     min: vec3<f32>,
@@ -53,8 +53,6 @@ struct FrameParams {
     rays_per_pixel: u32,
     up: vec3<f32>,
     first_pixel: u32,
-    brdf_samples: u32,
-    env_samples: u32,
     pattern: u32,
     filter_: u32,
     background: u32,
@@ -64,6 +62,8 @@ struct FrameParams {
     exposure: f32,
     shadow: u32,
     film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
     unused_c: u32,
 }
 
@@ -71,7 +71,6 @@ struct Bis {
     candidates: u32,
     samples: u32,
     source: u32,
-    unused: u32,
 }
 
 struct PixelPattern {
@@ -237,7 +236,7 @@ struct Params {
     first: u32,
     count: u32,
     frame: FrameParams,
-    bis: Bis,
+    estimator: Bis,
     env_cdf_size: vec2<u32>,
     env_rotation: vec2<f32>,
 }
@@ -263,10 +262,10 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:88
+// glimt_render_gpu/src/kernels/frame.rs:115
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:89
+    // glimt_render_gpu/src/kernels/frame.rs:116
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -870,14 +869,14 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_8)) - (this_8.up * y_1)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:118
+// glimt_render_gpu/src/kernels/frame.rs:145
 fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:119
+    // glimt_render_gpu/src/kernels/frame.rs:146
     let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:120
+    // glimt_render_gpu/src/kernels/frame.rs:147
     let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:126
+    // glimt_render_gpu/src/kernels/frame.rs:153
     let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
     return _e22;
 }
@@ -899,24 +898,24 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:102
+// glimt_render_gpu/src/kernels/frame.rs:129
 fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:103
+    // glimt_render_gpu/src/kernels/frame.rs:130
     if (this_10.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:104
+        // glimt_render_gpu/src/kernels/frame.rs:131
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:106
+        // glimt_render_gpu/src/kernels/frame.rs:133
         let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:110
+        // glimt_render_gpu/src/kernels/frame.rs:137
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_2 = _e24;
     }
     let place_1 = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:112
+    // glimt_render_gpu/src/kernels/frame.rs:139
     let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
     let _e30 = Ray_new(this_10.eye, _e29);
     return _e30;
@@ -1597,21 +1596,21 @@ fn RisSum_new() -> RisSum {
     return RisSum(0f, 0u, 0u);
 }
 
-// glimt_render_gpu/src/kernels/candidates.rs:60
+// glimt_render_gpu/src/kernels/candidates.rs:65
 fn Candidates_of_brdf(this_19: Candidates) -> u32 {
     var chosen_10: u32;
     var chosen_11: u32;
 
-    // glimt_render_gpu/src/kernels/candidates.rs:61
+    // glimt_render_gpu/src/kernels/candidates.rs:66
     if (this_19.source == 0u) {
-        // glimt_render_gpu/src/kernels/candidates.rs:62
+        // glimt_render_gpu/src/kernels/candidates.rs:67
         chosen_10 = this_19.count;
     } else {
         if (this_19.source == 1u) {
-            // glimt_render_gpu/src/kernels/candidates.rs:64
+            // glimt_render_gpu/src/kernels/candidates.rs:69
             chosen_11 = 0u;
         } else {
-            // glimt_render_gpu/src/kernels/candidates.rs:66
+            // glimt_render_gpu/src/kernels/candidates.rs:71
             let _e18 = (this_19.count / 2u);
             chosen_11 = select(_e18, (_e18 + 1u), ((this_19.count % 2u) != 0u));
         }
@@ -1839,10 +1838,10 @@ fn sample_power_cosine(u_2: vec2<f32>, exponent_1: f32) -> DirectionSample {
     let _e80 = cos_sin_turns(u_2.y);
     // glimt_sampling/src/warp.rs:279
     let _e86 = cos_theta;
-    let direction_13 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
+    let direction_12 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
     // glimt_sampling/src/warp.rs:280
-    let _e89 = pdf_power_cosine_sr(direction_13, exponent_1);
-    return DirectionSample(direction_13, _e89);
+    let _e89 = pdf_power_cosine_sr(direction_12, exponent_1);
+    return DirectionSample(direction_12, _e89);
 }
 
 // glimt_sampling/src/warp.rs:31
@@ -2404,101 +2403,101 @@ fn BlinnPhong_eval(this_28: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec
     return (diffuse + (this_28.specular * lobe));
 }
 
-// glimt_render_gpu/src/kernels/candidates.rs:73
+// glimt_render_gpu/src/kernels/candidates.rs:78
 fn Candidates_draw(this_29: Candidates, index_13: u32, point_1: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density: f32;
     var direction_8: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/candidates.rs:80
+    // glimt_render_gpu/src/kernels/candidates.rs:85
     let _e8 = Candidates_of_brdf(this_29);
-    // glimt_render_gpu/src/kernels/candidates.rs:81
+    // glimt_render_gpu/src/kernels/candidates.rs:86
     let of_env = (this_29.count - _e8);
-    // glimt_render_gpu/src/kernels/candidates.rs:83
+    // glimt_render_gpu/src/kernels/candidates.rs:88
     density = 0f;
-    // glimt_render_gpu/src/kernels/candidates.rs:87
+    // glimt_render_gpu/src/kernels/candidates.rs:92
     if (index_13 < _e8) {
-        // glimt_render_gpu/src/kernels/candidates.rs:88
+        // glimt_render_gpu/src/kernels/candidates.rs:93
         let _e22 = PixelPattern_triple(pattern_1, 4u, index_13, _e8);
-        // glimt_render_gpu/src/kernels/candidates.rs:89
+        // glimt_render_gpu/src/kernels/candidates.rs:94
         let _e28 = unit_vec2_(_e22.xy);
         let _e29 = BlinnPhong_sample(point_1.brdf, point_1.wo, _e22.z, _e28);
-        // glimt_render_gpu/src/kernels/candidates.rs:90
+        // glimt_render_gpu/src/kernels/candidates.rs:95
         if !((_e29.pdf_sr > 0f)) {
-            // glimt_render_gpu/src/kernels/candidates.rs:91
+            // glimt_render_gpu/src/kernels/candidates.rs:96
             return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
         }
-        // glimt_render_gpu/src/kernels/candidates.rs:93
+        // glimt_render_gpu/src/kernels/candidates.rs:98
         wi_3 = _e29.wi;
-        // glimt_render_gpu/src/kernels/candidates.rs:94
+        // glimt_render_gpu/src/kernels/candidates.rs:99
         let _e53 = wi_3;
         let _e54 = ShadingFrame_to_world(point_1.frame, _e53);
         direction_8 = _e54;
-        // glimt_render_gpu/src/kernels/candidates.rs:95
+        // glimt_render_gpu/src/kernels/candidates.rs:100
         let _e56 = direction_8;
         let _e57 = Environment_texel(env_cdf_size, env_rotation, _e56);
-        // glimt_render_gpu/src/kernels/candidates.rs:96
+        // glimt_render_gpu/src/kernels/candidates.rs:101
         let _e59 = Environment_radiance(env_cdf_size, env_rotation, _e57);
         radiance = _e59;
-        // glimt_render_gpu/src/kernels/candidates.rs:97
+        // glimt_render_gpu/src/kernels/candidates.rs:102
         let _e64 = density;
         density = (_e64 + (f32(_e8) * _e29.pdf_sr));
-        // glimt_render_gpu/src/kernels/candidates.rs:98
+        // glimt_render_gpu/src/kernels/candidates.rs:103
         if (of_env > 0u) {
-            // glimt_render_gpu/src/kernels/candidates.rs:99
+            // glimt_render_gpu/src/kernels/candidates.rs:104
             let _e71 = EnvCdf_texel_pdf_sr(env_cdf_size, _e57);
             let _e73 = density;
             density = (_e73 + (f32(of_env) * _e71));
         }
     } else {
-        // glimt_render_gpu/src/kernels/candidates.rs:102
+        // glimt_render_gpu/src/kernels/candidates.rs:107
         let _e78 = PixelPattern_pair(pattern_1, 5u, (index_13 - _e8), of_env);
-        // glimt_render_gpu/src/kernels/candidates.rs:103
+        // glimt_render_gpu/src/kernels/candidates.rs:108
         let _e80 = Environment_sample(env_cdf_size, env_rotation, _e78);
-        // glimt_render_gpu/src/kernels/candidates.rs:104
+        // glimt_render_gpu/src/kernels/candidates.rs:109
         if !((_e80.pdf_sr > 0f)) {
-            // glimt_render_gpu/src/kernels/candidates.rs:105
+            // glimt_render_gpu/src/kernels/candidates.rs:110
             return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
         }
-        // glimt_render_gpu/src/kernels/candidates.rs:107
+        // glimt_render_gpu/src/kernels/candidates.rs:112
         direction_8 = _e80.direction;
-        // glimt_render_gpu/src/kernels/candidates.rs:108
+        // glimt_render_gpu/src/kernels/candidates.rs:113
         let _e104 = direction_8;
         let _e105 = ShadingFrame_to_local(point_1.frame, _e104);
         wi_3 = _e105;
-        // glimt_render_gpu/src/kernels/candidates.rs:109
+        // glimt_render_gpu/src/kernels/candidates.rs:114
         let _e108 = Environment_radiance(env_cdf_size, env_rotation, _e80.texel);
         radiance = _e108;
-        // glimt_render_gpu/src/kernels/candidates.rs:110
+        // glimt_render_gpu/src/kernels/candidates.rs:115
         let _e113 = density;
         density = (_e113 + (f32(of_env) * _e80.pdf_sr));
-        // glimt_render_gpu/src/kernels/candidates.rs:111
+        // glimt_render_gpu/src/kernels/candidates.rs:116
         if (_e8 > 0u) {
-            // glimt_render_gpu/src/kernels/candidates.rs:112
+            // glimt_render_gpu/src/kernels/candidates.rs:117
             let _e122 = wi_3;
             let _e123 = BlinnPhong_pdf_sr(point_1.brdf, point_1.wo, _e122);
             let _e125 = density;
             density = (_e125 + (f32(_e8) * _e123));
         }
     }
-    // glimt_render_gpu/src/kernels/candidates.rs:115
+    // glimt_render_gpu/src/kernels/candidates.rs:120
     let _e129 = wi_3.z;
     if !((_e129 > 0f)) {
-        // glimt_render_gpu/src/kernels/candidates.rs:116
+        // glimt_render_gpu/src/kernels/candidates.rs:121
         return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
     }
-    // glimt_render_gpu/src/kernels/candidates.rs:118
+    // glimt_render_gpu/src/kernels/candidates.rs:123
     let _e150 = wi_3;
     let _e151 = BlinnPhong_eval(point_1.brdf, point_1.wo, _e150);
     let _e152 = luminance(_e151);
     let _e154 = wi_3.z;
     let reflected = (_e152 * _e154);
-    // glimt_render_gpu/src/kernels/candidates.rs:119
+    // glimt_render_gpu/src/kernels/candidates.rs:124
     let _e157 = radiance;
     let _e158 = luminance(_e157);
     let target_ = ((_e158 + this_29.floor) * reflected);
-    // glimt_render_gpu/src/kernels/candidates.rs:120
+    // glimt_render_gpu/src/kernels/candidates.rs:125
     let _e163 = direction_8;
     let _e164 = wi_3;
     let _e165 = radiance;
@@ -2805,7 +2804,7 @@ fn Reflected_gather(this_38: ptr<function, Reflected>, light: Reflected) {
     return;
 }
 
-// glimt_render_gpu/src/kernels/bis.rs:35
+// glimt_render_gpu/src/kernels/bis.rs:33
 fn Bis_reflected(this_39: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Reflected {
     var weights_1: RisSum;
     var counter_2: u32;
@@ -2814,19 +2813,19 @@ fn Bis_reflected(this_39: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
     var j: u32;
     var both_2: bool;
 
-    // glimt_render_gpu/src/kernels/bis.rs:42
+    // glimt_render_gpu/src/kernels/bis.rs:40
     let candidates = Candidates(this_39.candidates, this_39.source, 0f);
-    // glimt_render_gpu/src/kernels/bis.rs:47
+    // glimt_render_gpu/src/kernels/bis.rs:45
     let _e12 = RisSum_new();
     weights_1 = _e12;
-    // glimt_render_gpu/src/kernels/bis.rs:48
+    // glimt_render_gpu/src/kernels/bis.rs:46
     counter_2 = 0u;
     loop {
         let j_1 = counter_2;
         if (j_1 >= this_39.candidates) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bis.rs:49
+        // glimt_render_gpu/src/kernels/bis.rs:47
         let _e21 = Candidates_draw(candidates, j_1, point_5, pattern_2, env_cdf_size_1, env_rotation_1);
         RisSum_add((&weights_1), _e21.weight);
         continuing {
@@ -2834,20 +2833,20 @@ fn Bis_reflected(this_39: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
             counter_2 = (_e23 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/bis.rs:51
+    // glimt_render_gpu/src/kernels/bis.rs:49
     sum_2 = Reflected(vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/bis.rs:52
+    // glimt_render_gpu/src/kernels/bis.rs:50
     let _e34 = weights_1;
     let _e39 = PixelPattern_pair(pattern_2, 6u, 0u, 1u);
     let _e41 = RisPicks_new(_e34, this_39.samples, _e39.x);
     picks_1 = _e41;
-    // glimt_render_gpu/src/kernels/bis.rs:53
+    // glimt_render_gpu/src/kernels/bis.rs:51
     let _e46 = weights_1;
     let _e47 = RisSum_normaliser(_e46);
     let scale = (f32(this_39.samples) / max(_e47, 0.000000000000000000000000000000000000011754944f));
-    // glimt_render_gpu/src/kernels/bis.rs:54
+    // glimt_render_gpu/src/kernels/bis.rs:52
     j = 0u;
-    // glimt_render_gpu/src/kernels/bis.rs:55
+    // glimt_render_gpu/src/kernels/bis.rs:53
     loop {
         let _e55 = j;
         let _e57 = (_e55 < this_39.candidates);
@@ -2859,31 +2858,38 @@ fn Bis_reflected(this_39: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
         }
         let _e62 = both_2;
         if _e62 {
-            // glimt_render_gpu/src/kernels/bis.rs:56
+            // glimt_render_gpu/src/kernels/bis.rs:54
             let _e64 = j;
             let _e65 = Candidates_draw(candidates, _e64, point_5, pattern_2, env_cdf_size_1, env_rotation_1);
-            // glimt_render_gpu/src/kernels/bis.rs:57
+            // glimt_render_gpu/src/kernels/bis.rs:55
             let _e68 = RisPicks_take((&picks_1), _e65.weight);
-            // glimt_render_gpu/src/kernels/bis.rs:58
+            // glimt_render_gpu/src/kernels/bis.rs:56
             if (_e68 > 0u) {
-                // glimt_render_gpu/src/kernels/bis.rs:59
+                // glimt_render_gpu/src/kernels/bis.rs:57
                 let density_2 = (_e65.target_ * (scale / f32(_e68)));
-                // glimt_render_gpu/src/kernels/bis.rs:60
+                // glimt_render_gpu/src/kernels/bis.rs:58
                 let _e81 = LightSample_new(point_5, _e65.direction, _e65.wi, _e65.radiance, density_2);
-                // glimt_render_gpu/src/kernels/bis.rs:67
+                // glimt_render_gpu/src/kernels/bis.rs:65
                 let _e83 = LightSample_traced(_e81, point_5);
                 Reflected_gather((&sum_2), _e83);
             }
-            // glimt_render_gpu/src/kernels/bis.rs:69
+            // glimt_render_gpu/src/kernels/bis.rs:67
             let _e86 = j;
             j = (_e86 + 1u);
         } else {
             break;
         }
     }
-    // glimt_render_gpu/src/kernels/bis.rs:71
+    // glimt_render_gpu/src/kernels/bis.rs:69
     let _e89 = sum_2;
     return _e89;
+}
+
+// glimt_render_gpu/src/kernels/shade.rs:25
+fn Vec4_of_surface(light_1: Reflected, _is_catcher: bool) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/shade.rs:26
+    return vec4<f32>(light_1.lit, 1f);
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:53
@@ -2934,48 +2940,45 @@ fn RadianceMap_background(size_12: vec2<u32>, rotation_5: vec2<f32>, direction_1
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:98
-fn Environment_background(cdf_size_5: vec2<u32>, rotation_6: vec2<f32>, direction_12: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/shade.rs:30
+fn Vec4_of_background(ray_10: Ray, frame_2: FrameParams, map_size: vec2<u32>, map_rotation: vec2<f32>) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:99
-    let _e5 = Environment_map(cdf_size_5, rotation_6);
-    let _e8 = RadianceMap_background(_e5.value_size, _e5.value_rotation, direction_12);
-    return _e8;
-}
-
-// glimt_render_gpu/src/kernels/shade.rs:64
-fn shade(ray_10: u32, frame_2: FrameParams, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>, estimator: Bis) -> vec4<f32> {
-
-    // glimt_render_gpu/src/kernels/shade.rs:71
-    let _e7 = FrameParams_pattern_of(frame_2, ray_10);
-    // glimt_render_gpu/src/kernels/shade.rs:72
-    let _e9 = FrameParams_camera_ray(frame_2, _e7);
-    // glimt_render_gpu/src/kernels/shade.rs:73
-    let _e11 = Scene_closest_hit(_e9);
-    let hit_1 = _e11.value;
-    if _e11.is_some {
-        // glimt_render_gpu/src/kernels/shade.rs:74
-        let _e15 = Scene_shading_point(_e9, hit_1);
-        // glimt_render_gpu/src/kernels/shade.rs:75
-        let _e17 = Bis_reflected(estimator, _e15, _e7, env_cdf_size_2, env_rotation_2);
-        return vec4<f32>(_e17.lit, 1f);
-    }
-    // glimt_render_gpu/src/kernels/shade.rs:80
+    // glimt_render_gpu/src/kernels/shade.rs:31
     if (frame_2.background == 0u) {
-        // glimt_render_gpu/src/kernels/shade.rs:81
-        let _e27 = Environment_background(env_cdf_size_2, env_rotation_2, _e9.direction);
-        return vec4<f32>(_e27, 1f);
+        // glimt_render_gpu/src/kernels/shade.rs:32
+        let _e11 = RadianceMap_background(map_size, map_rotation, ray_10.direction);
+        return vec4<f32>(_e11, 1f);
     }
-    // glimt_render_gpu/src/kernels/shade.rs:83
+    // glimt_render_gpu/src/kernels/shade.rs:34
     return vec4(0f);
 }
 
-// glimt_render_gpu/src/kernels/shade.rs:32
-fn shade_bis_1(ray_11: u32, frame_3: FrameParams, bis: Bis, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>) -> vec4<f32> {
+// glimt_render_gpu/src/kernels/shade.rs:53
+fn shade(ray_11: u32, frame_3: FrameParams, estimator: Bis, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/shade.rs:39
-    let _e7 = shade(ray_11, frame_3, env_cdf_size_3, env_rotation_3, bis);
-    return _e7;
+    // glimt_render_gpu/src/kernels/shade.rs:60
+    let _e7 = FrameParams_pattern_of(frame_3, ray_11);
+    // glimt_render_gpu/src/kernels/shade.rs:61
+    let _e9 = FrameParams_camera_ray(frame_3, _e7);
+    // glimt_render_gpu/src/kernels/shade.rs:62
+    let _e11 = Scene_closest_hit(_e9);
+    let hit_1 = _e11.value;
+    if _e11.is_some {
+        // glimt_render_gpu/src/kernels/shade.rs:63
+        let _e15 = Scene_shading_point(_e9, hit_1);
+        // glimt_render_gpu/src/kernels/shade.rs:64
+        let _e17 = Bis_reflected(estimator, _e15, _e7, env_cdf_size_2, env_rotation_2);
+        // glimt_render_gpu/src/kernels/shade.rs:65
+        let _e22 = scene_triangles[hit_1.triangle];
+        let _e23 = Triangle_is_catcher(_e22);
+        // glimt_render_gpu/src/kernels/shade.rs:66
+        let _e25 = Vec4_of_surface(_e17, _e23);
+        return _e25;
+    }
+    // glimt_render_gpu/src/kernels/shade.rs:68
+    let _e27 = Environment_map(env_cdf_size_2, env_rotation_2);
+    let _e30 = Vec4_of_background(_e9, frame_3, _e27.value_size, _e27.value_rotation);
+    return _e30;
 }
 
 @compute @workgroup_size(64, 1, 1) 
@@ -2987,9 +2990,9 @@ fn shade_bis(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgrou
     }
     let _e14 = params.first;
     let _e17 = params.frame;
-    let _e19 = params.bis;
+    let _e19 = params.estimator;
     let _e21 = params.env_cdf_size;
     let _e23 = params.env_rotation;
-    let _e24 = shade_bis_1((_e14 + local), _e17, _e19, _e21, _e23);
+    let _e24 = shade((_e14 + local), _e17, _e19, _e21, _e23);
     out[local] = _e24;
 }

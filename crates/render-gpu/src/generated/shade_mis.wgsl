@@ -1,4 +1,4 @@
-// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct BvhNode {
     min: vec3<f32>,
@@ -53,8 +53,6 @@ struct FrameParams {
     rays_per_pixel: u32,
     up: vec3<f32>,
     first_pixel: u32,
-    brdf_samples: u32,
-    env_samples: u32,
     pattern: u32,
     filter_: u32,
     background: u32,
@@ -64,6 +62,8 @@ struct FrameParams {
     exposure: f32,
     shadow: u32,
     film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
     unused_c: u32,
 }
 
@@ -192,7 +192,8 @@ struct Params {
     first: u32,
     count: u32,
     frame: FrameParams,
-    env_cdf_size: vec2<u32>,
+    estimator: Mis,
+    @align(16) env_cdf_size: vec2<u32>,
     env_rotation: vec2<f32>,
 }
 
@@ -217,17 +218,10 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/shade.rs:55
-fn mis(frame: FrameParams) -> Mis {
-
-    // glimt_render_gpu/src/kernels/shade.rs:56
-    return Mis(frame.brdf_samples, frame.env_samples);
-}
-
-// glimt_render_gpu/src/kernels/frame.rs:88
+// glimt_render_gpu/src/kernels/frame.rs:115
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:89
+    // glimt_render_gpu/src/kernels/frame.rs:116
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -276,10 +270,10 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:171
-fn OwenSobol_new(seed: u32, frame_1: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
 
     // glimt_sampling/src/sobol.rs:172
-    let _e6 = hash3_(seed, frame_1, pixel);
+    let _e6 = hash3_(seed, frame, pixel);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
@@ -631,10 +625,10 @@ fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
 }
 
 // glimt_sampling/src/xoshiro.rs:49
-fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_2: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
 
     // glimt_sampling/src/xoshiro.rs:50
-    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_2, seed_3, 2654435769u));
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
     let _e8 = Xoshiro128PlusPlus_from_state(_e7);
     return _e8;
 }
@@ -831,14 +825,14 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_8)) - (this_8.up * y_1)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:118
+// glimt_render_gpu/src/kernels/frame.rs:145
 fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:119
+    // glimt_render_gpu/src/kernels/frame.rs:146
     let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:120
+    // glimt_render_gpu/src/kernels/frame.rs:147
     let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:126
+    // glimt_render_gpu/src/kernels/frame.rs:153
     let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
     return _e22;
 }
@@ -860,24 +854,24 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:102
+// glimt_render_gpu/src/kernels/frame.rs:129
 fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:103
+    // glimt_render_gpu/src/kernels/frame.rs:130
     if (this_10.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:104
+        // glimt_render_gpu/src/kernels/frame.rs:131
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:106
+        // glimt_render_gpu/src/kernels/frame.rs:133
         let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:110
+        // glimt_render_gpu/src/kernels/frame.rs:137
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_2 = _e24;
     }
     let place_1 = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:112
+    // glimt_render_gpu/src/kernels/frame.rs:139
     let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
     let _e30 = Ray_new(this_10.eye, _e29);
     return _e30;
@@ -1768,10 +1762,10 @@ fn sample_power_cosine(u_2: vec2<f32>, exponent_1: f32) -> DirectionSample {
     let _e80 = cos_sin_turns(u_2.y);
     // glimt_sampling/src/warp.rs:279
     let _e86 = cos_theta;
-    let direction_12 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
+    let direction_11 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
     // glimt_sampling/src/warp.rs:280
-    let _e89 = pdf_power_cosine_sr(direction_12, exponent_1);
-    return DirectionSample(direction_12, _e89);
+    let _e89 = pdf_power_cosine_sr(direction_11, exponent_1);
+    return DirectionSample(direction_11, _e89);
 }
 
 // glimt_sampling/src/warp.rs:31
@@ -2108,10 +2102,10 @@ fn multi_sample_density(n_f: u32, pdf_f: f32, n_g: u32, pdf_g: f32) -> f32 {
     return ((f32(n_f) * pdf_f) + (f32(n_g) * pdf_g));
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:74
+// glimt_render_gpu/src/kernels/mis.rs:75
 fn Mis_density(this_27: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/mis.rs:75
+    // glimt_render_gpu/src/kernels/mis.rs:76
     let _e7 = multi_sample_density(this_27.brdf_samples, brdf_pdf_sr, this_27.env_samples, env_pdf_sr);
     return _e7;
 }
@@ -2174,27 +2168,27 @@ fn LightSample_new(point_1: ShadingPoint, direction_8: vec3<f32>, wi_3: vec3<f32
     return LightSample(direction_8, (radiance * weight));
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:29
+// glimt_render_gpu/src/kernels/mis.rs:30
 fn Mis_brdf_sample(this_29: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> LightSample {
 
-    // glimt_render_gpu/src/kernels/mis.rs:36
-    let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_29.brdf_samples);
     // glimt_render_gpu/src/kernels/mis.rs:37
+    let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_29.brdf_samples);
+    // glimt_render_gpu/src/kernels/mis.rs:38
     let _e16 = unit_vec2_(_e10.xy);
     let _e17 = BlinnPhong_sample(point_2.brdf, point_2.wo, _e10.z, _e16);
-    // glimt_render_gpu/src/kernels/mis.rs:38
+    // glimt_render_gpu/src/kernels/mis.rs:39
     if !((_e17.pdf_sr > 0f)) {
-        // glimt_render_gpu/src/kernels/mis.rs:39
+        // glimt_render_gpu/src/kernels/mis.rs:40
         return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/mis.rs:41
-    let _e34 = ShadingFrame_to_world(point_2.frame, _e17.wi);
     // glimt_render_gpu/src/kernels/mis.rs:42
-    let _e36 = Environment_texel(env_cdf_size, env_rotation, _e34);
+    let _e34 = ShadingFrame_to_world(point_2.frame, _e17.wi);
     // glimt_render_gpu/src/kernels/mis.rs:43
+    let _e36 = Environment_texel(env_cdf_size, env_rotation, _e34);
+    // glimt_render_gpu/src/kernels/mis.rs:44
     let _e39 = EnvCdf_texel_pdf_sr(env_cdf_size, _e36);
     let _e40 = Mis_density(this_29, _e17.pdf_sr, _e39);
-    // glimt_render_gpu/src/kernels/mis.rs:44
+    // glimt_render_gpu/src/kernels/mis.rs:45
     let _e43 = Environment_radiance(env_cdf_size, env_rotation, _e36);
     let _e44 = LightSample_new(point_2, _e34, _e17.wi, _e43, _e40);
     return _e44;
@@ -2446,47 +2440,47 @@ fn Environment_sample(cdf_size_3: vec2<u32>, rotation_3: vec2<f32>, u_10: vec2<u
     return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:50
+// glimt_render_gpu/src/kernels/mis.rs:51
 fn Mis_env_sample(this_32: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LightSample {
 
-    // glimt_render_gpu/src/kernels/mis.rs:57
-    let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_32.env_samples);
     // glimt_render_gpu/src/kernels/mis.rs:58
-    let _e12 = Environment_sample(env_cdf_size_1, env_rotation_1, _e10);
+    let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_32.env_samples);
     // glimt_render_gpu/src/kernels/mis.rs:59
+    let _e12 = Environment_sample(env_cdf_size_1, env_rotation_1, _e10);
+    // glimt_render_gpu/src/kernels/mis.rs:60
     if !((_e12.pdf_sr > 0f)) {
-        // glimt_render_gpu/src/kernels/mis.rs:60
+        // glimt_render_gpu/src/kernels/mis.rs:61
         return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/mis.rs:62
-    let _e29 = ShadingFrame_to_local(point_5.frame, _e12.direction);
     // glimt_render_gpu/src/kernels/mis.rs:63
+    let _e29 = ShadingFrame_to_local(point_5.frame, _e12.direction);
+    // glimt_render_gpu/src/kernels/mis.rs:64
     let _e33 = BlinnPhong_pdf_sr(point_5.brdf, point_5.wo, _e29);
     let _e35 = Mis_density(this_32, _e33, _e12.pdf_sr);
-    // glimt_render_gpu/src/kernels/mis.rs:64
+    // glimt_render_gpu/src/kernels/mis.rs:65
     let _e39 = Environment_radiance(env_cdf_size_1, env_rotation_1, _e12.texel);
     let _e40 = LightSample_new(point_5, _e12.direction, _e29, _e39, _e35);
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:81
+// glimt_render_gpu/src/kernels/mis.rs:82
 fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> Reflected {
     var sum_2: Reflected;
     var counter_2: u32;
     var counter_3: u32;
 
-    // glimt_render_gpu/src/kernels/mis.rs:88
-    sum_2 = Reflected(vec3(0f), vec3(0f));
     // glimt_render_gpu/src/kernels/mis.rs:89
+    sum_2 = Reflected(vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/mis.rs:90
     counter_2 = 0u;
     loop {
         let i_1 = counter_2;
         if (i_1 >= this_33.brdf_samples) {
             break;
         }
-        // glimt_render_gpu/src/kernels/mis.rs:90
-        let _e20 = Mis_brdf_sample(this_33, i_1, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/mis.rs:91
+        let _e20 = Mis_brdf_sample(this_33, i_1, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
+        // glimt_render_gpu/src/kernels/mis.rs:92
         let _e22 = LightSample_traced(_e20, point_6);
         Reflected_gather((&sum_2), _e22);
         continuing {
@@ -2494,16 +2488,16 @@ fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
             counter_2 = (_e23 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/mis.rs:93
+    // glimt_render_gpu/src/kernels/mis.rs:94
     counter_3 = 0u;
     loop {
         let i_2 = counter_3;
         if (i_2 >= this_33.env_samples) {
             break;
         }
-        // glimt_render_gpu/src/kernels/mis.rs:94
-        let _e33 = Mis_env_sample(this_33, i_2, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/mis.rs:95
+        let _e33 = Mis_env_sample(this_33, i_2, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
+        // glimt_render_gpu/src/kernels/mis.rs:96
         let _e35 = LightSample_traced(_e33, point_6);
         Reflected_gather((&sum_2), _e35);
         continuing {
@@ -2511,9 +2505,16 @@ fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
             counter_3 = (_e36 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/mis.rs:97
+    // glimt_render_gpu/src/kernels/mis.rs:98
     let _e40 = sum_2;
     return _e40;
+}
+
+// glimt_render_gpu/src/kernels/shade.rs:25
+fn Vec4_of_surface(light_1: Reflected, _is_catcher: bool) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/shade.rs:26
+    return vec4<f32>(light_1.lit, 1f);
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:53
@@ -2564,49 +2565,45 @@ fn RadianceMap_background(size_12: vec2<u32>, rotation_5: vec2<f32>, direction_1
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:98
-fn Environment_background(cdf_size_5: vec2<u32>, rotation_6: vec2<f32>, direction_11: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/shade.rs:30
+fn Vec4_of_background(ray_10: Ray, frame_2: FrameParams, map_size: vec2<u32>, map_rotation: vec2<f32>) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:99
-    let _e5 = Environment_map(cdf_size_5, rotation_6);
-    let _e8 = RadianceMap_background(_e5.value_size, _e5.value_rotation, direction_11);
-    return _e8;
-}
-
-// glimt_render_gpu/src/kernels/shade.rs:64
-fn shade(ray_10: u32, frame_3: FrameParams, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, estimator: Mis) -> vec4<f32> {
-
-    // glimt_render_gpu/src/kernels/shade.rs:71
-    let _e7 = FrameParams_pattern_of(frame_3, ray_10);
-    // glimt_render_gpu/src/kernels/shade.rs:72
-    let _e9 = FrameParams_camera_ray(frame_3, _e7);
-    // glimt_render_gpu/src/kernels/shade.rs:73
-    let _e11 = Scene_closest_hit(_e9);
-    let hit_1 = _e11.value;
-    if _e11.is_some {
-        // glimt_render_gpu/src/kernels/shade.rs:74
-        let _e15 = Scene_shading_point(_e9, hit_1);
-        // glimt_render_gpu/src/kernels/shade.rs:75
-        let _e17 = Mis_reflected(estimator, _e15, _e7, env_cdf_size_3, env_rotation_3);
-        return vec4<f32>(_e17.lit, 1f);
+    // glimt_render_gpu/src/kernels/shade.rs:31
+    if (frame_2.background == 0u) {
+        // glimt_render_gpu/src/kernels/shade.rs:32
+        let _e11 = RadianceMap_background(map_size, map_rotation, ray_10.direction);
+        return vec4<f32>(_e11, 1f);
     }
-    // glimt_render_gpu/src/kernels/shade.rs:80
-    if (frame_3.background == 0u) {
-        // glimt_render_gpu/src/kernels/shade.rs:81
-        let _e27 = Environment_background(env_cdf_size_3, env_rotation_3, _e9.direction);
-        return vec4<f32>(_e27, 1f);
-    }
-    // glimt_render_gpu/src/kernels/shade.rs:83
+    // glimt_render_gpu/src/kernels/shade.rs:34
     return vec4(0f);
 }
 
-// glimt_render_gpu/src/kernels/shade.rs:15
-fn shade_mis_1(ray_11: u32, frame_4: FrameParams, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>) -> vec4<f32> {
+// glimt_render_gpu/src/kernels/shade.rs:53
+fn shade(ray_11: u32, frame_3: FrameParams, estimator: Mis, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/shade.rs:16
-    let _e6 = mis(frame_4);
-    let _e7 = shade(ray_11, frame_4, env_cdf_size_4, env_rotation_4, _e6);
-    return _e7;
+    // glimt_render_gpu/src/kernels/shade.rs:60
+    let _e7 = FrameParams_pattern_of(frame_3, ray_11);
+    // glimt_render_gpu/src/kernels/shade.rs:61
+    let _e9 = FrameParams_camera_ray(frame_3, _e7);
+    // glimt_render_gpu/src/kernels/shade.rs:62
+    let _e11 = Scene_closest_hit(_e9);
+    let hit_1 = _e11.value;
+    if _e11.is_some {
+        // glimt_render_gpu/src/kernels/shade.rs:63
+        let _e15 = Scene_shading_point(_e9, hit_1);
+        // glimt_render_gpu/src/kernels/shade.rs:64
+        let _e17 = Mis_reflected(estimator, _e15, _e7, env_cdf_size_3, env_rotation_3);
+        // glimt_render_gpu/src/kernels/shade.rs:65
+        let _e22 = scene_triangles[hit_1.triangle];
+        let _e23 = Triangle_is_catcher(_e22);
+        // glimt_render_gpu/src/kernels/shade.rs:66
+        let _e25 = Vec4_of_surface(_e17, _e23);
+        return _e25;
+    }
+    // glimt_render_gpu/src/kernels/shade.rs:68
+    let _e27 = Environment_map(env_cdf_size_3, env_rotation_3);
+    let _e30 = Vec4_of_background(_e9, frame_3, _e27.value_size, _e27.value_rotation);
+    return _e30;
 }
 
 @compute @workgroup_size(64, 1, 1) 
@@ -2618,8 +2615,9 @@ fn shade_mis(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgrou
     }
     let _e14 = params.first;
     let _e17 = params.frame;
-    let _e19 = params.env_cdf_size;
-    let _e21 = params.env_rotation;
-    let _e22 = shade_mis_1((_e14 + local), _e17, _e19, _e21);
-    out[local] = _e22;
+    let _e19 = params.estimator;
+    let _e21 = params.env_cdf_size;
+    let _e23 = params.env_rotation;
+    let _e24 = shade((_e14 + local), _e17, _e19, _e21, _e23);
+    out[local] = _e24;
 }

@@ -1,4 +1,4 @@
-// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct BvhNode {
     min: vec3<f32>,
@@ -53,8 +53,6 @@ struct FrameParams {
     rays_per_pixel: u32,
     up: vec3<f32>,
     first_pixel: u32,
-    brdf_samples: u32,
-    env_samples: u32,
     pattern: u32,
     filter_: u32,
     background: u32,
@@ -64,6 +62,8 @@ struct FrameParams {
     exposure: f32,
     shadow: u32,
     film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
     unused_c: u32,
 }
 
@@ -190,11 +190,17 @@ struct LayerSample {
     catcher: f32,
 }
 
+struct Returned_Environment_map {
+    value_size: vec2<u32>,
+    value_rotation: vec2<f32>,
+}
+
 struct Params {
     first: u32,
     count: u32,
     frame: FrameParams,
-    env_cdf_size: vec2<u32>,
+    estimator: Mis,
+    @align(16) env_cdf_size: vec2<u32>,
     env_rotation: vec2<f32>,
 }
 
@@ -219,17 +225,10 @@ var<storage, read_write> out: array<LayerSample>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/shade.rs:55
-fn mis(frame: FrameParams) -> Mis {
-
-    // glimt_render_gpu/src/kernels/shade.rs:56
-    return Mis(frame.brdf_samples, frame.env_samples);
-}
-
-// glimt_render_gpu/src/kernels/frame.rs:88
+// glimt_render_gpu/src/kernels/frame.rs:115
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:89
+    // glimt_render_gpu/src/kernels/frame.rs:116
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -278,10 +277,10 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:171
-fn OwenSobol_new(seed: u32, frame_1: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
 
     // glimt_sampling/src/sobol.rs:172
-    let _e6 = hash3_(seed, frame_1, pixel);
+    let _e6 = hash3_(seed, frame, pixel);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
@@ -633,10 +632,10 @@ fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
 }
 
 // glimt_sampling/src/xoshiro.rs:49
-fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_2: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
 
     // glimt_sampling/src/xoshiro.rs:50
-    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_2, seed_3, 2654435769u));
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
     let _e8 = Xoshiro128PlusPlus_from_state(_e7);
     return _e8;
 }
@@ -833,14 +832,14 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_8)) - (this_8.up * y_1)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:118
+// glimt_render_gpu/src/kernels/frame.rs:145
 fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:119
+    // glimt_render_gpu/src/kernels/frame.rs:146
     let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:120
+    // glimt_render_gpu/src/kernels/frame.rs:147
     let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:126
+    // glimt_render_gpu/src/kernels/frame.rs:153
     let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
     return _e22;
 }
@@ -862,24 +861,24 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:102
+// glimt_render_gpu/src/kernels/frame.rs:129
 fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:103
+    // glimt_render_gpu/src/kernels/frame.rs:130
     if (this_10.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:104
+        // glimt_render_gpu/src/kernels/frame.rs:131
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:106
+        // glimt_render_gpu/src/kernels/frame.rs:133
         let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:110
+        // glimt_render_gpu/src/kernels/frame.rs:137
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_2 = _e24;
     }
     let place_1 = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:112
+    // glimt_render_gpu/src/kernels/frame.rs:139
     let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
     let _e30 = Ray_new(this_10.eye, _e29);
     return _e30;
@@ -2110,10 +2109,10 @@ fn multi_sample_density(n_f: u32, pdf_f: f32, n_g: u32, pdf_g: f32) -> f32 {
     return ((f32(n_f) * pdf_f) + (f32(n_g) * pdf_g));
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:74
+// glimt_render_gpu/src/kernels/mis.rs:75
 fn Mis_density(this_27: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/mis.rs:75
+    // glimt_render_gpu/src/kernels/mis.rs:76
     let _e7 = multi_sample_density(this_27.brdf_samples, brdf_pdf_sr, this_27.env_samples, env_pdf_sr);
     return _e7;
 }
@@ -2176,27 +2175,27 @@ fn LightSample_new(point_1: ShadingPoint, direction_8: vec3<f32>, wi_3: vec3<f32
     return LightSample(direction_8, (radiance * weight));
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:29
+// glimt_render_gpu/src/kernels/mis.rs:30
 fn Mis_brdf_sample(this_29: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> LightSample {
 
-    // glimt_render_gpu/src/kernels/mis.rs:36
-    let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_29.brdf_samples);
     // glimt_render_gpu/src/kernels/mis.rs:37
+    let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_29.brdf_samples);
+    // glimt_render_gpu/src/kernels/mis.rs:38
     let _e16 = unit_vec2_(_e10.xy);
     let _e17 = BlinnPhong_sample(point_2.brdf, point_2.wo, _e10.z, _e16);
-    // glimt_render_gpu/src/kernels/mis.rs:38
+    // glimt_render_gpu/src/kernels/mis.rs:39
     if !((_e17.pdf_sr > 0f)) {
-        // glimt_render_gpu/src/kernels/mis.rs:39
+        // glimt_render_gpu/src/kernels/mis.rs:40
         return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/mis.rs:41
-    let _e34 = ShadingFrame_to_world(point_2.frame, _e17.wi);
     // glimt_render_gpu/src/kernels/mis.rs:42
-    let _e36 = Environment_texel(env_cdf_size, env_rotation, _e34);
+    let _e34 = ShadingFrame_to_world(point_2.frame, _e17.wi);
     // glimt_render_gpu/src/kernels/mis.rs:43
+    let _e36 = Environment_texel(env_cdf_size, env_rotation, _e34);
+    // glimt_render_gpu/src/kernels/mis.rs:44
     let _e39 = EnvCdf_texel_pdf_sr(env_cdf_size, _e36);
     let _e40 = Mis_density(this_29, _e17.pdf_sr, _e39);
-    // glimt_render_gpu/src/kernels/mis.rs:44
+    // glimt_render_gpu/src/kernels/mis.rs:45
     let _e43 = Environment_radiance(env_cdf_size, env_rotation, _e36);
     let _e44 = LightSample_new(point_2, _e34, _e17.wi, _e43, _e40);
     return _e44;
@@ -2448,47 +2447,47 @@ fn Environment_sample(cdf_size_3: vec2<u32>, rotation_3: vec2<f32>, u_10: vec2<u
     return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:50
+// glimt_render_gpu/src/kernels/mis.rs:51
 fn Mis_env_sample(this_32: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LightSample {
 
-    // glimt_render_gpu/src/kernels/mis.rs:57
-    let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_32.env_samples);
     // glimt_render_gpu/src/kernels/mis.rs:58
-    let _e12 = Environment_sample(env_cdf_size_1, env_rotation_1, _e10);
+    let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_32.env_samples);
     // glimt_render_gpu/src/kernels/mis.rs:59
+    let _e12 = Environment_sample(env_cdf_size_1, env_rotation_1, _e10);
+    // glimt_render_gpu/src/kernels/mis.rs:60
     if !((_e12.pdf_sr > 0f)) {
-        // glimt_render_gpu/src/kernels/mis.rs:60
+        // glimt_render_gpu/src/kernels/mis.rs:61
         return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/mis.rs:62
-    let _e29 = ShadingFrame_to_local(point_5.frame, _e12.direction);
     // glimt_render_gpu/src/kernels/mis.rs:63
+    let _e29 = ShadingFrame_to_local(point_5.frame, _e12.direction);
+    // glimt_render_gpu/src/kernels/mis.rs:64
     let _e33 = BlinnPhong_pdf_sr(point_5.brdf, point_5.wo, _e29);
     let _e35 = Mis_density(this_32, _e33, _e12.pdf_sr);
-    // glimt_render_gpu/src/kernels/mis.rs:64
+    // glimt_render_gpu/src/kernels/mis.rs:65
     let _e39 = Environment_radiance(env_cdf_size_1, env_rotation_1, _e12.texel);
     let _e40 = LightSample_new(point_5, _e12.direction, _e29, _e39, _e35);
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:81
+// glimt_render_gpu/src/kernels/mis.rs:82
 fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> Reflected {
     var sum_2: Reflected;
     var counter_2: u32;
     var counter_3: u32;
 
-    // glimt_render_gpu/src/kernels/mis.rs:88
-    sum_2 = Reflected(vec3(0f), vec3(0f));
     // glimt_render_gpu/src/kernels/mis.rs:89
+    sum_2 = Reflected(vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/mis.rs:90
     counter_2 = 0u;
     loop {
         let i_1 = counter_2;
         if (i_1 >= this_33.brdf_samples) {
             break;
         }
-        // glimt_render_gpu/src/kernels/mis.rs:90
-        let _e20 = Mis_brdf_sample(this_33, i_1, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/mis.rs:91
+        let _e20 = Mis_brdf_sample(this_33, i_1, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
+        // glimt_render_gpu/src/kernels/mis.rs:92
         let _e22 = LightSample_traced(_e20, point_6);
         Reflected_gather((&sum_2), _e22);
         continuing {
@@ -2496,16 +2495,16 @@ fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
             counter_2 = (_e23 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/mis.rs:93
+    // glimt_render_gpu/src/kernels/mis.rs:94
     counter_3 = 0u;
     loop {
         let i_2 = counter_3;
         if (i_2 >= this_33.env_samples) {
             break;
         }
-        // glimt_render_gpu/src/kernels/mis.rs:94
-        let _e33 = Mis_env_sample(this_33, i_2, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/mis.rs:95
+        let _e33 = Mis_env_sample(this_33, i_2, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
+        // glimt_render_gpu/src/kernels/mis.rs:96
         let _e35 = LightSample_traced(_e33, point_6);
         Reflected_gather((&sum_2), _e35);
         continuing {
@@ -2513,7 +2512,7 @@ fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
             counter_3 = (_e36 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/mis.rs:97
+    // glimt_render_gpu/src/kernels/mis.rs:98
     let _e40 = sum_2;
     return _e40;
 }
@@ -2530,39 +2529,54 @@ fn LayerSample_of(light_1: Reflected, is_catcher: bool) -> LayerSample {
     return LayerSample(light_1.lit, 1f, vec3(0f), 0f);
 }
 
-// glimt_render_gpu/src/kernels/shade.rs:88
-fn shade_layers(ray_10: u32, frame_3: FrameParams, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, estimator: Mis) -> LayerSample {
+// glimt_render_gpu/src/kernels/shade.rs:41
+fn LayerSample_of_surface(light_2: Reflected, is_catcher_1: bool) -> LayerSample {
 
-    // glimt_render_gpu/src/kernels/shade.rs:95
-    let _e7 = FrameParams_pattern_of(frame_3, ray_10);
-    // glimt_render_gpu/src/kernels/shade.rs:96
-    let _e9 = FrameParams_camera_ray(frame_3, _e7);
-    // glimt_render_gpu/src/kernels/shade.rs:97
-    let _e11 = Scene_closest_hit(_e9);
-    let hit_1 = _e11.value;
-    if _e11.is_some {
-        // glimt_render_gpu/src/kernels/shade.rs:98
-        let _e15 = Scene_shading_point(_e9, hit_1);
-        // glimt_render_gpu/src/kernels/shade.rs:99
-        let _e17 = Mis_reflected(estimator, _e15, _e7, env_cdf_size_3, env_rotation_3);
-        // glimt_render_gpu/src/kernels/shade.rs:100
-        let _e22 = scene_triangles[hit_1.triangle];
-        let _e23 = Triangle_is_catcher(_e22);
-        // glimt_render_gpu/src/kernels/shade.rs:101
-        let _e25 = LayerSample_of(_e17, _e23);
-        return _e25;
-    }
-    // glimt_render_gpu/src/kernels/shade.rs:103
+    // glimt_render_gpu/src/kernels/shade.rs:42
+    let _e4 = LayerSample_of(light_2, is_catcher_1);
+    return _e4;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:53
+fn Environment_map(cdf_size_4: vec2<u32>, rotation_4: vec2<f32>) -> Returned_Environment_map {
+
+    // glimt_render_gpu/src/kernels/environment.rs:54
+    return Returned_Environment_map(cdf_size_4, rotation_4);
+}
+
+// glimt_render_gpu/src/kernels/shade.rs:46
+fn LayerSample_of_background(_ray: Ray, _frame: FrameParams, _map_size: vec2<u32>, _map_rotation: vec2<f32>) -> LayerSample {
+
+    // glimt_render_gpu/src/kernels/shade.rs:47
     return LayerSample(vec3(0f), 0f, vec3(0f), 0f);
 }
 
-// glimt_render_gpu/src/kernels/shade.rs:21
-fn shade_mis_layers_1(ray_11: u32, frame_4: FrameParams, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>) -> LayerSample {
+// glimt_render_gpu/src/kernels/shade.rs:53
+fn shade(ray_10: u32, frame_2: FrameParams, estimator: Mis, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>) -> LayerSample {
 
-    // glimt_render_gpu/src/kernels/shade.rs:27
-    let _e6 = mis(frame_4);
-    let _e7 = shade_layers(ray_11, frame_4, env_cdf_size_4, env_rotation_4, _e6);
-    return _e7;
+    // glimt_render_gpu/src/kernels/shade.rs:60
+    let _e7 = FrameParams_pattern_of(frame_2, ray_10);
+    // glimt_render_gpu/src/kernels/shade.rs:61
+    let _e9 = FrameParams_camera_ray(frame_2, _e7);
+    // glimt_render_gpu/src/kernels/shade.rs:62
+    let _e11 = Scene_closest_hit(_e9);
+    let hit_1 = _e11.value;
+    if _e11.is_some {
+        // glimt_render_gpu/src/kernels/shade.rs:63
+        let _e15 = Scene_shading_point(_e9, hit_1);
+        // glimt_render_gpu/src/kernels/shade.rs:64
+        let _e17 = Mis_reflected(estimator, _e15, _e7, env_cdf_size_3, env_rotation_3);
+        // glimt_render_gpu/src/kernels/shade.rs:65
+        let _e22 = scene_triangles[hit_1.triangle];
+        let _e23 = Triangle_is_catcher(_e22);
+        // glimt_render_gpu/src/kernels/shade.rs:66
+        let _e25 = LayerSample_of_surface(_e17, _e23);
+        return _e25;
+    }
+    // glimt_render_gpu/src/kernels/shade.rs:68
+    let _e27 = Environment_map(env_cdf_size_3, env_rotation_3);
+    let _e30 = LayerSample_of_background(_e9, frame_2, _e27.value_size, _e27.value_rotation);
+    return _e30;
 }
 
 @compute @workgroup_size(64, 1, 1) 
@@ -2574,8 +2588,9 @@ fn shade_mis_layers(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_w
     }
     let _e14 = params.first;
     let _e17 = params.frame;
-    let _e19 = params.env_cdf_size;
-    let _e21 = params.env_rotation;
-    let _e22 = shade_mis_layers_1((_e14 + local), _e17, _e19, _e21);
-    out[local] = _e22;
+    let _e19 = params.estimator;
+    let _e21 = params.env_cdf_size;
+    let _e23 = params.env_rotation;
+    let _e24 = shade((_e14 + local), _e17, _e19, _e21, _e23);
+    out[local] = _e24;
 }

@@ -1,4 +1,4 @@
-// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct BvhNode {
     min: vec3<f32>,
@@ -73,8 +73,6 @@ struct FrameParams {
     rays_per_pixel: u32,
     up: vec3<f32>,
     first_pixel: u32,
-    brdf_samples: u32,
-    env_samples: u32,
     pattern: u32,
     filter_: u32,
     background: u32,
@@ -84,6 +82,8 @@ struct FrameParams {
     exposure: f32,
     shadow: u32,
     film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
     unused_c: u32,
 }
 
@@ -398,10 +398,10 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:88
+// glimt_render_gpu/src/kernels/frame.rs:115
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:89
+    // glimt_render_gpu/src/kernels/frame.rs:116
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -1005,14 +1005,14 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_8)) - (this_8.up * y_1)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:118
+// glimt_render_gpu/src/kernels/frame.rs:145
 fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:119
+    // glimt_render_gpu/src/kernels/frame.rs:146
     let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:120
+    // glimt_render_gpu/src/kernels/frame.rs:147
     let view_2 = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:126
+    // glimt_render_gpu/src/kernels/frame.rs:153
     let _e22 = CameraView_direction(view_2, (corner + place), vec2<u32>(this_9.width, this_9.height));
     return _e22;
 }
@@ -1034,24 +1034,24 @@ fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:102
+// glimt_render_gpu/src/kernels/frame.rs:129
 fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:103
+    // glimt_render_gpu/src/kernels/frame.rs:130
     if (this_10.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:104
+        // glimt_render_gpu/src/kernels/frame.rs:131
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:106
+        // glimt_render_gpu/src/kernels/frame.rs:133
         let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:110
+        // glimt_render_gpu/src/kernels/frame.rs:137
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_2 = _e24;
     }
     let place_1 = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:112
+    // glimt_render_gpu/src/kernels/frame.rs:139
     let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
     let _e30 = Ray_new(this_10.eye, _e29);
     return _e30;
@@ -1866,47 +1866,11 @@ fn PixelPattern_source(this_22: PixelPattern, purpose_4: u32) -> PatternSource {
     return PatternSource((this_22.kind == 0u), _e8, _e10);
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:82
+// glimt_render_gpu/src/kernels/smc.rs:68
 fn SmcParams_sampler(this_23: SmcParams) -> Sampler {
-    var chosen_13: u32;
-    var chosen_14: u32;
-    var chosen_15: u32;
-    var chosen_16: u32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:83
-    if (this_23.path == 1u) {
-        // glimt_render_gpu/src/kernels/smc.rs:84
-        chosen_13 = 1u;
-    } else {
-        // glimt_render_gpu/src/kernels/smc.rs:86
-        chosen_13 = 0u;
-    }
-    let path = chosen_13;
-    // glimt_render_gpu/src/kernels/smc.rs:88
-    if (this_23.scheme == 1u) {
-        // glimt_render_gpu/src/kernels/smc.rs:89
-        chosen_14 = 1u;
-    } else {
-        if (this_23.scheme == 2u) {
-            // glimt_render_gpu/src/kernels/smc.rs:91
-            chosen_15 = 2u;
-        } else {
-            if (this_23.scheme == 3u) {
-                // glimt_render_gpu/src/kernels/smc.rs:93
-                chosen_16 = 3u;
-            } else {
-                // glimt_render_gpu/src/kernels/smc.rs:95
-                chosen_16 = 0u;
-            }
-            let _e33 = chosen_16;
-            chosen_15 = _e33;
-        }
-        let _e34 = chosen_15;
-        chosen_14 = _e34;
-    }
-    let scheme_6 = chosen_14;
-    // glimt_render_gpu/src/kernels/smc.rs:97
-    return Sampler(Bridge(path, this_23.intermediate), scheme_6, this_23.ess_threshold);
+    // glimt_render_gpu/src/kernels/smc.rs:69
+    return Sampler(Bridge(this_23.path, this_23.intermediate), this_23.scheme, this_23.ess_threshold);
 }
 
 // glimt_smc/src/bridge.rs:48
@@ -1938,7 +1902,7 @@ fn HalfVector_new(wo: vec3<f32>, wi: vec3<f32>) -> HalfVector {
 
 // glimt_brdf/src/lobe.rs:59
 fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
-    var chosen_17: f32;
+    var chosen_13: f32;
 
     // glimt_brdf/src/lobe.rs:60
     if (sin2_theta < (1f / 16f)) {
@@ -1947,12 +1911,12 @@ fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
         // glimt_brdf/src/lobe.rs:63
         let t2_ = (t_5 * t_5);
         // glimt_brdf/src/lobe.rs:64
-        chosen_17 = ((-2f * t_5) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
+        chosen_13 = ((-2f * t_5) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
     } else {
         // glimt_brdf/src/lobe.rs:66
-        chosen_17 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
+        chosen_13 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
     }
-    let log_cos2_ = chosen_17;
+    let log_cos2_ = chosen_13;
     // glimt_brdf/src/lobe.rs:68
     let log_power = ((0.5f * exponent_1) * log_cos2_);
     // glimt_brdf/src/lobe.rs:69
@@ -2020,8 +1984,8 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
 
 // glimt_probe/src/latlong.rs:45
 fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
-    var chosen_18: f32;
-    var chosen_19: f32;
+    var chosen_14: f32;
+    var chosen_15: f32;
 
     // glimt_probe/src/latlong.rs:46
     let horizontal = sqrt(((d_1.x * d_1.x) + (d_1.y * d_1.y)));
@@ -2029,11 +1993,11 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     if (horizontal <= 0f) {
         // glimt_probe/src/latlong.rs:48
         if (d_1.z < 0f) {
-            chosen_18 = 1f;
+            chosen_14 = 1f;
         } else {
-            chosen_18 = 0f;
+            chosen_14 = 0f;
         }
-        let v_6 = chosen_18;
+        let v_6 = chosen_14;
         // glimt_probe/src/latlong.rs:49
         return vec2<f32>(0.5f, v_6);
     }
@@ -2043,11 +2007,11 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     let u_23 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
     // glimt_probe/src/latlong.rs:54
     if (u_23 < 1f) {
-        chosen_19 = max(u_23, 0f);
+        chosen_15 = max(u_23, 0f);
     } else {
-        chosen_19 = 0f;
+        chosen_15 = 0f;
     }
-    let _e47 = chosen_19;
+    let _e47 = chosen_15;
     return vec2<f32>(_e47, clamp(v_7, 0f, 1f));
 }
 
@@ -2267,7 +2231,7 @@ fn normalise(particles_start: u32, particles_len: u32) -> f32 {
 // glimt_smc/src/reweight.rs:13
 fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, target_previous_light_rotation: vec2<f32>, target_previous_floor: f32, target_previous_lobe: LightLobe, target_light_cdf_size: vec2<u32>, target_light_rotation: vec2<f32>, target_floor: f32, target_lobe: LightLobe, particles_start_1: u32, particles_len_1: u32) -> f32 {
     var counter_5: u32;
-    var chosen_20: f32;
+    var chosen_16: f32;
     var both_2: bool;
 
     // glimt_smc/src/reweight.rs:14
@@ -2296,12 +2260,12 @@ fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, tar
         let _e47 = both_2;
         if _e47 {
             // glimt_smc/src/reweight.rs:20
-            chosen_20 = (old + (log(_e30) - log(_e28)));
+            chosen_16 = (old + (log(_e30) - log(_e28)));
         } else {
             // glimt_smc/src/reweight.rs:22
-            chosen_20 = -1000000000000000000000000000000f;
+            chosen_16 = -1000000000000000000000000000000f;
         }
-        let _e55 = chosen_20;
+        let _e55 = chosen_16;
         particles[(particles_start_1 + i_4)].log_weight = _e55;
         continuing {
             let _e60 = counter_5;
@@ -2324,7 +2288,7 @@ fn Particle_weight(this_29: Particle) -> f32 {
 fn ess(particles_start_2: u32, particles_len_2: u32) -> f32 {
     var squares: f32;
     var counter_6: u32;
-    var chosen_21: f32;
+    var chosen_17: f32;
 
     // glimt_smc/src/weights.rs:66
     squares = 0f;
@@ -2350,27 +2314,27 @@ fn ess(particles_start_2: u32, particles_len_2: u32) -> f32 {
     let _e26 = squares;
     if (_e26 > 0f) {
         let _e30 = squares;
-        chosen_21 = (1f / _e30);
+        chosen_17 = (1f / _e30);
     } else {
-        chosen_21 = 0f;
+        chosen_17 = 0f;
     }
-    let _e33 = chosen_21;
+    let _e33 = chosen_17;
     return _e33;
 }
 
 // glimt_sampling/src/resample.rs:45
 fn sure_copies(scheme: u32, expected: f32) -> u32 {
-    var chosen_22: u32;
+    var chosen_18: u32;
 
     // glimt_sampling/src/resample.rs:46
     if (scheme == 3u) {
         // glimt_sampling/src/resample.rs:47
-        chosen_22 = u32(expected);
+        chosen_18 = u32(expected);
     } else {
         // glimt_sampling/src/resample.rs:49
-        chosen_22 = 0u;
+        chosen_18 = 0u;
     }
-    let _e11 = chosen_22;
+    let _e11 = chosen_18;
     return _e11;
 }
 
@@ -2401,7 +2365,7 @@ fn OwenSobol_next_u32_(this_30: ptr<function, OwenSobol>) -> u32 {
 
 // glimt_render_gpu/src/kernels/pattern.rs:131
 fn PatternSource_next_u32_(this_31: ptr<function, PatternSource>) -> u32 {
-    var chosen_23: u32;
+    var chosen_19: u32;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
@@ -2414,7 +2378,7 @@ fn PatternSource_next_u32_(this_31: ptr<function, PatternSource>) -> u32 {
         let _e10 = OwenSobol_next_u32_((&borrowed_2));
         let _e11 = borrowed_2;
         (*this_31).point = _e11;
-        chosen_23 = _e10;
+        chosen_19 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:135
         let _e15 = (*this_31).generator;
@@ -2422,9 +2386,9 @@ fn PatternSource_next_u32_(this_31: ptr<function, PatternSource>) -> u32 {
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_3));
         let _e17 = borrowed_3;
         (*this_31).generator = _e17;
-        chosen_23 = _e16;
+        chosen_19 = _e16;
     }
-    let _e18 = chosen_23;
+    let _e18 = chosen_19;
     return _e18;
 }
 
@@ -2739,17 +2703,17 @@ fn resample(scheme_2: u32, particles_start_5: u32, particles_len_5: u32, source_
 
 // glimt_sampling/src/resample.rs:26
 fn words(scheme_3: u32, picks_2: u32) -> u32 {
-    var chosen_24: u32;
+    var chosen_20: u32;
 
     // glimt_sampling/src/resample.rs:27
     if (scheme_3 == 0u) {
         // glimt_sampling/src/resample.rs:28
-        chosen_24 = 1u;
+        chosen_20 = 1u;
     } else {
         // glimt_sampling/src/resample.rs:30
-        chosen_24 = picks_2;
+        chosen_20 = picks_2;
     }
-    let _e10 = chosen_24;
+    let _e10 = chosen_20;
     return _e10;
 }
 
@@ -2777,7 +2741,7 @@ fn skip(scheme_4: u32, picks_3: u32, source_5: ptr<function, PatternSource>) {
 
 // glimt_render_gpu/src/kernels/pattern.rs:140
 fn PatternSource_next_uvec2_(this_35: ptr<function, PatternSource>) -> vec2<u32> {
-    var chosen_25: vec2<u32>;
+    var chosen_21: vec2<u32>;
     var borrowed_4: OwenSobol;
     var borrowed_5: Xoshiro128PlusPlus;
 
@@ -2790,7 +2754,7 @@ fn PatternSource_next_uvec2_(this_35: ptr<function, PatternSource>) -> vec2<u32>
         let _e10 = OwenSobol_next_uvec2_((&borrowed_4));
         let _e11 = borrowed_4;
         (*this_35).point = _e11;
-        chosen_25 = _e10;
+        chosen_21 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:144
         let _e15 = (*this_35).generator;
@@ -2798,16 +2762,16 @@ fn PatternSource_next_uvec2_(this_35: ptr<function, PatternSource>) -> vec2<u32>
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
         let _e17 = borrowed_5;
         (*this_35).generator = _e17;
-        chosen_25 = _e16;
+        chosen_21 = _e16;
     }
-    let _e18 = chosen_25;
+    let _e18 = chosen_21;
     return _e18;
 }
 
 // glimt_smc/src/proposal.rs:136
 fn split_word(word: u32, pmf_first: f32) -> Split {
-    var chosen_26: u32;
-    var chosen_27: u32;
+    var chosen_22: u32;
+    var chosen_23: u32;
 
     // glimt_smc/src/proposal.rs:138
     let edge = u32((clamp(pmf_first, 0f, 1f) * 65536f));
@@ -2815,20 +2779,20 @@ fn split_word(word: u32, pmf_first: f32) -> Split {
     let first_3 = ((word >> 16u) < edge);
     // glimt_smc/src/proposal.rs:140
     if first_3 {
-        chosen_26 = edge;
+        chosen_22 = edge;
     } else {
-        chosen_26 = (65536u - edge);
+        chosen_22 = (65536u - edge);
     }
-    let width = chosen_26;
+    let width = chosen_22;
     // glimt_smc/src/proposal.rs:142
     if first_3 {
         // glimt_smc/src/proposal.rs:143
-        chosen_27 = word;
+        chosen_23 = word;
     } else {
         // glimt_smc/src/proposal.rs:145
-        chosen_27 = (word - (edge << 16u));
+        chosen_23 = (word - (edge << 16u));
     }
-    let place_3 = chosen_27;
+    let place_3 = chosen_23;
     // glimt_smc/src/proposal.rs:147
     let width_1 = max(width, 1u);
     // glimt_smc/src/proposal.rs:148
@@ -2841,15 +2805,15 @@ fn split_word(word: u32, pmf_first: f32) -> Split {
 
 // glimt_sampling/src/warp.rs:182
 fn cos_sin_turns(turns: f32) -> vec2<f32> {
-    var chosen_28: f32;
+    var chosen_24: f32;
 
     // glimt_sampling/src/warp.rs:183
     if (turns < 0.5f) {
-        chosen_28 = turns;
+        chosen_24 = turns;
     } else {
-        chosen_28 = (turns - 1f);
+        chosen_24 = (turns - 1f);
     }
-    let signed = chosen_28;
+    let signed = chosen_24;
     // glimt_sampling/src/warp.rs:184
     let phi = (6.2831855f * signed);
     // glimt_sampling/src/warp.rs:185
@@ -2988,7 +2952,7 @@ fn place_in_bin(bin: Bin, u_6: u32, fraction: u32) -> f32 {
 
 // glimt_probe/src/trig.rs:25
 fn cos_sin_pi(x_7: f32) -> vec2<f32> {
-    var chosen_29: vec2<f32>;
+    var chosen_25: vec2<f32>;
 
     // glimt_probe/src/trig.rs:27
     let quarter = floor(((2f * x_7) + 0.5f));
@@ -3004,30 +2968,30 @@ fn cos_sin_pi(x_7: f32) -> vec2<f32> {
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_29 = vec2<f32>(c_5, (s_1 + 0f));
+        chosen_25 = vec2<f32>(c_5, (s_1 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_29 = vec2<f32>((0f - s_1), c_5);
+            chosen_25 = vec2<f32>((0f - s_1), c_5);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_29 = vec2<f32>((0f - c_5), (0f - s_1));
+                chosen_25 = vec2<f32>((0f - c_5), (0f - s_1));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_29 = vec2<f32>((s_1 + 0f), (0f - c_5));
+                chosen_25 = vec2<f32>((s_1 + 0f), (0f - c_5));
             }
         }
     }
-    let _e77 = chosen_29;
+    let _e77 = chosen_25;
     return _e77;
 }
 
 // glimt_probe/src/latlong.rs:142
 fn direction_in_texel(texel_1: vec2<u32>, size_6: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
-    var chosen_30: u32;
-    var chosen_31: u32;
-    var chosen_32: f32;
+    var chosen_26: u32;
+    var chosen_27: u32;
+    var chosen_28: f32;
 
     // glimt_probe/src/latlong.rs:143
     let size_17 = max(size_6, vec2(1u));
@@ -3037,18 +3001,18 @@ fn direction_in_texel(texel_1: vec2<u32>, size_6: vec2<u32>, r: vec2<f32>) -> ve
     let southern = ((2u * row_2) >= size_17.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_30 = (size_17.y - row_2);
+        chosen_26 = (size_17.y - row_2);
     } else {
-        chosen_30 = row_2;
+        chosen_26 = row_2;
     }
-    let upper_2 = chosen_30;
+    let upper_2 = chosen_26;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_31 = ((size_17.y - row_2) - 1u);
+        chosen_27 = ((size_17.y - row_2) - 1u);
     } else {
-        chosen_31 = (row_2 + 1u);
+        chosen_27 = (row_2 + 1u);
     }
-    let lower_2 = chosen_31;
+    let lower_2 = chosen_27;
     // glimt_probe/src/latlong.rs:149
     let half_2 = (0.5f / f32(size_17.y));
     // glimt_probe/src/latlong.rs:150
@@ -3066,12 +3030,12 @@ fn direction_in_texel(texel_1: vec2<u32>, size_6: vec2<u32>, r: vec2<f32>) -> ve
     // glimt_probe/src/latlong.rs:155
     if southern {
         // glimt_probe/src/latlong.rs:156
-        chosen_32 = ((2f * s_2) - 1f);
+        chosen_28 = ((2f * s_2) - 1f);
     } else {
         // glimt_probe/src/latlong.rs:158
-        chosen_32 = (1f - (2f * s_2));
+        chosen_28 = (1f - (2f * s_2));
     }
-    let cos_theta_1 = chosen_32;
+    let cos_theta_1 = chosen_28;
     // glimt_probe/src/latlong.rs:160
     let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_1.x) + r.x)) / f32(size_17.x))));
     // glimt_probe/src/latlong.rs:161
@@ -3212,7 +3176,7 @@ fn Independent_LightDraw_propose(sampler_light_cdf_size: vec2<u32>, sampler_ligh
 
 // glimt_brdf/src/blinn_phong.rs:116
 fn BlinnPhong_pmf_specular(this_38: BlinnPhong) -> f32 {
-    var chosen_33: f32;
+    var chosen_29: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
     let _e4 = luminance(this_38.specular);
@@ -3221,27 +3185,27 @@ fn BlinnPhong_pmf_specular(this_38: BlinnPhong) -> f32 {
     let both_4 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_4 > 0f) {
-        chosen_33 = (_e4 / both_4);
+        chosen_29 = (_e4 / both_4);
     } else {
-        chosen_33 = 0f;
+        chosen_29 = 0f;
     }
-    let _e15 = chosen_33;
+    let _e15 = chosen_29;
     return _e15;
 }
 
 // glimt_sampling/src/warp.rs:190
 fn height_of(direction_8: vec3<f32>) -> f32 {
-    var chosen_34: f32;
+    var chosen_30: f32;
 
     // glimt_sampling/src/warp.rs:191
     if (direction_8.z > 0f) {
         // glimt_sampling/src/warp.rs:192
-        chosen_34 = (((direction_8.x * direction_8.x) + (direction_8.y * direction_8.y)) / (1f + direction_8.z));
+        chosen_30 = (((direction_8.x * direction_8.x) + (direction_8.y * direction_8.y)) / (1f + direction_8.z));
     } else {
         // glimt_sampling/src/warp.rs:194
-        chosen_34 = (1f - direction_8.z);
+        chosen_30 = (1f - direction_8.z);
     }
-    let _e23 = chosen_34;
+    let _e23 = chosen_30;
     return _e23;
 }
 
@@ -3263,7 +3227,7 @@ fn ln_cos_theta(direction_9: vec3<f32>) -> f32 {
 
 // glimt_sampling/src/warp.rs:289
 fn pdf_power_cosine_sr(direction_10: vec3<f32>, exponent_3: f32) -> f32 {
-    var chosen_35: f32;
+    var chosen_31: f32;
 
     // glimt_sampling/src/warp.rs:290
     let normalisation_1 = ((exponent_3 + 1f) * (0.5f * 0.31830987f));
@@ -3272,12 +3236,12 @@ fn pdf_power_cosine_sr(direction_10: vec3<f32>, exponent_3: f32) -> f32 {
         // glimt_sampling/src/warp.rs:292
         if (direction_10.z >= 0f) {
             // glimt_sampling/src/warp.rs:293
-            chosen_35 = normalisation_1;
+            chosen_31 = normalisation_1;
         } else {
             // glimt_sampling/src/warp.rs:295
-            chosen_35 = 0f;
+            chosen_31 = 0f;
         }
-        let _e21 = chosen_35;
+        let _e21 = chosen_31;
         return _e21;
     }
     // glimt_sampling/src/warp.rs:298
@@ -3413,7 +3377,7 @@ fn BlinnPhong_pdf_sr(this_40: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
 
 // glimt_brdf/src/blinn_phong.rs:80
 fn BlinnPhong_sample(this_41: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
-    var chosen_36: vec3<f32>;
+    var chosen_32: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
@@ -3423,13 +3387,13 @@ fn BlinnPhong_sample(this_41: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: ve
         let _e12 = sample_power_cosine(u_14, this_41.exponent);
         let h_1 = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
-        chosen_36 = (((2f * dot(wo_3, h_1)) * h_1) - wo_3);
+        chosen_32 = (((2f * dot(wo_3, h_1)) * h_1) - wo_3);
     } else {
         // glimt_brdf/src/blinn_phong.rs:85
         let _e21 = sample_cosine_hemisphere(u_14);
-        chosen_36 = _e21.direction;
+        chosen_32 = _e21.direction;
     }
-    let wi_5 = chosen_36;
+    let wi_5 = chosen_32;
     // glimt_brdf/src/blinn_phong.rs:87
     let _e25 = BlinnPhong_pdf_sr(this_41, wo_3, wi_5);
     return BrdfSample(wi_5, _e25);
@@ -3467,7 +3431,7 @@ fn Independent_BrdfDraw_propose(this_44: Independent_BrdfDraw, from_2: vec3<f32>
 
 // glimt_smc/src/proposal.rs:106
 fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, first_sampler_light_cdf_size: vec2<u32>, first_sampler_light_rotation: vec2<f32>, second: Independent_BrdfDraw, from_3: vec3<f32>, u_17: vec3<u32>) -> Proposed {
-    var chosen_37: Proposed;
+    var chosen_33: Proposed;
 
     // glimt_smc/src/proposal.rs:107
     let _e9 = split_word(u_17.z, pmf_first_1);
@@ -3477,19 +3441,19 @@ fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, 
     if _e9.first {
         // glimt_smc/src/proposal.rs:110
         let _e19 = Independent_LightDraw_propose(first_sampler_light_cdf_size, first_sampler_light_rotation, from_3, rest_1);
-        chosen_37 = _e19;
+        chosen_33 = _e19;
     } else {
         // glimt_smc/src/proposal.rs:112
         let _e21 = Independent_BrdfDraw_propose(second, from_3, rest_1);
-        chosen_37 = _e21;
+        chosen_33 = _e21;
     }
-    let _e22 = chosen_37;
+    let _e22 = chosen_33;
     return _e22;
 }
 
 // glimt_smc/src/proposal.rs:106
 fn Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_2: f32, first: CapMove, second_pmf_first: f32, second_first_sampler_light_cdf_size: vec2<u32>, second_first_sampler_light_rotation: vec2<f32>, second_second: Independent_BrdfDraw, from_4: vec3<f32>, u_18: vec3<u32>) -> Proposed {
-    var chosen_38: Proposed;
+    var chosen_34: Proposed;
 
     // glimt_smc/src/proposal.rs:107
     let _e11 = split_word(u_18.z, pmf_first_2);
@@ -3499,13 +3463,13 @@ fn Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pm
     if _e11.first {
         // glimt_smc/src/proposal.rs:110
         let _e21 = CapMove_propose(first, from_4, rest_2);
-        chosen_38 = _e21;
+        chosen_34 = _e21;
     } else {
         // glimt_smc/src/proposal.rs:112
         let _e23 = Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(second_pmf_first, second_first_sampler_light_cdf_size, second_first_sampler_light_rotation, second_second, from_4, rest_2);
-        chosen_38 = _e23;
+        chosen_34 = _e23;
     }
-    let _e24 = chosen_38;
+    let _e24 = chosen_34;
     return _e24;
 }
 
@@ -3546,7 +3510,7 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
     var accepted: u32;
     var counter_13: u32;
     var borrowed_6: Particle;
-    var chosen_39: u32;
+    var chosen_35: u32;
 
     // glimt_smc/src/sampler.rs:55
     // glimt_smc/src/sampler.rs:56
@@ -3599,11 +3563,11 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
     // glimt_smc/src/sampler.rs:74
     if resampled {
         // glimt_smc/src/sampler.rs:77
-        chosen_39 = 1u;
+        chosen_35 = 1u;
     } else {
-        chosen_39 = 0u;
+        chosen_35 = 0u;
     }
-    let _e78 = chosen_39;
+    let _e78 = chosen_35;
     let _e79 = accepted;
     return Report(_e23, _e25, _e78, _e79);
 }
@@ -3612,7 +3576,7 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_cdf_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_cdf_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
     var frame_3: Report;
     var counter_14: u32;
-    var chosen_40: f32;
+    var chosen_36: f32;
     var either_1: bool;
 
     // glimt_smc/src/sampler.rs:92
@@ -3639,13 +3603,13 @@ fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, ta
         let _e45 = either_1;
         if _e45 {
             // glimt_smc/src/sampler.rs:101
-            chosen_40 = -1000000000000000000000000000000f;
+            chosen_36 = -1000000000000000000000000000000f;
         } else {
             // glimt_smc/src/sampler.rs:103
             let _e50 = frame_3.log_ratio;
-            chosen_40 = (_e50 + _e36.log_ratio);
+            chosen_36 = (_e50 + _e36.log_ratio);
         }
-        let _e53 = chosen_40;
+        let _e53 = chosen_36;
         frame_3.log_ratio = _e53;
         // glimt_smc/src/sampler.rs:105
         let _e57 = frame_3.ess;
@@ -3666,11 +3630,11 @@ fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, ta
     return _e75;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:110
+// glimt_render_gpu/src/kernels/smc.rs:82
 fn SmcParams_advance(this_47: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_cdf_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
 
-    // glimt_render_gpu/src/kernels/smc.rs:117
-    // glimt_render_gpu/src/kernels/smc.rs:138
+    // glimt_render_gpu/src/kernels/smc.rs:89
+    // glimt_render_gpu/src/kernels/smc.rs:110
     let _e25 = SmcParams_sampler(this_47);
     let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_cdf_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_47.cap_share, CapMove(this_47.cap_height), this_47.light_share, target_light_cdf_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
     return _e26;
@@ -3683,28 +3647,28 @@ fn RisSum_new() -> RisSum {
     return RisSum(0f, 0u, 0u);
 }
 
-// glimt_render_gpu/src/kernels/candidates.rs:60
+// glimt_render_gpu/src/kernels/candidates.rs:65
 fn Candidates_of_brdf(this_48: Candidates) -> u32 {
-    var chosen_41: u32;
-    var chosen_42: u32;
+    var chosen_37: u32;
+    var chosen_38: u32;
 
-    // glimt_render_gpu/src/kernels/candidates.rs:61
+    // glimt_render_gpu/src/kernels/candidates.rs:66
     if (this_48.source == 0u) {
-        // glimt_render_gpu/src/kernels/candidates.rs:62
-        chosen_41 = this_48.count;
+        // glimt_render_gpu/src/kernels/candidates.rs:67
+        chosen_37 = this_48.count;
     } else {
         if (this_48.source == 1u) {
-            // glimt_render_gpu/src/kernels/candidates.rs:64
-            chosen_42 = 0u;
+            // glimt_render_gpu/src/kernels/candidates.rs:69
+            chosen_38 = 0u;
         } else {
-            // glimt_render_gpu/src/kernels/candidates.rs:66
+            // glimt_render_gpu/src/kernels/candidates.rs:71
             let _e18 = (this_48.count / 2u);
-            chosen_42 = select(_e18, (_e18 + 1u), ((this_48.count % 2u) != 0u));
+            chosen_38 = select(_e18, (_e18 + 1u), ((this_48.count % 2u) != 0u));
         }
-        let _e25 = chosen_42;
-        chosen_41 = _e25;
+        let _e25 = chosen_38;
+        chosen_37 = _e25;
     }
-    let _e26 = chosen_41;
+    let _e26 = chosen_37;
     return _e26;
 }
 
@@ -3759,101 +3723,101 @@ fn PixelPattern_triple(this_49: PixelPattern, purpose_5: u32, sample_1: u32, sam
     return vec3<u32>(_e42, _e43);
 }
 
-// glimt_render_gpu/src/kernels/candidates.rs:73
+// glimt_render_gpu/src/kernels/candidates.rs:78
 fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density_1: f32;
     var direction_12: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/candidates.rs:80
+    // glimt_render_gpu/src/kernels/candidates.rs:85
     let _e8 = Candidates_of_brdf(this_50);
-    // glimt_render_gpu/src/kernels/candidates.rs:81
+    // glimt_render_gpu/src/kernels/candidates.rs:86
     let of_env = (this_50.count - _e8);
-    // glimt_render_gpu/src/kernels/candidates.rs:83
+    // glimt_render_gpu/src/kernels/candidates.rs:88
     density_1 = 0f;
-    // glimt_render_gpu/src/kernels/candidates.rs:87
+    // glimt_render_gpu/src/kernels/candidates.rs:92
     if (index_13 < _e8) {
-        // glimt_render_gpu/src/kernels/candidates.rs:88
+        // glimt_render_gpu/src/kernels/candidates.rs:93
         let _e22 = PixelPattern_triple(pattern_2, 4u, index_13, _e8);
-        // glimt_render_gpu/src/kernels/candidates.rs:89
+        // glimt_render_gpu/src/kernels/candidates.rs:94
         let _e28 = unit_vec2_(_e22.xy);
         let _e29 = BlinnPhong_sample(point_4.brdf, point_4.wo, _e22.z, _e28);
-        // glimt_render_gpu/src/kernels/candidates.rs:90
+        // glimt_render_gpu/src/kernels/candidates.rs:95
         if !((_e29.pdf_sr > 0f)) {
-            // glimt_render_gpu/src/kernels/candidates.rs:91
+            // glimt_render_gpu/src/kernels/candidates.rs:96
             return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
         }
-        // glimt_render_gpu/src/kernels/candidates.rs:93
+        // glimt_render_gpu/src/kernels/candidates.rs:98
         wi_3 = _e29.wi;
-        // glimt_render_gpu/src/kernels/candidates.rs:94
+        // glimt_render_gpu/src/kernels/candidates.rs:99
         let _e53 = wi_3;
         let _e54 = ShadingFrame_to_world(point_4.frame, _e53);
         direction_12 = _e54;
-        // glimt_render_gpu/src/kernels/candidates.rs:95
+        // glimt_render_gpu/src/kernels/candidates.rs:100
         let _e56 = direction_12;
         let _e57 = Environment_texel(env_cdf_size, env_rotation, _e56);
-        // glimt_render_gpu/src/kernels/candidates.rs:96
+        // glimt_render_gpu/src/kernels/candidates.rs:101
         let _e59 = Environment_radiance(env_cdf_size, env_rotation, _e57);
         radiance = _e59;
-        // glimt_render_gpu/src/kernels/candidates.rs:97
+        // glimt_render_gpu/src/kernels/candidates.rs:102
         let _e64 = density_1;
         density_1 = (_e64 + (f32(_e8) * _e29.pdf_sr));
-        // glimt_render_gpu/src/kernels/candidates.rs:98
+        // glimt_render_gpu/src/kernels/candidates.rs:103
         if (of_env > 0u) {
-            // glimt_render_gpu/src/kernels/candidates.rs:99
+            // glimt_render_gpu/src/kernels/candidates.rs:104
             let _e71 = EnvCdf_texel_pdf_sr(env_cdf_size, _e57);
             let _e73 = density_1;
             density_1 = (_e73 + (f32(of_env) * _e71));
         }
     } else {
-        // glimt_render_gpu/src/kernels/candidates.rs:102
+        // glimt_render_gpu/src/kernels/candidates.rs:107
         let _e78 = PixelPattern_pair(pattern_2, 5u, (index_13 - _e8), of_env);
-        // glimt_render_gpu/src/kernels/candidates.rs:103
+        // glimt_render_gpu/src/kernels/candidates.rs:108
         let _e80 = Environment_sample(env_cdf_size, env_rotation, _e78);
-        // glimt_render_gpu/src/kernels/candidates.rs:104
+        // glimt_render_gpu/src/kernels/candidates.rs:109
         if !((_e80.pdf_sr > 0f)) {
-            // glimt_render_gpu/src/kernels/candidates.rs:105
+            // glimt_render_gpu/src/kernels/candidates.rs:110
             return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
         }
-        // glimt_render_gpu/src/kernels/candidates.rs:107
+        // glimt_render_gpu/src/kernels/candidates.rs:112
         direction_12 = _e80.direction;
-        // glimt_render_gpu/src/kernels/candidates.rs:108
+        // glimt_render_gpu/src/kernels/candidates.rs:113
         let _e104 = direction_12;
         let _e105 = ShadingFrame_to_local(point_4.frame, _e104);
         wi_3 = _e105;
-        // glimt_render_gpu/src/kernels/candidates.rs:109
+        // glimt_render_gpu/src/kernels/candidates.rs:114
         let _e108 = Environment_radiance(env_cdf_size, env_rotation, _e80.texel);
         radiance = _e108;
-        // glimt_render_gpu/src/kernels/candidates.rs:110
+        // glimt_render_gpu/src/kernels/candidates.rs:115
         let _e113 = density_1;
         density_1 = (_e113 + (f32(of_env) * _e80.pdf_sr));
-        // glimt_render_gpu/src/kernels/candidates.rs:111
+        // glimt_render_gpu/src/kernels/candidates.rs:116
         if (_e8 > 0u) {
-            // glimt_render_gpu/src/kernels/candidates.rs:112
+            // glimt_render_gpu/src/kernels/candidates.rs:117
             let _e122 = wi_3;
             let _e123 = BlinnPhong_pdf_sr(point_4.brdf, point_4.wo, _e122);
             let _e125 = density_1;
             density_1 = (_e125 + (f32(_e8) * _e123));
         }
     }
-    // glimt_render_gpu/src/kernels/candidates.rs:115
+    // glimt_render_gpu/src/kernels/candidates.rs:120
     let _e129 = wi_3.z;
     if !((_e129 > 0f)) {
-        // glimt_render_gpu/src/kernels/candidates.rs:116
+        // glimt_render_gpu/src/kernels/candidates.rs:121
         return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
     }
-    // glimt_render_gpu/src/kernels/candidates.rs:118
+    // glimt_render_gpu/src/kernels/candidates.rs:123
     let _e150 = wi_3;
     let _e151 = BlinnPhong_eval(point_4.brdf, point_4.wo, _e150);
     let _e152 = luminance(_e151);
     let _e154 = wi_3.z;
     let reflected = (_e152 * _e154);
-    // glimt_render_gpu/src/kernels/candidates.rs:119
+    // glimt_render_gpu/src/kernels/candidates.rs:124
     let _e157 = radiance;
     let _e158 = luminance(_e157);
     let target_ = ((_e158 + this_50.floor) * reflected);
-    // glimt_render_gpu/src/kernels/candidates.rs:120
+    // glimt_render_gpu/src/kernels/candidates.rs:125
     let _e163 = direction_12;
     let _e164 = wi_3;
     let _e165 = radiance;
@@ -3881,17 +3845,17 @@ fn RisSum_add(this_51: ptr<function, RisSum>, weight: f32) {
 
 // glimt_sampling/src/ris.rs:83
 fn RisSum_normaliser(this_52: RisSum) -> f32 {
-    var chosen_43: f32;
+    var chosen_39: f32;
 
     // glimt_sampling/src/ris.rs:84
     if (this_52.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_43 = (this_52.sum / f32(this_52.candidates));
+        chosen_39 = (this_52.sum / f32(this_52.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
-        chosen_43 = 0f;
+        chosen_39 = 0f;
     }
-    let _e14 = chosen_43;
+    let _e14 = chosen_39;
     return _e14;
 }
 
@@ -3973,7 +3937,7 @@ fn Comb_new_1(scheme_5: u32, picks_4: u32, sure_2: u32, source_10: ptr<function,
 // glimt_sampling/src/ris.rs:118
 fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
     var borrowed_7: Word;
-    var chosen_44: u32;
+    var chosen_40: u32;
 
     // glimt_sampling/src/ris.rs:119
     let possible = (weights.sum > 0f);
@@ -3982,11 +3946,11 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
     let _e13 = Comb_new_1(0u, samples_2, 0u, (&borrowed_7));
     if possible {
         // glimt_sampling/src/ris.rs:124
-        chosen_44 = samples_2;
+        chosen_40 = samples_2;
     } else {
-        chosen_44 = 0u;
+        chosen_40 = 0u;
     }
-    let _e19 = chosen_44;
+    let _e19 = chosen_40;
     return RisPicks(_e13, weights.sum, f32(samples_2), _e19, 0u, weights.end);
 }
 
@@ -4024,7 +3988,7 @@ fn Comb_take_1(this_55: ptr<function, Comb>, expected_2: f32, source_11: ptr<fun
 
 // glimt_sampling/src/ris.rs:133
 fn RisPicks_take(this_56: ptr<function, RisPicks>, weight_1: f32) -> u32 {
-    var chosen_45: u32;
+    var chosen_41: u32;
     var borrowed_8: Comb;
     var borrowed_9: Word;
 
@@ -4043,7 +4007,7 @@ fn RisPicks_take(this_56: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
         let _e28 = (*this_56).left;
-        chosen_45 = _e28;
+        chosen_41 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
         let _e32 = (*this_56).comb;
@@ -4055,9 +4019,9 @@ fn RisPicks_take(this_56: ptr<function, RisPicks>, weight_1: f32) -> u32 {
         let _e43 = borrowed_8;
         (*this_56).comb = _e43;
         let _e45 = (*this_56).left;
-        chosen_45 = min(_e42, _e45);
+        chosen_41 = min(_e42, _e45);
     }
-    let picks_6 = chosen_45;
+    let picks_6 = chosen_41;
     // glimt_sampling/src/ris.rs:146
     let _e50 = (*this_56).left;
     (*this_56).left = (_e50 - picks_6);
@@ -4065,7 +4029,7 @@ fn RisPicks_take(this_56: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     return picks_6;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:144
+// glimt_render_gpu/src/kernels/smc.rs:116
 fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
     var counter_15: u32;
@@ -4075,20 +4039,20 @@ fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
     var counter_17: u32;
     var counter_18: u32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:151
-    // glimt_render_gpu/src/kernels/smc.rs:152
+    // glimt_render_gpu/src/kernels/smc.rs:123
+    // glimt_render_gpu/src/kernels/smc.rs:124
     let candidates = Candidates(this_57.candidates, this_57.source, this_57.floor);
-    // glimt_render_gpu/src/kernels/smc.rs:157
+    // glimt_render_gpu/src/kernels/smc.rs:129
     let _e15 = RisSum_new();
     weights_1 = _e15;
-    // glimt_render_gpu/src/kernels/smc.rs:158
+    // glimt_render_gpu/src/kernels/smc.rs:130
     counter_15 = 0u;
     loop {
         let j = counter_15;
         if (j >= this_57.candidates) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:159
+        // glimt_render_gpu/src/kernels/smc.rs:131
         let _e24 = Candidates_draw(candidates, j, point_5, pattern_3, env_cdf_size_1, env_rotation_1);
         RisSum_add((&weights_1), _e24.weight);
         continuing {
@@ -4096,57 +4060,57 @@ fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
             counter_15 = (_e26 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:161
+    // glimt_render_gpu/src/kernels/smc.rs:133
     let _e30 = weights_1;
     let _e31 = RisSum_normaliser(_e30);
-    // glimt_render_gpu/src/kernels/smc.rs:162
+    // glimt_render_gpu/src/kernels/smc.rs:134
     if !((_e31 > 0f)) {
-        // glimt_render_gpu/src/kernels/smc.rs:163
+        // glimt_render_gpu/src/kernels/smc.rs:135
         counter_16 = 0u;
         loop {
             let i_11 = counter_16;
             if (i_11 >= particles_len_9) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:164
+            // glimt_render_gpu/src/kernels/smc.rs:136
             particles[(particles_start_9 + i_11)] = Particle(point_5.frame.n, -1000000000000000000000000000000f);
             continuing {
                 let _e49 = counter_16;
                 counter_16 = (_e49 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/smc.rs:169
+        // glimt_render_gpu/src/kernels/smc.rs:141
         return -1000000000000000000000000000000f;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:171
+    // glimt_render_gpu/src/kernels/smc.rs:143
     let _e55 = weights_1;
     let _e59 = PixelPattern_pair(pattern_3, 6u, 0u, 1u);
     let _e61 = RisPicks_new(_e55, particles_len_9, _e59.x);
     picks_5 = _e61;
-    // glimt_render_gpu/src/kernels/smc.rs:172
+    // glimt_render_gpu/src/kernels/smc.rs:144
     filled = 0u;
-    // glimt_render_gpu/src/kernels/smc.rs:173
+    // glimt_render_gpu/src/kernels/smc.rs:145
     counter_17 = 0u;
     loop {
         let j_1 = counter_17;
         if (j_1 >= this_57.candidates) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:174
+        // glimt_render_gpu/src/kernels/smc.rs:146
         let _e73 = Candidates_draw(candidates, j_1, point_5, pattern_3, env_cdf_size_1, env_rotation_1);
-        // glimt_render_gpu/src/kernels/smc.rs:175
+        // glimt_render_gpu/src/kernels/smc.rs:147
         let _e76 = RisPicks_take((&picks_5), _e73.weight);
-        // glimt_render_gpu/src/kernels/smc.rs:176
+        // glimt_render_gpu/src/kernels/smc.rs:148
         counter_18 = 0u;
         loop {
             let _e80 = counter_18;
             if (_e80 >= _e76) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:177
+            // glimt_render_gpu/src/kernels/smc.rs:149
             let _e84 = filled;
             particles[(particles_start_9 + _e84)].state = _e73.direction;
-            // glimt_render_gpu/src/kernels/smc.rs:178
+            // glimt_render_gpu/src/kernels/smc.rs:150
             let _e91 = filled;
             filled = (_e91 + 1u);
             continuing {
@@ -4159,9 +4123,9 @@ fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
             counter_17 = (_e96 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:181
+    // glimt_render_gpu/src/kernels/smc.rs:153
     make_equal(particles_start_9, particles_len_9);
-    // glimt_render_gpu/src/kernels/smc.rs:182
+    // glimt_render_gpu/src/kernels/smc.rs:154
     return log(_e31);
 }
 
@@ -4205,7 +4169,7 @@ fn Scene_is_lit(point_7: ShadingPoint, direction_14: vec3<f32>) -> bool {
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
 fn LightSample_traced(this_58: LightSample, point_8: ShadingPoint) -> Reflected {
-    var chosen_46: Reflected;
+    var chosen_42: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
     if !((max(max(this_58.contribution.x, this_58.contribution.y), this_58.contribution.z) > 0f)) {
@@ -4216,12 +4180,12 @@ fn LightSample_traced(this_58: LightSample, point_8: ShadingPoint) -> Reflected 
     let _e22 = Scene_is_lit(point_8, this_58.direction);
     if _e22 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_46 = Reflected(this_58.contribution, vec3(0f));
+        chosen_42 = Reflected(this_58.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_46 = Reflected(vec3(0f), this_58.contribution);
+        chosen_42 = Reflected(vec3(0f), this_58.contribution);
     }
-    let _e33 = chosen_46;
+    let _e33 = chosen_42;
     return _e33;
 }
 
@@ -4237,41 +4201,41 @@ fn Reflected_gather(this_59: ptr<function, Reflected>, light: Reflected) {
     return;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:188
+// glimt_render_gpu/src/kernels/smc.rs:160
 fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normaliser: f32, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>, particles_start_10: u32, particles_len_10: u32) -> Reflected {
     var sum_3: Reflected;
     var counter_19: u32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:197
+    // glimt_render_gpu/src/kernels/smc.rs:169
     sum_3 = Reflected(vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/smc.rs:198
+    // glimt_render_gpu/src/kernels/smc.rs:170
     counter_19 = 0u;
     loop {
         let i_12 = counter_19;
         if (i_12 >= particles_len_10) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:199
+        // glimt_render_gpu/src/kernels/smc.rs:171
         let particle_1 = particles[(particles_start_10 + i_12)];
-        // glimt_render_gpu/src/kernels/smc.rs:200
+        // glimt_render_gpu/src/kernels/smc.rs:172
         let _e28 = is_log_zero(particle_1.log_weight);
         if !(_e28) {
-            // glimt_render_gpu/src/kernels/smc.rs:201
+            // glimt_render_gpu/src/kernels/smc.rs:173
             let direction_18 = particle_1.state;
-            // glimt_render_gpu/src/kernels/smc.rs:202
+            // glimt_render_gpu/src/kernels/smc.rs:174
             let _e33 = Environment_texel(env_cdf_size_2, env_rotation_2, direction_18);
             let _e34 = Environment_radiance(env_cdf_size_2, env_rotation_2, _e33);
-            // glimt_render_gpu/src/kernels/smc.rs:203
+            // glimt_render_gpu/src/kernels/smc.rs:175
             let _e36 = luminance(_e34);
             let _e38 = LightLobe_value(lobe_3, direction_18);
             let target_1 = ((_e36 + floor_3) * _e38);
-            // glimt_render_gpu/src/kernels/smc.rs:204
+            // glimt_render_gpu/src/kernels/smc.rs:176
             let density_3 = (target_1 * exp(-((log_normaliser + particle_1.log_weight))));
-            // glimt_render_gpu/src/kernels/smc.rs:205
+            // glimt_render_gpu/src/kernels/smc.rs:177
             let _e48 = ShadingFrame_to_local(point_9.frame, direction_18);
-            // glimt_render_gpu/src/kernels/smc.rs:206
+            // glimt_render_gpu/src/kernels/smc.rs:178
             let _e50 = LightSample_new(point_9, direction_18, _e48, _e34, density_3);
-            // glimt_render_gpu/src/kernels/smc.rs:207
+            // glimt_render_gpu/src/kernels/smc.rs:179
             let _e52 = LightSample_traced(_e50, point_9);
             Reflected_gather((&sum_3), _e52);
         }
@@ -4280,45 +4244,45 @@ fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normalis
             counter_19 = (_e53 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:210
+    // glimt_render_gpu/src/kernels/smc.rs:182
     let _e57 = sum_3;
     return _e57;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:216
+// glimt_render_gpu/src/kernels/smc.rs:188
 fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, frame_4: FrameParams, smc: SmcParams, view: PastView, pattern_4: PixelPattern, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_11: u32, particles_len_11: u32) -> Reflected {
     var now: RayState;
     var counter_20: u32;
     var source_12: PatternSource;
     var either_2: bool;
-    var chosen_47: u32;
-    var chosen_48: u32;
-    var chosen_49: f32;
-    var chosen_50: Reflected;
+    var chosen_43: u32;
+    var chosen_44: u32;
+    var chosen_45: f32;
+    var chosen_46: Reflected;
 
-    // glimt_render_gpu/src/kernels/smc.rs:232
-    // glimt_render_gpu/src/kernels/smc.rs:233
+    // glimt_render_gpu/src/kernels/smc.rs:204
+    // glimt_render_gpu/src/kernels/smc.rs:205
     let _e18 = LightLobe_of_point(point_10);
-    // glimt_render_gpu/src/kernels/smc.rs:234
+    // glimt_render_gpu/src/kernels/smc.rs:206
     let _e25 = luminance(point_10.brdf.diffuse);
     let _e28 = luminance(point_10.brdf.specular);
     now = RayState(point_10.frame.n, -1000000000000000000000000000000f, wo_4, depth, _e25, _e28, point_10.brdf.exponent, 0u, f32(particles_len_11), 0f, 1u, 0u);
-    // glimt_render_gpu/src/kernels/smc.rs:248
+    // glimt_render_gpu/src/kernels/smc.rs:220
     let _e39 = PastView_predecessor(view, point_10, object_1, frame_4, pattern_4);
     let ray_12 = _e39.value;
     if _e39.is_some {
-        // glimt_render_gpu/src/kernels/smc.rs:249
+        // glimt_render_gpu/src/kernels/smc.rs:221
         let old_1 = past_states[ray_12];
-        // glimt_render_gpu/src/kernels/smc.rs:250
+        // glimt_render_gpu/src/kernels/smc.rs:222
         let first_7 = (ray_12 * particles_len_11);
-        // glimt_render_gpu/src/kernels/smc.rs:251
+        // glimt_render_gpu/src/kernels/smc.rs:223
         counter_20 = 0u;
         loop {
             let i_13 = counter_20;
             if (i_13 >= particles_len_11) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:252
+            // glimt_render_gpu/src/kernels/smc.rs:224
             let _e57 = past_particles[(first_7 + i_13)];
             particles[(particles_start_11 + i_13)] = _e57;
             continuing {
@@ -4326,14 +4290,14 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
                 counter_20 = (_e61 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/smc.rs:254
+        // glimt_render_gpu/src/kernels/smc.rs:226
         let _e66 = LightLobe_of_state(old_1);
-        // glimt_render_gpu/src/kernels/smc.rs:262
+        // glimt_render_gpu/src/kernels/smc.rs:234
         let _e70 = PixelPattern_source(pattern_4, 7u);
         source_12 = _e70;
-        // glimt_render_gpu/src/kernels/smc.rs:263
+        // glimt_render_gpu/src/kernels/smc.rs:235
         let _e73 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e66, env_cdf_size_3, env_rotation_3, smc.floor, _e18, point_10, particles_start_11, particles_len_11, (&source_12));
-        // glimt_render_gpu/src/kernels/smc.rs:264
+        // glimt_render_gpu/src/kernels/smc.rs:236
         let _e76 = is_log_zero(_e73.log_ratio);
         either_2 = _e76;
         if _e76 {
@@ -4342,69 +4306,69 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
             either_2 = _e79;
         }
         let dead = either_2;
-        // glimt_render_gpu/src/kernels/smc.rs:265
+        // glimt_render_gpu/src/kernels/smc.rs:237
         now.log_ratio = _e73.log_ratio;
-        // glimt_render_gpu/src/kernels/smc.rs:266
+        // glimt_render_gpu/src/kernels/smc.rs:238
         now.ess = _e73.ess;
-        // glimt_render_gpu/src/kernels/smc.rs:267
+        // glimt_render_gpu/src/kernels/smc.rs:239
         now.accepted = _e73.accepted;
-        // glimt_render_gpu/src/kernels/smc.rs:268
+        // glimt_render_gpu/src/kernels/smc.rs:240
         now.age = (old_1.age + 1u);
-        // glimt_render_gpu/src/kernels/smc.rs:269
+        // glimt_render_gpu/src/kernels/smc.rs:241
         if ((smc.band > 0f) && (dead || (abs(_e73.log_ratio) > smc.band))) {
-            // glimt_render_gpu/src/kernels/smc.rs:270
-            chosen_47 = 2u;
+            // glimt_render_gpu/src/kernels/smc.rs:242
+            chosen_43 = 2u;
         } else {
             let _e113 = now.age;
             if ((smc.max_age > 0u) && (_e113 >= smc.max_age)) {
-                // glimt_render_gpu/src/kernels/smc.rs:272
-                chosen_48 = 3u;
+                // glimt_render_gpu/src/kernels/smc.rs:244
+                chosen_44 = 3u;
             } else {
-                // glimt_render_gpu/src/kernels/smc.rs:274
-                chosen_48 = 0u;
+                // glimt_render_gpu/src/kernels/smc.rs:246
+                chosen_44 = 0u;
             }
-            let _e121 = chosen_48;
-            chosen_47 = _e121;
+            let _e121 = chosen_44;
+            chosen_43 = _e121;
         }
-        let _e122 = chosen_47;
+        let _e122 = chosen_43;
         now.started = _e122;
-        // glimt_render_gpu/src/kernels/smc.rs:276
+        // glimt_render_gpu/src/kernels/smc.rs:248
         if dead {
-            // glimt_render_gpu/src/kernels/smc.rs:277
-            chosen_49 = -1000000000000000000000000000000f;
+            // glimt_render_gpu/src/kernels/smc.rs:249
+            chosen_45 = -1000000000000000000000000000000f;
         } else {
-            // glimt_render_gpu/src/kernels/smc.rs:279
-            chosen_49 = (old_1.log_normaliser + _e73.log_ratio);
+            // glimt_render_gpu/src/kernels/smc.rs:251
+            chosen_45 = (old_1.log_normaliser + _e73.log_ratio);
         }
-        let _e132 = chosen_49;
+        let _e132 = chosen_45;
         now.log_normaliser = _e132;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:282
+    // glimt_render_gpu/src/kernels/smc.rs:254
     let _e136 = now.started;
     if (_e136 != 0u) {
-        // glimt_render_gpu/src/kernels/smc.rs:283
+        // glimt_render_gpu/src/kernels/smc.rs:255
         now.age = 0u;
-        // glimt_render_gpu/src/kernels/smc.rs:284
+        // glimt_render_gpu/src/kernels/smc.rs:256
         let _e143 = SmcParams_start(smc, point_10, pattern_4, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
         now.log_normaliser = _e143;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:286
+    // glimt_render_gpu/src/kernels/smc.rs:258
     let _e148 = now.log_normaliser;
     let _e149 = is_log_zero(_e148);
     if _e149 {
-        // glimt_render_gpu/src/kernels/smc.rs:287
-        chosen_50 = Reflected(vec3(0f), vec3(0f));
+        // glimt_render_gpu/src/kernels/smc.rs:259
+        chosen_46 = Reflected(vec3(0f), vec3(0f));
     } else {
-        // glimt_render_gpu/src/kernels/smc.rs:289
+        // glimt_render_gpu/src/kernels/smc.rs:261
         let _e159 = now.log_normaliser;
         let _e160 = estimate(point_10, _e18, smc.floor, _e159, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
-        chosen_50 = _e160;
+        chosen_46 = _e160;
     }
-    let light_1 = chosen_50;
-    // glimt_render_gpu/src/kernels/smc.rs:299
+    let light_1 = chosen_46;
+    // glimt_render_gpu/src/kernels/smc.rs:271
     let _e163 = now;
     state_5[(state_start + 0u)] = _e163;
-    // glimt_render_gpu/src/kernels/smc.rs:300
+    // glimt_render_gpu/src/kernels/smc.rs:272
     return light_1;
 }
 
@@ -4465,38 +4429,38 @@ fn Environment_background(cdf_size_5: vec2<u32>, rotation_7: vec2<f32>, directio
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:306
+// glimt_render_gpu/src/kernels/smc.rs:278
 fn shade_smc_1(ray_10: u32, frame_5: FrameParams, smc_1: SmcParams, view_1: PastView, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>, before_size_1: vec2<u32>, before_rotation_1: vec2<f32>, state_start_1: u32, state_len_1: u32, particles_start_12: u32, particles_len_12: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/smc.rs:318
+    // glimt_render_gpu/src/kernels/smc.rs:290
     let _e14 = FrameParams_pattern_of(frame_5, ray_10);
-    // glimt_render_gpu/src/kernels/smc.rs:319
+    // glimt_render_gpu/src/kernels/smc.rs:291
     let _e16 = FrameParams_camera_ray(frame_5, _e14);
-    // glimt_render_gpu/src/kernels/smc.rs:320
+    // glimt_render_gpu/src/kernels/smc.rs:292
     let _e18 = Scene_closest_hit(_e16);
     let hit_1 = _e18.value;
     if _e18.is_some {
-        // glimt_render_gpu/src/kernels/smc.rs:321
+        // glimt_render_gpu/src/kernels/smc.rs:293
         let _e22 = Scene_shading_point(_e16, hit_1);
-        // glimt_render_gpu/src/kernels/smc.rs:322
+        // glimt_render_gpu/src/kernels/smc.rs:294
         let _e27 = scene_triangles[hit_1.triangle];
         let _e28 = Triangle_object_index(_e27);
-        // glimt_render_gpu/src/kernels/smc.rs:323
+        // glimt_render_gpu/src/kernels/smc.rs:295
         let wo_5 = -(_e16.direction);
-        // glimt_render_gpu/src/kernels/smc.rs:324
+        // glimt_render_gpu/src/kernels/smc.rs:296
         let _e34 = follow(_e22, hit_1.t, wo_5, _e28, frame_5, smc_1, view_1, _e14, env_cdf_size_4, env_rotation_4, before_size_1, before_rotation_1, state_start_1, state_len_1, particles_start_12, particles_len_12);
-        // glimt_render_gpu/src/kernels/smc.rs:328
+        // glimt_render_gpu/src/kernels/smc.rs:300
         return vec4<f32>(_e34.lit, 1f);
     }
-    // glimt_render_gpu/src/kernels/smc.rs:330
+    // glimt_render_gpu/src/kernels/smc.rs:302
     state_5[(state_start_1 + 0u)] = RayState(vec3(0f), 0f, vec3(0f), 0f, 0f, 0f, 0f, 0u, 0f, 0f, 0u, 0u);
-    // glimt_render_gpu/src/kernels/smc.rs:331
+    // glimt_render_gpu/src/kernels/smc.rs:303
     if (frame_5.background == 0u) {
-        // glimt_render_gpu/src/kernels/smc.rs:332
+        // glimt_render_gpu/src/kernels/smc.rs:304
         let _e65 = Environment_background(env_cdf_size_4, env_rotation_4, _e16.direction);
         return vec4<f32>(_e65, 1f);
     }
-    // glimt_render_gpu/src/kernels/smc.rs:334
+    // glimt_render_gpu/src/kernels/smc.rs:306
     return vec4(0f);
 }
 

@@ -1,4 +1,4 @@
-// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-tests --bin regenerate
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct FrameParams {
     eye: vec3<f32>,
@@ -9,8 +9,6 @@ struct FrameParams {
     rays_per_pixel: u32,
     up: vec3<f32>,
     first_pixel: u32,
-    brdf_samples: u32,
-    env_samples: u32,
     pattern: u32,
     filter_: u32,
     background: u32,
@@ -20,6 +18,8 @@ struct FrameParams {
     exposure: f32,
     shadow: u32,
     film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
     unused_c: u32,
 }
 
@@ -117,14 +117,14 @@ fn CameraView_direction(this_: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec
     return normalize(((this_.forward + (this_.right * x)) - (this_.up * y)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:118
+// glimt_render_gpu/src/kernels/frame.rs:145
 fn FrameParams_direction(this_1: FrameParams, pixel: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:119
+    // glimt_render_gpu/src/kernels/frame.rs:146
     let corner = vec2<f32>(vec2<u32>((pixel % this_1.width), (pixel / this_1.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:120
+    // glimt_render_gpu/src/kernels/frame.rs:147
     let view = CameraView(this_1.eye, this_1.forward, this_1.right, this_1.up);
-    // glimt_render_gpu/src/kernels/frame.rs:126
+    // glimt_render_gpu/src/kernels/frame.rs:153
     let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_1.width, this_1.height));
     return _e22;
 }

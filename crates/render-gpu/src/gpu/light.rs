@@ -13,8 +13,9 @@ use crate::generated::entries::{HALVE, LIGHT_COEFFICIENT, TAPS};
 use crate::generated::passes::{Halve, LightCoefficient, Taps};
 use crate::host::env::{Brightness, PreparedEnv};
 use crate::host::light_sh::{level_sizes, light_params};
-use crate::host::render::{PrtSettings, SettingsError};
+use crate::host::render::SettingsError;
 use crate::kernels::pyramid;
+use crate::methods::Prt;
 
 /// Rows and columns of texels that a workgroup of `projection.wgsl` projects.
 const GROUP: UVec2 = UVec2::new(256, 16);
@@ -145,7 +146,7 @@ impl GpuLight {
         &mut self,
         context: &GpuContext,
         bands: u32,
-        settings: &PrtSettings,
+        settings: &Prt,
     ) -> Result<(), GpuError> {
         let mut pool = std::mem::take(&mut self.pool);
         let mut recording = Recording::new(context, &mut pool);
@@ -175,13 +176,13 @@ impl GpuLight {
         &mut self,
         recording: &mut Recording<'_>,
         bands: u32,
-        settings: &PrtSettings,
+        settings: &Prt,
     ) -> Result<(), GpuError> {
         let refused = |error: SettingsError| GpuError::Argument {
             entry: PROJECT.name.clone().into_owned(),
             problem: error.to_string(),
         };
-        settings.check().map_err(refused)?;
+        settings.check().map_err(|error| refused(error.into()))?;
         if !(1..=glimt_sh::MAX_BANDS).contains(&bands) {
             return Err(refused(SettingsError::Harmonics(ShError::Bands(bands))));
         }

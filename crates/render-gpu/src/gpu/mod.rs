@@ -1,9 +1,10 @@
 //! Host file: frames on a GPU.
 //!
-//! [`GpuRenderer`] renders frames by the passes that the CPU runs, too; [`GpuPrt`] draws triangles instead, by a rasteriser. What
+//! [`GpuRenderer`] renders frames by the passes that the CPU runs, too; [`GpuDrawing`] draws triangles instead, by a rasteriser. What
 //! opens the GPU and launches passes is [`glimt_executor::gpu`]; its names stand here, too.
 
 mod bake;
+mod drawing;
 mod light;
 mod prt;
 mod raster;
@@ -15,6 +16,7 @@ mod upload;
 pub const HAND_WRITTEN: [&str; 2] = [light::WGSL, raster::WGSL];
 
 pub use bake::bake;
+pub use drawing::GpuDrawing;
 pub use glimt_executor::gpu::{
     AdapterPreference, AdapterSummary, Arg, GpuBuffer, GpuContext, GpuError, GpuOptions, GpuVec,
     LaunchReport, enumerate,

@@ -7,30 +7,23 @@ use glam::Vec4;
 use glimt_executor::gpu::{
     AdapterPreference, Direct, Gpu, GpuContext, GpuError, GpuOptions, GpuVec, LaunchReport,
 };
-use glimt_executor::{Device, Entry, Memory};
+use glimt_executor::{Device, Memory};
 use glimt_smc::Particle;
 
-use super::prt::{DrawTimes, GpuPrt};
-use super::upload::{GpuEnv, GpuScene};
+use super::upload::{GpuEnv, KeptScene};
 use crate::film::{Pixels, Samples};
-use crate::generated::entries::{
-    RECONSTRUCT, SHADE_BIS, SHADE_BIS_LAYERS, SHADE_MIS, SHADE_MIS_LAYERS, SHADE_SMC,
-    SHADE_SMC_LAYERS, TONEMAP,
-};
+use crate::generated::entries::{RECONSTRUCT, SHADE_MIS, TONEMAP};
 use crate::host::env::PreparedEnv;
 use crate::host::plate::Plate;
-use crate::host::render::{
-    FrameImage, Method, RenderError, RenderSettings, Renderer, SettingsError,
-};
+use crate::host::render::{FrameImage, RenderError, RenderSettings, Renderer, SettingsError};
 use crate::host::scene_build::SceneBuffers;
-use crate::host::smc_state::{PastFrame, SmcState};
-use crate::kernels::bis::Bis;
+use crate::host::smc_state::PastFrame;
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
 use crate::kernels::past::RayState;
 use crate::methods::smc::{Following, Own, TILE_GRANULE};
-use crate::methods::{Inputs, TileMethod};
+use crate::methods::{Inputs, Method, MethodMemory};
 
 /// Bytes of a tile's rays: enough to fill any GPU, few enough for any memory.
 const SAMPLE_BYTES: u64 = 64 << 20;
@@ -46,28 +39,24 @@ pub struct FrameTimes {
     pub film: LaunchReport,
     /// Copies back to the host.
     pub read_back: Duration,
-    /// Of a frame by precomputed transfer, which has no passes but these.
-    pub drawn: Option<DrawTimes>,
 }
 
-/// Renders on a GPU.
+/// Renders on a GPU by tracing rays.
 pub struct GpuRenderer {
     context: Arc<GpuContext>,
-    scene: Option<GpuScene>,
+    scene: KeptScene,
     /// Two, so that a frame's light is never written over that of the frame before.
     envs: [Option<GpuEnv>; 2],
     tile: Option<TileBuffers>,
     /// What the sequential sampler continues from.
-    smc: Option<Following<Gpu>>,
-    /// What draws frames by precomputed transfer.
-    prt: Option<GpuPrt>,
+    following: Option<Following<Gpu>>,
     /// What the cost of a ray depended on in the last frame.
     cost: Option<Cost>,
     times: FrameTimes,
 }
 
 /// What the cost of a ray depends on: the scene, the method and its counts of samples.
-type Cost = (u64, Method, [u32; 4]);
+type Cost = (u64, &'static str, [u32; 3]);
 
 /// What one tile is computed in.
 struct TileBuffers {
@@ -106,18 +95,17 @@ impl GpuRenderer {
     /// # Errors
     ///
     /// [`GpuError::Refused`] where wgpu finds fault with a shader, and other failures of the device.
-    pub fn on(context: GpuContext) -> Result<Self, GpuError> {
-        let context = Arc::new(context);
+    pub fn on(context: impl Into<Arc<GpuContext>>) -> Result<Self, GpuError> {
+        let context = context.into();
         for entry in [&SHADE_MIS, &RECONSTRUCT, &TONEMAP] {
             context.prepare(entry)?;
         }
         Ok(Self {
             context,
-            scene: None,
+            scene: KeptScene::default(),
             envs: [None, None],
             tile: None,
-            smc: None,
-            prt: None,
+            following: None,
             cost: None,
             times: FrameTimes::default(),
         })
@@ -135,12 +123,12 @@ impl GpuRenderer {
         &self.times
     }
 
-    /// Renders a frame under a light that is on the GPU already, over a plate of the same size or without one: by any method but
-    /// the sequential sampler and precomputed transfer, which have to know of the host's light, too.
+    /// Renders a frame under a light that is on the GPU already, over a plate of the same size or without one, by a method that keeps
+    /// nothing between frames.
     ///
     /// # Errors
     ///
-    /// As [`Renderer::render_frame`]; [`SettingsError::Smc`] by the first of those methods, [`GpuError::Argument`] by the other.
+    /// As [`Renderer::render_frame`]; [`SettingsError::Memory`] by another method, which would need the host's light, too.
     pub fn render(
         &mut self,
         scene: &SceneBuffers,
@@ -149,8 +137,8 @@ impl GpuRenderer {
         settings: &RenderSettings,
         progress: &(dyn Fn(f32) + Sync),
     ) -> Result<FrameImage, RenderError> {
-        if settings.method == Method::Smc {
-            return Err(SettingsError::Smc.into());
+        if settings.method.has_memory() {
+            return Err(SettingsError::Memory.into());
         }
         self.times = FrameTimes::default();
         self.render_tiles(scene, env, None, plate, settings, progress)
@@ -167,21 +155,21 @@ impl GpuRenderer {
     ) -> Result<FrameImage, RenderError> {
         let whole = settings.frame_params_over(plate)?;
         let in_layers = settings.in_layers(scene, plate);
-        self.keep_scene(scene).map_err(device)?;
+        let started = Instant::now();
+        self.scene.keep(&self.context, scene).map_err(device)?;
+        self.times.upload += started.elapsed();
         self.keep_tile(&whole, in_layers, settings)
             .map_err(device)?;
-        let bis = match settings.method {
-            Method::Bis => Some(settings.bis.params()?),
-            _ => None,
-        };
         let has_past = following.as_ref().is_some_and(|f| f.has_past());
-        let (shade, counts) = shading(settings, in_layers, has_past).map_err(device)?;
-        let cost = Some((scene.surface_id(), settings.method, counts));
-        if self.cost != cost {
-            self.context.forget_pace(shade).map_err(device)?;
-            self.cost = cost;
+        let method = &settings.method;
+        let cost = (scene.surface_id(), method.word(), method.cost(has_past));
+        if self.cost != Some(cost) {
+            for entry in method.entries() {
+                self.context.forget_pace(entry).map_err(device)?;
+            }
+            self.cost = Some(cost);
         }
-        let (Some(uploaded), Some(tile)) = (&self.scene, &mut self.tile) else {
+        let (Some(uploaded), Some(tile)) = (self.scene.get(), &mut self.tile) else {
             unreachable!("both were just made");
         };
         let pixels = whole.width * whole.height;
@@ -213,72 +201,13 @@ impl GpuRenderer {
                 plate: plate.map(|plate| &plate.pixels()[first as usize..(first + count) as usize]),
             };
             let following = following.as_deref_mut();
-            work.render(
-                bis,
-                following.map(|f| (f, fitting)),
-                tile,
-                &tell,
-                &mut self.times,
-            )
-            .and_then(|()| work.read(tile, &mut self.times, &mut image))
-            .map_err(device)?;
+            let following = following.map(|f| (f, fitting));
+            work.render(&settings.method, following, tile, &tell, &mut self.times)
+                .and_then(|()| work.read(tile, &mut self.times, &mut image))
+                .map_err(device)?;
             first += count;
         }
         Ok(image)
-    }
-
-    /// Draws a frame by precomputed transfer, as [`Renderer::render_over`] does by [`Method::Prt`], but leaves it on the GPU and
-    /// waits for nothing: for frames that are shown there, or measured. [`GpuContext::finish`] waits for all of them.
-    ///
-    /// # Errors
-    ///
-    /// As [`GpuPrt::draw`].
-    pub fn draw_over(
-        &mut self,
-        scene: &SceneBuffers,
-        env: &PreparedEnv,
-        plate: Option<&Plate>,
-        settings: &RenderSettings,
-    ) -> Result<(), RenderError> {
-        let mut prt = match self.prt.take() {
-            Some(prt) => prt,
-            None => GpuPrt::new(&self.context).map_err(device)?,
-        };
-        self.times = FrameTimes::default();
-        let drawn = self.keep_scene(scene).map_err(device).and_then(|()| {
-            let Some(uploaded) = &self.scene else {
-                unreachable!("it was just made");
-            };
-            prt.draw(&self.context, scene, uploaded, env, plate, settings)
-        });
-        self.prt = Some(prt);
-        drawn
-    }
-
-    /// The frame that was drawn last.
-    fn read_drawn(&mut self) -> Result<FrameImage, RenderError> {
-        let Some(prt) = &mut self.prt else {
-            return Err(device(host_light()));
-        };
-        let image = prt.read(&self.context).map_err(device)?;
-        self.times.drawn = Some(*prt.times());
-        Ok(image)
-    }
-
-    fn keep_scene(&mut self, scene: &SceneBuffers) -> Result<(), GpuError> {
-        let started = Instant::now();
-        // Another scene goes first: there may not be room for two. One that cannot be updated is none.
-        let known = self.scene.take();
-        let same = known.filter(|known| known.surface_id() == scene.surface_id());
-        self.scene = Some(match same {
-            Some(mut posed) => {
-                posed.update(&self.context, scene)?;
-                posed
-            }
-            None => GpuScene::new(&self.context, scene)?,
-        });
-        self.times.upload += started.elapsed();
-        Ok(())
     }
 
     fn keep_tile(
@@ -318,7 +247,7 @@ impl GpuRenderer {
         // One pixel at least; where its rays do not fit, the launch says so.
         let fitting = fitting.clamp(1, pixels);
         let rays = fitting_pixels(&self.context, settings);
-        if settings.method != Method::Smc || fitting.min(rays) == pixels {
+        if !settings.method.has_memory() || fitting.min(rays) == pixels {
             return fitting as u32;
         }
         // Half of what the frame before may show at once, so that a tile sees beyond its own edges.
@@ -344,12 +273,6 @@ impl Renderer for GpuRenderer {
         settings: &RenderSettings,
         progress: &(dyn Fn(f32) + Sync),
     ) -> Result<FrameImage, RenderError> {
-        if settings.method == Method::Prt {
-            self.draw_over(scene, env, plate, settings)?;
-            let image = self.read_drawn()?;
-            progress(1.0);
-            return Ok(image);
-        }
         let started = Instant::now();
         self.envs.swap(0, 1);
         let current = match self.envs[0].take() {
@@ -361,11 +284,11 @@ impl Renderer for GpuRenderer {
             upload: started.elapsed(),
             ..FrameTimes::default()
         };
-        let mut following = match settings.method {
-            Method::Smc => {
-                let known = self.smc.take();
+        let mut following = match &settings.method {
+            Method::Smc(smc) => {
+                let known = self.following.take();
                 let context = &*self.context;
-                Some(Following::begin(known, context, scene, env, settings)?)
+                Some(Following::begin(known, context, scene, env, settings, smc)?)
             }
             _ => None,
         };
@@ -377,7 +300,9 @@ impl Renderer for GpuRenderer {
             settings,
             progress,
         );
-        if let (Some(following), Ok(_)) = (&mut following, &image) {
+        if let (Some(following), Ok(_), Method::Smc(smc)) =
+            (&mut following, &image, &settings.method)
+        {
             let (light, texels) = (following.light_mut(), current.texels());
             if light.len() != texels.len() {
                 *light = self
@@ -388,10 +313,10 @@ impl Renderer for GpuRenderer {
             self.context
                 .copy(texels, light, texels.len())
                 .map_err(device)?;
-            following.end(PastFrame::new(settings, scene, env)?);
+            following.end(PastFrame::new(settings, smc, scene, env)?);
         }
         if let Some(following) = following {
-            self.smc = Some(following);
+            self.following = Some(following);
         }
         self.envs[0] = Some(current);
         image
@@ -399,14 +324,6 @@ impl Renderer for GpuRenderer {
 
     fn phases(&self) -> Vec<(&'static str, Duration)> {
         let times = &self.times;
-        if let Some(drawn) = &times.drawn {
-            return vec![
-                ("upload", times.upload + drawn.upload),
-                ("light", drawn.light),
-                ("draw", drawn.draw),
-                ("read back", drawn.read_back),
-            ];
-        }
         // As the host saw them, like the whole that they are parts of.
         vec![
             ("upload", times.upload),
@@ -416,30 +333,25 @@ impl Renderer for GpuRenderer {
         ]
     }
 
-    fn smc_state(&mut self) -> Result<Option<SmcState>, RenderError> {
-        match &self.smc {
-            Some(following) => following.read(&*self.context).map_err(device),
-            None => Ok(None),
-        }
+    fn memory(&mut self) -> Result<Option<MethodMemory>, RenderError> {
+        let Some(following) = &self.following else {
+            return Ok(None);
+        };
+        let state = following.read(&*self.context).map_err(device)?;
+        Ok(state.map(MethodMemory::Smc))
     }
 
-    fn set_smc_state(&mut self, state: Option<SmcState>) -> Result<(), RenderError> {
-        self.smc = None;
-        if let Some(prt) = &mut self.prt {
-            prt.forget();
-        }
-        if let Some(state) = state {
-            self.smc = Some(Following::resume(&*self.context, state).map_err(device)?);
-        }
+    fn set_memory(&mut self, memory: MethodMemory) -> Result<(), RenderError> {
+        let MethodMemory::Smc(state) = memory;
+        // There may not be room for two.
+        self.following = None;
+        let following = Following::resume(&*self.context, state);
+        self.following = Some(following.map_err(device)?);
         Ok(())
     }
-}
 
-/// The answer to a frame by precomputed transfer under a light that the host does not know.
-fn host_light() -> GpuError {
-    GpuError::Argument {
-        entry: "precomputed transfer".to_owned(),
-        problem: "it has to be given the host's light map".to_owned(),
+    fn forget(&mut self) {
+        self.following = None;
     }
 }
 
@@ -449,36 +361,13 @@ pub(super) fn device(error: GpuError) -> RenderError {
 
 /// Pixels whose rays' particles and states a binding holds.
 fn fitting_pixels(context: &GpuContext, settings: &RenderSettings) -> u64 {
-    let set = u64::from(settings.smc.particles) * size_of::<Particle>() as u64;
+    let particles = match &settings.method {
+        Method::Smc(smc) => smc.particles,
+        _ => 0,
+    };
+    let set = u64::from(particles) * size_of::<Particle>() as u64;
     let ray = set.max(size_of::<RayState>() as u64);
     context.max_binding_bytes() / (ray * u64::from(settings.rays_per_pixel))
-}
-
-/// The entry of a frame's first pass, and the counts that its cost depends on.
-fn shading(
-    settings: &RenderSettings,
-    in_layers: bool,
-    has_past: bool,
-) -> Result<(&'static Entry, [u32; 4]), GpuError> {
-    let (entries, counts) = match settings.method {
-        Method::Mis => {
-            let counts = [settings.brdf_samples, settings.env_samples, 0, 0];
-            ([&SHADE_MIS, &SHADE_MIS_LAYERS], counts)
-        }
-        Method::Bis => {
-            let counts = [settings.bis.candidates, settings.bis.samples, 0, 0];
-            ([&SHADE_BIS, &SHADE_BIS_LAYERS], counts)
-        }
-        Method::Smc => {
-            let smc = &settings.smc;
-            // The first frame of a sequence has nothing to continue from, and another cost.
-            let steps = if has_past { smc.intermediate + 1 } else { 0 };
-            let counts = [smc.particles, smc.candidates, steps, 0];
-            ([&SHADE_SMC, &SHADE_SMC_LAYERS], counts)
-        }
-        Method::Prt => return Err(host_light()),
-    };
-    Ok((entries[usize::from(in_layers)], counts))
 }
 
 impl TileBuffers {
@@ -524,7 +413,7 @@ struct TileWork<'a> {
 impl TileWork<'_> {
     fn render(
         &self,
-        bis: Option<Bis>,
+        method: &Method,
         following: Option<(&mut Following<Gpu>, u64)>,
         tile: &mut TileBuffers,
         progress: &dyn Fn(u32),
@@ -539,10 +428,9 @@ impl TileWork<'_> {
         }
         let mut executor = Direct::with_progress(self.context, progress);
         let out = tile.samples.out(rays);
-        match (bis, following) {
-            (Some(bis), _) => TileMethod::Bis(bis).shade(&mut executor, self.inputs, rays, out)?,
-            (None, None) => TileMethod::Mis.shade(&mut executor, self.inputs, rays, out)?,
-            (None, Some((following, fitting))) => {
+        match following {
+            None => method.shade(None, &mut executor, self.inputs, rays, out)?,
+            Some((following, fitting)) => {
                 let first = frame.first_pixel as usize * frame.rays_per_pixel as usize;
                 let own_rays = first..first + rays as usize;
                 let view = following.window(fitting, frame.first_pixel, count);
@@ -554,7 +442,7 @@ impl TileWork<'_> {
                     particles: Gpu::chunks(&mut now.particles, sets, n),
                 };
                 let smc = reading.tile(&view, count, own);
-                TileMethod::Smc(smc).shade(&mut executor, self.inputs, rays, out)?;
+                method.shade(Some(smc), &mut executor, self.inputs, rays, out)?;
                 let mut film = Direct::new(self.context);
                 let out = Gpu::chunks(&mut tile.diagnostics, 0..count as usize, 1);
                 following.diagnose(&mut film, frame, own_rays, out, count)?;

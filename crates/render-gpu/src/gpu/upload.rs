@@ -121,6 +121,36 @@ impl GpuScene {
     }
 }
 
+/// The scene of the frame before, which is that of the next one more often than not.
+#[derive(Debug, Default)]
+pub(super) struct KeptScene(Option<GpuScene>);
+
+impl KeptScene {
+    /// Makes it `scene`: nothing is uploaded where it is that one already.
+    pub(super) fn keep(
+        &mut self,
+        context: &GpuContext,
+        scene: &SceneBuffers,
+    ) -> Result<(), GpuError> {
+        // Another scene goes first: there may not be room for two. One that cannot be updated is dropped.
+        let known = self.0.take();
+        let same = known.filter(|known| known.surface_id() == scene.surface_id());
+        self.0 = Some(match same {
+            Some(mut posed) => {
+                posed.update(context, scene)?;
+                posed
+            }
+            None => GpuScene::new(context, scene)?,
+        });
+        Ok(())
+    }
+
+    /// The scene that was kept last.
+    pub(super) fn get(&self) -> Option<&GpuScene> {
+        self.0.as_ref()
+    }
+}
+
 /// A light map with its tables.
 ///
 /// While one lights the frame that renders, the next frame's may be made or updated on another thread.

@@ -5,12 +5,12 @@ use glimt_sh::{MAX_COEFFICIENTS, ShError};
 use rayon::prelude::*;
 
 use super::env::PreparedEnv;
-use super::methods::PrtSettings;
 use super::projection::Projector;
 use super::render::SettingsError;
 use crate::kernels::environment::RadianceMap;
 use crate::kernels::light_sh::{LightParams, light_coefficient};
 use crate::kernels::pyramid::{Taps, half_size, halve, taps};
+use crate::methods::Prt;
 
 /// Floats in a texel.
 const CHANNELS: u32 = 4;
@@ -29,7 +29,7 @@ pub struct LightSh {
 /// How the sums of a frame become its coefficients; without the frame before if that had another number of bands, given in
 /// `before`.
 pub(crate) fn light_params(
-    settings: &PrtSettings,
+    settings: &Prt,
     rotation: Vec2,
     bands: u32,
     before: Option<u32>,
@@ -67,12 +67,12 @@ impl LightSh {
     /// map, and filtered over time with the frame before, if that had as many bands. Those beyond `bands²` are 0.
     ///
     /// # Errors
-    /// [`SettingsError::Prt`]; [`SettingsError::Harmonics`] where `bands` is not 1 to 6, or the map is wider or higher than 2²⁰.
+    /// [`SettingsError::Setting`]; [`SettingsError::Harmonics`] where `bands` is not 1 to 6, or the map is wider or higher than 2²⁰.
     pub fn project(
         &mut self,
         env: &PreparedEnv,
         bands: u32,
-        settings: &PrtSettings,
+        settings: &Prt,
     ) -> Result<[Vec4; MAX_COEFFICIENTS], SettingsError> {
         settings.check()?;
         let map = env.view().map();

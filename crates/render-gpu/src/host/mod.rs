@@ -6,7 +6,6 @@ pub mod env;
 mod geometry;
 pub mod light_sh;
 mod materials;
-pub mod methods;
 pub mod plate;
 pub mod projection;
 pub mod render;

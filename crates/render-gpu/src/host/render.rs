@@ -6,14 +6,15 @@ use glam::{UVec2, Vec4};
 use glimt_sh::ShError;
 
 use super::env::PreparedEnv;
-pub use super::methods::{BisSettings, CandidateSource, Method, PrtSettings, SmcSettings};
 use super::plate::Plate;
 use super::scene::Camera;
 use super::scene_build::SceneBuffers;
-use super::smc_state::SmcState;
 use crate::kernels::camera::CameraView;
-use crate::kernels::frame::{self, FrameParams};
+use crate::kernels::frame::FrameParams;
+pub use crate::kernels::frame::{Background, Filter, Pattern, Shadow, Tonemap};
 use crate::kernels::layers::PixelLayers;
+use crate::methods::{Method, MethodMemory, Prt};
+use crate::settings::SettingError;
 
 /// All that one frame needs beside the scene and its light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,18 +25,10 @@ pub struct RenderSettings {
     pub camera: Camera,
     /// Rays per pixel R, at least 1.
     pub rays_per_pixel: u32,
-    /// BRDF samples N_ρ on each ray; 0 leaves the environment's alone.
-    pub brdf_samples: u32,
-    /// Environment samples N_L on each ray; 0 leaves the BRDF's alone.
-    pub env_samples: u32,
-    /// How reflected light is estimated.
+    /// How reflected light is estimated by renderers that trace rays.
     pub method: Method,
-    /// How, by [`Method::Bis`].
-    pub bis: BisSettings,
-    /// How, by [`Method::Smc`].
-    pub smc: SmcSettings,
-    /// How, by [`Method::Prt`].
-    pub prt: PrtSettings,
+    /// How light is projected by renderers that draw with precomputed transfer.
+    pub prt: Prt,
     /// Where the uniforms come from.
     pub pattern: Pattern,
     /// Where in its pixel a ray passes.
@@ -58,59 +51,24 @@ pub struct RenderSettings {
     pub diagnostics: bool,
 }
 
-/// A sample pattern.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Pattern {
-    /// Owen-scrambled Sobol points, one sequence for each pixel (Burley 2020).
-    #[default]
-    OwenSobol,
-    /// Independent uniforms, as in the papers.
-    Independent,
-    /// Independent uniforms, of which each set of n samples is spread over n strata.
-    Stratified,
+/// Kernels' files cannot say which variant is the default.
+macro_rules! defaults {
+    ($($type:ident::$variant:ident),+) => {
+        $(impl Default for $type {
+            fn default() -> Self {
+                Self::$variant
+            }
+        })+
+    };
 }
 
-/// A reconstruction filter.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Filter {
-    /// Rays anywhere in the pixel, averaged.
-    #[default]
-    Box,
-    /// All rays through the pixel's centre.
-    Centre,
-}
-
-/// What is seen where no object is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Background {
-    /// The light map, with alpha 1.
-    #[default]
-    Environment,
-    /// Nothing: black with alpha 0, to be laid over a plate.
-    Transparent,
-}
-
-/// The curve of the display image, applied after the exposure.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tonemap {
-    /// Clipped to [0, 1], then the sRGB curve.
-    #[default]
-    Srgb,
-    /// `x / (1 + x)` in each channel, then the sRGB curve.
-    Reinhard,
-}
-
-/// How a plate takes the shadows of objects on catchers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Shadow {
-    /// It is multiplied by the share of the catchers' light that is left: the plate keeps its texture, and the catcher's
-    /// albedo cancels out.
-    #[default]
-    Multiply,
-    /// The light that the catchers lose is subtracted (Debevec 1998): right where the catchers' albedo is the plate's, and
-    /// the light map is in the plate's units after the exposure.
-    Add,
-}
+defaults!(
+    Pattern::OwenSobol,
+    Filter::Box,
+    Background::Environment,
+    Tonemap::Srgb,
+    Shadow::Multiply
+);
 
 /// A rendered frame, rows from the top.
 #[derive(Clone, Debug)]
@@ -167,21 +125,23 @@ pub trait Renderer {
         Vec::new()
     }
 
-    /// What [`Method::Smc`] would go on from; `None` before its first frame.
+    /// What its method keeps of the frame that was rendered last; `None` before the first, and where it keeps nothing.
     ///
-    /// A frame goes on from the one that was rendered before it where both have the same image size, rays per pixel, particles,
-    /// seed and objects; else it starts anew.
+    /// By [`Method::Smc`] a frame continues from that one where both have the same image size, rays per pixel, particles, seed and
+    /// objects; else it starts.
     ///
     /// # Errors
     /// A [`RenderError`].
-    fn smc_state(&mut self) -> Result<Option<SmcState>, RenderError>;
+    fn memory(&mut self) -> Result<Option<MethodMemory>, RenderError>;
 
-    /// Makes [`Method::Smc`] go on from another frame; with `None` the next one starts anew. By [`Method::Prt`], the next frame
-    /// starts anew in either case.
+    /// Makes the next frame continue from another one.
     ///
     /// # Errors
-    /// A [`RenderError`].
-    fn set_smc_state(&mut self, state: Option<SmcState>) -> Result<(), RenderError>;
+    /// [`SettingsError::Memory`] where the renderer keeps nothing of the kind; other [`RenderError`]s.
+    fn set_memory(&mut self, memory: MethodMemory) -> Result<(), RenderError>;
+
+    /// Forgets all frames: the next one starts.
+    fn forget(&mut self);
 }
 
 /// Why no frame was rendered.
@@ -203,16 +163,14 @@ impl RenderError {
 }
 
 /// Why settings were refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SettingsError {
     /// Width, height or rays per pixel is 0.
     #[error("an image needs a width, a height and at least one ray per pixel")]
     Empty,
-    /// The method's counts of samples, candidates or particles are 0.
-    #[error(
-        "there must be samples: of the BRDF or the environment, candidates and picks, or particles"
-    )]
-    NoSamples,
+    /// A setting of a method is out of its range.
+    #[error(transparent)]
+    Setting(#[from] SettingError),
     /// Pixels, or the samples of one, outgrow 32 bits.
     #[error("width × height, and the samples of a pixel, must each stay below 2^32")]
     TooMany,
@@ -225,14 +183,9 @@ pub enum SettingsError {
     /// The exposure's factor outgrows 32 bits.
     #[error("2 to the power of the exposure must be finite")]
     Exposure,
-    /// A setting of the sequential sampler is out of range.
-    #[error(
-        "a setting of the sequential sampler is out of its range, or its candidates come from the environment alone"
-    )]
-    Smc,
-    /// A setting of precomputed radiance transfer is out of range.
-    #[error("level must be at most 31, window and temporal from 0 to 1e6")]
-    Prt,
+    /// What was saved belongs to another method.
+    #[error("this renderer cannot continue from what another method keeps")]
+    Memory,
     /// The light has no such coefficients.
     #[error("the light's spherical harmonics: {0}")]
     Harmonics(ShError),
@@ -252,20 +205,16 @@ impl RenderSettings {
             size,
             camera,
             rays_per_pixel: 16,
-            brdf_samples: 1,
-            env_samples: 1,
             method: Method::default(),
-            bis: BisSettings::default(),
-            smc: SmcSettings::default(),
-            prt: PrtSettings::default(),
-            pattern: Pattern::default(),
-            filter: Filter::default(),
-            background: Background::default(),
+            prt: Prt::default(),
+            pattern: Pattern::OwenSobol,
+            filter: Filter::Box,
+            background: Background::Environment,
             seed: 1,
             frame: 0,
             exposure_ev: 0.0,
-            tonemap: Tonemap::default(),
-            shadow: Shadow::default(),
+            tonemap: Tonemap::Srgb,
+            shadow: Shadow::Multiply,
             layers: false,
             diagnostics: false,
         }
@@ -304,27 +253,13 @@ impl RenderSettings {
         if self.size.min_element() == 0 || self.rays_per_pixel == 0 {
             return Err(SettingsError::Empty);
         }
-        let per_ray = match self.method {
-            Method::Mis => self.brdf_samples.max(self.env_samples),
-            Method::Bis => {
-                let bis = self.bis.params()?;
-                bis.candidates.max(bis.samples)
-            }
-            Method::Smc => {
-                self.smc.params(0.0, 0.0)?;
-                self.smc.candidates.max(self.smc.particles)
-            }
-            Method::Prt => {
-                self.prt.check()?;
-                1
-            }
-        };
-        if per_ray == 0 {
-            return Err(SettingsError::NoSamples);
-        }
+        self.method.check()?;
+        self.prt.check()?;
         // Kernels number rays within a tile, so all rays of an image may be more.
         let pixels = self.size.x.checked_mul(self.size.y);
-        let samples = self.rays_per_pixel.checked_mul(per_ray);
+        let samples = self
+            .rays_per_pixel
+            .checked_mul(self.method.samples_per_ray());
         if pixels.is_none() || samples.is_none() {
             return Err(SettingsError::TooMany);
         }
@@ -342,37 +277,22 @@ impl RenderSettings {
             rays_per_pixel: self.rays_per_pixel,
             up: view.up,
             first_pixel: 0,
-            brdf_samples: self.brdf_samples,
-            env_samples: self.env_samples,
-            pattern: match self.pattern {
-                Pattern::OwenSobol => frame::PATTERN_OWEN_SOBOL,
-                Pattern::Independent => frame::PATTERN_INDEPENDENT,
-                Pattern::Stratified => frame::PATTERN_STRATIFIED,
-            },
-            filter: match self.filter {
-                Filter::Box => frame::FILTER_BOX,
-                Filter::Centre => frame::FILTER_CENTRE,
-            },
-            background: match self.background {
-                Background::Environment => frame::BACKGROUND_ENVIRONMENT,
-                Background::Transparent => frame::BACKGROUND_TRANSPARENT,
-            },
+            pattern: self.pattern,
+            filter: self.filter,
+            background: self.background,
             seed: self.seed,
             frame: self.frame,
-            tonemap: match self.tonemap {
-                Tonemap::Srgb => frame::TONEMAP_SRGB,
-                Tonemap::Reinhard => frame::TONEMAP_REINHARD,
-            },
+            tonemap: self.tonemap,
             exposure,
-            shadow: match self.shadow {
-                Shadow::Multiply => frame::SHADOW_MULTIPLY,
-                Shadow::Add => frame::SHADOW_ADD,
-            },
+            shadow: self.shadow,
             // Particles stay with their rays, so those must stand still.
-            film_frame: match self.method {
-                Method::Smc => 0,
-                Method::Mis | Method::Bis | Method::Prt => self.frame,
+            film_frame: if self.method.has_memory() {
+                0
+            } else {
+                self.frame
             },
+            unused_a: 0,
+            unused_b: 0,
             unused_c: 0,
         })
     }

@@ -9,6 +9,7 @@ use super::scene_build::SceneBuffers;
 use crate::kernels::camera::CameraView;
 use crate::kernels::environment::RadianceMap;
 use crate::kernels::past::RayState;
+use crate::methods::Smc;
 
 /// What two frames must have in common for particles to go from one to the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,11 +61,11 @@ pub struct SmcState {
 impl SmcKey {
     /// Of a frame of these settings.
     #[must_use]
-    pub fn new(settings: &RenderSettings, scene: &SceneBuffers) -> Self {
+    pub fn new(settings: &RenderSettings, smc: &Smc, scene: &SceneBuffers) -> Self {
         Self {
             size: settings.size,
             rays_per_pixel: settings.rays_per_pixel,
-            particles: settings.smc.particles,
+            particles: smc.particles,
             seed: settings.seed,
             objects: scene.transforms().len() as u32,
         }
@@ -83,12 +84,13 @@ impl PastFrame {
     /// A [`SettingsError`] of the camera.
     pub fn new(
         settings: &RenderSettings,
+        smc: &Smc,
         scene: &SceneBuffers,
         env: &PreparedEnv,
     ) -> Result<Self, SettingsError> {
         let light = env.view();
         Ok(Self {
-            key: SmcKey::new(settings, scene),
+            key: SmcKey::new(settings, smc, scene),
             frame: settings.frame,
             view: settings.camera.view(settings.size)?,
             transforms: scene.transforms().to_vec(),

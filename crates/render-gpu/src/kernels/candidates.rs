@@ -8,12 +8,17 @@ use super::environment::Environment;
 use super::pattern::{CANDIDATE_BRDF, CANDIDATE_ENVIRONMENT, PixelPattern};
 use super::scene::ShadingPoint;
 
-/// [`Candidates::source`]: the BRDF's sampler.
-pub const SOURCE_BRDF: u32 = 0;
-/// [`Candidates::source`]: the environment's tables.
-pub const SOURCE_ENVIRONMENT: u32 = 1;
-/// [`Candidates::source`]: half of each, with the density of their mixture.
-pub const SOURCE_MIXTURE: u32 = 2;
+/// Where candidates come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::NoUninit)]
+#[repr(u32)]
+pub enum CandidateSource {
+    /// The BRDF's sampler: the paper's choice.
+    Brdf = 0,
+    /// The environment's tables.
+    Environment = 1,
+    /// Half of each, with the density of their mixture.
+    Mixture = 2,
+}
 
 /// Candidates ω_j ~ q for the target `γ(ω) = (Y(L(ω)) + floor) Y(ρ(ωo, ω)) ⟨ω·n⟩`, Y the luminance: each a function of its
 /// index, so that they can be drawn again.
@@ -21,8 +26,8 @@ pub const SOURCE_MIXTURE: u32 = 2;
 pub struct Candidates {
     /// M.
     pub count: u32,
-    /// One of the `SOURCE_…` constants.
-    pub source: u32,
+    /// Where they come from.
+    pub source: CandidateSource,
     /// What the target adds to the luminance.
     pub floor: f32,
 }
@@ -58,9 +63,9 @@ impl Candidates {
     #[inline]
     #[must_use]
     pub fn of_brdf(&self) -> u32 {
-        if self.source == SOURCE_BRDF {
+        if self.source == CandidateSource::Brdf {
             self.count
-        } else if self.source == SOURCE_ENVIRONMENT {
+        } else if self.source == CandidateSource::Environment {
             0
         } else {
             self.count.div_ceil(2)

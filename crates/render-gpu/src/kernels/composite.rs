@@ -4,7 +4,7 @@ use glam::{Vec3, Vec4};
 use glimt_sampling::math::luminance;
 
 use super::film::{display_code, tone_curve};
-use super::frame::{BACKGROUND_ENVIRONMENT, FrameParams, SHADOW_ADD};
+use super::frame::{Background, FrameParams, Shadow};
 use super::layers::PixelLayers;
 
 /// One pixel of a plate. 16 bytes.
@@ -78,7 +78,7 @@ fn exposed(frame: &FrameParams, radiance: Vec3) -> Vec3 {
 #[inline]
 fn over(frame: &FrameParams, layer: &PixelLayers, object: Vec3, behind: Vec3) -> Vec3 {
     let clear = 1.0 - layer.object.w;
-    if frame.shadow == SHADOW_ADD {
+    if frame.shadow == Shadow::Add {
         return (object + behind * clear - exposed(frame, layer.blocked)).max(Vec3::ZERO);
     }
     object + behind * (layer.transmission() * clear)
@@ -95,7 +95,7 @@ pub fn composite_alone(pixel: u32, frame: &FrameParams, layers: &[PixelLayers]) 
     let object = layer.object.truncate();
     let clear = 1.0 - layer.object.w;
     let t = layer.transmission();
-    if frame.background == BACKGROUND_ENVIRONMENT {
+    if frame.background == Background::Environment {
         return (object + layer.behind * (t * clear)).extend(1.0);
     }
     // By what is lost, which is exactly 0 where nothing is.

@@ -6,6 +6,7 @@ use glimt_sampling::uniform::unit_vec2;
 
 use super::environment::Environment;
 use super::frame::FrameParams;
+use super::mis::Mis;
 use super::pattern::{BRDF, ENVIRONMENT, FILM};
 use super::scene::Scene;
 
@@ -59,18 +60,18 @@ pub struct SurfaceRecord {
 
 /// One uniform for the film and three for the BRDF.
 #[must_use]
-pub fn uniforms(ray: u32, frame: &FrameParams) -> UVec4 {
+pub fn uniforms(ray: u32, frame: &FrameParams, mis: &Mis) -> UVec4 {
     let pattern = frame.pattern_of(ray);
     let film = pattern.pair(FILM, 0, 1);
-    let brdf = pattern.triple(BRDF, 0, frame.brdf_samples);
+    let brdf = pattern.triple(BRDF, 0, mis.brdf_samples);
     UVec4::new(film.x, brdf.x, brdf.y, brdf.z)
 }
 
 /// The ray's first environment sample.
 #[must_use]
-pub fn env_sample(ray: u32, frame: &FrameParams, env: Environment<'_>) -> EnvRecord {
+pub fn env_sample(ray: u32, frame: &FrameParams, mis: &Mis, env: Environment<'_>) -> EnvRecord {
     let pattern = frame.pattern_of(ray);
-    let u = pattern.pair(ENVIRONMENT, 0, frame.env_samples);
+    let u = pattern.pair(ENVIRONMENT, 0, mis.env_samples);
     let sample = env.sample(u);
     EnvRecord {
         direction: sample.direction,
@@ -131,12 +132,12 @@ pub fn surface(ray: u32, frame: &FrameParams, scene: Scene<'_>) -> SurfaceRecord
 
 /// The ray's first BRDF sample in local coordinates, with its density in 1/sr; 0 for a miss.
 #[must_use]
-pub fn brdf_sample(ray: u32, frame: &FrameParams, scene: Scene<'_>) -> Vec4 {
+pub fn brdf_sample(ray: u32, frame: &FrameParams, mis: &Mis, scene: Scene<'_>) -> Vec4 {
     let pattern = frame.pattern_of(ray);
     let camera_ray = frame.camera_ray(&pattern);
     if let Some(hit) = scene.closest_hit(&camera_ray) {
         let point = scene.shading_point(&camera_ray, &hit);
-        let u = pattern.triple(BRDF, 0, frame.brdf_samples);
+        let u = pattern.triple(BRDF, 0, mis.brdf_samples);
         let sample = point.brdf.sample(point.wo, u.z, unit_vec2(u.truncate()));
         return sample.wi.extend(sample.pdf_sr);
     }

@@ -2,7 +2,7 @@
 
 use glam::{Vec3, Vec4};
 
-use super::frame::{FrameParams, TONEMAP_REINHARD};
+use super::frame::{FrameParams, Tonemap};
 
 /// Linear value of the tile's pixel `pixel`: the mean of its rays, which is the box filter where the rays are spread
 /// over the pixel. Alpha is the mean alpha, and the colour is premultiplied by it.
@@ -34,7 +34,7 @@ pub fn tonemap(pixel: u32, frame: &FrameParams, linear: &[Vec4]) -> u32 {
 #[inline]
 #[must_use]
 pub fn tone_curve(frame: &FrameParams, exposed: Vec3) -> Vec3 {
-    if frame.tonemap == TONEMAP_REINHARD {
+    if frame.tonemap == Tonemap::Reinhard {
         Vec3::ONE - Vec3::ONE / (Vec3::ONE + exposed)
     } else {
         exposed.min(Vec3::ONE)

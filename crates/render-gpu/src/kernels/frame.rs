@@ -7,35 +7,62 @@ use super::camera::CameraView;
 use super::pattern::{FILM, PixelPattern};
 use super::ray::Ray;
 
-/// [`FrameParams::pattern`]: Owen-scrambled Sobol points.
-pub const PATTERN_OWEN_SOBOL: u32 = 0;
-/// [`FrameParams::pattern`]: independent uniforms.
-pub const PATTERN_INDEPENDENT: u32 = 1;
-/// [`FrameParams::pattern`]: one uniform in each stratum.
-pub const PATTERN_STRATIFIED: u32 = 2;
+/// A sample pattern.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::NoUninit)]
+#[repr(u32)]
+pub enum Pattern {
+    /// Owen-scrambled Sobol points, one sequence for each pixel (Burley 2020).
+    OwenSobol = 0,
+    /// Independent uniforms, as in the papers.
+    Independent = 1,
+    /// Independent uniforms, of which each set of n samples is spread over n strata.
+    Stratified = 2,
+}
 
-/// [`FrameParams::filter`]: rays anywhere in the pixel.
-pub const FILTER_BOX: u32 = 0;
-/// [`FrameParams::filter`]: rays through the pixel's centre.
-pub const FILTER_CENTRE: u32 = 1;
+/// A reconstruction filter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::NoUninit)]
+#[repr(u32)]
+pub enum Filter {
+    /// Rays anywhere in the pixel, averaged.
+    Box = 0,
+    /// All rays through the pixel's centre.
+    Centre = 1,
+}
 
-/// [`FrameParams::background`]: the environment, with alpha 1.
-pub const BACKGROUND_ENVIRONMENT: u32 = 0;
-/// [`FrameParams::background`]: black, with alpha 0.
-pub const BACKGROUND_TRANSPARENT: u32 = 1;
+/// What is seen where no object is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::NoUninit)]
+#[repr(u32)]
+pub enum Background {
+    /// The light map, with alpha 1.
+    Environment = 0,
+    /// Nothing: black with alpha 0, to be laid over a plate.
+    Transparent = 1,
+}
 
-/// [`FrameParams::tonemap`]: clipping.
-pub const TONEMAP_SRGB: u32 = 0;
-/// [`FrameParams::tonemap`]: `x / (1 + x)`.
-pub const TONEMAP_REINHARD: u32 = 1;
+/// The curve of the display image, applied after the exposure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::NoUninit)]
+#[repr(u32)]
+pub enum Tonemap {
+    /// Clipped to [0, 1], then the sRGB curve.
+    Srgb = 0,
+    /// `x / (1 + x)` in each channel, then the sRGB curve.
+    Reinhard = 1,
+}
 
-/// [`FrameParams::shadow`]: the plate is multiplied by the share of light that is left.
-pub const SHADOW_MULTIPLY: u32 = 0;
-/// [`FrameParams::shadow`]: the light that is lost is subtracted from the plate.
-pub const SHADOW_ADD: u32 = 1;
+/// How a plate takes the shadows of objects on catchers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::NoUninit)]
+#[repr(u32)]
+pub enum Shadow {
+    /// It is multiplied by the share of the catchers' light that is left: the plate keeps its texture, and the catcher's
+    /// albedo cancels out.
+    Multiply = 0,
+    /// The light that the catchers lose is subtracted (Debevec 1998): right where the catchers' albedo is the plate's, and
+    /// the light map is in the plate's units after the exposure.
+    Add = 1,
+}
 
 /// All that a frame's kernels know beside the scene and its light. 112 bytes.
-#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::NoUninit)]
 #[repr(C)]
 pub struct FrameParams {
     /// [`CameraView::eye`].
@@ -54,30 +81,30 @@ pub struct FrameParams {
     pub up: Vec3,
     /// Index in the image, row by row, of the tile's first pixel.
     pub first_pixel: u32,
-    /// BRDF samples N_ρ on each ray.
-    pub brdf_samples: u32,
-    /// Environment samples N_L on each ray.
-    pub env_samples: u32,
-    /// One of the `PATTERN_…` constants.
-    pub pattern: u32,
-    /// One of the `FILTER_…` constants.
-    pub filter: u32,
-    /// One of the `BACKGROUND_…` constants.
-    pub background: u32,
+    /// Where uniforms come from.
+    pub pattern: Pattern,
+    /// Where in its pixel a ray passes.
+    pub filter: Filter,
+    /// What is seen where no object is.
+    pub background: Background,
     /// First key of the random streams.
     pub seed: u32,
     /// Second key of the random streams.
     pub frame: u32,
-    /// One of the `TONEMAP_…` constants.
-    pub tonemap: u32,
+    /// The display's curve.
+    pub tonemap: Tonemap,
     /// Factor on linear values before the tonemap.
     pub exposure: f32,
-    /// One of the `SHADOW_…` constants.
-    pub shadow: u32,
+    /// How a plate takes shadows.
+    pub shadow: Shadow,
     /// Second key of the rays' places in their pixels: [`FrameParams::frame`] where they are new in every frame, the same number
     /// in all frames where they stand still.
     pub film_frame: u32,
-    /// Fills 16 bytes.
+    /// Fills 16 bytes, as the two below.
+    pub unused_a: u32,
+    /// See above.
+    pub unused_b: u32,
+    /// See above.
     pub unused_c: u32,
 }
 
@@ -100,7 +127,7 @@ impl FrameParams {
     #[inline]
     #[must_use]
     pub fn camera_ray(&self, pattern: &PixelPattern) -> Ray {
-        let place = if self.filter == FILTER_CENTRE {
+        let place = if self.filter == Filter::Centre {
             Vec2::splat(0.5)
         } else {
             let film = PixelPattern {
@@ -137,9 +164,9 @@ mod tests {
         assert_eq!(core::mem::offset_of!(FrameParams, forward), 16);
         assert_eq!(core::mem::offset_of!(FrameParams, right), 32);
         assert_eq!(core::mem::offset_of!(FrameParams, up), 48);
-        assert_eq!(core::mem::offset_of!(FrameParams, brdf_samples), 64);
-        assert_eq!(core::mem::offset_of!(FrameParams, background), 80);
-        assert_eq!(core::mem::offset_of!(FrameParams, exposure), 96);
-        assert_eq!(core::mem::offset_of!(FrameParams, shadow), 100);
+        assert_eq!(core::mem::offset_of!(FrameParams, pattern), 64);
+        assert_eq!(core::mem::offset_of!(FrameParams, background), 72);
+        assert_eq!(core::mem::offset_of!(FrameParams, exposure), 88);
+        assert_eq!(core::mem::offset_of!(FrameParams, shadow), 92);
     }
 }

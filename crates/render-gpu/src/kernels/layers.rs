@@ -8,7 +8,7 @@ use glam::{Vec3, Vec4};
 
 use super::environment::Environment;
 use super::estimator::Reflected;
-use super::frame::{BACKGROUND_ENVIRONMENT, FrameParams};
+use super::frame::{Background, FrameParams};
 
 /// What one ray shows: an object, a catcher, or the background. 32 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -138,7 +138,7 @@ pub fn reconstruct_layers(
         } else {
             object += sample.radiance.extend(sample.alpha);
         }
-        if frame.background == BACKGROUND_ENVIRONMENT && sample.alpha == 0.0 {
+        if frame.background == Background::Environment && sample.alpha == 0.0 {
             let direction = frame.camera_ray(&frame.pattern_of(ray)).direction;
             behind += env.background(direction);
             clear += 1.0;

@@ -14,7 +14,8 @@ use super::scene::{Scene, ShadingPoint};
 /// With one of the counts zero it is importance sampling of the other alone. Impossible samples contribute 0 and count.
 ///
 /// Differs from the paper, whose print omits the counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
 pub struct Mis {
     /// N_ρ.
     pub brdf_samples: u32,

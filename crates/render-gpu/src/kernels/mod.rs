@@ -3,6 +3,8 @@
 //! A kernel computes one element of a buffer. All ids are local to a tile; [`frame::FrameParams::first_pixel`] places
 //! the tile in the image, and random streams are keyed by the pixel of the image, so that an image has the same bits
 //! whatever its tiles.
+//!
+//! The list is generated with the shaders: a new kernel is a new file.
 
 pub mod bis;
 pub mod bvh;

@@ -6,7 +6,7 @@ use glimt_sampling::sobol::OwenSobol;
 use glimt_sampling::uniform::UniformSource;
 use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
 
-use super::frame::{PATTERN_INDEPENDENT, PATTERN_OWEN_SOBOL};
+use super::frame::Pattern;
 
 /// What uniforms are for: the ray's place in the pixel.
 pub const FILM: u32 = 1;
@@ -30,8 +30,8 @@ pub const PARTICLES: u32 = 7;
 /// of each other, and so are pixels, frames and seeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PixelPattern {
-    /// One of the `PATTERN_…` constants of [`frame`](super::frame).
-    pub kind: u32,
+    /// Where its uniforms come from.
+    pub kind: Pattern,
     /// First key.
     pub seed: u32,
     /// Second key.
@@ -50,11 +50,11 @@ impl PixelPattern {
     #[must_use]
     pub fn pair(&self, purpose: u32, sample: u32, samples: u32) -> UVec2 {
         let index = self.ray * samples + sample;
-        if self.kind == PATTERN_OWEN_SOBOL {
+        if self.kind == Pattern::OwenSobol {
             return self.sobol_point(purpose, index).next_uvec2();
         }
         let jitter = self.generator(purpose, index).next_uvec2();
-        if self.kind == PATTERN_INDEPENDENT {
+        if self.kind == Pattern::Independent {
             return jitter;
         }
         jittered_pair(index, self.rays * samples, jitter, self.key(purpose))
@@ -65,7 +65,7 @@ impl PixelPattern {
     #[must_use]
     pub fn triple(&self, purpose: u32, sample: u32, samples: u32) -> UVec3 {
         let index = self.ray * samples + sample;
-        if self.kind == PATTERN_OWEN_SOBOL {
+        if self.kind == Pattern::OwenSobol {
             let mut point = self.sobol_point(purpose, index);
             let pair = point.next_uvec2();
             return pair.extend(point.next_u32());
@@ -73,7 +73,7 @@ impl PixelPattern {
         let mut generator = self.generator(purpose, index);
         let jitter = generator.next_uvec2();
         let single = generator.next_u32();
-        if self.kind == PATTERN_INDEPENDENT {
+        if self.kind == Pattern::Independent {
             return jitter.extend(single);
         }
         let (count, key) = (self.rays * samples, self.key(purpose));
@@ -86,7 +86,7 @@ impl PixelPattern {
     #[must_use]
     pub fn source(&self, purpose: u32) -> PatternSource {
         PatternSource {
-            is_sobol: self.kind == PATTERN_OWEN_SOBOL,
+            is_sobol: self.kind == Pattern::OwenSobol,
             point: self.sobol_point(purpose, self.ray),
             generator: self.generator(purpose, self.ray),
         }
@@ -202,7 +202,6 @@ fn permute(index: u32, length: u32, key: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kernels::frame::PATTERN_STRATIFIED;
 
     #[test]
     fn permutations_are_permutations() {
@@ -224,7 +223,7 @@ mod tests {
         let mut seen = [UVec3::ZERO; 15];
         for ray in 0..rays {
             let pattern = PixelPattern {
-                kind: PATTERN_STRATIFIED,
+                kind: Pattern::Stratified,
                 seed: 7,
                 frame: 1,
                 pixel: 99,

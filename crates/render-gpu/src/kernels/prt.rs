@@ -6,10 +6,10 @@ use glam::{Vec3, Vec4};
 
 use super::environment::RadianceMap;
 use super::estimator::Reflected;
-use super::frame::{BACKGROUND_ENVIRONMENT, FrameParams};
-use super::layers::LayerSample;
+use super::frame::FrameParams;
 use super::ray::{Hit, Ray};
 use super::scene::{Scene, ShadingPoint};
+use super::shade::RaySample;
 
 /// Irradiance at a vertex by band-limited light, parted like [`Reflected`]. Either part may be negative, as band-limited
 /// light may. 32 bytes.
@@ -133,43 +133,22 @@ impl Surface<'_> {
     }
 }
 
-/// Radiance along the tile's ray `ray`, with alpha, by precomputed transfer; alpha is 1 on objects and before a visible
-/// background.
-#[must_use]
-pub fn shade_prt(
-    ray: u32,
-    frame: &FrameParams,
-    map: RadianceMap<'_>,
-    scene: Scene<'_>,
-    surface: Surface<'_>,
-) -> Vec4 {
-    let camera_ray = frame.camera_ray(&frame.pattern_of(ray));
-    if let Some(hit) = scene.closest_hit(&camera_ray) {
-        return at_hit(&camera_ray, &hit, map, scene, surface)
-            .lit
-            .extend(1.0);
-    }
-    if frame.background == BACKGROUND_ENVIRONMENT {
-        return map.background(camera_ray.direction).extend(1.0);
-    }
-    Vec4::ZERO
-}
-
 /// What the tile's ray `ray` shows by precomputed transfer.
 #[must_use]
-pub fn shade_prt_layers(
+pub fn shade_prt<S: RaySample>(
     ray: u32,
     frame: &FrameParams,
     map: RadianceMap<'_>,
     scene: Scene<'_>,
     surface: Surface<'_>,
-) -> LayerSample {
+) -> S {
     let camera_ray = frame.camera_ray(&frame.pattern_of(ray));
     if let Some(hit) = scene.closest_hit(&camera_ray) {
         let light = at_hit(&camera_ray, &hit, map, scene, surface);
-        return LayerSample::of(&light, scene.triangles[hit.triangle as usize].is_catcher());
+        let is_catcher = scene.triangles[hit.triangle as usize].is_catcher();
+        return S::of_surface(&light, is_catcher);
     }
-    LayerSample::NOTHING
+    S::of_background(&camera_ray, frame, map)
 }
 
 /// What the surface that a ray hits sends back along it.

@@ -7,7 +7,7 @@
 use glam::{UVec2, Vec2, Vec3, Vec4};
 
 use super::environment::RadianceMap;
-use super::frame::{BACKGROUND_ENVIRONMENT, FrameParams};
+use super::frame::{Background, FrameParams};
 use super::layers::{LayerSample, PixelLayers};
 use super::prt::{Surface, at_hit};
 use super::ray::{Hit, Ray};
@@ -17,7 +17,7 @@ use super::scene::Scene;
 pub const HALF_MAX: f32 = 65_504.0;
 
 /// What the stages of drawing know of a frame. 144 bytes.
-#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::NoUninit)]
 #[repr(C)]
 pub struct RasterParams {
     /// The frame.
@@ -176,7 +176,7 @@ pub fn unpack_layers(
     let lit = unpack(lit[at], layout.scale);
     let blocked = unpack(blocked[at], layout.scale);
     let mut behind = Vec3::ZERO;
-    if frame.background == BACKGROUND_ENVIRONMENT && object.w < 1.0 {
+    if frame.background == Background::Environment && object.w < 1.0 {
         let map = RadianceMap {
             texels: map_texels,
             size: layout.map_size,

@@ -11,10 +11,10 @@ use glimt_smc::{
 use glam::{Vec3, Vec4};
 use glimt_sampling::math::luminance;
 
-use super::candidates::Candidates;
+use super::candidates::{CandidateSource, Candidates};
 use super::environment::{Environment, RadianceMap};
 use super::estimator::{LightSample, Reflected};
-use super::frame::{BACKGROUND_ENVIRONMENT, FrameParams};
+use super::frame::{Background, FrameParams};
 use super::layers::LayerSample;
 use super::light_target::{BrdfDraw, LightDraw, LightLobe, LightTarget};
 use super::past::{
@@ -23,30 +23,16 @@ use super::past::{
 use super::pattern::{PARTICLES, PatternSource, PixelPattern, RESAMPLE};
 use super::scene::{Scene, ShadingPoint};
 
-/// [`SmcParams::path`]: linear.
-pub const PATH_LINEAR: u32 = 0;
-/// [`SmcParams::path`]: geometric.
-pub const PATH_GEOMETRIC: u32 = 1;
-
-/// [`SmcParams::scheme`]: systematic.
-pub const SCHEME_SYSTEMATIC: u32 = 0;
-/// [`SmcParams::scheme`]: stratified.
-pub const SCHEME_STRATIFIED: u32 = 1;
-/// [`SmcParams::scheme`]: multinomial.
-pub const SCHEME_MULTINOMIAL: u32 = 2;
-/// [`SmcParams::scheme`]: residual.
-pub const SCHEME_RESIDUAL: u32 = 3;
-
 /// How particles are led from frame to frame. 64 bytes.
-#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::NoUninit)]
 #[repr(C)]
 pub struct SmcParams {
     /// K, targets between two frames.
     pub intermediate: u32,
-    /// One of the `PATH_…` constants.
-    pub path: u32,
-    /// One of the `SCHEME_…` constants.
-    pub scheme: u32,
+    /// How those are mixed of both frames' targets.
+    pub path: Path,
+    /// How particles are resampled.
+    pub scheme: Scheme,
     /// Share of N below which the effective sample size calls for resampling.
     pub ess_threshold: f32,
     /// What this frame's target adds to the light's luminance.
@@ -65,8 +51,8 @@ pub struct SmcParams {
     pub max_age: u32,
     /// M, candidates of a start.
     pub candidates: u32,
-    /// Where they come from: a `SOURCE_…` constant of [`candidates`](super::candidates), but not the environment alone.
-    pub source: u32,
+    /// Where they come from; not the environment alone.
+    pub source: CandidateSource,
     /// Fills 16 bytes.
     pub unused_a: u32,
     /// Fills 16 bytes.
@@ -80,26 +66,12 @@ impl SmcParams {
     #[inline]
     #[must_use]
     pub fn sampler(&self) -> Sampler {
-        let path = if self.path == PATH_GEOMETRIC {
-            Path::Geometric
-        } else {
-            Path::Linear
-        };
-        let scheme = if self.scheme == SCHEME_STRATIFIED {
-            Scheme::Stratified
-        } else if self.scheme == SCHEME_MULTINOMIAL {
-            Scheme::Multinomial
-        } else if self.scheme == SCHEME_RESIDUAL {
-            Scheme::Residual
-        } else {
-            Scheme::Systematic
-        };
         Sampler {
             bridge: Bridge {
-                path,
+                path: self.path,
                 intermediate: self.intermediate,
             },
-            scheme,
+            scheme: self.scheme,
             ess_threshold: self.ess_threshold,
         }
     }
@@ -328,7 +300,7 @@ pub fn shade_smc(
         return light.lit.extend(1.0);
     }
     state[0] = RayState::NONE;
-    if frame.background == BACKGROUND_ENVIRONMENT {
+    if frame.background == Background::Environment {
         return env.background(camera_ray.direction).extend(1.0);
     }
     Vec4::ZERO

@@ -3,20 +3,138 @@
 use std::ops::Range;
 
 use glam::{Mat4, UVec2, Vec2, Vec4};
-use glimt_executor::{Device, Executor, Memory};
-use glimt_smc::Particle;
+use glimt_executor::gpu::Gpu;
+use glimt_executor::{Device, Entry, Executor, Memory, Pass};
+use glimt_sampling::resample::Scheme;
+use glimt_sampling::warp::cap_height;
+use glimt_smc::{Particle, Path};
 
-use super::Inputs;
+use super::{CandidateSource, Inputs};
 use crate::film::SamplesOut;
 use crate::generated::passes::{DiagnoseSmc, PastArg, RadianceMapArg, ShadeSmc, ShadeSmcLayers};
 use crate::host::env::PreparedEnv;
-use crate::host::render::{RenderError, RenderSettings, SmcSettings};
+use crate::host::render::{RenderError, RenderSettings};
 use crate::host::scene_build::SceneBuffers;
 use crate::host::smc_state::{PastFrame, SmcKey, SmcState};
 use crate::kernels::camera::CameraView;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::past::{PastView, RayState};
 use crate::kernels::smc::SmcParams;
+use crate::settings::{any, at_most, between, settings};
+
+settings! {
+    /// Sequential Monte Carlo: particles of each ray are led from the light of the frame before to that of this one.
+    Smc in "smc" {
+        /// Particles N on each ray, each with a shadow ray.
+        particles: u32 = 8, between(1, 4096), "8 is usual";
+        /// Distributions K between two frames.
+        intermediate: u32 = 3, at_most(1000), "3 is usual";
+        /// How those are mixed of both frames'.
+        #[serde(with = "crate::words")]
+        path: Path = Path::Linear, any, "";
+        /// How particles are resampled.
+        #[serde(with = "crate::words")]
+        resampling: Scheme = Scheme::Systematic, any, "";
+        /// Share of N below which the effective sample size calls for that; 0 for never.
+        ess_threshold: f32 = 2.0 / 3.0, between(0.0, 2.0), "0.67 is usual, 0 for never";
+        /// ε: what the target adds to the light's luminance, as a share of the map's mean. 0, as in the paper, loses light that
+        /// moves onto what was black.
+        floor: f32 = 0.01, between(0.0, 1e6), "0.01 is usual";
+        /// Angular radius of the cap of local moves, in degrees, above 0.
+        cap_deg: f32 = 5.0, is_cap, "5 is usual";
+        /// ν: probability of a local move.
+        cap_share: f32 = 0.5, between(0.0, 1.0), "0.5 is usual";
+        /// Of the independent draws, the share that comes from the light and not from the BRDF.
+        light_share: f32 = 0.5, between(0.0, 1.0), "0.5 is usual";
+        /// A ray is re-initialised where its normaliser grows or shrinks by more than this factor in a frame, or all weights are
+        /// 0; at least 1. 0 for never.
+        reinitialise: f32 = 1.25, is_factor, "1.25 is usual, 0 for never";
+        /// A ray is re-initialised at this age in frames; 0 for never.
+        max_age: u32 = 0, any, "";
+        /// Candidates M of a start.
+        candidates: u32 = 64, between(1, 65_536), "64 is usual";
+        /// Where those come from; not the environment alone, which misses where the floor is all there is.
+        #[serde(with = "crate::words")]
+        source: CandidateSource = CandidateSource::Mixture, covers, "take \"brdf\" or \"mixture\"";
+        /// How far off the surface that was seen in the frame before a point may lie to be found there, as a share of its
+        /// distance.
+        depth_tolerance: f32 = 0.02, between(0.0, f32::MAX), "0.02 is usual";
+        /// The greatest angle between its normal there and here, in degrees.
+        normal_tolerance_deg: f32 = 25.0, between(0.0, 180.0), "25 is usual";
+    }
+}
+
+fn is_cap(degrees: &f32) -> Option<String> {
+    let fits = *degrees > 0.0 && *degrees <= 180.0;
+    (!fits).then(|| "it is not between 0 and 180".to_owned())
+}
+
+fn is_factor(factor: &f32) -> Option<String> {
+    let fits = *factor == 0.0 || (*factor >= 1.0 && *factor <= 1e30);
+    (!fits).then(|| "it is a factor below 1".to_owned())
+}
+
+fn covers(source: &CandidateSource) -> Option<String> {
+    (*source == CandidateSource::Environment).then(|| {
+        "the light alone misses directions where it is black and the target is not".to_owned()
+    })
+}
+
+impl Smc {
+    /// What kernels read, under lights of these mean luminances.
+    #[must_use]
+    pub fn params(&self, mean: f32, previous_mean: f32) -> SmcParams {
+        SmcParams {
+            intermediate: self.intermediate,
+            path: self.path,
+            scheme: self.resampling,
+            ess_threshold: self.ess_threshold,
+            floor: self.floor * mean,
+            previous_floor: self.floor * previous_mean,
+            cap_height: cap_height(self.cap_deg.to_radians()),
+            cap_share: self.cap_share,
+            light_share: self.light_share,
+            // 1 means at every frame, which a logarithm of 0 would not.
+            band: if self.reinitialise == 0.0 {
+                0.0
+            } else {
+                self.reinitialise.ln().max(f32::MIN_POSITIVE)
+            },
+            max_age: self.max_age,
+            candidates: self.candidates,
+            source: self.source,
+            unused_a: 0,
+            unused_b: 0,
+            unused_c: 0,
+        }
+    }
+
+    /// From where the frame before was seen, with `pixels` pixels' rays available from `first_pixel` on.
+    #[must_use]
+    pub fn past_view(&self, view: &CameraView, first_pixel: u32, pixels: u32) -> PastView {
+        PastView {
+            eye: view.eye,
+            first_pixel,
+            forward: view.forward,
+            pixels,
+            right: view.right,
+            depth_tolerance: self.depth_tolerance,
+            up: view.up,
+            normal_cosine: self.normal_tolerance_deg.to_radians().cos(),
+        }
+    }
+
+    /// Counts that the cost of a ray depends on: a first frame leads no particles.
+    pub(super) fn cost(&self, has_past: bool) -> [u32; 3] {
+        let steps = if has_past { self.intermediate + 1 } else { 0 };
+        [self.particles, self.candidates, steps]
+    }
+}
+
+/// The entries of the first passes.
+pub(super) fn entries() -> Vec<&'static Entry> {
+    vec![ShadeSmc::<Gpu>::entry(), ShadeSmcLayers::<Gpu>::entry()]
+}
 
 /// Tiles begin at multiples of so many pixels: then what their rays keep begins at multiples of 256 bytes, the most that an
 /// adapter asks for.
@@ -41,7 +159,7 @@ pub(crate) struct Following<M: Memory> {
     motions: M::Buffer<Mat4>,
     /// What kernels read in this frame.
     params: SmcParams,
-    settings: SmcSettings,
+    settings: Smc,
     view: CameraView,
     light_size: UVec2,
     light_rotation: Vec2,
@@ -136,8 +254,9 @@ impl<M: Memory> Following<M> {
         scene: &SceneBuffers,
         env: &PreparedEnv,
         settings: &RenderSettings,
+        own: &Smc,
     ) -> Result<Self, RenderError> {
-        let key = SmcKey::new(settings, scene);
+        let key = SmcKey::new(settings, own, scene);
         let now = env.view();
         let mean = env.mean_luminance();
         let view = settings.camera.view(settings.size)?;
@@ -158,17 +277,17 @@ impl<M: Memory> Following<M> {
                         &vec![Mat4::IDENTITY; scene.transforms().len()],
                     )
                     .map_err(failed)?,
-                params: settings.smc.params(mean, mean)?,
-                settings: settings.smc,
+                params: own.params(mean, mean),
+                settings: *own,
                 view,
                 light_size: now.cdf.size,
                 light_rotation: now.rotation,
             },
         };
-        made.settings = settings.smc;
+        made.settings = *own;
         match &made.past {
             Some(past) => {
-                made.params = settings.smc.params(mean, past.light_mean)?;
+                made.params = own.params(mean, past.light_mean);
                 made.view = past.view;
                 made.light_size = past.light_size;
                 made.light_rotation = past.light_rotation;
@@ -176,7 +295,7 @@ impl<M: Memory> Following<M> {
                 device.put(&mut made.motions, &motions).map_err(failed)?;
             }
             None => {
-                made.params = settings.smc.params(mean, mean)?;
+                made.params = own.params(mean, mean);
                 made.view = view;
             }
         }
@@ -298,8 +417,8 @@ impl<M: Memory> Following<M> {
             now: Rays::new(device, &key)?,
             light: device.holding("before.texels", &state.light)?,
             motions: device.holding("past.motions", &state.past.transforms)?,
-            params: bytemuck::Zeroable::zeroed(),
-            settings: SmcSettings::default(),
+            params: Smc::default().params(0.0, 0.0),
+            settings: Smc::default(),
             view: state.past.view,
             light_size: state.past.light_size,
             light_rotation: state.past.light_rotation,

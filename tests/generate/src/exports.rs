@@ -1,15 +1,15 @@
 //! Host file: functions that are exported for shaders that people write themselves.
 
 /// A crate's functions for people who write their own shaders.
-pub(super) struct Export {
+pub(crate) struct Export {
     /// File, from the workspace's root.
-    pub(super) file: &'static str,
-    pub(super) functions: &'static [(&'static str, &'static str)],
+    pub(crate) file: &'static str,
+    pub(crate) functions: &'static [(&'static str, &'static str)],
     /// Group and binding of each buffer.
-    pub(super) buffers: &'static [(&'static str, u32, u32)],
+    pub(crate) buffers: &'static [(&'static str, u32, u32)],
 }
 
-pub(super) const EXPORTS: &[Export] = &[
+pub(crate) const EXPORTS: &[Export] = &[
     Export {
         file: "crates/envmap-cdf/wgsl/envmap_cdf.wgsl",
         functions: &[

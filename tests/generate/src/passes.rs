@@ -2,13 +2,13 @@
 
 use std::fmt::Write;
 
-use glimt_render_gpu::entries::EntrySpec;
 use naga_front_rust::{Argument, ArgumentType, Shader};
 
-use super::entries::own_path;
+use crate::describe::own_path;
+use crate::entries::EntrySpec;
 
 /// Structs of arguments for the views that kernels take, then a pass for each kernel.
-pub(super) fn text(shaders: &[(&EntrySpec, Shader)]) -> String {
+pub(super) fn text(shaders: &[(EntrySpec, Shader)]) -> String {
     let mut out = String::from(
         "use glimt_executor::{Binder, Entry, Host, HostMemory, Memory, Pass};\n\nuse super::entries;\n",
     );
@@ -131,7 +131,7 @@ fn written(shader: &Shader) -> Vec<(&str, String)> {
 }
 
 fn pass(out: &mut String, spec: &EntrySpec, shader: &Shader) {
-    let (name, kernel) = (camel(spec.name), own_path(spec.kernel));
+    let (name, kernel) = (camel(&spec.name), own_path(&spec.kernel));
     let written = written(shader);
     let read: Vec<&Argument> = shader.arguments.iter().filter(|a| !a.is_chunk).collect();
     let _ = writeln!(

@@ -1,13 +1,11 @@
 //! Host file: writes the generated WGSL and its description, and removes WGSL that nothing makes any more:
-//! `cargo run --release -p glimt-tests --bin regenerate`.
+//! `cargo run --release -p glimt-generate`.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use glimt_tests::golden;
-
 fn main() -> ExitCode {
-    let files = match golden::files() {
+    let files = match glimt_generate::files() {
         Ok(files) => files,
         Err(error) => {
             eprintln!("{error}");
@@ -15,7 +13,7 @@ fn main() -> ExitCode {
         }
     };
     for (path, text) in &files {
-        let full = golden::root().join(path);
+        let full = glimt_generate::root().join(path);
         if std::fs::read_to_string(&full).is_ok_and(|old| old == *text) {
             continue;
         }
@@ -38,12 +36,12 @@ fn main() -> ExitCode {
 
 /// Removes stale shaders. Another file is left to whoever put it there; the test `golden` names it.
 fn remove_stale(files: &[(PathBuf, String)]) -> std::io::Result<()> {
-    for path in golden::stale(files)? {
+    for path in glimt_generate::stale(files)? {
         if path
             .extension()
             .is_some_and(|extension| extension == "wgsl")
         {
-            std::fs::remove_file(golden::root().join(&path))?;
+            std::fs::remove_file(glimt_generate::root().join(&path))?;
             println!("removed {}", path.display());
         }
     }

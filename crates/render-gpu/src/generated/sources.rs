@@ -1,0 +1,40 @@
+//! Host file: the shared files of this crate.
+//!
+//! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
+
+/// Path below `src/` and text of each.
+pub(crate) const FILES: &[(&str, &str)] = &[
+    ("lib.rs", include_str!("../lib.rs")),
+    ("kernels/bis.rs", include_str!("../kernels/bis.rs")),
+    ("kernels/bvh.rs", include_str!("../kernels/bvh.rs")),
+    ("kernels/camera.rs", include_str!("../kernels/camera.rs")),
+    ("kernels/candidates.rs", include_str!("../kernels/candidates.rs")),
+    ("kernels/capture.rs", include_str!("../kernels/capture.rs")),
+    ("kernels/composite.rs", include_str!("../kernels/composite.rs")),
+    ("kernels/diagnose.rs", include_str!("../kernels/diagnose.rs")),
+    ("kernels/environment.rs", include_str!("../kernels/environment.rs")),
+    ("kernels/estimator.rs", include_str!("../kernels/estimator.rs")),
+    ("kernels/film.rs", include_str!("../kernels/film.rs")),
+    ("kernels/frame.rs", include_str!("../kernels/frame.rs")),
+    ("kernels/layers.rs", include_str!("../kernels/layers.rs")),
+    ("kernels/light_sh.rs", include_str!("../kernels/light_sh.rs")),
+    ("kernels/light_target.rs", include_str!("../kernels/light_target.rs")),
+    ("kernels/material.rs", include_str!("../kernels/material.rs")),
+    ("kernels/mis.rs", include_str!("../kernels/mis.rs")),
+    ("kernels/mod.rs", include_str!("../kernels/mod.rs")),
+    ("kernels/past.rs", include_str!("../kernels/past.rs")),
+    ("kernels/pattern.rs", include_str!("../kernels/pattern.rs")),
+    ("kernels/prt.rs", include_str!("../kernels/prt.rs")),
+    ("kernels/pyramid.rs", include_str!("../kernels/pyramid.rs")),
+    ("kernels/raster.rs", include_str!("../kernels/raster.rs")),
+    ("kernels/ray.rs", include_str!("../kernels/ray.rs")),
+    ("kernels/scene.rs", include_str!("../kernels/scene.rs")),
+    ("kernels/sensor.rs", include_str!("../kernels/sensor.rs")),
+    ("kernels/shade.rs", include_str!("../kernels/shade.rs")),
+    ("kernels/smc.rs", include_str!("../kernels/smc.rs")),
+    ("kernels/stage.rs", include_str!("../kernels/stage.rs")),
+    ("kernels/texture.rs", include_str!("../kernels/texture.rs")),
+    ("kernels/transfer.rs", include_str!("../kernels/transfer.rs")),
+    ("kernels/triangle.rs", include_str!("../kernels/triangle.rs")),
+    ("kernels/unwarp.rs", include_str!("../kernels/unwarp.rs")),
+];
