@@ -56,7 +56,7 @@ pub fn read_photo(file: &Path, notes: &mut Notes) -> Result<LightImage> {
     })
 }
 
-/// Reads an HDR image of all directions. Bad texels become black.
+/// Reads an HDR image of all directions. Channels that are not light become 0.
 ///
 /// # Errors
 /// The file cannot be read or is broken; or it has bad texels and `notes` is strict.

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 const TAPS: u32 = 4;
 
 /// Resamples a square angular map into a lat-long map of twice its width and of its height.
-pub fn angular_to_latlong(size: UVec2, texels: &[Vec4]) -> (UVec2, Vec<Vec4>) {
+pub(super) fn angular_to_latlong(size: UVec2, texels: &[Vec4]) -> (UVec2, Vec<Vec4>) {
     let out = UVec2::new(2 * size.x, size.x);
     let weight = 1.0 / (TAPS * TAPS) as f32;
     let texel = |index: u32| -> Vec4 {

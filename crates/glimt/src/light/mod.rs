@@ -1,6 +1,6 @@
 //! Host file: the light of a shot: its frames as lat-long maps that the renderer accepts.
 
-pub mod angular;
+mod angular;
 pub mod colour;
 
 use crate::capture::{Capture, Poses, locate};

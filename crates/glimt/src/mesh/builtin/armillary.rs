@@ -102,16 +102,7 @@ fn pedestal(solid: &mut Solid) {
             turn: DMat3::IDENTITY,
             origin: height * DVec3::Z,
         };
-        solid.ring(
-            BRASS,
-            uvec2(128, 24),
-            &Ring {
-                radius,
-                half,
-                knurl: Knurl::NONE,
-            },
-            &place,
-        );
+        solid.ring(BRASS, uvec2(128, 24), &Ring::plain(radius, half), &place);
     }
     solid.lathe(
         BRASS,
@@ -186,22 +177,14 @@ fn sphere(solid: &mut Solid) {
         solid.ring(
             BRASS,
             around,
-            &Ring {
-                radius: 0.705,
-                half: dvec2(0.014, 0.022),
-                knurl: Knurl::NONE,
-            },
+            &Ring::plain(0.705, dvec2(0.014, 0.022)),
             &colure,
         );
     }
     solid.ring(
         BRASS,
         around,
-        &Ring {
-            radius: 0.715,
-            half: dvec2(0.018, 0.045),
-            knurl: Knurl::NONE,
-        },
+        &Ring::plain(0.715, dvec2(0.018, 0.045)),
         &polar,
     );
     for latitude in [obliquity, -obliquity] {
@@ -210,11 +193,7 @@ fn sphere(solid: &mut Solid) {
         solid.ring(
             BRASS,
             around,
-            &Ring {
-                radius,
-                half: dvec2(0.014, 0.020),
-                knurl: Knurl::NONE,
-            },
+            &Ring::plain(radius, dvec2(0.014, 0.020)),
             &tropic,
         );
     }
@@ -222,11 +201,7 @@ fn sphere(solid: &mut Solid) {
     solid.ring(
         IVORY,
         around,
-        &Ring {
-            radius: 0.66,
-            half: dvec2(0.012, 0.070),
-            knurl: Knurl::NONE,
-        },
+        &Ring::plain(0.66, dvec2(0.012, 0.070)),
         &ecliptic,
     );
     globe(solid, &polar);

@@ -3,7 +3,7 @@
 //! Its nodes are `helicopter` and in it `fuselage`, `canopy`, `tail boom`, `skids`, `main rotor` and `tail rotor`; the rotors
 //! turn about their own z axes.
 
-use super::solid::{Knurl, Placement, Ring, Solid};
+use super::solid::{Placement, Ring, Solid};
 use crate::mesh::model::{Model, Part};
 use crate::mesh::node::{Node, Trs};
 use glam::{DMat3, DVec2, DVec3, Quat, UVec2, Vec3, dvec2, dvec3, uvec2, vec3};
@@ -153,11 +153,7 @@ fn fuselage(solid: &mut Solid) {
     solid.ring(
         METAL,
         uvec2(24, 10),
-        &Ring {
-            radius: 0.13,
-            half: dvec2(0.05, 0.03),
-            knurl: Knurl::NONE,
-        },
+        &Ring::plain(0.13, dvec2(0.05, 0.03)),
         &Placement::at_height(2.58),
     );
     for side in [-1.0, 1.0] {

@@ -117,6 +117,17 @@ pub(super) struct Ring {
     pub(super) knurl: Knurl,
 }
 
+impl Ring {
+    /// Without notches.
+    pub(super) fn plain(radius: f64, half: DVec2) -> Self {
+        Self {
+            radius,
+            half,
+            knurl: Knurl::NONE,
+        }
+    }
+}
+
 /// Notches around the outside of a ring.
 #[derive(Clone, Copy)]
 pub(super) struct Knurl {
