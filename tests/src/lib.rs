@@ -2,6 +2,7 @@
 
 pub mod analytic;
 pub mod ball;
+pub mod data;
 pub mod differential;
 pub mod golden;
 pub mod gpu;
@@ -17,4 +18,4 @@ pub mod sampler_step;
 pub mod shared_image;
 pub mod unbiased;
 
-pub use glimt_statistics::{data, harmonics, quadrature, stats, worst};
+pub use glimt_statistics::{harmonics, quadrature, stats, worst};

@@ -2,7 +2,6 @@
 //!
 //! It depends on no crate of the project, so that the tests of each of them can use it, and has little to link.
 
-pub mod data;
 pub mod films;
 pub mod harmonics;
 pub mod mirror_ball;

@@ -15,7 +15,7 @@ const FOV_X_DEG: f32 = 40.0;
 
 /// The data that is not part of the project; `None`, with a printed line, where it is absent.
 fn open(path: &str) -> Option<DynamicImage> {
-    let full = glimt_statistics::data::data_or_skip("orientation", path)?;
+    let full = glimt_tests::data::data_or_skip("orientation", path)?;
     Some(image::open(&full).unwrap_or_else(|e| panic!("{}: {e}", full.display())))
 }
 

@@ -1,13 +1,12 @@
 //! Host file: photographs and models that are not part of the project: used where they are, and skipped visibly elsewhere.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Where a file of the data beside the workspace would be.
 #[must_use]
 pub fn data(path: &str) -> PathBuf {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    root.join("../shared/data").join(path)
+    crate::golden::root().join("../shared/data").join(path)
 }
 
 /// The file, or `None` after a line on standard error where it is not.
