@@ -22,7 +22,7 @@ pub const SOURCES: [(&str, &[(&str, &str)]); 7] = [
 ];
 
 /// Where the renderer's entries are written.
-const ENTRY_FOLDER: &str = "crates/render-gpu/src/generated";
+pub const ENTRY_FOLDER: &str = "crates/render-gpu/src/generated";
 const COMMAND: &str = "cargo run --release -p glimt-tests --bin regenerate";
 
 /// A crate's functions for people who write their own shaders.

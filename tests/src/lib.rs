@@ -16,6 +16,7 @@ pub mod kernels;
 pub mod light;
 pub mod sampler_sets;
 pub mod sampler_step;
+pub mod shaders;
 pub mod shared_image;
 pub mod unbiased;
 pub mod worst;
