@@ -15,6 +15,7 @@ pub mod kernels;
 pub mod light;
 pub mod sampler_sets;
 pub mod sampler_step;
+pub mod shaders;
 pub mod shared_image;
 pub mod unbiased;
 

@@ -22,7 +22,7 @@ use naga_front_rust::{Diagnostic, EntryDesc, ExportDesc, Program, Shader};
 use exports::EXPORTS;
 
 /// Where the renderer's entries are written.
-const ENTRY_FOLDER: &str = "crates/render-gpu/src/generated";
+pub const ENTRY_FOLDER: &str = "crates/render-gpu/src/generated";
 const COMMAND: &str = "cargo run --release -p glimt-generate";
 
 /// Why nothing was generated.

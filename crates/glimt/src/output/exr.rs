@@ -5,8 +5,10 @@ use super::aov::{Channel, DISPLAY, FORMULA_KEY};
 use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending};
 use crate::error::{Error, Result};
 use crate::input::primaries::REC_709;
+use ::exr::error::UnitResult;
 use ::exr::math::Vec2;
-use ::exr::meta::attribute::{AttributeValue, Chromaticities, Text};
+use ::exr::meta::attribute::{self, AttributeValue, Chromaticities, Text};
+use ::exr::meta::header::Header;
 use ::exr::prelude::{
     AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, Layer,
     LayerAttributes, LineOrder, ReadChannels, ReadLayers, ReadSpecificChannel, SmallVec,
@@ -14,7 +16,7 @@ use ::exr::prelude::{
 };
 use glam::{UVec2, Vec4};
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufReader, Seek, SeekFrom, Write};
 use std::path::Path;
 
 /// Key of the frame's number.
@@ -120,6 +122,8 @@ fn store(
     };
     let hash = AttributeValue::Text(Text::from(stamp.hash.as_str()));
     attributes.other.insert(Text::from(HASH_KEY), hash);
+    let frame = AttributeValue::I32(stamp.frame.cast_signed());
+    attributes.other.insert(Text::from(FRAME_KEY), frame);
     if let Some(formula) = formula {
         let formula = AttributeValue::Text(Text::from(formula));
         attributes.other.insert(Text::from(FORMULA_KEY), formula);
@@ -143,20 +147,33 @@ fn store(
         blue,
         white,
     });
-    // Attributes of one list are written in the order of a hash map, another one each time: one in each makes the same
-    // file of the same image.
-    let frame = AttributeValue::I32(stamp.frame.cast_signed());
-    image.attributes.other.insert(Text::from(FRAME_KEY), frame);
 
     let mut pending = Pending::create(file)?;
-    image
-        .write()
+    let writer = image.write();
+    let headers = writer.infer_meta_data();
+    writer
         .to_buffered(&mut pending)
+        .and_then(|()| sort_attributes(&headers[0], &mut pending))
         .map_err(|e| match e {
             ::exr::error::Error::Io(e) => Error::writing(file, &e),
             e => Error::output(file, e),
         })?;
     pending.commit()
+}
+
+/// Bytes before the attributes: the magic number and the version.
+const PREAMBLE: u64 = 8;
+
+/// Writes the attributes of a file with one part again, over those that are there, in the order of their names. `exr` keeps
+/// further attributes in a hash map, whose order differs from run to run; the same image must make the same file.
+fn sort_attributes(header: &Header, file: &mut (impl Write + Seek)) -> UnitResult {
+    let mut attributes: Vec<_> = header.all_named_attributes().collect();
+    attributes.sort_by(|(a, _), (b, _)| a.cmp(b));
+    file.seek(SeekFrom::Start(PREAMBLE))?;
+    for (name, value) in &attributes {
+        attribute::write(name, value, file)?;
+    }
+    Ok(())
 }
 
 /// The identity that a frame was stored with; `None` if there is no such frame, none of ours, not all of it, or one without
@@ -223,4 +240,47 @@ pub fn read_display(file: &Path) -> Result<Vec<[u8; 4]>> {
         .all_attributes()
         .from_file(file);
     Ok(image.map_err(broken)?.layer_data.channel_data.pixels.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shot::Shadow;
+
+    /// Each image is encoded with hash maps of its own, as in another run of the program.
+    #[test]
+    fn the_same_image_makes_the_same_file() {
+        let folder = std::env::temp_dir().join(format!("glimt-exr-{}", std::process::id()));
+        super::super::atomic::prepare_folder(&folder).unwrap();
+        let file = folder.join("frame.exr");
+        let size = UVec2::new(5, 70);
+        let pixels: Vec<_> = (0..size.element_product())
+            .map(|i| Vec4::splat(i as f32))
+            .collect();
+        let stamp = Stamp {
+            hash: "0123abcd".to_owned(),
+            frame: 7,
+        };
+        let encoded = || {
+            let channel = |name: &str| Channel {
+                name: name.to_owned(),
+                samples: pixels.iter().map(|p| p.x * 0.5).collect(),
+                half: false,
+            };
+            let layers = Layers {
+                channels: vec![channel("object.R"), channel("smc.age")],
+                formula: Some(super::super::aov::formula(Shadow::Add)),
+            };
+            write(&file, size, &pixels, layers, &stamp).unwrap();
+            std::fs::read(&file).unwrap()
+        };
+        let first = encoded();
+        for _ in 0..32 {
+            assert!(encoded() == first, "the same image, other bytes");
+        }
+        let channels = ["object.R".to_owned(), "smc.age".to_owned()];
+        assert_eq!(read_hash(&file, &channels), Some(stamp.hash));
+        assert_eq!(read_pixels(&file).unwrap(), pixels);
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
 }
