@@ -7,61 +7,15 @@ use glimt_executor::{Binder, Entry, Host, HostMemory, Memory, Pass};
 
 use super::entries;
 
-/// [`glimt_envmap_cdf::EnvCdf`] in some memory.
-#[derive(Clone, Copy)]
-pub struct EnvCdfArg<'a, M: Memory> {
-    /// Its `size`.
-    pub size: glam::UVec2,
-    /// Its `marginal`.
-    pub marginal: M::Slice<'a, u32>,
-    /// Its `conditional`.
-    pub conditional: M::Slice<'a, u32>,
-}
-
-impl<'a, M: Memory> EnvCdfArg<'a, M> {
-    /// The same for a shorter time: [`Memory::shorten`].
-    #[must_use]
-    pub fn shorten<'b>(self) -> EnvCdfArg<'b, M>
-    where
-        'a: 'b,
-    {
-        EnvCdfArg {
-            size: self.size,
-            marginal: M::shorten(self.marginal),
-            conditional: M::shorten(self.conditional),
-        }
-    }
-}
-
-impl<'a, M: HostMemory> EnvCdfArg<'a, M> {
-    /// What the kernel takes.
-    #[inline]
-    pub fn view(self) -> glimt_envmap_cdf::EnvCdf<'a> {
-        glimt_envmap_cdf::EnvCdf {
-            size: self.size,
-            marginal: M::values(self.marginal),
-            conditional: M::values(self.conditional),
-        }
-    }
-}
-
-impl<'a> From<glimt_envmap_cdf::EnvCdf<'a>> for EnvCdfArg<'a, Host> {
-    fn from(view: glimt_envmap_cdf::EnvCdf<'a>) -> Self {
-        Self {
-            size: view.size,
-            marginal: view.marginal,
-            conditional: view.conditional,
-        }
-    }
-}
-
 /// [`crate::kernels::environment::Environment`] in some memory.
 #[derive(Clone, Copy)]
 pub struct EnvironmentArg<'a, M: Memory> {
     /// Its `texels`.
     pub texels: M::Slice<'a, glam::Vec4>,
-    /// Its `cdf`.
-    pub cdf: EnvCdfArg<'a, M>,
+    /// Its `tables`.
+    pub tables: M::Slice<'a, u32>,
+    /// Its `size`.
+    pub size: glam::UVec2,
     /// Its `rotation`.
     pub rotation: glam::Vec2,
 }
@@ -75,7 +29,8 @@ impl<'a, M: Memory> EnvironmentArg<'a, M> {
     {
         EnvironmentArg {
             texels: M::shorten(self.texels),
-            cdf: self.cdf.shorten(),
+            tables: M::shorten(self.tables),
+            size: self.size,
             rotation: self.rotation,
         }
     }
@@ -87,7 +42,8 @@ impl<'a, M: HostMemory> EnvironmentArg<'a, M> {
     pub fn view(self) -> crate::kernels::environment::Environment<'a> {
         crate::kernels::environment::Environment {
             texels: M::values(self.texels),
-            cdf: self.cdf.view(),
+            tables: M::values(self.tables),
+            size: self.size,
             rotation: self.rotation,
         }
     }
@@ -97,7 +53,8 @@ impl<'a> From<crate::kernels::environment::Environment<'a>> for EnvironmentArg<'
     fn from(view: crate::kernels::environment::Environment<'a>) -> Self {
         Self {
             texels: view.texels,
-            cdf: view.cdf.into(),
+            tables: view.tables,
+            size: view.size,
             rotation: view.rotation,
         }
     }
@@ -364,17 +321,16 @@ impl<'a, M: Memory> Pass for ShadeMis<'a, M> {
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
-        binder.value(3, &self.env.cdf.size);
+        binder.value(3, &self.env.size);
         binder.value(4, &self.env.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.scene.nodes);
-        binder.slice(4, self.scene.triangles);
-        binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.materials);
-        binder.slice(7, self.scene.texels);
-        binder.out(8, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.corners);
+        binder.slice(5, self.scene.materials);
+        binder.slice(6, self.scene.texels);
+        binder.out(7, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -431,17 +387,16 @@ impl<'a, M: Memory> Pass for ShadeBis<'a, M> {
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
         binder.value(3, self.bis);
-        binder.value(4, &self.env.cdf.size);
+        binder.value(4, &self.env.size);
         binder.value(5, &self.env.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.scene.nodes);
-        binder.slice(4, self.scene.triangles);
-        binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.materials);
-        binder.slice(7, self.scene.texels);
-        binder.out(8, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.corners);
+        binder.slice(5, self.scene.materials);
+        binder.slice(6, self.scene.texels);
+        binder.out(7, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -498,17 +453,16 @@ impl<'a, M: Memory> Pass for ShadeBisLayers<'a, M> {
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
         binder.value(3, self.bis);
-        binder.value(4, &self.env.cdf.size);
+        binder.value(4, &self.env.size);
         binder.value(5, &self.env.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.scene.nodes);
-        binder.slice(4, self.scene.triangles);
-        binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.materials);
-        binder.slice(7, self.scene.texels);
-        binder.out(8, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.corners);
+        binder.slice(5, self.scene.materials);
+        binder.slice(6, self.scene.texels);
+        binder.out(7, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -576,25 +530,24 @@ impl<'a, M: Memory> Pass for ShadeSmc<'a, M> {
         binder.value(4, self.frame);
         binder.value(5, self.smc);
         binder.value(6, self.view);
-        binder.value(7, &self.env.cdf.size);
+        binder.value(7, &self.env.size);
         binder.value(8, &self.env.rotation);
         binder.value(9, &self.before.size);
         binder.value(10, &self.before.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.before.texels);
-        binder.slice(4, self.scene.nodes);
-        binder.slice(5, self.scene.triangles);
-        binder.slice(6, self.scene.corners);
-        binder.slice(7, self.scene.materials);
-        binder.slice(8, self.scene.texels);
-        binder.slice(9, self.past.motions);
-        binder.slice(10, self.past.states);
-        binder.slice(11, self.past.particles);
-        binder.chunks(12, 2, &self.state);
-        binder.chunks(13, 3, &self.particles);
-        binder.out(14, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.before.texels);
+        binder.slice(3, self.scene.nodes);
+        binder.slice(4, self.scene.triangles);
+        binder.slice(5, self.scene.corners);
+        binder.slice(6, self.scene.materials);
+        binder.slice(7, self.scene.texels);
+        binder.slice(8, self.past.motions);
+        binder.slice(9, self.past.states);
+        binder.slice(10, self.past.particles);
+        binder.chunks(11, 2, &self.state);
+        binder.chunks(12, 3, &self.particles);
+        binder.out(13, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -666,25 +619,24 @@ impl<'a, M: Memory> Pass for ShadeSmcLayers<'a, M> {
         binder.value(4, self.frame);
         binder.value(5, self.smc);
         binder.value(6, self.view);
-        binder.value(7, &self.env.cdf.size);
+        binder.value(7, &self.env.size);
         binder.value(8, &self.env.rotation);
         binder.value(9, &self.before.size);
         binder.value(10, &self.before.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.before.texels);
-        binder.slice(4, self.scene.nodes);
-        binder.slice(5, self.scene.triangles);
-        binder.slice(6, self.scene.corners);
-        binder.slice(7, self.scene.materials);
-        binder.slice(8, self.scene.texels);
-        binder.slice(9, self.past.motions);
-        binder.slice(10, self.past.states);
-        binder.slice(11, self.past.particles);
-        binder.chunks(12, 2, &self.state);
-        binder.chunks(13, 3, &self.particles);
-        binder.out(14, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.before.texels);
+        binder.slice(3, self.scene.nodes);
+        binder.slice(4, self.scene.triangles);
+        binder.slice(5, self.scene.corners);
+        binder.slice(6, self.scene.materials);
+        binder.slice(7, self.scene.texels);
+        binder.slice(8, self.past.motions);
+        binder.slice(9, self.past.states);
+        binder.slice(10, self.past.particles);
+        binder.chunks(11, 2, &self.state);
+        binder.chunks(12, 3, &self.particles);
+        binder.out(13, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -1033,17 +985,16 @@ impl<'a, M: Memory> Pass for ShadeMisLayers<'a, M> {
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
-        binder.value(3, &self.env.cdf.size);
+        binder.value(3, &self.env.size);
         binder.value(4, &self.env.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.scene.nodes);
-        binder.slice(4, self.scene.triangles);
-        binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.materials);
-        binder.slice(7, self.scene.texels);
-        binder.out(8, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.corners);
+        binder.slice(5, self.scene.materials);
+        binder.slice(6, self.scene.texels);
+        binder.out(7, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -1097,7 +1048,7 @@ impl<'a, M: Memory> Pass for ReconstructLayers<'a, M> {
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
-        binder.value(3, &self.env.cdf.size);
+        binder.value(3, &self.env.size);
         binder.value(4, &self.env.rotation);
         binder.slice(0, self.env.texels);
         binder.slice(1, self.samples);
@@ -1869,11 +1820,10 @@ impl<'a, M: Memory> Pass for DiagnoseEnvSample<'a, M> {
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
-        binder.value(3, &self.env.cdf.size);
+        binder.value(3, &self.env.size);
         binder.value(4, &self.env.rotation);
-        binder.slice(0, self.env.cdf.marginal);
-        binder.slice(1, self.env.cdf.conditional);
-        binder.out(2, &self.out);
+        binder.slice(0, self.env.tables);
+        binder.out(1, &self.out);
     }
 
     fn elements(&self) -> usize

@@ -171,6 +171,12 @@ struct LightSample {
     contribution: vec3<f32>,
 }
 
+struct Returned_Environment_cdf {
+    value_size: vec2<u32>,
+    value_conditional_start: u32,
+    value_conditional_len: u32,
+}
+
 struct Bin {
     index: u32,
     first: u32,
@@ -192,27 +198,25 @@ struct Params {
     first: u32,
     count: u32,
     frame: FrameParams,
-    env_cdf_size: vec2<u32>,
+    env_size: vec2<u32>,
     env_rotation: vec2<f32>,
 }
 
 @group(0) @binding(1) 
 var<storage> env_texels: array<vec4<f32>>;
 @group(0) @binding(2) 
-var<storage> env_cdf_marginal: array<u32>;
+var<storage> env_tables: array<u32>;
 @group(0) @binding(3) 
-var<storage> env_cdf_conditional: array<u32>;
-@group(0) @binding(4) 
 var<storage> scene_nodes: array<BvhNode>;
-@group(0) @binding(5) 
+@group(0) @binding(4) 
 var<storage> scene_triangles: array<Triangle>;
-@group(0) @binding(6) 
+@group(0) @binding(5) 
 var<storage> scene_corners: array<Corner>;
-@group(0) @binding(7) 
+@group(0) @binding(6) 
 var<storage> scene_materials: array<Material>;
-@group(0) @binding(8) 
+@group(0) @binding(7) 
 var<storage> scene_texels: array<u32>;
-@group(0) @binding(9) 
+@group(0) @binding(8) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
@@ -1937,10 +1941,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:64
-fn Environment_to_map(cdf_size: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:78
+fn Environment_to_map(size_2: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:65
+    // glimt_render_gpu/src/kernels/environment.rs:79
     let _e8 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
     return _e8;
 }
@@ -1979,48 +1983,63 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:68
-fn direction_to_texel(d_2: vec3<f32>, size_2: vec2<u32>) -> vec2<u32> {
+fn direction_to_texel(d_2: vec3<f32>, size_3: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_13 = max(size_2, vec2(1u));
+    let size_21 = max(size_3, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_13));
+    let position = (_e8 * vec2<f32>(size_21));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_13 - vec2(1u)));
+    return min(vec2<u32>(position), (size_21 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:71
-fn Environment_texel(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/environment.rs:85
+fn Environment_texel(size_4: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:72
-    let _e5 = Environment_to_map(cdf_size_1, rotation_1, direction_7);
-    let _e6 = direction_to_texel(_e5, cdf_size_1);
+    // glimt_render_gpu/src/kernels/environment.rs:86
+    let _e5 = Environment_to_map(size_4, rotation_1, direction_7);
+    let _e6 = direction_to_texel(_e5, size_4);
     return _e6;
 }
 
+// glimt_render_gpu/src/kernels/environment.rs:120
+fn marginal_words(size_5: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:121
+    return (size_5.y + 1u);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:67
+fn Environment_cdf(size_6: vec2<u32>, rotation_2: vec2<f32>) -> Returned_Environment_cdf {
+
+    // glimt_render_gpu/src/kernels/environment.rs:68
+    let _e3 = marginal_words(size_6);
+    return Returned_Environment_cdf(size_6, _e3, (arrayLength((&env_tables)) - _e3));
+}
+
 // glimt_envmap_cdf/src/env_cdf.rs:142
-fn EnvCdf_row(size_3: vec2<u32>, texel: vec2<u32>) -> Bin {
+fn EnvCdf_row(size_7: vec2<u32>, conditional_start: u32, conditional_len: u32, texel: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:143
     let y_3 = texel.y;
     // glimt_envmap_cdf/src/env_cdf.rs:144
-    let _e8 = env_cdf_marginal[y_3];
-    let _e13 = env_cdf_marginal[(y_3 + 1u)];
-    let _e16 = env_cdf_marginal[y_3];
+    let _e8 = env_tables[y_3];
+    let _e13 = env_tables[(y_3 + 1u)];
+    let _e16 = env_tables[y_3];
     return Bin(texel.y, _e8, (_e13 - _e16));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:151
-fn EnvCdf_column(size_4: vec2<u32>, texel_1: vec2<u32>) -> Bin {
+fn EnvCdf_column(size_8: vec2<u32>, conditional_start_1: u32, conditional_len_1: u32, texel_1: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:152
-    let x_10 = ((texel_1.y * (size_4.x + 1u)) + texel_1.x);
+    let x_10 = ((texel_1.y * (size_8.x + 1u)) + texel_1.x);
     // glimt_envmap_cdf/src/env_cdf.rs:153
-    let _e15 = env_cdf_conditional[x_10];
-    let _e20 = env_cdf_conditional[(x_10 + 1u)];
-    let _e23 = env_cdf_conditional[x_10];
-    return Bin(texel_1.x, _e15, (_e20 - _e23));
+    let _e17 = env_tables[(conditional_start_1 + x_10)];
+    let _e23 = env_tables[(conditional_start_1 + (x_10 + 1u))];
+    let _e27 = env_tables[(conditional_start_1 + x_10)];
+    return Bin(texel_1.x, _e17, (_e23 - _e27));
 }
 
 // glimt_probe/src/trig.rs:25
@@ -2061,44 +2080,44 @@ fn cos_sin_pi(x_7: f32) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:121
-fn texel_solid_angle_sr(row: u32, size_5: vec2<u32>) -> f32 {
+fn texel_solid_angle_sr(row: u32, size_9: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_14 = max(size_5, vec2(1u));
+    let size_22 = max(size_9, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_2 = min(row, (size_14.y - 1u));
+    let row_2 = min(row, (size_22.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_2, ((size_14.y - 1u) - row_2));
+    let from_pole = min(row_2, ((size_22.y - 1u) - row_2));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_14.y));
+    let half_row = (0.5f / f32(size_22.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_14.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_22.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:162
-fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_6: vec2<u32>) -> f32 {
+fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_10: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:163
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
     // glimt_envmap_cdf/src/env_cdf.rs:164
-    let _e14 = texel_solid_angle_sr(row_1, size_6);
+    let _e14 = texel_solid_angle_sr(row_1, size_10);
     return (pmf / _e14);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:119
-fn EnvCdf_texel_pdf_sr(size_7: vec2<u32>, texel_2: vec2<u32>) -> f32 {
+fn EnvCdf_texel_pdf_sr(size_11: vec2<u32>, conditional_start_2: u32, conditional_len_2: u32, texel_2: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:120
-    let _e4 = EnvCdf_row(size_7, texel_2);
+    let _e6 = EnvCdf_row(size_11, conditional_start_2, conditional_len_2, texel_2);
     // glimt_envmap_cdf/src/env_cdf.rs:121
-    let _e6 = EnvCdf_column(size_7, texel_2);
+    let _e8 = EnvCdf_column(size_11, conditional_start_2, conditional_len_2, texel_2);
     // glimt_envmap_cdf/src/env_cdf.rs:122
-    let _e11 = density_sr(_e4.units, _e6.units, texel_2.y, size_7);
-    return _e11;
+    let _e13 = density_sr(_e6.units, _e8.units, texel_2.y, size_11);
+    return _e13;
 }
 
 // glimt_sampling/src/mis.rs:59
@@ -2116,11 +2135,11 @@ fn Mis_density(this_27: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
     return _e7;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:78
-fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:92
+fn Environment_radiance(size_12: vec2<u32>, rotation_3: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:79
-    let _e11 = env_texels[((texel_3.y * cdf_size_2.x) + texel_3.x)];
+    // glimt_render_gpu/src/kernels/environment.rs:93
+    let _e11 = env_texels[((texel_3.y * size_12.x) + texel_3.x)];
     return _e11.xyz;
 }
 
@@ -2175,7 +2194,7 @@ fn LightSample_new(point_1: ShadingPoint, direction_8: vec3<f32>, wi_3: vec3<f32
 }
 
 // glimt_render_gpu/src/kernels/mis.rs:29
-fn Mis_brdf_sample(this_29: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> LightSample {
+fn Mis_brdf_sample(this_29: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> LightSample {
 
     // glimt_render_gpu/src/kernels/mis.rs:36
     let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_29.brdf_samples);
@@ -2190,14 +2209,15 @@ fn Mis_brdf_sample(this_29: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1
     // glimt_render_gpu/src/kernels/mis.rs:41
     let _e34 = ShadingFrame_to_world(point_2.frame, _e17.wi);
     // glimt_render_gpu/src/kernels/mis.rs:42
-    let _e36 = Environment_texel(env_cdf_size, env_rotation, _e34);
+    let _e36 = Environment_texel(env_size, env_rotation, _e34);
     // glimt_render_gpu/src/kernels/mis.rs:43
-    let _e39 = EnvCdf_texel_pdf_sr(env_cdf_size, _e36);
-    let _e40 = Mis_density(this_29, _e17.pdf_sr, _e39);
+    let _e39 = Environment_cdf(env_size, env_rotation);
+    let _e43 = EnvCdf_texel_pdf_sr(_e39.value_size, _e39.value_conditional_start, _e39.value_conditional_len, _e36);
+    let _e44 = Mis_density(this_29, _e17.pdf_sr, _e43);
     // glimt_render_gpu/src/kernels/mis.rs:44
-    let _e43 = Environment_radiance(env_cdf_size, env_rotation, _e36);
-    let _e44 = LightSample_new(point_2, _e34, _e17.wi, _e43, _e40);
-    return _e44;
+    let _e47 = Environment_radiance(env_size, env_rotation, _e36);
+    let _e48 = LightSample_new(point_2, _e34, _e17.wi, _e47, _e44);
+    return _e48;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:65
@@ -2256,10 +2276,10 @@ fn Reflected_gather(this_31: ptr<function, Reflected>, light: Reflected) {
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:48
-fn EnvCdf_is_black(size_8: vec2<u32>) -> bool {
+fn EnvCdf_is_black(size_13: vec2<u32>, conditional_start_3: u32, conditional_len_3: u32) -> bool {
 
     // glimt_envmap_cdf/src/env_cdf.rs:49
-    let _e6 = env_cdf_marginal[size_8.y];
+    let _e6 = env_tables[size_13.y];
     return (_e6 == 0u);
 }
 
@@ -2283,7 +2303,7 @@ fn find_bin(start: u32, bins: u32, u_6: u32) -> Bin {
         let half = (_e14 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
         let _e18 = at;
-        let _e22 = env_cdf_marginal[(_e18 + half)];
+        let _e22 = env_tables[(_e18 + half)];
         if (_e22 <= u_6) {
             // glimt_envmap_cdf/src/search.rs:38
             let _e25 = at;
@@ -2295,16 +2315,16 @@ fn find_bin(start: u32, bins: u32, u_6: u32) -> Bin {
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
-    let first_1 = env_cdf_marginal[_e31];
+    let first_1 = env_tables[_e31];
     // glimt_envmap_cdf/src/search.rs:43
     let _e36 = at;
     let _e38 = at;
-    let _e43 = env_cdf_marginal[(_e38 + 1u)];
+    let _e43 = env_tables[(_e38 + 1u)];
     return Bin((_e36 - start), first_1, (_e43 - first_1));
 }
 
 // glimt_envmap_cdf/src/search.rs:31
-fn find_bin_1(start_1: u32, bins_1: u32, u_7: u32) -> Bin {
+fn find_bin_1(edges_start: u32, edges_len: u32, start_1: u32, bins_1: u32, u_7: u32) -> Bin {
     var at_1: u32;
     var left_1: u32;
 
@@ -2314,33 +2334,33 @@ fn find_bin_1(start_1: u32, bins_1: u32, u_7: u32) -> Bin {
     left_1 = bins_1;
     // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e9 = left_1;
-        if !((_e9 > 1u)) {
+        let _e10 = left_1;
+        if !((_e10 > 1u)) {
             break;
         }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e14 = left_1;
-        let half_1 = (_e14 / 2u);
+        let _e15 = left_1;
+        let half_1 = (_e15 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
-        let _e18 = at_1;
-        let _e22 = env_cdf_conditional[(_e18 + half_1)];
-        if (_e22 <= u_7) {
+        let _e19 = at_1;
+        let _e24 = env_tables[(edges_start + (_e19 + half_1))];
+        if (_e24 <= u_7) {
             // glimt_envmap_cdf/src/search.rs:38
-            let _e25 = at_1;
-            at_1 = (_e25 + half_1);
+            let _e27 = at_1;
+            at_1 = (_e27 + half_1);
         }
         // glimt_envmap_cdf/src/search.rs:40
-        let _e28 = left_1;
-        left_1 = (_e28 - half_1);
+        let _e30 = left_1;
+        left_1 = (_e30 - half_1);
     }
     // glimt_envmap_cdf/src/search.rs:42
-    let _e31 = at_1;
-    let first_2 = env_cdf_conditional[_e31];
+    let _e33 = at_1;
+    let first_2 = env_tables[(edges_start + _e33)];
     // glimt_envmap_cdf/src/search.rs:43
-    let _e36 = at_1;
-    let _e38 = at_1;
-    let _e43 = env_cdf_conditional[(_e38 + 1u)];
-    return Bin((_e36 - start_1), first_2, (_e43 - first_2));
+    let _e39 = at_1;
+    let _e41 = at_1;
+    let _e47 = env_tables[(edges_start + (_e41 + 1u))];
+    return Bin((_e39 - start_1), first_2, (_e47 - first_2));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:168
@@ -2353,33 +2373,33 @@ fn place_in_bin(bin: Bin, u_8: u32, fraction: u32) -> f32 {
 }
 
 // glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+fn direction_in_texel(texel_4: vec2<u32>, size_14: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
     var chosen_20: u32;
     var chosen_21: u32;
     var chosen_22: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_15 = max(size_9, vec2(1u));
+    let size_23 = max(size_14, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_3 = min(texel_4.y, (size_15.y - 1u));
+    let row_3 = min(texel_4.y, (size_23.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_3) >= size_15.y);
+    let southern = ((2u * row_3) >= size_23.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_20 = (size_15.y - row_3);
+        chosen_20 = (size_23.y - row_3);
     } else {
         chosen_20 = row_3;
     }
     let upper_1 = chosen_20;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_21 = ((size_15.y - row_3) - 1u);
+        chosen_21 = ((size_23.y - row_3) - 1u);
     } else {
         chosen_21 = (row_3 + 1u);
     }
     let lower_1 = chosen_21;
     // glimt_probe/src/latlong.rs:149
-    let half_2 = (0.5f / f32(size_15.y));
+    let half_2 = (0.5f / f32(size_23.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper_1) * half_2));
     let sin_upper = _e41.y;
@@ -2402,57 +2422,58 @@ fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> ve
     }
     let cos_theta_1 = chosen_22;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_15.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_23.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:61
-fn EnvCdf_sample(size_10: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
+fn EnvCdf_sample(size_15: vec2<u32>, conditional_start_4: u32, conditional_len_4: u32, u_9: vec2<u32>) -> EnvSample {
 
     // glimt_envmap_cdf/src/env_cdf.rs:62
-    let _e4 = EnvCdf_is_black(size_10);
-    if _e4 {
+    let _e6 = EnvCdf_is_black(size_15, conditional_start_4, conditional_len_4);
+    if _e6 {
         // glimt_envmap_cdf/src/env_cdf.rs:63
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let _e20 = find_bin(0u, size_10.y, (u_9.y >> 1u));
+    let _e22 = find_bin(0u, size_15.y, (u_9.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_start = (_e20.index * (size_10.x + 1u));
+    let row_start = (_e22.index * (size_15.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e32 = find_bin_1(row_start, size_10.x, (u_9.x >> 1u));
+    let _e34 = find_bin_1(conditional_start_4, conditional_len_4, row_start, size_15.x, (u_9.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_5 = vec2<u32>(_e32.index, _e20.index);
+    let texel_5 = vec2<u32>(_e34.index, _e22.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e40 = hash2_(u_9.x, u_9.y);
+    let _e42 = hash2_(u_9.x, u_9.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e47 = place_in_bin(_e32, (u_9.x >> 1u), (_e40 & 65535u));
-    let _e53 = place_in_bin(_e20, (u_9.y >> 1u), (_e40 >> 16u));
-    let place_2 = vec2<f32>(_e47, _e53);
+    let _e49 = place_in_bin(_e34, (u_9.x >> 1u), (_e42 & 65535u));
+    let _e55 = place_in_bin(_e22, (u_9.y >> 1u), (_e42 >> 16u));
+    let place_2 = vec2<f32>(_e49, _e55);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e56 = direction_in_texel(texel_5, size_10, place_2);
-    let _e60 = density_sr(_e20.units, _e32.units, _e20.index, size_10);
-    return EnvSample(texel_5, _e56, _e60);
+    let _e58 = direction_in_texel(texel_5, size_15, place_2);
+    let _e62 = density_sr(_e22.units, _e34.units, _e22.index, size_15);
+    return EnvSample(texel_5, _e58, _e62);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:85
-fn Environment_sample(cdf_size_3: vec2<u32>, rotation_3: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
+// glimt_render_gpu/src/kernels/environment.rs:99
+fn Environment_sample(size_16: vec2<u32>, rotation_4: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:86
-    let _e5 = EnvCdf_sample(cdf_size_3, u_10);
-    // glimt_render_gpu/src/kernels/environment.rs:87
-    let _e8 = rotate_z(_e5.direction, rotation_3);
-    return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
+    // glimt_render_gpu/src/kernels/environment.rs:100
+    let _e5 = Environment_cdf(size_16, rotation_4);
+    let _e9 = EnvCdf_sample(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, u_10);
+    // glimt_render_gpu/src/kernels/environment.rs:101
+    let _e12 = rotate_z(_e9.direction, rotation_4);
+    return EnvSample(_e9.texel, _e12, _e9.pdf_sr);
 }
 
 // glimt_render_gpu/src/kernels/mis.rs:50
-fn Mis_env_sample(this_32: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LightSample {
+fn Mis_env_sample(this_32: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LightSample {
 
     // glimt_render_gpu/src/kernels/mis.rs:57
     let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_32.env_samples);
     // glimt_render_gpu/src/kernels/mis.rs:58
-    let _e12 = Environment_sample(env_cdf_size_1, env_rotation_1, _e10);
+    let _e12 = Environment_sample(env_size_1, env_rotation_1, _e10);
     // glimt_render_gpu/src/kernels/mis.rs:59
     if !((_e12.pdf_sr > 0f)) {
         // glimt_render_gpu/src/kernels/mis.rs:60
@@ -2464,13 +2485,13 @@ fn Mis_env_sample(this_32: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2:
     let _e33 = BlinnPhong_pdf_sr(point_5.brdf, point_5.wo, _e29);
     let _e35 = Mis_density(this_32, _e33, _e12.pdf_sr);
     // glimt_render_gpu/src/kernels/mis.rs:64
-    let _e39 = Environment_radiance(env_cdf_size_1, env_rotation_1, _e12.texel);
+    let _e39 = Environment_radiance(env_size_1, env_rotation_1, _e12.texel);
     let _e40 = LightSample_new(point_5, _e12.direction, _e29, _e39, _e35);
     return _e40;
 }
 
 // glimt_render_gpu/src/kernels/mis.rs:81
-fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> Reflected {
+fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> Reflected {
     var sum_2: Reflected;
     var counter_2: u32;
     var counter_3: u32;
@@ -2485,7 +2506,7 @@ fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
             break;
         }
         // glimt_render_gpu/src/kernels/mis.rs:90
-        let _e20 = Mis_brdf_sample(this_33, i_1, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
+        let _e20 = Mis_brdf_sample(this_33, i_1, point_6, pattern_3, env_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/mis.rs:91
         let _e22 = LightSample_traced(_e20, point_6);
         Reflected_gather((&sum_2), _e22);
@@ -2502,7 +2523,7 @@ fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
             break;
         }
         // glimt_render_gpu/src/kernels/mis.rs:94
-        let _e33 = Mis_env_sample(this_33, i_2, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
+        let _e33 = Mis_env_sample(this_33, i_2, point_6, pattern_3, env_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/mis.rs:95
         let _e35 = LightSample_traced(_e33, point_6);
         Reflected_gather((&sum_2), _e35);
@@ -2516,65 +2537,65 @@ fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:53
-fn Environment_map(cdf_size_4: vec2<u32>, rotation_4: vec2<f32>) -> Returned_Environment_map {
+// glimt_render_gpu/src/kernels/environment.rs:56
+fn Environment_map(size_17: vec2<u32>, rotation_5: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:54
-    return Returned_Environment_map(cdf_size_4, rotation_4);
+    // glimt_render_gpu/src/kernels/environment.rs:57
+    return Returned_Environment_map(size_17, rotation_5);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:107
-fn bilinear(size_11: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:135
+fn bilinear(size_18: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:108
+    // glimt_render_gpu/src/kernels/environment.rs:136
     let _e4 = direction_to_uv(d_3);
-    let p_1 = ((_e4 * vec2<f32>(size_11)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:110
+    let p_1 = ((_e4 * vec2<f32>(size_18)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:138
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:111
+    // glimt_render_gpu/src/kernels/environment.rs:139
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:112
-    let x0_ = (((next.x + size_11.x) - 1u) % size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:113
-    let x1_ = (next.x % size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:114
-    let row0_1 = ((max(next.y, 1u) * size_11.x) - size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:115
-    let row1_1 = (min(next.y, (size_11.y - 1u)) * size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:116
+    // glimt_render_gpu/src/kernels/environment.rs:140
+    let x0_ = (((next.x + size_18.x) - 1u) % size_18.x);
+    // glimt_render_gpu/src/kernels/environment.rs:141
+    let x1_ = (next.x % size_18.x);
+    // glimt_render_gpu/src/kernels/environment.rs:142
+    let row0_1 = ((max(next.y, 1u) * size_18.x) - size_18.x);
+    // glimt_render_gpu/src/kernels/environment.rs:143
+    let row1_1 = (min(next.y, (size_18.y - 1u)) * size_18.x);
+    // glimt_render_gpu/src/kernels/environment.rs:144
     let _e53 = env_texels[(row0_1 + x0_)];
     let _e57 = env_texels[(row0_1 + x1_)];
     let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:117
+    // glimt_render_gpu/src/kernels/environment.rs:145
     let _e68 = env_texels[(row1_1 + x0_)];
     let _e72 = env_texels[(row1_1 + x1_)];
     let lower_2 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:118
+    // glimt_render_gpu/src/kernels/environment.rs:146
     return ((upper_2 * (1f - f.y)) + (lower_2 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:43
-fn RadianceMap_background(size_12: vec2<u32>, rotation_5: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:46
+fn RadianceMap_background(size_19: vec2<u32>, rotation_6: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:44
-    let to_map = vec2<f32>(rotation_5.x, -(rotation_5.y));
-    // glimt_render_gpu/src/kernels/environment.rs:45
+    // glimt_render_gpu/src/kernels/environment.rs:47
+    let to_map = vec2<f32>(rotation_6.x, -(rotation_6.y));
+    // glimt_render_gpu/src/kernels/environment.rs:48
     let _e10 = rotate_z(direction_10, to_map);
-    let _e11 = bilinear(size_12, _e10);
+    let _e11 = bilinear(size_19, _e10);
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:98
-fn Environment_background(cdf_size_5: vec2<u32>, rotation_6: vec2<f32>, direction_11: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:112
+fn Environment_background(size_20: vec2<u32>, rotation_7: vec2<f32>, direction_11: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:99
-    let _e5 = Environment_map(cdf_size_5, rotation_6);
+    // glimt_render_gpu/src/kernels/environment.rs:113
+    let _e5 = Environment_map(size_20, rotation_7);
     let _e8 = RadianceMap_background(_e5.value_size, _e5.value_rotation, direction_11);
     return _e8;
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:64
-fn shade(ray_10: u32, frame_3: FrameParams, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, estimator: Mis) -> vec4<f32> {
+fn shade(ray_10: u32, frame_3: FrameParams, env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, estimator: Mis) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/shade.rs:71
     let _e7 = FrameParams_pattern_of(frame_3, ray_10);
@@ -2587,13 +2608,13 @@ fn shade(ray_10: u32, frame_3: FrameParams, env_cdf_size_3: vec2<u32>, env_rotat
         // glimt_render_gpu/src/kernels/shade.rs:74
         let _e15 = Scene_shading_point(_e9, hit_1);
         // glimt_render_gpu/src/kernels/shade.rs:75
-        let _e17 = Mis_reflected(estimator, _e15, _e7, env_cdf_size_3, env_rotation_3);
+        let _e17 = Mis_reflected(estimator, _e15, _e7, env_size_3, env_rotation_3);
         return vec4<f32>(_e17.lit, 1f);
     }
     // glimt_render_gpu/src/kernels/shade.rs:80
     if (frame_3.background == 0u) {
         // glimt_render_gpu/src/kernels/shade.rs:81
-        let _e27 = Environment_background(env_cdf_size_3, env_rotation_3, _e9.direction);
+        let _e27 = Environment_background(env_size_3, env_rotation_3, _e9.direction);
         return vec4<f32>(_e27, 1f);
     }
     // glimt_render_gpu/src/kernels/shade.rs:83
@@ -2601,11 +2622,11 @@ fn shade(ray_10: u32, frame_3: FrameParams, env_cdf_size_3: vec2<u32>, env_rotat
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:15
-fn shade_mis_1(ray_11: u32, frame_4: FrameParams, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>) -> vec4<f32> {
+fn shade_mis_1(ray_11: u32, frame_4: FrameParams, env_size_4: vec2<u32>, env_rotation_4: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/shade.rs:16
     let _e6 = mis(frame_4);
-    let _e7 = shade(ray_11, frame_4, env_cdf_size_4, env_rotation_4, _e6);
+    let _e7 = shade(ray_11, frame_4, env_size_4, env_rotation_4, _e6);
     return _e7;
 }
 
@@ -2618,7 +2639,7 @@ fn shade_mis(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgrou
     }
     let _e14 = params.first;
     let _e17 = params.frame;
-    let _e19 = params.env_cdf_size;
+    let _e19 = params.env_size;
     let _e21 = params.env_rotation;
     let _e22 = shade_mis_1((_e14 + local), _e17, _e19, _e21);
     out[local] = _e22;

@@ -276,6 +276,12 @@ struct DirectionSample {
     pdf_sr: f32,
 }
 
+struct Returned_Environment_cdf {
+    value_size: vec2<u32>,
+    value_conditional_start: u32,
+    value_conditional_len: u32,
+}
+
 struct EnvSample {
     texel: vec2<u32>,
     direction: vec3<f32>,
@@ -361,7 +367,7 @@ struct Params {
     frame: FrameParams,
     smc: SmcParams,
     view: PastView,
-    env_cdf_size: vec2<u32>,
+    env_size: vec2<u32>,
     env_rotation: vec2<f32>,
     before_size: vec2<u32>,
     before_rotation: vec2<f32>,
@@ -370,32 +376,30 @@ struct Params {
 @group(0) @binding(1) 
 var<storage> env_texels: array<vec4<f32>>;
 @group(0) @binding(2) 
-var<storage> env_cdf_marginal: array<u32>;
+var<storage> env_tables: array<u32>;
 @group(0) @binding(3) 
-var<storage> env_cdf_conditional: array<u32>;
-@group(0) @binding(4) 
 var<storage> before_texels: array<vec4<f32>>;
-@group(0) @binding(5) 
+@group(0) @binding(4) 
 var<storage> scene_nodes: array<BvhNode>;
-@group(0) @binding(6) 
+@group(0) @binding(5) 
 var<storage> scene_triangles: array<Triangle>;
-@group(0) @binding(7) 
+@group(0) @binding(6) 
 var<storage> scene_corners: array<Corner>;
-@group(0) @binding(8) 
+@group(0) @binding(7) 
 var<storage> scene_materials: array<Material>;
-@group(0) @binding(9) 
+@group(0) @binding(8) 
 var<storage> scene_texels: array<u32>;
-@group(0) @binding(10) 
+@group(0) @binding(9) 
 var<storage> past_motions: array<mat4x4<f32>>;
-@group(0) @binding(11) 
+@group(0) @binding(10) 
 var<storage> past_states: array<RayState>;
-@group(0) @binding(12) 
+@group(0) @binding(11) 
 var<storage> past_particles: array<Particle>;
-@group(0) @binding(13) 
+@group(0) @binding(12) 
 var<storage, read_write> state_5: array<RayState>;
-@group(0) @binding(14) 
+@group(0) @binding(13) 
 var<storage, read_write> particles: array<Particle>;
-@group(0) @binding(15) 
+@group(0) @binding(14) 
 var<storage, read_write> out: array<LayerSample>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
@@ -1788,9 +1792,9 @@ fn PastView_predecessor(this_21: PastView, point_1: ShadingPoint, object: u32, f
     // glimt_render_gpu/src/kernels/past.rs:138
     let was_at_1 = (motion * vec4<f32>(point_1.origin, 1f)).xyz;
     // glimt_render_gpu/src/kernels/past.rs:139
-    let size_13 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
+    let size_19 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
     // glimt_render_gpu/src/kernels/past.rs:140
-    let _e29 = PastView_project(this_21, was_at_1, size_13);
+    let _e29 = PastView_project(this_21, was_at_1, size_19);
     let value = _e29.value;
     if _e29.is_some {
         chosen_10 = value;
@@ -1805,7 +1809,7 @@ fn PastView_predecessor(this_21: PastView, point_1: ShadingPoint, object: u32, f
     // glimt_render_gpu/src/kernels/past.rs:146
     let still = ((min(off.x, off.y) > -0.015625f) && (max(off.x, off.y) < (1f + 0.015625f)));
     // glimt_render_gpu/src/kernels/past.rs:147
-    let in_image = ((((seen.x >= 0f) && (seen.y >= 0f)) && (seen.x < size_13.x)) && (seen.y < size_13.y));
+    let in_image = ((((seen.x >= 0f) && (seen.y >= 0f)) && (seen.x < size_19.x)) && (seen.y < size_19.y));
     // glimt_render_gpu/src/kernels/past.rs:148
     if (!(still) && !(in_image)) {
         // glimt_render_gpu/src/kernels/past.rs:149
@@ -2057,29 +2061,29 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
 fn direction_to_texel(d_2: vec3<f32>, size_3: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_14 = max(size_3, vec2(1u));
+    let size_20 = max(size_3, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_14));
+    let position = (_e8 * vec2<f32>(size_20));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_14 - vec2(1u)));
+    return min(vec2<u32>(position), (size_20 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:34
+// glimt_render_gpu/src/kernels/environment.rs:37
 fn RadianceMap_radiance(size_4: vec2<u32>, rotation: vec2<f32>, direction_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:35
+    // glimt_render_gpu/src/kernels/environment.rs:38
     let to_map = vec2<f32>(rotation.x, -(rotation.y));
-    // glimt_render_gpu/src/kernels/environment.rs:36
+    // glimt_render_gpu/src/kernels/environment.rs:39
     let _e10 = rotate_z(direction_3, to_map);
     let _e11 = direction_to_texel(_e10, size_4);
-    // glimt_render_gpu/src/kernels/environment.rs:37
+    // glimt_render_gpu/src/kernels/environment.rs:40
     let _e20 = before_texels[((_e11.y * size_4.x) + _e11.x)];
     return _e20.xyz;
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:101
-fn LightTarget_previous(previous_light_size: vec2<u32>, previous_light_rotation: vec2<f32>, previous_floor: f32, previous_lobe: LightLobe, light_cdf_size: vec2<u32>, light_rotation: vec2<f32>, floor_: f32, lobe: LightLobe, direction_4: vec3<f32>) -> f32 {
+fn LightTarget_previous(previous_light_size: vec2<u32>, previous_light_rotation: vec2<f32>, previous_floor: f32, previous_lobe: LightLobe, light_size: vec2<u32>, light_rotation: vec2<f32>, floor_: f32, lobe: LightLobe, direction_4: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:102
     let _e7 = LightLobe_value(previous_lobe, direction_4);
@@ -2094,33 +2098,33 @@ fn LightTarget_previous(previous_light_size: vec2<u32>, previous_light_rotation:
     return ((_e16 + previous_floor) * _e7);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:64
-fn Environment_to_map(cdf_size: vec2<u32>, rotation_1: vec2<f32>, direction_5: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:78
+fn Environment_to_map(size_5: vec2<u32>, rotation_1: vec2<f32>, direction_5: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:65
+    // glimt_render_gpu/src/kernels/environment.rs:79
     let _e8 = rotate_z(direction_5, vec2<f32>(rotation_1.x, -(rotation_1.y)));
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:71
-fn Environment_texel(cdf_size_1: vec2<u32>, rotation_2: vec2<f32>, direction_6: vec3<f32>) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/environment.rs:85
+fn Environment_texel(size_6: vec2<u32>, rotation_2: vec2<f32>, direction_6: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:72
-    let _e5 = Environment_to_map(cdf_size_1, rotation_2, direction_6);
-    let _e6 = direction_to_texel(_e5, cdf_size_1);
+    // glimt_render_gpu/src/kernels/environment.rs:86
+    let _e5 = Environment_to_map(size_6, rotation_2, direction_6);
+    let _e6 = direction_to_texel(_e5, size_6);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:78
-fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_3: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:92
+fn Environment_radiance(size_7: vec2<u32>, rotation_3: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:79
-    let _e11 = env_texels[((texel.y * cdf_size_2.x) + texel.x)];
+    // glimt_render_gpu/src/kernels/environment.rs:93
+    let _e11 = env_texels[((texel.y * size_7.x) + texel.x)];
     return _e11.xyz;
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:89
-fn LightTarget_current(previous_light_size_1: vec2<u32>, previous_light_rotation_1: vec2<f32>, previous_floor_1: f32, previous_lobe_1: LightLobe, light_cdf_size_1: vec2<u32>, light_rotation_1: vec2<f32>, floor_1: f32, lobe_1: LightLobe, direction_7: vec3<f32>) -> f32 {
+fn LightTarget_current(previous_light_size_1: vec2<u32>, previous_light_rotation_1: vec2<f32>, previous_floor_1: f32, previous_lobe_1: LightLobe, light_size_1: vec2<u32>, light_rotation_1: vec2<f32>, floor_1: f32, lobe_1: LightLobe, direction_7: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:90
     let _e7 = LightLobe_value(lobe_1, direction_7);
@@ -2130,19 +2134,19 @@ fn LightTarget_current(previous_light_size_1: vec2<u32>, previous_light_rotation
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:94
-    let _e15 = Environment_texel(light_cdf_size_1, light_rotation_1, direction_7);
-    let _e16 = Environment_radiance(light_cdf_size_1, light_rotation_1, _e15);
+    let _e15 = Environment_texel(light_size_1, light_rotation_1, direction_7);
+    let _e16 = Environment_radiance(light_size_1, light_rotation_1, _e15);
     // glimt_render_gpu/src/kernels/light_target.rs:95
     let _e18 = luminance(_e16);
     return ((_e18 + floor_1) * _e7);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:112
-fn LightTarget_densities(previous_light_size_2: vec2<u32>, previous_light_rotation_2: vec2<f32>, previous_floor_2: f32, previous_lobe_2: LightLobe, light_cdf_size_2: vec2<u32>, light_rotation_2: vec2<f32>, floor_2: f32, lobe_2: LightLobe, state_2: vec3<f32>) -> Endpoints {
+fn LightTarget_densities(previous_light_size_2: vec2<u32>, previous_light_rotation_2: vec2<f32>, previous_floor_2: f32, previous_lobe_2: LightLobe, light_size_2: vec2<u32>, light_rotation_2: vec2<f32>, floor_2: f32, lobe_2: LightLobe, state_2: vec3<f32>) -> Endpoints {
 
     // glimt_render_gpu/src/kernels/light_target.rs:113
-    let _e11 = LightTarget_previous(previous_light_size_2, previous_light_rotation_2, previous_floor_2, previous_lobe_2, light_cdf_size_2, light_rotation_2, floor_2, lobe_2, state_2);
-    let _e12 = LightTarget_current(previous_light_size_2, previous_light_rotation_2, previous_floor_2, previous_lobe_2, light_cdf_size_2, light_rotation_2, floor_2, lobe_2, state_2);
+    let _e11 = LightTarget_previous(previous_light_size_2, previous_light_rotation_2, previous_floor_2, previous_lobe_2, light_size_2, light_rotation_2, floor_2, lobe_2, state_2);
+    let _e12 = LightTarget_current(previous_light_size_2, previous_light_rotation_2, previous_floor_2, previous_lobe_2, light_size_2, light_rotation_2, floor_2, lobe_2, state_2);
     return Endpoints(_e11, _e12);
 }
 
@@ -2267,7 +2271,7 @@ fn normalise(particles_start: u32, particles_len: u32) -> f32 {
 }
 
 // glimt_smc/src/reweight.rs:13
-fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, target_previous_light_rotation: vec2<f32>, target_previous_floor: f32, target_previous_lobe: LightLobe, target_light_cdf_size: vec2<u32>, target_light_rotation: vec2<f32>, target_floor: f32, target_lobe: LightLobe, particles_start_1: u32, particles_len_1: u32) -> f32 {
+fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, target_previous_light_rotation: vec2<f32>, target_previous_floor: f32, target_previous_lobe: LightLobe, target_light_size: vec2<u32>, target_light_rotation: vec2<f32>, target_floor: f32, target_lobe: LightLobe, particles_start_1: u32, particles_len_1: u32) -> f32 {
     var counter_5: u32;
     var chosen_20: f32;
     var both_2: bool;
@@ -2281,7 +2285,7 @@ fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, tar
         }
         // glimt_smc/src/reweight.rs:15
         let _e23 = particles[(particles_start_1 + i_4)].state;
-        let _e24 = LightTarget_densities(target_previous_light_size, target_previous_light_rotation, target_previous_floor, target_previous_lobe, target_light_cdf_size, target_light_rotation, target_floor, target_lobe, _e23);
+        let _e24 = LightTarget_densities(target_previous_light_size, target_previous_light_rotation, target_previous_floor, target_previous_lobe, target_light_size, target_light_rotation, target_floor, target_lobe, _e23);
         // glimt_smc/src/reweight.rs:16
         let _e28 = Bridge_density(bridge, (k_1 - 1u), _e24);
         // glimt_smc/src/reweight.rs:17
@@ -2891,11 +2895,26 @@ fn CapMove_propose(this_37: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Propos
     return Proposed(normalize(_e12), 1f, 1f);
 }
 
+// glimt_render_gpu/src/kernels/environment.rs:120
+fn marginal_words(size_8: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:121
+    return (size_8.y + 1u);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:67
+fn Environment_cdf(size_9: vec2<u32>, rotation_4: vec2<f32>) -> Returned_Environment_cdf {
+
+    // glimt_render_gpu/src/kernels/environment.rs:68
+    let _e3 = marginal_words(size_9);
+    return Returned_Environment_cdf(size_9, _e3, (arrayLength((&env_tables)) - _e3));
+}
+
 // glimt_envmap_cdf/src/env_cdf.rs:48
-fn EnvCdf_is_black(size_5: vec2<u32>) -> bool {
+fn EnvCdf_is_black(size_10: vec2<u32>, conditional_start: u32, conditional_len: u32) -> bool {
 
     // glimt_envmap_cdf/src/env_cdf.rs:49
-    let _e6 = env_cdf_marginal[size_5.y];
+    let _e6 = env_tables[size_10.y];
     return (_e6 == 0u);
 }
 
@@ -2919,7 +2938,7 @@ fn find_bin(start: u32, bins: u32, u_4: u32) -> Bin {
         let half = (_e14 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
         let _e18 = at;
-        let _e22 = env_cdf_marginal[(_e18 + half)];
+        let _e22 = env_tables[(_e18 + half)];
         if (_e22 <= u_4) {
             // glimt_envmap_cdf/src/search.rs:38
             let _e25 = at;
@@ -2931,16 +2950,16 @@ fn find_bin(start: u32, bins: u32, u_4: u32) -> Bin {
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
-    let first_4 = env_cdf_marginal[_e31];
+    let first_4 = env_tables[_e31];
     // glimt_envmap_cdf/src/search.rs:43
     let _e36 = at;
     let _e38 = at;
-    let _e43 = env_cdf_marginal[(_e38 + 1u)];
+    let _e43 = env_tables[(_e38 + 1u)];
     return Bin((_e36 - start), first_4, (_e43 - first_4));
 }
 
 // glimt_envmap_cdf/src/search.rs:31
-fn find_bin_1(start_1: u32, bins_1: u32, u_5: u32) -> Bin {
+fn find_bin_1(edges_start: u32, edges_len: u32, start_1: u32, bins_1: u32, u_5: u32) -> Bin {
     var at_1: u32;
     var left_1: u32;
 
@@ -2950,33 +2969,33 @@ fn find_bin_1(start_1: u32, bins_1: u32, u_5: u32) -> Bin {
     left_1 = bins_1;
     // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e9 = left_1;
-        if !((_e9 > 1u)) {
+        let _e10 = left_1;
+        if !((_e10 > 1u)) {
             break;
         }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e14 = left_1;
-        let half_1 = (_e14 / 2u);
+        let _e15 = left_1;
+        let half_1 = (_e15 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
-        let _e18 = at_1;
-        let _e22 = env_cdf_conditional[(_e18 + half_1)];
-        if (_e22 <= u_5) {
+        let _e19 = at_1;
+        let _e24 = env_tables[(edges_start + (_e19 + half_1))];
+        if (_e24 <= u_5) {
             // glimt_envmap_cdf/src/search.rs:38
-            let _e25 = at_1;
-            at_1 = (_e25 + half_1);
+            let _e27 = at_1;
+            at_1 = (_e27 + half_1);
         }
         // glimt_envmap_cdf/src/search.rs:40
-        let _e28 = left_1;
-        left_1 = (_e28 - half_1);
+        let _e30 = left_1;
+        left_1 = (_e30 - half_1);
     }
     // glimt_envmap_cdf/src/search.rs:42
-    let _e31 = at_1;
-    let first_5 = env_cdf_conditional[_e31];
+    let _e33 = at_1;
+    let first_5 = env_tables[(edges_start + _e33)];
     // glimt_envmap_cdf/src/search.rs:43
-    let _e36 = at_1;
-    let _e38 = at_1;
-    let _e43 = env_cdf_conditional[(_e38 + 1u)];
-    return Bin((_e36 - start_1), first_5, (_e43 - first_5));
+    let _e39 = at_1;
+    let _e41 = at_1;
+    let _e47 = env_tables[(edges_start + (_e41 + 1u))];
+    return Bin((_e39 - start_1), first_5, (_e47 - first_5));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:168
@@ -3026,33 +3045,33 @@ fn cos_sin_pi(x_7: f32) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel_1: vec2<u32>, size_6: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+fn direction_in_texel(texel_1: vec2<u32>, size_11: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
     var chosen_30: u32;
     var chosen_31: u32;
     var chosen_32: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_15 = max(size_6, vec2(1u));
+    let size_21 = max(size_11, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_2 = min(texel_1.y, (size_15.y - 1u));
+    let row_2 = min(texel_1.y, (size_21.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_2) >= size_15.y);
+    let southern = ((2u * row_2) >= size_21.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_30 = (size_15.y - row_2);
+        chosen_30 = (size_21.y - row_2);
     } else {
         chosen_30 = row_2;
     }
     let upper_2 = chosen_30;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_31 = ((size_15.y - row_2) - 1u);
+        chosen_31 = ((size_21.y - row_2) - 1u);
     } else {
         chosen_31 = (row_2 + 1u);
     }
     let lower_2 = chosen_31;
     // glimt_probe/src/latlong.rs:149
-    let half_2 = (0.5f / f32(size_15.y));
+    let half_2 = (0.5f / f32(size_21.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper_2) * half_2));
     let sin_upper = _e41.y;
@@ -3075,140 +3094,142 @@ fn direction_in_texel(texel_1: vec2<u32>, size_6: vec2<u32>, r: vec2<f32>) -> ve
     }
     let cos_theta_1 = chosen_32;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_1.x) + r.x)) / f32(size_15.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_1.x) + r.x)) / f32(size_21.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
 // glimt_probe/src/latlong.rs:121
-fn texel_solid_angle_sr(row: u32, size_7: vec2<u32>) -> f32 {
+fn texel_solid_angle_sr(row: u32, size_12: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_16 = max(size_7, vec2(1u));
+    let size_22 = max(size_12, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_3 = min(row, (size_16.y - 1u));
+    let row_3 = min(row, (size_22.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_3, ((size_16.y - 1u) - row_3));
+    let from_pole = min(row_3, ((size_22.y - 1u) - row_3));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_16.y));
+    let half_row = (0.5f / f32(size_22.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_16.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_22.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:162
-fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_8: vec2<u32>) -> f32 {
+fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_13: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:163
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
     // glimt_envmap_cdf/src/env_cdf.rs:164
-    let _e14 = texel_solid_angle_sr(row_1, size_8);
+    let _e14 = texel_solid_angle_sr(row_1, size_13);
     return (pmf / _e14);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:61
-fn EnvCdf_sample(size_9: vec2<u32>, u_7: vec2<u32>) -> EnvSample {
+fn EnvCdf_sample(size_14: vec2<u32>, conditional_start_1: u32, conditional_len_1: u32, u_7: vec2<u32>) -> EnvSample {
 
     // glimt_envmap_cdf/src/env_cdf.rs:62
-    let _e4 = EnvCdf_is_black(size_9);
-    if _e4 {
+    let _e6 = EnvCdf_is_black(size_14, conditional_start_1, conditional_len_1);
+    if _e6 {
         // glimt_envmap_cdf/src/env_cdf.rs:63
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let _e20 = find_bin(0u, size_9.y, (u_7.y >> 1u));
+    let _e22 = find_bin(0u, size_14.y, (u_7.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_start = (_e20.index * (size_9.x + 1u));
+    let row_start = (_e22.index * (size_14.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e32 = find_bin_1(row_start, size_9.x, (u_7.x >> 1u));
+    let _e34 = find_bin_1(conditional_start_1, conditional_len_1, row_start, size_14.x, (u_7.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_5 = vec2<u32>(_e32.index, _e20.index);
+    let texel_5 = vec2<u32>(_e34.index, _e22.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e40 = hash2_(u_7.x, u_7.y);
+    let _e42 = hash2_(u_7.x, u_7.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e47 = place_in_bin(_e32, (u_7.x >> 1u), (_e40 & 65535u));
-    let _e53 = place_in_bin(_e20, (u_7.y >> 1u), (_e40 >> 16u));
-    let place_4 = vec2<f32>(_e47, _e53);
+    let _e49 = place_in_bin(_e34, (u_7.x >> 1u), (_e42 & 65535u));
+    let _e55 = place_in_bin(_e22, (u_7.y >> 1u), (_e42 >> 16u));
+    let place_4 = vec2<f32>(_e49, _e55);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e56 = direction_in_texel(texel_5, size_9, place_4);
-    let _e60 = density_sr(_e20.units, _e32.units, _e20.index, size_9);
-    return EnvSample(texel_5, _e56, _e60);
+    let _e58 = direction_in_texel(texel_5, size_14, place_4);
+    let _e62 = density_sr(_e22.units, _e34.units, _e22.index, size_14);
+    return EnvSample(texel_5, _e58, _e62);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:85
-fn Environment_sample(cdf_size_3: vec2<u32>, rotation_4: vec2<f32>, u_8: vec2<u32>) -> EnvSample {
+// glimt_render_gpu/src/kernels/environment.rs:99
+fn Environment_sample(size_15: vec2<u32>, rotation_5: vec2<f32>, u_8: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:86
-    let _e5 = EnvCdf_sample(cdf_size_3, u_8);
-    // glimt_render_gpu/src/kernels/environment.rs:87
-    let _e8 = rotate_z(_e5.direction, rotation_4);
-    return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
+    // glimt_render_gpu/src/kernels/environment.rs:100
+    let _e5 = Environment_cdf(size_15, rotation_5);
+    let _e9 = EnvCdf_sample(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, u_8);
+    // glimt_render_gpu/src/kernels/environment.rs:101
+    let _e12 = rotate_z(_e9.direction, rotation_5);
+    return EnvSample(_e9.texel, _e12, _e9.pdf_sr);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:156
-fn LightDraw_sample(light_cdf_size_3: vec2<u32>, light_rotation_3: vec2<f32>, u_9: vec3<u32>) -> Sampled {
+fn LightDraw_sample(light_size_3: vec2<u32>, light_rotation_3: vec2<f32>, u_9: vec3<u32>) -> Sampled {
 
     // glimt_render_gpu/src/kernels/light_target.rs:157
-    let _e8 = Environment_sample(light_cdf_size_3, light_rotation_3, vec2<u32>(u_9.x, u_9.y));
+    let _e8 = Environment_sample(light_size_3, light_rotation_3, vec2<u32>(u_9.x, u_9.y));
     // glimt_render_gpu/src/kernels/light_target.rs:158
     return Sampled(_e8.direction, _e8.pdf_sr);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:142
-fn EnvCdf_row(size_10: vec2<u32>, texel_2: vec2<u32>) -> Bin {
+fn EnvCdf_row(size_16: vec2<u32>, conditional_start_2: u32, conditional_len_2: u32, texel_2: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:143
     let y_5 = texel_2.y;
     // glimt_envmap_cdf/src/env_cdf.rs:144
-    let _e8 = env_cdf_marginal[y_5];
-    let _e13 = env_cdf_marginal[(y_5 + 1u)];
-    let _e16 = env_cdf_marginal[y_5];
+    let _e8 = env_tables[y_5];
+    let _e13 = env_tables[(y_5 + 1u)];
+    let _e16 = env_tables[y_5];
     return Bin(texel_2.y, _e8, (_e13 - _e16));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:151
-fn EnvCdf_column(size_11: vec2<u32>, texel_3: vec2<u32>) -> Bin {
+fn EnvCdf_column(size_17: vec2<u32>, conditional_start_3: u32, conditional_len_3: u32, texel_3: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:152
-    let x_11 = ((texel_3.y * (size_11.x + 1u)) + texel_3.x);
+    let x_11 = ((texel_3.y * (size_17.x + 1u)) + texel_3.x);
     // glimt_envmap_cdf/src/env_cdf.rs:153
-    let _e15 = env_cdf_conditional[x_11];
-    let _e20 = env_cdf_conditional[(x_11 + 1u)];
-    let _e23 = env_cdf_conditional[x_11];
-    return Bin(texel_3.x, _e15, (_e20 - _e23));
+    let _e17 = env_tables[(conditional_start_3 + x_11)];
+    let _e23 = env_tables[(conditional_start_3 + (x_11 + 1u))];
+    let _e27 = env_tables[(conditional_start_3 + x_11)];
+    return Bin(texel_3.x, _e17, (_e23 - _e27));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:119
-fn EnvCdf_texel_pdf_sr(size_12: vec2<u32>, texel_4: vec2<u32>) -> f32 {
+fn EnvCdf_texel_pdf_sr(size_18: vec2<u32>, conditional_start_4: u32, conditional_len_4: u32, texel_4: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:120
-    let _e4 = EnvCdf_row(size_12, texel_4);
+    let _e6 = EnvCdf_row(size_18, conditional_start_4, conditional_len_4, texel_4);
     // glimt_envmap_cdf/src/env_cdf.rs:121
-    let _e6 = EnvCdf_column(size_12, texel_4);
+    let _e8 = EnvCdf_column(size_18, conditional_start_4, conditional_len_4, texel_4);
     // glimt_envmap_cdf/src/env_cdf.rs:122
-    let _e11 = density_sr(_e4.units, _e6.units, texel_4.y, size_12);
-    return _e11;
+    let _e13 = density_sr(_e6.units, _e8.units, texel_4.y, size_18);
+    return _e13;
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:165
-fn LightDraw_pdf(light_cdf_size_4: vec2<u32>, light_rotation_4: vec2<f32>, state_3: vec3<f32>) -> f32 {
+fn LightDraw_pdf(light_size_4: vec2<u32>, light_rotation_4: vec2<f32>, state_3: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:166
-    let _e5 = Environment_texel(light_cdf_size_4, light_rotation_4, state_3);
-    let _e6 = EnvCdf_texel_pdf_sr(light_cdf_size_4, _e5);
-    return _e6;
+    let _e5 = Environment_cdf(light_size_4, light_rotation_4);
+    let _e9 = Environment_texel(light_size_4, light_rotation_4, state_3);
+    let _e10 = EnvCdf_texel_pdf_sr(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, _e9);
+    return _e10;
 }
 
 // glimt_smc/src/proposal.rs:81
-fn Independent_LightDraw_propose(sampler_light_cdf_size: vec2<u32>, sampler_light_rotation: vec2<f32>, from_1: vec3<f32>, u_10: vec3<u32>) -> Proposed {
+fn Independent_LightDraw_propose(sampler_light_size: vec2<u32>, sampler_light_rotation: vec2<f32>, from_1: vec3<f32>, u_10: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:82
-    let _e6 = LightDraw_sample(sampler_light_cdf_size, sampler_light_rotation, u_10);
+    let _e6 = LightDraw_sample(sampler_light_size, sampler_light_rotation, u_10);
     // glimt_smc/src/proposal.rs:83
-    let _e10 = LightDraw_pdf(sampler_light_cdf_size, sampler_light_rotation, from_1);
+    let _e10 = LightDraw_pdf(sampler_light_size, sampler_light_rotation, from_1);
     return Proposed(_e6.state, _e6.pdf, _e10);
 }
 
@@ -3468,7 +3489,7 @@ fn Independent_BrdfDraw_propose(this_44: Independent_BrdfDraw, from_2: vec3<f32>
 }
 
 // glimt_smc/src/proposal.rs:106
-fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, first_sampler_light_cdf_size: vec2<u32>, first_sampler_light_rotation: vec2<f32>, second: Independent_BrdfDraw, from_3: vec3<f32>, u_17: vec3<u32>) -> Proposed {
+fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, first_sampler_light_size: vec2<u32>, first_sampler_light_rotation: vec2<f32>, second: Independent_BrdfDraw, from_3: vec3<f32>, u_17: vec3<u32>) -> Proposed {
     var chosen_37: Proposed;
 
     // glimt_smc/src/proposal.rs:107
@@ -3478,7 +3499,7 @@ fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, 
     // glimt_smc/src/proposal.rs:109
     if _e9.first {
         // glimt_smc/src/proposal.rs:110
-        let _e19 = Independent_LightDraw_propose(first_sampler_light_cdf_size, first_sampler_light_rotation, from_3, rest_1);
+        let _e19 = Independent_LightDraw_propose(first_sampler_light_size, first_sampler_light_rotation, from_3, rest_1);
         chosen_37 = _e19;
     } else {
         // glimt_smc/src/proposal.rs:112
@@ -3490,7 +3511,7 @@ fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, 
 }
 
 // glimt_smc/src/proposal.rs:106
-fn Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_2: f32, first: CapMove, second_pmf_first: f32, second_first_sampler_light_cdf_size: vec2<u32>, second_first_sampler_light_rotation: vec2<f32>, second_second: Independent_BrdfDraw, from_4: vec3<f32>, u_18: vec3<u32>) -> Proposed {
+fn Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_2: f32, first: CapMove, second_pmf_first: f32, second_first_sampler_light_size: vec2<u32>, second_first_sampler_light_rotation: vec2<f32>, second_second: Independent_BrdfDraw, from_4: vec3<f32>, u_18: vec3<u32>) -> Proposed {
     var chosen_38: Proposed;
 
     // glimt_smc/src/proposal.rs:107
@@ -3504,7 +3525,7 @@ fn Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pm
         chosen_38 = _e21;
     } else {
         // glimt_smc/src/proposal.rs:112
-        let _e23 = Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(second_pmf_first, second_first_sampler_light_cdf_size, second_first_sampler_light_rotation, second_second, from_4, rest_2);
+        let _e23 = Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(second_pmf_first, second_first_sampler_light_size, second_first_sampler_light_rotation, second_second, from_4, rest_2);
         chosen_38 = _e23;
     }
     let _e24 = chosen_38;
@@ -3519,17 +3540,17 @@ fn accept(u_19: f32, density: f32, forward: f32, proposed_density: f32, backward
 }
 
 // glimt_smc/src/metropolis.rs:32
-fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32>, target_previous_light_rotation_1: vec2<f32>, target_previous_floor_1: f32, target_previous_lobe_1: LightLobe, target_light_cdf_size_1: vec2<u32>, target_light_rotation_1: vec2<f32>, target_floor_1: f32, target_lobe_1: LightLobe, proposal_pmf_first: f32, proposal_first: CapMove, proposal_second_pmf_first: f32, proposal_second_first_sampler_light_cdf_size: vec2<u32>, proposal_second_first_sampler_light_rotation: vec2<f32>, proposal_second_second: Independent_BrdfDraw, particle: ptr<function, Particle>, u_20: vec4<u32>) -> bool {
+fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32>, target_previous_light_rotation_1: vec2<f32>, target_previous_floor_1: f32, target_previous_lobe_1: LightLobe, target_light_size_1: vec2<u32>, target_light_rotation_1: vec2<f32>, target_floor_1: f32, target_lobe_1: LightLobe, proposal_pmf_first: f32, proposal_first: CapMove, proposal_second_pmf_first: f32, proposal_second_first_sampler_light_size: vec2<u32>, proposal_second_first_sampler_light_rotation: vec2<f32>, proposal_second_second: Independent_BrdfDraw, particle: ptr<function, Particle>, u_20: vec4<u32>) -> bool {
 
     // glimt_smc/src/metropolis.rs:40
     let _e21 = (*particle).state;
-    let _e23 = Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(proposal_pmf_first, proposal_first, proposal_second_pmf_first, proposal_second_first_sampler_light_cdf_size, proposal_second_first_sampler_light_rotation, proposal_second_second, _e21, u_20.xyz);
+    let _e23 = Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(proposal_pmf_first, proposal_first, proposal_second_pmf_first, proposal_second_first_sampler_light_size, proposal_second_first_sampler_light_rotation, proposal_second_second, _e21, u_20.xyz);
     // glimt_smc/src/metropolis.rs:41
     let _e26 = (*particle).state;
-    let _e27 = LightTarget_densities(target_previous_light_size_1, target_previous_light_rotation_1, target_previous_floor_1, target_previous_lobe_1, target_light_cdf_size_1, target_light_rotation_1, target_floor_1, target_lobe_1, _e26);
+    let _e27 = LightTarget_densities(target_previous_light_size_1, target_previous_light_rotation_1, target_previous_floor_1, target_previous_lobe_1, target_light_size_1, target_light_rotation_1, target_floor_1, target_lobe_1, _e26);
     let _e28 = Bridge_density(bridge_1, k_2, _e27);
     // glimt_smc/src/metropolis.rs:42
-    let _e31 = LightTarget_densities(target_previous_light_size_1, target_previous_light_rotation_1, target_previous_floor_1, target_previous_lobe_1, target_light_cdf_size_1, target_light_rotation_1, target_floor_1, target_lobe_1, _e23.state);
+    let _e31 = LightTarget_densities(target_previous_light_size_1, target_previous_light_rotation_1, target_previous_floor_1, target_previous_lobe_1, target_light_size_1, target_light_rotation_1, target_floor_1, target_lobe_1, _e23.state);
     let _e32 = Bridge_density(bridge_1, k_2, _e31);
     // glimt_smc/src/metropolis.rs:43
     let _e35 = unit_f32_(u_20.w);
@@ -3544,7 +3565,7 @@ fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32
 }
 
 // glimt_smc/src/sampler.rs:47
-fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_cdf_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_cdf_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
+fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
     var accepted: u32;
     var counter_13: u32;
     var borrowed_6: Particle;
@@ -3552,7 +3573,7 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 
     // glimt_smc/src/sampler.rs:55
     // glimt_smc/src/sampler.rs:56
-    let _e23 = reweight(k_3, this_45.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
+    let _e23 = reweight(k_3, this_45.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:57
     let _e25 = ess(particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:58
@@ -3585,7 +3606,7 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
         // glimt_smc/src/sampler.rs:70
         let _e63 = particles[(particles_start_6 + i_10)];
         borrowed_6 = _e63;
-        let _e64 = metropolis(k_3, this_45.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_cdf_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_6), u_24);
+        let _e64 = metropolis(k_3, this_45.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_6), u_24);
         let _e65 = borrowed_6;
         particles[(particles_start_6 + i_10)] = _e65;
         if _e64 {
@@ -3611,7 +3632,7 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 }
 
 // glimt_smc/src/sampler.rs:85
-fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_cdf_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_cdf_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
+fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
     var frame_3: Report;
     var counter_14: u32;
     var chosen_40: f32;
@@ -3628,7 +3649,7 @@ fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, ta
             break;
         }
         // glimt_smc/src/sampler.rs:99
-        let _e36 = Sampler_step(this_46, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_cdf_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_cdf_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
+        let _e36 = Sampler_step(this_46, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
         // glimt_smc/src/sampler.rs:100
         let _e40 = is_log_zero(_e36.log_ratio);
         either_1 = _e40;
@@ -3669,12 +3690,12 @@ fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, ta
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:110
-fn SmcParams_advance(this_47: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_cdf_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
+fn SmcParams_advance(this_47: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
 
     // glimt_render_gpu/src/kernels/smc.rs:117
     // glimt_render_gpu/src/kernels/smc.rs:138
     let _e25 = SmcParams_sampler(this_47);
-    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_cdf_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_47.cap_share, CapMove(this_47.cap_height), this_47.light_share, target_light_cdf_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
+    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_47.cap_share, CapMove(this_47.cap_height), this_47.light_share, target_light_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
     return _e26;
 }
 
@@ -3762,7 +3783,7 @@ fn PixelPattern_triple(this_49: PixelPattern, purpose_5: u32, sample_1: u32, sam
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:73
-fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density_1: f32;
     var direction_12: vec3<f32>;
     var wi_3: vec3<f32>;
@@ -3794,9 +3815,9 @@ fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pa
         direction_12 = _e54;
         // glimt_render_gpu/src/kernels/candidates.rs:95
         let _e56 = direction_12;
-        let _e57 = Environment_texel(env_cdf_size, env_rotation, _e56);
+        let _e57 = Environment_texel(env_size, env_rotation, _e56);
         // glimt_render_gpu/src/kernels/candidates.rs:96
-        let _e59 = Environment_radiance(env_cdf_size, env_rotation, _e57);
+        let _e59 = Environment_radiance(env_size, env_rotation, _e57);
         radiance = _e59;
         // glimt_render_gpu/src/kernels/candidates.rs:97
         let _e64 = density_1;
@@ -3804,63 +3825,64 @@ fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pa
         // glimt_render_gpu/src/kernels/candidates.rs:98
         if (of_env > 0u) {
             // glimt_render_gpu/src/kernels/candidates.rs:99
-            let _e71 = EnvCdf_texel_pdf_sr(env_cdf_size, _e57);
-            let _e73 = density_1;
-            density_1 = (_e73 + (f32(of_env) * _e71));
+            let _e71 = Environment_cdf(env_size, env_rotation);
+            let _e75 = EnvCdf_texel_pdf_sr(_e71.value_size, _e71.value_conditional_start, _e71.value_conditional_len, _e57);
+            let _e77 = density_1;
+            density_1 = (_e77 + (f32(of_env) * _e75));
         }
     } else {
         // glimt_render_gpu/src/kernels/candidates.rs:102
-        let _e78 = PixelPattern_pair(pattern_2, 5u, (index_13 - _e8), of_env);
+        let _e82 = PixelPattern_pair(pattern_2, 5u, (index_13 - _e8), of_env);
         // glimt_render_gpu/src/kernels/candidates.rs:103
-        let _e80 = Environment_sample(env_cdf_size, env_rotation, _e78);
+        let _e84 = Environment_sample(env_size, env_rotation, _e82);
         // glimt_render_gpu/src/kernels/candidates.rs:104
-        if !((_e80.pdf_sr > 0f)) {
+        if !((_e84.pdf_sr > 0f)) {
             // glimt_render_gpu/src/kernels/candidates.rs:105
             return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
         }
         // glimt_render_gpu/src/kernels/candidates.rs:107
-        direction_12 = _e80.direction;
+        direction_12 = _e84.direction;
         // glimt_render_gpu/src/kernels/candidates.rs:108
-        let _e104 = direction_12;
-        let _e105 = ShadingFrame_to_local(point_4.frame, _e104);
-        wi_3 = _e105;
+        let _e108 = direction_12;
+        let _e109 = ShadingFrame_to_local(point_4.frame, _e108);
+        wi_3 = _e109;
         // glimt_render_gpu/src/kernels/candidates.rs:109
-        let _e108 = Environment_radiance(env_cdf_size, env_rotation, _e80.texel);
-        radiance = _e108;
+        let _e112 = Environment_radiance(env_size, env_rotation, _e84.texel);
+        radiance = _e112;
         // glimt_render_gpu/src/kernels/candidates.rs:110
-        let _e113 = density_1;
-        density_1 = (_e113 + (f32(of_env) * _e80.pdf_sr));
+        let _e117 = density_1;
+        density_1 = (_e117 + (f32(of_env) * _e84.pdf_sr));
         // glimt_render_gpu/src/kernels/candidates.rs:111
         if (_e8 > 0u) {
             // glimt_render_gpu/src/kernels/candidates.rs:112
-            let _e122 = wi_3;
-            let _e123 = BlinnPhong_pdf_sr(point_4.brdf, point_4.wo, _e122);
-            let _e125 = density_1;
-            density_1 = (_e125 + (f32(_e8) * _e123));
+            let _e126 = wi_3;
+            let _e127 = BlinnPhong_pdf_sr(point_4.brdf, point_4.wo, _e126);
+            let _e129 = density_1;
+            density_1 = (_e129 + (f32(_e8) * _e127));
         }
     }
     // glimt_render_gpu/src/kernels/candidates.rs:115
-    let _e129 = wi_3.z;
-    if !((_e129 > 0f)) {
+    let _e133 = wi_3.z;
+    if !((_e133 > 0f)) {
         // glimt_render_gpu/src/kernels/candidates.rs:116
         return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
     }
     // glimt_render_gpu/src/kernels/candidates.rs:118
-    let _e150 = wi_3;
-    let _e151 = BlinnPhong_eval(point_4.brdf, point_4.wo, _e150);
-    let _e152 = luminance(_e151);
-    let _e154 = wi_3.z;
-    let reflected = (_e152 * _e154);
+    let _e154 = wi_3;
+    let _e155 = BlinnPhong_eval(point_4.brdf, point_4.wo, _e154);
+    let _e156 = luminance(_e155);
+    let _e158 = wi_3.z;
+    let reflected = (_e156 * _e158);
     // glimt_render_gpu/src/kernels/candidates.rs:119
-    let _e157 = radiance;
-    let _e158 = luminance(_e157);
-    let target_ = ((_e158 + this_50.floor) * reflected);
+    let _e161 = radiance;
+    let _e162 = luminance(_e161);
+    let target_ = ((_e162 + this_50.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:120
-    let _e163 = direction_12;
-    let _e164 = wi_3;
-    let _e165 = radiance;
-    let _e168 = density_1;
-    return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_50.count) / _e168)));
+    let _e167 = direction_12;
+    let _e168 = wi_3;
+    let _e169 = radiance;
+    let _e172 = density_1;
+    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_50.count) / _e172)));
 }
 
 // glimt_sampling/src/ris.rs:72
@@ -4068,7 +4090,7 @@ fn RisPicks_take(this_56: ptr<function, RisPicks>, weight_1: f32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:144
-fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
+fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
     var counter_15: u32;
     var counter_16: u32;
@@ -4091,7 +4113,7 @@ fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:159
-        let _e24 = Candidates_draw(candidates, j, point_5, pattern_3, env_cdf_size_1, env_rotation_1);
+        let _e24 = Candidates_draw(candidates, j, point_5, pattern_3, env_size_1, env_rotation_1);
         RisSum_add((&weights_1), _e24.weight);
         continuing {
             let _e26 = counter_15;
@@ -4135,7 +4157,7 @@ fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:174
-        let _e73 = Candidates_draw(candidates, j_1, point_5, pattern_3, env_cdf_size_1, env_rotation_1);
+        let _e73 = Candidates_draw(candidates, j_1, point_5, pattern_3, env_size_1, env_rotation_1);
         // glimt_render_gpu/src/kernels/smc.rs:175
         let _e76 = RisPicks_take((&picks_5), _e73.weight);
         // glimt_render_gpu/src/kernels/smc.rs:176
@@ -4240,7 +4262,7 @@ fn Reflected_gather(this_59: ptr<function, Reflected>, light: Reflected) {
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:188
-fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normaliser: f32, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>, particles_start_10: u32, particles_len_10: u32) -> Reflected {
+fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normaliser: f32, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, particles_start_10: u32, particles_len_10: u32) -> Reflected {
     var sum_3: Reflected;
     var counter_19: u32;
 
@@ -4261,8 +4283,8 @@ fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normalis
             // glimt_render_gpu/src/kernels/smc.rs:201
             let direction_16 = particle_1.state;
             // glimt_render_gpu/src/kernels/smc.rs:202
-            let _e33 = Environment_texel(env_cdf_size_2, env_rotation_2, direction_16);
-            let _e34 = Environment_radiance(env_cdf_size_2, env_rotation_2, _e33);
+            let _e33 = Environment_texel(env_size_2, env_rotation_2, direction_16);
+            let _e34 = Environment_radiance(env_size_2, env_rotation_2, _e33);
             // glimt_render_gpu/src/kernels/smc.rs:203
             let _e36 = luminance(_e34);
             let _e38 = LightLobe_value(lobe_3, direction_16);
@@ -4288,7 +4310,7 @@ fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normalis
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:216
-fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, frame_4: FrameParams, smc: SmcParams, view: PastView, pattern_4: PixelPattern, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_11: u32, particles_len_11: u32) -> Reflected {
+fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, frame_4: FrameParams, smc: SmcParams, view: PastView, pattern_4: PixelPattern, env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_11: u32, particles_len_11: u32) -> Reflected {
     var now: RayState;
     var counter_20: u32;
     var source_12: PatternSource;
@@ -4334,7 +4356,7 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
         let _e70 = PixelPattern_source(pattern_4, 7u);
         source_12 = _e70;
         // glimt_render_gpu/src/kernels/smc.rs:263
-        let _e73 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e66, env_cdf_size_3, env_rotation_3, smc.floor, _e18, point_10, particles_start_11, particles_len_11, (&source_12));
+        let _e73 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e66, env_size_3, env_rotation_3, smc.floor, _e18, point_10, particles_start_11, particles_len_11, (&source_12));
         // glimt_render_gpu/src/kernels/smc.rs:264
         let _e76 = is_log_zero(_e73.log_ratio);
         either_2 = _e76;
@@ -4387,7 +4409,7 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
         // glimt_render_gpu/src/kernels/smc.rs:283
         now.age = 0u;
         // glimt_render_gpu/src/kernels/smc.rs:284
-        let _e143 = SmcParams_start(smc, point_10, pattern_4, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
+        let _e143 = SmcParams_start(smc, point_10, pattern_4, env_size_3, env_rotation_3, particles_start_11, particles_len_11);
         now.log_normaliser = _e143;
     }
     // glimt_render_gpu/src/kernels/smc.rs:286
@@ -4399,7 +4421,7 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
     } else {
         // glimt_render_gpu/src/kernels/smc.rs:289
         let _e159 = now.log_normaliser;
-        let _e160 = estimate(point_10, _e18, smc.floor, _e159, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
+        let _e160 = estimate(point_10, _e18, smc.floor, _e159, env_size_3, env_rotation_3, particles_start_11, particles_len_11);
         chosen_50 = _e160;
     }
     let light_2 = chosen_50;
@@ -4423,7 +4445,7 @@ fn LayerSample_of(light_1: Reflected, is_catcher: bool) -> LayerSample {
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:339
-fn shade_smc_layers_1(ray_10: u32, frame_5: FrameParams, smc_1: SmcParams, view_1: PastView, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>, before_size_1: vec2<u32>, before_rotation_1: vec2<f32>, state_start_1: u32, state_len_1: u32, particles_start_12: u32, particles_len_12: u32) -> LayerSample {
+fn shade_smc_layers_1(ray_10: u32, frame_5: FrameParams, smc_1: SmcParams, view_1: PastView, env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, before_size_1: vec2<u32>, before_rotation_1: vec2<f32>, state_start_1: u32, state_len_1: u32, particles_start_12: u32, particles_len_12: u32) -> LayerSample {
 
     // glimt_render_gpu/src/kernels/smc.rs:351
     let _e14 = FrameParams_pattern_of(frame_5, ray_10);
@@ -4442,7 +4464,7 @@ fn shade_smc_layers_1(ray_10: u32, frame_5: FrameParams, smc_1: SmcParams, view_
         // glimt_render_gpu/src/kernels/smc.rs:357
         let wo_5 = -(_e16.direction);
         // glimt_render_gpu/src/kernels/smc.rs:358
-        let _e35 = follow(_e22, hit_1.t, wo_5, _e29, frame_5, smc_1, view_1, _e14, env_cdf_size_4, env_rotation_4, before_size_1, before_rotation_1, state_start_1, state_len_1, particles_start_12, particles_len_12);
+        let _e35 = follow(_e22, hit_1.t, wo_5, _e29, frame_5, smc_1, view_1, _e14, env_size_4, env_rotation_4, before_size_1, before_rotation_1, state_start_1, state_len_1, particles_start_12, particles_len_12);
         // glimt_render_gpu/src/kernels/smc.rs:362
         let _e37 = Triangle_is_catcher(triangle_3);
         let _e38 = LayerSample_of(_e35, _e37);
@@ -4465,7 +4487,7 @@ fn shade_smc_layers(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_w
     let _e17 = params.frame;
     let _e19 = params.smc;
     let _e21 = params.view;
-    let _e23 = params.env_cdf_size;
+    let _e23 = params.env_size;
     let _e25 = params.env_rotation;
     let _e27 = params.before_size;
     let _e29 = params.before_rotation;

@@ -161,7 +161,7 @@ impl<M: Memory> Following<M> {
                 params: settings.smc.params(mean, mean)?,
                 settings: settings.smc,
                 view,
-                light_size: now.cdf.size,
+                light_size: now.size,
                 light_rotation: now.rotation,
             },
         };
