@@ -28,9 +28,8 @@ pub static SHADE_MIS: Entry = Entry {
         BufferSlot::new("scene.nodes", 3, 32, false),
         BufferSlot::new("scene.triangles", 4, 48, false),
         BufferSlot::new("scene.corners", 5, 32, false),
-        BufferSlot::new("scene.materials", 6, 96, false),
-        BufferSlot::new("scene.texels", 7, 4, false),
-        BufferSlot::new("out", 8, 16, true),
+        BufferSlot::new("scene.surface", 6, 4, false),
+        BufferSlot::new("out", 7, 16, true),
     ]),
 };
 
@@ -56,9 +55,8 @@ pub static SHADE_BIS: Entry = Entry {
         BufferSlot::new("scene.nodes", 3, 32, false),
         BufferSlot::new("scene.triangles", 4, 48, false),
         BufferSlot::new("scene.corners", 5, 32, false),
-        BufferSlot::new("scene.materials", 6, 96, false),
-        BufferSlot::new("scene.texels", 7, 4, false),
-        BufferSlot::new("out", 8, 16, true),
+        BufferSlot::new("scene.surface", 6, 4, false),
+        BufferSlot::new("out", 7, 16, true),
     ]),
 };
 
@@ -84,9 +82,8 @@ pub static SHADE_BIS_LAYERS: Entry = Entry {
         BufferSlot::new("scene.nodes", 3, 32, false),
         BufferSlot::new("scene.triangles", 4, 48, false),
         BufferSlot::new("scene.corners", 5, 32, false),
-        BufferSlot::new("scene.materials", 6, 96, false),
-        BufferSlot::new("scene.texels", 7, 4, false),
-        BufferSlot::new("out", 8, 32, true),
+        BufferSlot::new("scene.surface", 6, 4, false),
+        BufferSlot::new("out", 7, 32, true),
     ]),
 };
 
@@ -118,14 +115,13 @@ pub static SHADE_SMC: Entry = Entry {
         BufferSlot::new("scene.nodes", 4, 32, false),
         BufferSlot::new("scene.triangles", 5, 48, false),
         BufferSlot::new("scene.corners", 6, 32, false),
-        BufferSlot::new("scene.materials", 7, 96, false),
-        BufferSlot::new("scene.texels", 8, 4, false),
-        BufferSlot::new("past.motions", 9, 64, false),
-        BufferSlot::new("past.states", 10, 64, false),
-        BufferSlot::new("past.particles", 11, 16, false),
-        BufferSlot::new("state", 12, 64, true),
-        BufferSlot::new("particles", 13, 16, true),
-        BufferSlot::new("out", 14, 16, true),
+        BufferSlot::new("scene.surface", 7, 4, false),
+        BufferSlot::new("past.motions", 8, 64, false),
+        BufferSlot::new("past.states", 9, 64, false),
+        BufferSlot::new("past.particles", 10, 16, false),
+        BufferSlot::new("state", 11, 64, true),
+        BufferSlot::new("particles", 12, 16, true),
+        BufferSlot::new("out", 13, 16, true),
     ]),
 };
 
@@ -157,14 +153,13 @@ pub static SHADE_SMC_LAYERS: Entry = Entry {
         BufferSlot::new("scene.nodes", 4, 32, false),
         BufferSlot::new("scene.triangles", 5, 48, false),
         BufferSlot::new("scene.corners", 6, 32, false),
-        BufferSlot::new("scene.materials", 7, 96, false),
-        BufferSlot::new("scene.texels", 8, 4, false),
-        BufferSlot::new("past.motions", 9, 64, false),
-        BufferSlot::new("past.states", 10, 64, false),
-        BufferSlot::new("past.particles", 11, 16, false),
-        BufferSlot::new("state", 12, 64, true),
-        BufferSlot::new("particles", 13, 16, true),
-        BufferSlot::new("out", 14, 32, true),
+        BufferSlot::new("scene.surface", 7, 4, false),
+        BufferSlot::new("past.motions", 8, 64, false),
+        BufferSlot::new("past.states", 9, 64, false),
+        BufferSlot::new("past.particles", 10, 16, false),
+        BufferSlot::new("state", 11, 64, true),
+        BufferSlot::new("particles", 12, 16, true),
+        BufferSlot::new("out", 13, 32, true),
     ]),
 };
 
@@ -296,9 +291,8 @@ pub static SHADE_MIS_LAYERS: Entry = Entry {
         BufferSlot::new("scene.nodes", 3, 32, false),
         BufferSlot::new("scene.triangles", 4, 48, false),
         BufferSlot::new("scene.corners", 5, 32, false),
-        BufferSlot::new("scene.materials", 6, 96, false),
-        BufferSlot::new("scene.texels", 7, 4, false),
-        BufferSlot::new("out", 8, 32, true),
+        BufferSlot::new("scene.surface", 6, 4, false),
+        BufferSlot::new("out", 7, 32, true),
     ]),
 };
 
@@ -642,9 +636,8 @@ pub static DIAGNOSE_SURFACE: Entry = Entry {
         BufferSlot::new("scene.nodes", 1, 32, false),
         BufferSlot::new("scene.triangles", 2, 48, false),
         BufferSlot::new("scene.corners", 3, 32, false),
-        BufferSlot::new("scene.materials", 4, 96, false),
-        BufferSlot::new("scene.texels", 5, 4, false),
-        BufferSlot::new("out", 6, 64, true),
+        BufferSlot::new("scene.surface", 4, 4, false),
+        BufferSlot::new("out", 5, 64, true),
     ]),
 };
 
@@ -665,8 +658,7 @@ pub static DIAGNOSE_BRDF_SAMPLE: Entry = Entry {
         BufferSlot::new("scene.nodes", 1, 32, false),
         BufferSlot::new("scene.triangles", 2, 48, false),
         BufferSlot::new("scene.corners", 3, 32, false),
-        BufferSlot::new("scene.materials", 4, 96, false),
-        BufferSlot::new("scene.texels", 5, 4, false),
-        BufferSlot::new("out", 6, 16, true),
+        BufferSlot::new("scene.surface", 4, 4, false),
+        BufferSlot::new("out", 5, 16, true),
     ]),
 };

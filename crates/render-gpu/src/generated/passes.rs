@@ -69,10 +69,8 @@ pub struct SceneArg<'a, M: Memory> {
     pub triangles: M::Slice<'a, crate::kernels::triangle::Triangle>,
     /// Its `corners`.
     pub corners: M::Slice<'a, crate::kernels::scene::Corner>,
-    /// Its `materials`.
-    pub materials: M::Slice<'a, crate::kernels::material::Material>,
-    /// Its `texels`.
-    pub texels: M::Slice<'a, u32>,
+    /// Its `surface`.
+    pub surface: M::Slice<'a, u32>,
 }
 
 impl<'a, M: Memory> SceneArg<'a, M> {
@@ -86,8 +84,7 @@ impl<'a, M: Memory> SceneArg<'a, M> {
             nodes: M::shorten(self.nodes),
             triangles: M::shorten(self.triangles),
             corners: M::shorten(self.corners),
-            materials: M::shorten(self.materials),
-            texels: M::shorten(self.texels),
+            surface: M::shorten(self.surface),
         }
     }
 }
@@ -100,8 +97,7 @@ impl<'a, M: HostMemory> SceneArg<'a, M> {
             nodes: M::values(self.nodes),
             triangles: M::values(self.triangles),
             corners: M::values(self.corners),
-            materials: M::values(self.materials),
-            texels: M::values(self.texels),
+            surface: M::values(self.surface),
         }
     }
 }
@@ -112,8 +108,7 @@ impl<'a> From<crate::kernels::scene::Scene<'a>> for SceneArg<'a, Host> {
             nodes: view.nodes,
             triangles: view.triangles,
             corners: view.corners,
-            materials: view.materials,
-            texels: view.texels,
+            surface: view.surface,
         }
     }
 }
@@ -328,9 +323,8 @@ impl<'a, M: Memory> Pass for ShadeMis<'a, M> {
         binder.slice(2, self.scene.nodes);
         binder.slice(3, self.scene.triangles);
         binder.slice(4, self.scene.corners);
-        binder.slice(5, self.scene.materials);
-        binder.slice(6, self.scene.texels);
-        binder.out(7, &self.out);
+        binder.slice(5, self.scene.surface);
+        binder.out(6, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -394,9 +388,8 @@ impl<'a, M: Memory> Pass for ShadeBis<'a, M> {
         binder.slice(2, self.scene.nodes);
         binder.slice(3, self.scene.triangles);
         binder.slice(4, self.scene.corners);
-        binder.slice(5, self.scene.materials);
-        binder.slice(6, self.scene.texels);
-        binder.out(7, &self.out);
+        binder.slice(5, self.scene.surface);
+        binder.out(6, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -460,9 +453,8 @@ impl<'a, M: Memory> Pass for ShadeBisLayers<'a, M> {
         binder.slice(2, self.scene.nodes);
         binder.slice(3, self.scene.triangles);
         binder.slice(4, self.scene.corners);
-        binder.slice(5, self.scene.materials);
-        binder.slice(6, self.scene.texels);
-        binder.out(7, &self.out);
+        binder.slice(5, self.scene.surface);
+        binder.out(6, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -540,14 +532,13 @@ impl<'a, M: Memory> Pass for ShadeSmc<'a, M> {
         binder.slice(3, self.scene.nodes);
         binder.slice(4, self.scene.triangles);
         binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.materials);
-        binder.slice(7, self.scene.texels);
-        binder.slice(8, self.past.motions);
-        binder.slice(9, self.past.states);
-        binder.slice(10, self.past.particles);
-        binder.chunks(11, 2, &self.state);
-        binder.chunks(12, 3, &self.particles);
-        binder.out(13, &self.out);
+        binder.slice(6, self.scene.surface);
+        binder.slice(7, self.past.motions);
+        binder.slice(8, self.past.states);
+        binder.slice(9, self.past.particles);
+        binder.chunks(10, 2, &self.state);
+        binder.chunks(11, 3, &self.particles);
+        binder.out(12, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -629,14 +620,13 @@ impl<'a, M: Memory> Pass for ShadeSmcLayers<'a, M> {
         binder.slice(3, self.scene.nodes);
         binder.slice(4, self.scene.triangles);
         binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.materials);
-        binder.slice(7, self.scene.texels);
-        binder.slice(8, self.past.motions);
-        binder.slice(9, self.past.states);
-        binder.slice(10, self.past.particles);
-        binder.chunks(11, 2, &self.state);
-        binder.chunks(12, 3, &self.particles);
-        binder.out(13, &self.out);
+        binder.slice(6, self.scene.surface);
+        binder.slice(7, self.past.motions);
+        binder.slice(8, self.past.states);
+        binder.slice(9, self.past.particles);
+        binder.chunks(10, 2, &self.state);
+        binder.chunks(11, 3, &self.particles);
+        binder.out(12, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -992,9 +982,8 @@ impl<'a, M: Memory> Pass for ShadeMisLayers<'a, M> {
         binder.slice(2, self.scene.nodes);
         binder.slice(3, self.scene.triangles);
         binder.slice(4, self.scene.corners);
-        binder.slice(5, self.scene.materials);
-        binder.slice(6, self.scene.texels);
-        binder.out(7, &self.out);
+        binder.slice(5, self.scene.surface);
+        binder.out(6, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -1930,9 +1919,8 @@ impl<'a, M: Memory> Pass for DiagnoseSurface<'a, M> {
         binder.slice(0, self.scene.nodes);
         binder.slice(1, self.scene.triangles);
         binder.slice(2, self.scene.corners);
-        binder.slice(3, self.scene.materials);
-        binder.slice(4, self.scene.texels);
-        binder.out(5, &self.out);
+        binder.slice(3, self.scene.surface);
+        binder.out(4, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -1986,9 +1974,8 @@ impl<'a, M: Memory> Pass for DiagnoseBrdfSample<'a, M> {
         binder.slice(0, self.scene.nodes);
         binder.slice(1, self.scene.triangles);
         binder.slice(2, self.scene.corners);
-        binder.slice(3, self.scene.materials);
-        binder.slice(4, self.scene.texels);
-        binder.out(5, &self.out);
+        binder.slice(3, self.scene.surface);
+        binder.out(4, &self.out);
     }
 
     fn elements(&self) -> usize

@@ -23,27 +23,6 @@ struct Corner {
     v: f32,
 }
 
-struct TextureView {
-    first: u32,
-    width: u32,
-    height: u32,
-    flags: u32,
-}
-
-struct Material {
-    color: vec3<f32>,
-    kind: u32,
-    specular: vec3<f32>,
-    exponent: f32,
-    metallic: f32,
-    roughness: f32,
-    normal_scale: f32,
-    unused: u32,
-    base_color_texture: TextureView,
-    metallic_roughness_texture: TextureView,
-    normal_texture: TextureView,
-}
-
 struct RayState {
     normal: vec3<f32>,
     log_normaliser: f32,
@@ -163,6 +142,18 @@ struct Option_Hit {
 struct Tuple_f32_f32_ {
     fa: f32,
     fb: f32,
+}
+
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
 }
 
 struct ShadingFrame {
@@ -386,20 +377,18 @@ var<storage> scene_triangles: array<Triangle>;
 @group(0) @binding(6) 
 var<storage> scene_corners: array<Corner>;
 @group(0) @binding(7) 
-var<storage> scene_materials: array<Material>;
+var<storage> scene_surface: array<u32>;
 @group(0) @binding(8) 
-var<storage> scene_texels: array<u32>;
-@group(0) @binding(9) 
 var<storage> past_motions: array<mat4x4<f32>>;
-@group(0) @binding(10) 
+@group(0) @binding(9) 
 var<storage> past_states: array<RayState>;
-@group(0) @binding(11) 
+@group(0) @binding(10) 
 var<storage> past_particles: array<Particle>;
-@group(0) @binding(12) 
+@group(0) @binding(11) 
 var<storage, read_write> state_5: array<RayState>;
-@group(0) @binding(13) 
+@group(0) @binding(12) 
 var<storage, read_write> particles: array<Particle>;
-@group(0) @binding(14) 
+@group(0) @binding(13) 
 var<storage, read_write> out: array<LayerSample>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
@@ -629,25 +618,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_14 = (index_5 & 65535u);
+    let index_15 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_14;
+        chosen = index_15;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_14);
+            let _e16 = pascal(index_15);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_14);
+                let _e20 = recurrence_2_(index_15);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_14);
+                let _e22 = recurrence_3_(index_15);
                 chosen = _e22;
             }
         }
@@ -960,17 +949,17 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:52
-    let index_15 = ((this_7.ray * samples) + sample);
+    let index_16 = ((this_7.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:53
     if (this_7.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:54
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_15);
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:56
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_15);
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:57
@@ -980,7 +969,7 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_15, (this_7.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_16, (this_7.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -1400,10 +1389,10 @@ fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
     return Option_Hit(true, Hit(_e7, _e14, _e18));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:63
+// glimt_render_gpu/src/kernels/scene.rs:61
 fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 
-    // glimt_render_gpu/src/kernels/scene.rs:64
+    // glimt_render_gpu/src/kernels/scene.rs:62
     let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
     return _e4;
 }
@@ -1415,22 +1404,42 @@ fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
     return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:120
+// glimt_render_gpu/src/kernels/scene.rs:118
 fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
     var chosen_5: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:121
+    // glimt_render_gpu/src/kernels/scene.rs:119
     let length_squared = dot(v_1, v_1);
-    // glimt_render_gpu/src/kernels/scene.rs:122
+    // glimt_render_gpu/src/kernels/scene.rs:120
     if (length_squared > 0.000000000001f) {
-        // glimt_render_gpu/src/kernels/scene.rs:123
+        // glimt_render_gpu/src/kernels/scene.rs:121
         chosen_5 = (v_1 / vec3(sqrt(length_squared)));
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:125
+        // glimt_render_gpu/src/kernels/scene.rs:123
         chosen_5 = otherwise;
     }
     let _e14 = chosen_5;
     return _e14;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:83
+fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:84
+    let first_1 = (256u + (index_9 * 24u));
+    // glimt_render_gpu/src/kernels/material.rs:85
+    return Returned_MaterialView_new(first_1, ((first_1 + 24u) - first_1));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:106
+fn MaterialView_texture(words_start: u32, words_len: u32, word: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:107
+    let _e7 = scene_surface[(words_start + word)];
+    let _e13 = scene_surface[(words_start + (word + 1u))];
+    let _e19 = scene_surface[(words_start + (word + 2u))];
+    let _e25 = scene_surface[(words_start + (word + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
@@ -1460,47 +1469,47 @@ fn wrap(x_6: f32, mode: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:103
-fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
+fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:104
     let last_1 = (i32(size_1) - 1i);
     // glimt_render_gpu/src/kernels/texture.rs:105
     if (mode_1 == 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:106
-        if (index_9 < 0i) {
+        if (index_10 < 0i) {
             // glimt_render_gpu/src/kernels/texture.rs:107
             return u32(last_1);
         }
         // glimt_render_gpu/src/kernels/texture.rs:109
-        if (index_9 > last_1) {
+        if (index_10 > last_1) {
             // glimt_render_gpu/src/kernels/texture.rs:110
             return 0u;
         }
     }
     // glimt_render_gpu/src/kernels/texture.rs:113
-    return u32(clamp(index_9, 0i, last_1));
+    return u32(clamp(index_10, 0i, last_1));
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_14: TextureView, index_10: u32) -> vec4<f32> {
+fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
     var chosen_6: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_1 = scene_texels[(this_14.first + index_10)];
+    let word_4 = scene_surface[(this_14.first + index_11)];
     // glimt_render_gpu/src/kernels/texture.rs:71
-    let r_1 = (word_1 & 255u);
+    let r_1 = (word_4 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
-    let g = ((word_1 >> 8u) & 255u);
+    let g = ((word_4 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_4 = ((word_1 >> 16u) & 255u);
+    let b_4 = ((word_4 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha = (f32((word_1 >> 24u)) / 255f);
+    let alpha = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
-        let _e38 = scene_texels[r_1];
-        let _e42 = scene_texels[g];
-        let _e46 = scene_texels[b_4];
+        let _e38 = scene_surface[r_1];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b_4];
         chosen_6 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
@@ -1552,29 +1561,40 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:73
-fn Material_bumped_normal(this_16: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/material.rs:92
+fn MaterialView_number(words_start_1: u32, words_len_1: u32, word_1: u32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/material.rs:81
+    // glimt_render_gpu/src/kernels/material.rs:93
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:147
+fn MaterialView_bumped_normal(words_start_2: u32, words_len_2: u32, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:148
+    let _e9 = MaterialView_texture(words_start_2, words_len_2, 20u);
+    // glimt_render_gpu/src/kernels/material.rs:149
     let across = (tangent - (normal * dot(normal, tangent)));
-    // glimt_render_gpu/src/kernels/material.rs:82
-    let _e12 = TextureView_exists(this_16.normal_texture);
-    if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
-        // glimt_render_gpu/src/kernels/material.rs:83
+    // glimt_render_gpu/src/kernels/material.rs:150
+    let _e15 = TextureView_exists(_e9);
+    if (!(_e15) || !((dot(across, across) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:151
         return normal;
     }
-    // glimt_render_gpu/src/kernels/material.rs:85
+    // glimt_render_gpu/src/kernels/material.rs:153
     let t_4 = normalize(across);
-    // glimt_render_gpu/src/kernels/material.rs:86
+    // glimt_render_gpu/src/kernels/material.rs:154
     let b_5 = (cross(normal, t_4) * handedness);
-    // glimt_render_gpu/src/kernels/material.rs:87
-    let _e27 = TextureView_sample(this_16.normal_texture, uv_1);
-    let map = ((_e27.xyz * 2f) - vec3(1f));
-    // glimt_render_gpu/src/kernels/material.rs:88
-    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_16.normal_scale);
-    // glimt_render_gpu/src/kernels/material.rs:89
-    let _e46 = unit_or((tilt + (normal * map.z)), normal);
-    return _e46;
+    // glimt_render_gpu/src/kernels/material.rs:155
+    let _e29 = TextureView_sample(_e9, uv_1);
+    let bump = ((_e29.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:156
+    let _e43 = MaterialView_number(words_start_2, words_len_2, 10u);
+    let tilt = (((t_4 * bump.x) + (b_5 * bump.y)) * _e43);
+    // glimt_render_gpu/src/kernels/material.rs:157
+    let _e49 = unit_or((tilt + (normal * bump.z)), normal);
+    return _e49;
 }
 
 // glimt_sampling/src/math.rs:45
@@ -1591,10 +1611,20 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_17: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_2, this_17.t), dot(v_2, this_17.b), dot(v_2, this_17.n));
+    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:97
+fn MaterialView_vector(words_start_3: u32, words_len_3: u32, word_2: u32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:98
+    let _e5 = MaterialView_number(words_start_3, words_len_3, word_2);
+    let _e8 = MaterialView_number(words_start_3, words_len_3, (word_2 + 1u));
+    let _e11 = MaterialView_number(words_start_3, words_len_3, (word_2 + 2u));
+    return vec3<f32>(_e5, _e8, _e11);
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -1614,128 +1644,139 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
     return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:46
-fn Material_brdf(this_18: Material, uv_2: vec2<f32>) -> BlinnPhong {
+// glimt_render_gpu/src/kernels/material.rs:118
+fn MaterialView_brdf(words_start_4: u32, words_len_4: u32, uv_2: vec2<f32>) -> BlinnPhong {
     var color: vec3<f32>;
     var metallic_1: f32;
     var roughness_1: f32;
 
-    // glimt_render_gpu/src/kernels/material.rs:47
-    if (this_18.kind == 0u) {
-        // glimt_render_gpu/src/kernels/material.rs:48
-        return BlinnPhong(this_18.color, this_18.specular, this_18.exponent);
+    // glimt_render_gpu/src/kernels/material.rs:119
+    let _e6 = MaterialView_vector(words_start_4, words_len_4, 0u);
+    color = _e6;
+    // glimt_render_gpu/src/kernels/material.rs:120
+    let _e13 = scene_surface[(words_start_4 + 3u)];
+    if (_e13 == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:121
+        let _e17 = color;
+        let _e19 = MaterialView_vector(words_start_4, words_len_4, 4u);
+        let _e21 = MaterialView_number(words_start_4, words_len_4, 7u);
+        return BlinnPhong(_e17, _e19, _e21);
     }
-    // glimt_render_gpu/src/kernels/material.rs:54
-    color = this_18.color;
-    // glimt_render_gpu/src/kernels/material.rs:55
-    let _e17 = TextureView_exists(this_18.base_color_texture);
-    if _e17 {
-        // glimt_render_gpu/src/kernels/material.rs:56
-        let _e20 = TextureView_sample(this_18.base_color_texture, uv_2);
-        let _e22 = color;
-        color = (_e22 * _e20.xyz);
+    // glimt_render_gpu/src/kernels/material.rs:127
+    let _e25 = MaterialView_texture(words_start_4, words_len_4, 12u);
+    // glimt_render_gpu/src/kernels/material.rs:128
+    let _e27 = TextureView_exists(_e25);
+    if _e27 {
+        // glimt_render_gpu/src/kernels/material.rs:129
+        let _e29 = TextureView_sample(_e25, uv_2);
+        let _e31 = color;
+        color = (_e31 * _e29.xyz);
     }
-    // glimt_render_gpu/src/kernels/material.rs:58
-    metallic_1 = this_18.metallic;
-    // glimt_render_gpu/src/kernels/material.rs:59
-    roughness_1 = this_18.roughness;
-    // glimt_render_gpu/src/kernels/material.rs:60
-    let _e32 = TextureView_exists(this_18.metallic_roughness_texture);
-    if _e32 {
-        // glimt_render_gpu/src/kernels/material.rs:61
-        let _e35 = TextureView_sample(this_18.metallic_roughness_texture, uv_2);
-        // glimt_render_gpu/src/kernels/material.rs:62
-        let _e38 = roughness_1;
-        roughness_1 = (_e38 * _e35.y);
-        // glimt_render_gpu/src/kernels/material.rs:63
-        let _e42 = metallic_1;
-        metallic_1 = (_e42 * _e35.z);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e35 = MaterialView_number(words_start_4, words_len_4, 8u);
+    metallic_1 = _e35;
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e39 = MaterialView_number(words_start_4, words_len_4, 9u);
+    roughness_1 = _e39;
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let _e43 = MaterialView_texture(words_start_4, words_len_4, 16u);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    let _e45 = TextureView_exists(_e43);
+    if _e45 {
+        // glimt_render_gpu/src/kernels/material.rs:135
+        let _e47 = TextureView_sample(_e43, uv_2);
+        // glimt_render_gpu/src/kernels/material.rs:136
+        let _e50 = roughness_1;
+        roughness_1 = (_e50 * _e47.y);
+        // glimt_render_gpu/src/kernels/material.rs:137
+        let _e54 = metallic_1;
+        metallic_1 = (_e54 * _e47.z);
     }
-    // glimt_render_gpu/src/kernels/material.rs:65
-    let _e45 = color;
-    let _e46 = metallic_1;
-    let _e47 = roughness_1;
-    let _e48 = BlinnPhong_from_metallic_roughness(_e45, _e46, _e47);
-    return _e48;
+    // glimt_render_gpu/src/kernels/material.rs:139
+    let _e57 = color;
+    let _e58 = metallic_1;
+    let _e59 = roughness_1;
+    let _e60 = BlinnPhong_from_metallic_roughness(_e57, _e58, _e59);
+    return _e60;
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:69
+// glimt_render_gpu/src/kernels/scene.rs:67
 fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
     var chosen_7: vec3<f32>;
     var chosen_8: f32;
     var chosen_9: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:70
+    // glimt_render_gpu/src/kernels/scene.rs:68
     let triangle_2 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:69
+    let first_2 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let a_5 = scene_corners[first_2];
     // glimt_render_gpu/src/kernels/scene.rs:71
-    let first_1 = (3u * hit.triangle);
+    let b_6 = scene_corners[(first_2 + 1u)];
     // glimt_render_gpu/src/kernels/scene.rs:72
-    let a_5 = scene_corners[first_1];
+    let c_4 = scene_corners[(first_2 + 2u)];
     // glimt_render_gpu/src/kernels/scene.rs:73
-    let b_6 = scene_corners[(first_1 + 1u)];
-    // glimt_render_gpu/src/kernels/scene.rs:74
-    let c_4 = scene_corners[(first_1 + 2u)];
-    // glimt_render_gpu/src/kernels/scene.rs:75
     let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
     let u_22 = _e33.fa;
     let v_4 = _e33.fb;
-    // glimt_render_gpu/src/kernels/scene.rs:76
+    // glimt_render_gpu/src/kernels/scene.rs:74
     let w_2 = ((1f - u_22) - v_4);
-    // glimt_render_gpu/src/kernels/scene.rs:78
+    // glimt_render_gpu/src/kernels/scene.rs:76
     let to_eye = -(ray_8.direction);
-    // glimt_render_gpu/src/kernels/scene.rs:79
+    // glimt_render_gpu/src/kernels/scene.rs:77
     let _e44 = Triangle_area_normal(triangle_2);
     let face = normalize(_e44);
-    // glimt_render_gpu/src/kernels/scene.rs:80
+    // glimt_render_gpu/src/kernels/scene.rs:78
     if (dot(face, to_eye) < 0f) {
         chosen_7 = -(face);
     } else {
         chosen_7 = face;
     }
     let geometric_normal = chosen_7;
-    // glimt_render_gpu/src/kernels/scene.rs:81
+    // glimt_render_gpu/src/kernels/scene.rs:79
     let _e62 = unit_or((((a_5.normal * w_2) + (b_6.normal * u_22)) + (c_4.normal * v_4)), face);
-    // glimt_render_gpu/src/kernels/scene.rs:83
+    // glimt_render_gpu/src/kernels/scene.rs:81
     let uv_3 = vec2<f32>((((a_5.u * w_2) + (b_6.u * u_22)) + (c_4.u * v_4)), (((a_5.v * w_2) + (b_6.v * u_22)) + (c_4.v * v_4)));
-    // glimt_render_gpu/src/kernels/scene.rs:84
-    let material = scene_materials[(triangle_2.material & 2147483647u)];
-    // glimt_render_gpu/src/kernels/scene.rs:85
+    // glimt_render_gpu/src/kernels/scene.rs:82
+    let _e85 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/scene.rs:83
     let tangent_1 = (((a_5.tangent * w_2) + (b_6.tangent * u_22)) + (c_4.tangent * v_4));
-    // glimt_render_gpu/src/kernels/scene.rs:86
+    // glimt_render_gpu/src/kernels/scene.rs:84
     if ((triangle_2.material & 2147483648u) != 0u) {
-        // glimt_render_gpu/src/kernels/scene.rs:87
+        // glimt_render_gpu/src/kernels/scene.rs:85
         chosen_8 = -1f;
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:89
+        // glimt_render_gpu/src/kernels/scene.rs:87
         chosen_8 = 1f;
     }
     let handedness_1 = chosen_8;
-    // glimt_render_gpu/src/kernels/scene.rs:91
-    let _e110 = Material_bumped_normal(material, uv_3, _e62, tangent_1, handedness_1);
-    // glimt_render_gpu/src/kernels/scene.rs:92
+    // glimt_render_gpu/src/kernels/scene.rs:89
+    let _e110 = MaterialView_bumped_normal(_e85.value_words_start, _e85.value_words_len, uv_3, _e62, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:90
     if (dot(_e110, to_eye) < 0f) {
-        // glimt_render_gpu/src/kernels/scene.rs:93
+        // glimt_render_gpu/src/kernels/scene.rs:91
         chosen_9 = -(_e110);
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:95
+        // glimt_render_gpu/src/kernels/scene.rs:93
         chosen_9 = _e110;
     }
     let normal_2 = chosen_9;
-    // glimt_render_gpu/src/kernels/scene.rs:98
+    // glimt_render_gpu/src/kernels/scene.rs:96
     let _e121 = ShadingFrame_from_normal(normal_2);
-    // glimt_render_gpu/src/kernels/scene.rs:99
+    // glimt_render_gpu/src/kernels/scene.rs:97
     let edges = (((triangle_2.v1_ - triangle_2.v0_) * u_22) + ((triangle_2.v2_ - triangle_2.v0_) * v_4));
-    // glimt_render_gpu/src/kernels/scene.rs:100
+    // glimt_render_gpu/src/kernels/scene.rs:98
     let _e138 = ShadingFrame_to_local(_e121, to_eye);
-    let _e139 = Material_brdf(material, uv_3);
+    let _e139 = MaterialView_brdf(_e85.value_words_start, _e85.value_words_len, uv_3);
     return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
-fn Triangle_object_index(this_19: Triangle) -> u32 {
+fn Triangle_object_index(this_17: Triangle) -> u32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:46
-    return (this_19.object & 1073741823u);
+    return (this_17.object & 1073741823u);
 }
 
 // glimt_sampling/src/math.rs:16
@@ -1755,21 +1796,21 @@ fn LightLobe_of_point(point: ShadingPoint) -> LightLobe {
 }
 
 // glimt_render_gpu/src/kernels/past.rs:109
-fn PastView_project(this_20: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
+fn PastView_project(this_18: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
 
     // glimt_render_gpu/src/kernels/past.rs:110
-    let v_5 = (was_at - this_20.eye);
+    let v_5 = (was_at - this_18.eye);
     // glimt_render_gpu/src/kernels/past.rs:111
-    let along = dot(v_5, this_20.forward);
+    let along = dot(v_5, this_18.forward);
     // glimt_render_gpu/src/kernels/past.rs:112
     if !((along > 0f)) {
         // glimt_render_gpu/src/kernels/past.rs:113
         return Option_Vec3_();
     }
     // glimt_render_gpu/src/kernels/past.rs:115
-    let x_10 = (dot(v_5, this_20.right) / (along * dot(this_20.right, this_20.right)));
+    let x_10 = (dot(v_5, this_18.right) / (along * dot(this_18.right, this_18.right)));
     // glimt_render_gpu/src/kernels/past.rs:116
-    let y_3 = (dot(v_5, this_20.up) / (along * dot(this_20.up, this_20.up)));
+    let y_3 = (dot(v_5, this_18.up) / (along * dot(this_18.up, this_18.up)));
     // glimt_render_gpu/src/kernels/past.rs:117
     let place_2 = (vec2<f32>((0.5f + (0.5f * x_10)), (0.5f - (0.5f * y_3))) * size_2);
     // glimt_render_gpu/src/kernels/past.rs:118
@@ -1777,13 +1818,13 @@ fn PastView_project(this_20: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> 
 }
 
 // glimt_render_gpu/src/kernels/past.rs:126
-fn PastView_predecessor(this_21: PastView, point_1: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
+fn PastView_predecessor(this_19: PastView, point_1: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
     var chosen_10: vec3<f32>;
     var chosen_11: u32;
     var chosen_12: Option_u32_;
 
     // glimt_render_gpu/src/kernels/past.rs:134
-    if (this_21.pixels == 0u) {
+    if (this_19.pixels == 0u) {
         // glimt_render_gpu/src/kernels/past.rs:135
         return Option_u32_();
     }
@@ -1794,7 +1835,7 @@ fn PastView_predecessor(this_21: PastView, point_1: ShadingPoint, object: u32, f
     // glimt_render_gpu/src/kernels/past.rs:139
     let size_19 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
     // glimt_render_gpu/src/kernels/past.rs:140
-    let _e29 = PastView_project(this_21, was_at_1, size_19);
+    let _e29 = PastView_project(this_19, was_at_1, size_19);
     let value = _e29.value;
     if _e29.is_some {
         chosen_10 = value;
@@ -1825,24 +1866,24 @@ fn PastView_predecessor(this_21: PastView, point_1: ShadingPoint, object: u32, f
     }
     let pixel_3 = chosen_11;
     // glimt_render_gpu/src/kernels/past.rs:156
-    if ((pixel_3 < this_21.first_pixel) || ((pixel_3 - this_21.first_pixel) >= this_21.pixels)) {
+    if ((pixel_3 < this_19.first_pixel) || ((pixel_3 - this_19.first_pixel) >= this_19.pixels)) {
         // glimt_render_gpu/src/kernels/past.rs:157
         return Option_u32_();
     }
     // glimt_render_gpu/src/kernels/past.rs:159
-    let ray_11 = (((pixel_3 - this_21.first_pixel) * pattern_1.rays) + pattern_1.ray);
+    let ray_11 = (((pixel_3 - this_19.first_pixel) * pattern_1.rays) + pattern_1.ray);
     // glimt_render_gpu/src/kernels/past.rs:160
     let state_6 = past_states[ray_11];
     // glimt_render_gpu/src/kernels/past.rs:161
     let turned = normalize((motion * vec4<f32>(point_1.frame.n, 0f)).xyz);
     // glimt_render_gpu/src/kernels/past.rs:163
-    let saw = (this_21.eye - (state_6.wo * state_6.depth));
+    let saw = (this_19.eye - (state_6.wo * state_6.depth));
     // glimt_render_gpu/src/kernels/past.rs:164
     let off_plane = abs(dot((was_at_1 - saw), state_6.normal));
     // glimt_render_gpu/src/kernels/past.rs:165
-    let same_plane = (off_plane <= (this_21.depth_tolerance * seen.z));
+    let same_plane = (off_plane <= (this_19.depth_tolerance * seen.z));
     // glimt_render_gpu/src/kernels/past.rs:166
-    if (((state_6.depth > 0f) && same_plane) && (dot(turned, state_6.normal) >= this_21.normal_cosine)) {
+    if (((state_6.depth > 0f) && same_plane) && (dot(turned, state_6.normal) >= this_19.normal_cosine)) {
         // glimt_render_gpu/src/kernels/past.rs:167
         chosen_12 = Option_u32_(true, ray_11);
     } else {
@@ -1864,23 +1905,23 @@ fn LightLobe_of_state(state_1: RayState) -> LightLobe {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:87
-fn PixelPattern_source(this_22: PixelPattern, purpose_4: u32) -> PatternSource {
+fn PixelPattern_source(this_20: PixelPattern, purpose_4: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:88
-    let _e8 = PixelPattern_sobol_point(this_22, purpose_4, this_22.ray);
-    let _e10 = PixelPattern_generator(this_22, purpose_4, this_22.ray);
-    return PatternSource((this_22.kind == 0u), _e8, _e10);
+    let _e8 = PixelPattern_sobol_point(this_20, purpose_4, this_20.ray);
+    let _e10 = PixelPattern_generator(this_20, purpose_4, this_20.ray);
+    return PatternSource((this_20.kind == 0u), _e8, _e10);
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:82
-fn SmcParams_sampler(this_23: SmcParams) -> Sampler {
+fn SmcParams_sampler(this_21: SmcParams) -> Sampler {
     var chosen_13: u32;
     var chosen_14: u32;
     var chosen_15: u32;
     var chosen_16: u32;
 
     // glimt_render_gpu/src/kernels/smc.rs:83
-    if (this_23.path == 1u) {
+    if (this_21.path == 1u) {
         // glimt_render_gpu/src/kernels/smc.rs:84
         chosen_13 = 1u;
     } else {
@@ -1889,15 +1930,15 @@ fn SmcParams_sampler(this_23: SmcParams) -> Sampler {
     }
     let path = chosen_13;
     // glimt_render_gpu/src/kernels/smc.rs:88
-    if (this_23.scheme == 1u) {
+    if (this_21.scheme == 1u) {
         // glimt_render_gpu/src/kernels/smc.rs:89
         chosen_14 = 1u;
     } else {
-        if (this_23.scheme == 2u) {
+        if (this_21.scheme == 2u) {
             // glimt_render_gpu/src/kernels/smc.rs:91
             chosen_15 = 2u;
         } else {
-            if (this_23.scheme == 3u) {
+            if (this_21.scheme == 3u) {
                 // glimt_render_gpu/src/kernels/smc.rs:93
                 chosen_16 = 3u;
             } else {
@@ -1912,14 +1953,14 @@ fn SmcParams_sampler(this_23: SmcParams) -> Sampler {
     }
     let scheme_6 = chosen_14;
     // glimt_render_gpu/src/kernels/smc.rs:97
-    return Sampler(Bridge(path, this_23.intermediate), scheme_6, this_23.ess_threshold);
+    return Sampler(Bridge(path, this_21.intermediate), scheme_6, this_21.ess_threshold);
 }
 
 // glimt_smc/src/bridge.rs:48
-fn Bridge_steps(this_24: Bridge) -> u32 {
+fn Bridge_steps(this_22: Bridge) -> u32 {
 
     // glimt_smc/src/bridge.rs:49
-    return (this_24.intermediate + 1u);
+    return (this_22.intermediate + 1u);
 }
 
 // glimt_brdf/src/lobe.rs:86
@@ -1971,15 +2012,15 @@ fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_25: HalfVector, exponent_2: f32) -> f32 {
+fn HalfVector_lobe(this_23: HalfVector, exponent_2: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_25.cos2_theta, this_25.sin2_theta, exponent_2);
+    let _e6 = cosine_power(this_23.cos2_theta, this_23.sin2_theta, exponent_2);
     return _e6;
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_26: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -1987,33 +2028,33 @@ fn BlinnPhong_eval(this_26: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_26.diffuse * 0.31830987f);
+    let diffuse = (this_24.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_26.specular.x, this_26.specular.y), this_26.specular.z) <= 0f) {
+    if (max(max(this_24.specular.x, this_24.specular.y), this_24.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_26.exponent);
+    let _e31 = normalisation(this_24.exponent);
     let _e32 = HalfVector_new(wo_1, wi_1);
-    let _e34 = HalfVector_lobe(_e32, this_26.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_24.exponent);
     let lobe_4 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_26.specular * lobe_4));
+    return (diffuse + (this_24.specular * lobe_4));
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:57
-fn LightLobe_value(this_27: LightLobe, direction_2: vec3<f32>) -> f32 {
+fn LightLobe_value(this_25: LightLobe, direction_2: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:58
-    let _e5 = ShadingFrame_to_local(this_27.frame, direction_2);
+    let _e5 = ShadingFrame_to_local(this_25.frame, direction_2);
     // glimt_render_gpu/src/kernels/light_target.rs:59
     if !((_e5.z > 0f)) {
         // glimt_render_gpu/src/kernels/light_target.rs:60
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:62
-    let _e16 = BlinnPhong_eval(this_27.brdf, this_27.wo, _e5);
+    let _e16 = BlinnPhong_eval(this_25.brdf, this_25.wo, _e5);
     return (_e16.x * _e5.z);
 }
 
@@ -2151,7 +2192,7 @@ fn LightTarget_densities(previous_light_size_2: vec2<u32>, previous_light_rotati
 }
 
 // glimt_smc/src/bridge.rs:65
-fn Bridge_density(this_28: Bridge, k: u32, ends: Endpoints) -> f32 {
+fn Bridge_density(this_26: Bridge, k: u32, ends: Endpoints) -> f32 {
 
     // glimt_smc/src/bridge.rs:66
     if (k == 0u) {
@@ -2159,16 +2200,16 @@ fn Bridge_density(this_28: Bridge, k: u32, ends: Endpoints) -> f32 {
         return ends.previous;
     }
     // glimt_smc/src/bridge.rs:69
-    let _e10 = Bridge_steps(this_28);
+    let _e10 = Bridge_steps(this_26);
     if (k >= _e10) {
         // glimt_smc/src/bridge.rs:70
         return ends.current;
     }
     // glimt_smc/src/bridge.rs:72
-    let _e16 = Bridge_steps(this_28);
+    let _e16 = Bridge_steps(this_26);
     let beta = (f32(k) / f32(_e16));
     // glimt_smc/src/bridge.rs:73
-    if (this_28.path == 0u) {
+    if (this_26.path == 0u) {
         // glimt_smc/src/bridge.rs:74
         return (((1f - beta) * ends.previous) + (beta * ends.current));
     }
@@ -2320,10 +2361,10 @@ fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, tar
 }
 
 // glimt_smc/src/particle.rs:25
-fn Particle_weight(this_29: Particle) -> f32 {
+fn Particle_weight(this_27: Particle) -> f32 {
 
     // glimt_smc/src/particle.rs:26
-    return exp(this_29.log_weight);
+    return exp(this_27.log_weight);
 }
 
 // glimt_smc/src/weights.rs:65
@@ -2381,53 +2422,53 @@ fn sure_copies(scheme: u32, expected: f32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:135
-fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
+fn owen_sobol(index_12: u32, dimension_2: u32, seed_4: u32) -> u32 {
 
     // glimt_sampling/src/sobol.rs:136
-    let _e5 = shuffle(index_11, seed_4);
+    let _e5 = shuffle(index_12, seed_4);
     let _e6 = sobol_reversed(_e5, dimension_2);
     let _e7 = scramble_1(_e6, dimension_2, seed_4);
     return _e7;
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_30: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_28: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_30).dimension;
+    let dimension_4 = (*this_28).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_30).dimension = (dimension_4 + 1u);
+    (*this_28).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_30).index;
-    let _e13 = (*this_30).seed;
+    let _e11 = (*this_28).index;
+    let _e13 = (*this_28).seed;
     let _e16 = hash2_(_e13, (dimension_4 >> 2u));
     let _e17 = owen_sobol(_e11, dimension_4, _e16);
     return _e17;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:131
-fn PatternSource_next_u32_(this_31: ptr<function, PatternSource>) -> u32 {
+fn PatternSource_next_u32_(this_29: ptr<function, PatternSource>) -> u32 {
     var chosen_23: u32;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:132
-    let _e5 = (*this_31).is_sobol;
+    let _e5 = (*this_29).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:133
-        let _e9 = (*this_31).point;
+        let _e9 = (*this_29).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_31).point = _e11;
+        (*this_29).point = _e11;
         chosen_23 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:135
-        let _e15 = (*this_31).generator;
+        let _e15 = (*this_29).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_31).generator = _e17;
+        (*this_29).generator = _e17;
         chosen_23 = _e16;
     }
     let _e18 = chosen_23;
@@ -2435,47 +2476,47 @@ fn PatternSource_next_u32_(this_31: ptr<function, PatternSource>) -> u32 {
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth(this_32: ptr<function, Comb>, source: ptr<function, PatternSource>) {
+fn Comb_place_tooth(this_30: ptr<function, Comb>, source: ptr<function, PatternSource>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_32).made;
-    let _e7 = (*this_32).teeth;
+    let _e5 = (*this_30).made;
+    let _e7 = (*this_30).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_32).made;
-    let first_2 = f32(_e12);
+    let _e12 = (*this_30).made;
+    let first_3 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_32).scheme;
+    let _e16 = (*this_30).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_32).state;
-        (*this_32).next = (first_2 + _e21);
+        let _e21 = (*this_30).state;
+        (*this_30).next = (first_3 + _e21);
     } else {
-        let _e25 = (*this_32).scheme;
+        let _e25 = (*this_30).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = PatternSource_next_u32_(source);
             let _e30 = unit_f32_(_e29);
-            (*this_32).next = (first_2 + _e30);
+            (*this_30).next = (first_3 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = PatternSource_next_u32_(source);
             let _e36 = unit_f32_(_e35);
             let v_8 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_32).teeth;
-            let _e42 = (*this_32).made;
+            let _e40 = (*this_30).teeth;
+            let _e42 = (*this_30).made;
             let left_3 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_32).state;
-            (*this_32).state = (_e50 * pow(v_8, (1f / left_3)));
+            let _e50 = (*this_30).state;
+            (*this_30).state = (_e50 * pow(v_8, (1f / left_3)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_32).state;
-            let _e58 = (*this_32).teeth;
-            (*this_32).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_30).state;
+            let _e58 = (*this_30).teeth;
+            (*this_30).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -2502,54 +2543,54 @@ fn Comb_new(scheme_1: u32, picks: u32, sure: u32, source_1: ptr<function, Patter
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take(this_33: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
+fn Comb_take(this_31: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_33).scheme;
+    let _e6 = (*this_31).scheme;
     let _e7 = sure_copies(_e6, expected_1);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_33).reach;
-    (*this_33).reach = (_e12 + (expected_1 - f32(_e7)));
+    let _e12 = (*this_31).reach;
+    (*this_31).reach = (_e12 + (expected_1 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before = (*this_33).made;
+    let before = (*this_31).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_33).made;
-        let _e21 = (*this_33).teeth;
-        let _e24 = (*this_33).next;
-        let _e26 = (*this_33).reach;
+        let _e19 = (*this_31).made;
+        let _e21 = (*this_31).teeth;
+        let _e24 = (*this_31).next;
+        let _e26 = (*this_31).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_33).made;
-            (*this_33).made = (_e32 + 1u);
+            let _e32 = (*this_31).made;
+            (*this_31).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth(this_33, source_2);
+            Comb_place_tooth(this_31, source_2);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_33).made;
+    let _e37 = (*this_31).made;
     return (_e7 + (_e37 - before));
 }
 
 // glimt_sampling/src/resample.rs:121
-fn Comb_finish(this_34: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
+fn Comb_finish(this_32: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
     var counter_7: u32;
 
     // glimt_sampling/src/resample.rs:122
-    let _e5 = (*this_34).teeth;
-    let _e7 = (*this_34).made;
+    let _e5 = (*this_32).teeth;
+    let _e7 = (*this_32).made;
     let left_4 = (_e5 - _e7);
     // glimt_sampling/src/resample.rs:123
-    let _e11 = (*this_34).scheme;
+    let _e11 = (*this_32).scheme;
     if (_e11 != 0u) {
         // glimt_sampling/src/resample.rs:125
-        let _e16 = (*this_34).teeth;
-        let _e18 = (*this_34).made;
+        let _e16 = (*this_32).teeth;
+        let _e18 = (*this_32).made;
         let drawn = min(_e16, (_e18 + 1u));
         // glimt_sampling/src/resample.rs:126
-        let _e24 = (*this_34).picks;
+        let _e24 = (*this_32).picks;
         counter_7 = drawn;
         loop {
             let _e26 = counter_7;
@@ -2565,8 +2606,8 @@ fn Comb_finish(this_34: ptr<function, Comb>, source_3: ptr<function, PatternSour
         }
     }
     // glimt_sampling/src/resample.rs:130
-    let _e35 = (*this_34).teeth;
-    (*this_34).made = _e35;
+    let _e35 = (*this_32).teeth;
+    (*this_32).made = _e35;
     // glimt_sampling/src/resample.rs:131
     return left_4;
 }
@@ -2782,28 +2823,28 @@ fn skip(scheme_4: u32, picks_3: u32, source_5: ptr<function, PatternSource>) {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:140
-fn PatternSource_next_uvec2_(this_35: ptr<function, PatternSource>) -> vec2<u32> {
+fn PatternSource_next_uvec2_(this_33: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_25: vec2<u32>;
     var borrowed_4: OwenSobol;
     var borrowed_5: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:141
-    let _e5 = (*this_35).is_sobol;
+    let _e5 = (*this_33).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:142
-        let _e9 = (*this_35).point;
+        let _e9 = (*this_33).point;
         borrowed_4 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_4));
         let _e11 = borrowed_4;
-        (*this_35).point = _e11;
+        (*this_33).point = _e11;
         chosen_25 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:144
-        let _e15 = (*this_35).generator;
+        let _e15 = (*this_33).generator;
         borrowed_5 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
         let _e17 = borrowed_5;
-        (*this_35).generator = _e17;
+        (*this_33).generator = _e17;
         chosen_25 = _e16;
     }
     let _e18 = chosen_25;
@@ -2811,28 +2852,28 @@ fn PatternSource_next_uvec2_(this_35: ptr<function, PatternSource>) -> vec2<u32>
 }
 
 // glimt_smc/src/proposal.rs:136
-fn split_word(word: u32, pmf_first: f32) -> Split {
+fn split_word(word_3: u32, pmf_first: f32) -> Split {
     var chosen_26: u32;
     var chosen_27: u32;
 
     // glimt_smc/src/proposal.rs:138
     let edge = u32((clamp(pmf_first, 0f, 1f) * 65536f));
     // glimt_smc/src/proposal.rs:139
-    let first_3 = ((word >> 16u) < edge);
+    let first_4 = ((word_3 >> 16u) < edge);
     // glimt_smc/src/proposal.rs:140
-    if first_3 {
+    if first_4 {
         chosen_26 = edge;
     } else {
         chosen_26 = (65536u - edge);
     }
     let width = chosen_26;
     // glimt_smc/src/proposal.rs:142
-    if first_3 {
+    if first_4 {
         // glimt_smc/src/proposal.rs:143
-        chosen_27 = word;
+        chosen_27 = word_3;
     } else {
         // glimt_smc/src/proposal.rs:145
-        chosen_27 = (word - (edge << 16u));
+        chosen_27 = (word_3 - (edge << 16u));
     }
     let place_3 = chosen_27;
     // glimt_smc/src/proposal.rs:147
@@ -2842,7 +2883,7 @@ fn split_word(word: u32, pmf_first: f32) -> Split {
     // glimt_smc/src/proposal.rs:149
     let lower_1 = (((place_3 % width_1) * 65536u) / width_1);
     // glimt_smc/src/proposal.rs:150
-    return Split(first_3, ((upper_1 << 16u) + lower_1));
+    return Split(first_4, ((upper_1 << 16u) + lower_1));
 }
 
 // glimt_sampling/src/warp.rs:182
@@ -2876,18 +2917,18 @@ fn sample_cap(u_2: vec2<f32>, height_1: f32) -> DirectionSample {
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_36: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_34: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_36.t * v_3.x) + (this_36.b * v_3.y)) + (this_36.n * v_3.z));
+    return (((this_34.t * v_3.x) + (this_34.b * v_3.y)) + (this_34.n * v_3.z));
 }
 
 // glimt_smc/src/proposal.rs:43
-fn CapMove_propose(this_37: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
+fn CapMove_propose(this_35: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:44
     let _e6 = unit_vec2_(u_3.xy);
-    let _e8 = sample_cap(_e6, this_37.height);
+    let _e8 = sample_cap(_e6, this_35.height);
     let local = _e8.direction;
     // glimt_smc/src/proposal.rs:45
     let _e11 = ShadingFrame_from_normal(from_);
@@ -2950,12 +2991,12 @@ fn find_bin(start: u32, bins: u32, u_4: u32) -> Bin {
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
-    let first_4 = env_tables[_e31];
+    let first_5 = env_tables[_e31];
     // glimt_envmap_cdf/src/search.rs:43
     let _e36 = at;
     let _e38 = at;
     let _e43 = env_tables[(_e38 + 1u)];
-    return Bin((_e36 - start), first_4, (_e43 - first_4));
+    return Bin((_e36 - start), first_5, (_e43 - first_5));
 }
 
 // glimt_envmap_cdf/src/search.rs:31
@@ -2990,12 +3031,12 @@ fn find_bin_1(edges_start: u32, edges_len: u32, start_1: u32, bins_1: u32, u_5: 
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e33 = at_1;
-    let first_5 = env_tables[(edges_start + _e33)];
+    let first_6 = env_tables[(edges_start + _e33)];
     // glimt_envmap_cdf/src/search.rs:43
     let _e39 = at_1;
     let _e41 = at_1;
     let _e47 = env_tables[(edges_start + (_e41 + 1u))];
-    return Bin((_e39 - start_1), first_5, (_e47 - first_5));
+    return Bin((_e39 - start_1), first_6, (_e47 - first_6));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:168
@@ -3234,13 +3275,13 @@ fn Independent_LightDraw_propose(sampler_light_size: vec2<u32>, sampler_light_ro
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_38: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_36: BlinnPhong) -> f32 {
     var chosen_33: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_38.specular);
+    let _e4 = luminance(this_36.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_38.diffuse);
+    let _e7 = luminance(this_36.diffuse);
     let both_4 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_4 > 0f) {
@@ -3403,15 +3444,15 @@ fn pdf_cosine_hemisphere_sr(direction_11: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_39: HalfVector, exponent_5: f32) -> f32 {
+fn HalfVector_pdf_sr(this_37: HalfVector, exponent_5: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_39, exponent_5);
-    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_39.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_37, exponent_5);
+    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_37.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_40: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_38: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_2.z <= 0f) || (wi_2.z <= 0f)) {
@@ -3421,7 +3462,7 @@ fn BlinnPhong_pdf_sr(this_40: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_2);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_40);
+    let _e17 = BlinnPhong_pmf_specular(this_38);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -3429,21 +3470,21 @@ fn BlinnPhong_pdf_sr(this_40: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_2, wi_2);
-    let _e25 = HalfVector_pdf_sr(_e23, this_40.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_38.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_41: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_39: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
     var chosen_36: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_41);
+    let _e8 = BlinnPhong_pmf_specular(this_39);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_14, this_41.exponent);
+        let _e12 = sample_power_cosine(u_14, this_39.exponent);
         let h_1 = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_36 = (((2f * dot(wo_3, h_1)) * h_1) - wo_3);
@@ -3454,37 +3495,37 @@ fn BlinnPhong_sample(this_41: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: ve
     }
     let wi_5 = chosen_36;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_41, wo_3, wi_5);
+    let _e25 = BlinnPhong_pdf_sr(this_39, wo_3, wi_5);
     return BrdfSample(wi_5, _e25);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:133
-fn BrdfDraw_sample(this_42: BrdfDraw, u_15: vec3<u32>) -> Sampled {
+fn BrdfDraw_sample(this_40: BrdfDraw, u_15: vec3<u32>) -> Sampled {
 
     // glimt_render_gpu/src/kernels/light_target.rs:134
     let _e8 = unit_vec2_(u_15.xy);
-    let _e9 = BlinnPhong_sample(this_42.brdf, this_42.wo, u_15.z, _e8);
+    let _e9 = BlinnPhong_sample(this_40.brdf, this_40.wo, u_15.z, _e8);
     // glimt_render_gpu/src/kernels/light_target.rs:135
-    let _e13 = ShadingFrame_to_world(this_42.frame, _e9.wi);
+    let _e13 = ShadingFrame_to_world(this_40.frame, _e9.wi);
     return Sampled(_e13, _e9.pdf_sr);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:142
-fn BrdfDraw_pdf(this_43: BrdfDraw, state_4: vec3<f32>) -> f32 {
+fn BrdfDraw_pdf(this_41: BrdfDraw, state_4: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:143
-    let _e7 = ShadingFrame_to_local(this_43.frame, state_4);
-    let _e8 = BlinnPhong_pdf_sr(this_43.brdf, this_43.wo, _e7);
+    let _e7 = ShadingFrame_to_local(this_41.frame, state_4);
+    let _e8 = BlinnPhong_pdf_sr(this_41.brdf, this_41.wo, _e7);
     return _e8;
 }
 
 // glimt_smc/src/proposal.rs:81
-fn Independent_BrdfDraw_propose(this_44: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
+fn Independent_BrdfDraw_propose(this_42: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:82
-    let _e6 = BrdfDraw_sample(this_44.sampler, u_16);
+    let _e6 = BrdfDraw_sample(this_42.sampler, u_16);
     // glimt_smc/src/proposal.rs:83
-    let _e11 = BrdfDraw_pdf(this_44.sampler, from_2);
+    let _e11 = BrdfDraw_pdf(this_42.sampler, from_2);
     return Proposed(_e6.state, _e6.pdf, _e11);
 }
 
@@ -3565,7 +3606,7 @@ fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32
 }
 
 // glimt_smc/src/sampler.rs:47
-fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
+fn Sampler_step(this_43: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
     var accepted: u32;
     var counter_13: u32;
     var borrowed_6: Particle;
@@ -3573,18 +3614,18 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 
     // glimt_smc/src/sampler.rs:55
     // glimt_smc/src/sampler.rs:56
-    let _e23 = reweight(k_3, this_45.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
+    let _e23 = reweight(k_3, this_43.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:57
     let _e25 = ess(particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:58
-    let resampled = ((_e25 < (this_45.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
+    let resampled = ((_e25 < (this_43.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
     // glimt_smc/src/sampler.rs:59
     if resampled {
         // glimt_smc/src/sampler.rs:60
-        resample(this_45.scheme, particles_start_6, particles_len_6, source_6);
+        resample(this_43.scheme, particles_start_6, particles_len_6, source_6);
     } else {
         // glimt_smc/src/sampler.rs:62
-        skip(this_45.scheme, particles_len_6, source_6);
+        skip(this_43.scheme, particles_len_6, source_6);
     }
     // glimt_smc/src/sampler.rs:64
     accepted = 0u;
@@ -3606,7 +3647,7 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
         // glimt_smc/src/sampler.rs:70
         let _e63 = particles[(particles_start_6 + i_10)];
         borrowed_6 = _e63;
-        let _e64 = metropolis(k_3, this_45.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_6), u_24);
+        let _e64 = metropolis(k_3, this_43.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_6), u_24);
         let _e65 = borrowed_6;
         particles[(particles_start_6 + i_10)] = _e65;
         if _e64 {
@@ -3632,7 +3673,7 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 }
 
 // glimt_smc/src/sampler.rs:85
-fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
+fn Sampler_advance(this_44: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
     var frame_3: Report;
     var counter_14: u32;
     var chosen_40: f32;
@@ -3641,7 +3682,7 @@ fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, ta
     // glimt_smc/src/sampler.rs:92
     frame_3 = Report(0f, f32(particles_len_7), 0u, 0u);
     // glimt_smc/src/sampler.rs:98
-    let _e29 = Bridge_steps(this_46.bridge);
+    let _e29 = Bridge_steps(this_44.bridge);
     counter_14 = 1u;
     loop {
         let k_4 = counter_14;
@@ -3649,7 +3690,7 @@ fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, ta
             break;
         }
         // glimt_smc/src/sampler.rs:99
-        let _e36 = Sampler_step(this_46, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
+        let _e36 = Sampler_step(this_44, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
         // glimt_smc/src/sampler.rs:100
         let _e40 = is_log_zero(_e36.log_ratio);
         either_1 = _e40;
@@ -3690,12 +3731,12 @@ fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, ta
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:110
-fn SmcParams_advance(this_47: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
+fn SmcParams_advance(this_45: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
 
     // glimt_render_gpu/src/kernels/smc.rs:117
     // glimt_render_gpu/src/kernels/smc.rs:138
-    let _e25 = SmcParams_sampler(this_47);
-    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_47.cap_share, CapMove(this_47.cap_height), this_47.light_share, target_light_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
+    let _e25 = SmcParams_sampler(this_45);
+    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_45.cap_share, CapMove(this_45.cap_height), this_45.light_share, target_light_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
     return _e26;
 }
 
@@ -3707,22 +3748,22 @@ fn RisSum_new() -> RisSum {
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:60
-fn Candidates_of_brdf(this_48: Candidates) -> u32 {
+fn Candidates_of_brdf(this_46: Candidates) -> u32 {
     var chosen_41: u32;
     var chosen_42: u32;
 
     // glimt_render_gpu/src/kernels/candidates.rs:61
-    if (this_48.source == 0u) {
+    if (this_46.source == 0u) {
         // glimt_render_gpu/src/kernels/candidates.rs:62
-        chosen_41 = this_48.count;
+        chosen_41 = this_46.count;
     } else {
-        if (this_48.source == 1u) {
+        if (this_46.source == 1u) {
             // glimt_render_gpu/src/kernels/candidates.rs:64
             chosen_42 = 0u;
         } else {
             // glimt_render_gpu/src/kernels/candidates.rs:66
-            let _e18 = (this_48.count / 2u);
-            chosen_42 = select(_e18, (_e18 + 1u), ((this_48.count % 2u) != 0u));
+            let _e18 = (this_46.count / 2u);
+            chosen_42 = select(_e18, (_e18 + 1u), ((this_46.count % 2u) != 0u));
         }
         let _e25 = chosen_42;
         chosen_41 = _e25;
@@ -3732,26 +3773,26 @@ fn Candidates_of_brdf(this_48: Candidates) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:166
-fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+fn jittered(index_13: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:167
     let _e7 = hash2_(key_2, 4u);
-    let _e8 = permute(index_12, count_2, _e7);
+    let _e8 = permute(index_13, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:66
-fn PixelPattern_triple(this_49: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_47: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point_3: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    let index_16 = ((this_49.ray * samples_1) + sample_1);
+    let index_17 = ((this_47.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    if (this_49.kind == 0u) {
+    if (this_47.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:69
-        let _e14 = PixelPattern_sobol_point(this_49, purpose_5, index_16);
+        let _e14 = PixelPattern_sobol_point(this_47, purpose_5, index_17);
         point_3 = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e17 = OwenSobol_next_uvec2_((&point_3));
@@ -3760,45 +3801,45 @@ fn PixelPattern_triple(this_49: PixelPattern, purpose_5: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    let _e22 = PixelPattern_generator(this_49, purpose_5, index_16);
+    let _e22 = PixelPattern_generator(this_47, purpose_5, index_17);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:74
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:75
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    if (this_49.kind == 1u) {
+    if (this_47.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:77
         return vec3<u32>(_e25, _e27);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:79
-    let _e37 = PixelPattern_key(this_49, purpose_5);
-    let _e38 = Tuple_u32_u32_((this_49.rays * samples_1), _e37);
+    let _e37 = PixelPattern_key(this_47, purpose_5);
+    let _e38 = Tuple_u32_u32_((this_47.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:80
-    let _e42 = jittered_pair(index_16, count_3, _e25, key_3);
-    let _e43 = jittered(index_16, count_3, _e27, key_3);
+    let _e42 = jittered_pair(index_17, count_3, _e25, key_3);
+    let _e43 = jittered(index_17, count_3, _e27, key_3);
     return vec3<u32>(_e42, _e43);
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:73
-fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_48: Candidates, index_14: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density_1: f32;
     var direction_12: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/candidates.rs:80
-    let _e8 = Candidates_of_brdf(this_50);
+    let _e8 = Candidates_of_brdf(this_48);
     // glimt_render_gpu/src/kernels/candidates.rs:81
-    let of_env = (this_50.count - _e8);
+    let of_env = (this_48.count - _e8);
     // glimt_render_gpu/src/kernels/candidates.rs:83
     density_1 = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:87
-    if (index_13 < _e8) {
+    if (index_14 < _e8) {
         // glimt_render_gpu/src/kernels/candidates.rs:88
-        let _e22 = PixelPattern_triple(pattern_2, 4u, index_13, _e8);
+        let _e22 = PixelPattern_triple(pattern_2, 4u, index_14, _e8);
         // glimt_render_gpu/src/kernels/candidates.rs:89
         let _e28 = unit_vec2_(_e22.xy);
         let _e29 = BlinnPhong_sample(point_4.brdf, point_4.wo, _e22.z, _e28);
@@ -3832,7 +3873,7 @@ fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pa
         }
     } else {
         // glimt_render_gpu/src/kernels/candidates.rs:102
-        let _e82 = PixelPattern_pair(pattern_2, 5u, (index_13 - _e8), of_env);
+        let _e82 = PixelPattern_pair(pattern_2, 5u, (index_14 - _e8), of_env);
         // glimt_render_gpu/src/kernels/candidates.rs:103
         let _e84 = Environment_sample(env_size, env_rotation, _e82);
         // glimt_render_gpu/src/kernels/candidates.rs:104
@@ -3876,41 +3917,41 @@ fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pa
     // glimt_render_gpu/src/kernels/candidates.rs:119
     let _e161 = radiance;
     let _e162 = luminance(_e161);
-    let target_ = ((_e162 + this_50.floor) * reflected);
+    let target_ = ((_e162 + this_48.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:120
     let _e167 = direction_12;
     let _e168 = wi_3;
     let _e169 = radiance;
     let _e172 = density_1;
-    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_50.count) / _e172)));
+    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_48.count) / _e172)));
 }
 
 // glimt_sampling/src/ris.rs:72
-fn RisSum_add(this_51: ptr<function, RisSum>, weight: f32) {
+fn RisSum_add(this_49: ptr<function, RisSum>, weight: f32) {
 
     // glimt_sampling/src/ris.rs:73
-    let _e6 = (*this_51).candidates;
-    (*this_51).candidates = (_e6 + 1u);
+    let _e6 = (*this_49).candidates;
+    (*this_49).candidates = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
         // glimt_sampling/src/ris.rs:75
-        let _e13 = (*this_51).sum;
-        (*this_51).sum = (_e13 + weight);
+        let _e13 = (*this_49).sum;
+        (*this_49).sum = (_e13 + weight);
         // glimt_sampling/src/ris.rs:76
-        let _e17 = (*this_51).candidates;
-        (*this_51).end = _e17;
+        let _e17 = (*this_49).candidates;
+        (*this_49).end = _e17;
     }
     return;
 }
 
 // glimt_sampling/src/ris.rs:83
-fn RisSum_normaliser(this_52: RisSum) -> f32 {
+fn RisSum_normaliser(this_50: RisSum) -> f32 {
     var chosen_43: f32;
 
     // glimt_sampling/src/ris.rs:84
-    if (this_52.candidates > 0u) {
+    if (this_50.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_43 = (this_52.sum / f32(this_52.candidates));
+        chosen_43 = (this_50.sum / f32(this_50.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
         chosen_43 = 0f;
@@ -3920,55 +3961,55 @@ fn RisSum_normaliser(this_52: RisSum) -> f32 {
 }
 
 // glimt_sampling/src/ris.rs:109
-fn Word_next_u32_(this_53: ptr<function, Word>) -> u32 {
+fn Word_next_u32_(this_51: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/ris.rs:110
-    let _e4 = (*this_53).f0_;
+    let _e4 = (*this_51).f0_;
     return _e4;
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth_1(this_54: ptr<function, Comb>, source_9: ptr<function, Word>) {
+fn Comb_place_tooth_1(this_52: ptr<function, Comb>, source_9: ptr<function, Word>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_54).made;
-    let _e7 = (*this_54).teeth;
+    let _e5 = (*this_52).made;
+    let _e7 = (*this_52).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_54).made;
-    let first_6 = f32(_e12);
+    let _e12 = (*this_52).made;
+    let first_7 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_54).scheme;
+    let _e16 = (*this_52).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_54).state;
-        (*this_54).next = (first_6 + _e21);
+        let _e21 = (*this_52).state;
+        (*this_52).next = (first_7 + _e21);
     } else {
-        let _e25 = (*this_54).scheme;
+        let _e25 = (*this_52).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = Word_next_u32_(source_9);
             let _e30 = unit_f32_(_e29);
-            (*this_54).next = (first_6 + _e30);
+            (*this_52).next = (first_7 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = Word_next_u32_(source_9);
             let _e36 = unit_f32_(_e35);
             let v_9 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_54).teeth;
-            let _e42 = (*this_54).made;
+            let _e40 = (*this_52).teeth;
+            let _e42 = (*this_52).made;
             let left_5 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_54).state;
-            (*this_54).state = (_e50 * pow(v_9, (1f / left_5)));
+            let _e50 = (*this_52).state;
+            (*this_52).state = (_e50 * pow(v_9, (1f / left_5)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_54).state;
-            let _e58 = (*this_54).teeth;
-            (*this_54).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_52).state;
+            let _e58 = (*this_52).teeth;
+            (*this_52).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -4015,82 +4056,82 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take_1(this_55: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
+fn Comb_take_1(this_53: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_55).scheme;
+    let _e6 = (*this_53).scheme;
     let _e7 = sure_copies(_e6, expected_2);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_55).reach;
-    (*this_55).reach = (_e12 + (expected_2 - f32(_e7)));
+    let _e12 = (*this_53).reach;
+    (*this_53).reach = (_e12 + (expected_2 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before_1 = (*this_55).made;
+    let before_1 = (*this_53).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_55).made;
-        let _e21 = (*this_55).teeth;
-        let _e24 = (*this_55).next;
-        let _e26 = (*this_55).reach;
+        let _e19 = (*this_53).made;
+        let _e21 = (*this_53).teeth;
+        let _e24 = (*this_53).next;
+        let _e26 = (*this_53).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_55).made;
-            (*this_55).made = (_e32 + 1u);
+            let _e32 = (*this_53).made;
+            (*this_53).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth_1(this_55, source_11);
+            Comb_place_tooth_1(this_53, source_11);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_55).made;
+    let _e37 = (*this_53).made;
     return (_e7 + (_e37 - before_1));
 }
 
 // glimt_sampling/src/ris.rs:133
-fn RisPicks_take(this_56: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+fn RisPicks_take(this_54: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     var chosen_45: u32;
     var borrowed_8: Comb;
     var borrowed_9: Word;
 
     // glimt_sampling/src/ris.rs:134
-    let _e6 = (*this_56).candidate;
-    (*this_56).candidate = (_e6 + 1u);
+    let _e6 = (*this_54).candidate;
+    (*this_54).candidate = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:135
-    let _e13 = (*this_56).left;
+    let _e13 = (*this_54).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
         // glimt_sampling/src/ris.rs:136
         return 0u;
     }
     // glimt_sampling/src/ris.rs:138
-    let _e22 = (*this_56).candidate;
-    let _e24 = (*this_56).end;
+    let _e22 = (*this_54).candidate;
+    let _e24 = (*this_54).end;
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
-        let _e28 = (*this_56).left;
+        let _e28 = (*this_54).left;
         chosen_45 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
-        let _e32 = (*this_56).comb;
+        let _e32 = (*this_54).comb;
         borrowed_8 = _e32;
-        let _e34 = (*this_56).sum;
-        let _e37 = (*this_56).samples;
+        let _e34 = (*this_54).sum;
+        let _e37 = (*this_54).samples;
         borrowed_9 = Word(0u);
         let _e42 = Comb_take_1((&borrowed_8), ((weight_1 / _e34) * _e37), (&borrowed_9));
         let _e43 = borrowed_8;
-        (*this_56).comb = _e43;
-        let _e45 = (*this_56).left;
+        (*this_54).comb = _e43;
+        let _e45 = (*this_54).left;
         chosen_45 = min(_e42, _e45);
     }
     let picks_6 = chosen_45;
     // glimt_sampling/src/ris.rs:146
-    let _e50 = (*this_56).left;
-    (*this_56).left = (_e50 - picks_6);
+    let _e50 = (*this_54).left;
+    (*this_54).left = (_e50 - picks_6);
     // glimt_sampling/src/ris.rs:147
     return picks_6;
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:144
-fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
+fn SmcParams_start(this_55: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
     var counter_15: u32;
     var counter_16: u32;
@@ -4101,7 +4142,7 @@ fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
 
     // glimt_render_gpu/src/kernels/smc.rs:151
     // glimt_render_gpu/src/kernels/smc.rs:152
-    let candidates = Candidates(this_57.candidates, this_57.source, this_57.floor);
+    let candidates = Candidates(this_55.candidates, this_55.source, this_55.floor);
     // glimt_render_gpu/src/kernels/smc.rs:157
     let _e15 = RisSum_new();
     weights_1 = _e15;
@@ -4109,7 +4150,7 @@ fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
     counter_15 = 0u;
     loop {
         let j = counter_15;
-        if (j >= this_57.candidates) {
+        if (j >= this_55.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:159
@@ -4153,7 +4194,7 @@ fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
     counter_17 = 0u;
     loop {
         let j_1 = counter_17;
-        if (j_1 >= this_57.candidates) {
+        if (j_1 >= this_55.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:174
@@ -4217,47 +4258,47 @@ fn any_hit(ray_9: Ray, t_max_2: f32) -> bool {
     return (_e7 != 4294967295u);
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:112
+// glimt_render_gpu/src/kernels/scene.rs:110
 fn Scene_is_lit(point_7: ShadingPoint, direction_14: vec3<f32>) -> bool {
 
-    // glimt_render_gpu/src/kernels/scene.rs:113
+    // glimt_render_gpu/src/kernels/scene.rs:111
     let _e5 = Ray_new(point_7.origin, direction_14);
-    // glimt_render_gpu/src/kernels/scene.rs:114
+    // glimt_render_gpu/src/kernels/scene.rs:112
     let _e8 = any_hit(_e5, 0x1.fffffep+127f);
     return !(_e8);
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_58: LightSample, point_8: ShadingPoint) -> Reflected {
+fn LightSample_traced(this_56: LightSample, point_8: ShadingPoint) -> Reflected {
     var chosen_46: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_58.contribution.x, this_58.contribution.y), this_58.contribution.z) > 0f)) {
+    if !((max(max(this_56.contribution.x, this_56.contribution.y), this_56.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e22 = Scene_is_lit(point_8, this_58.direction);
+    let _e22 = Scene_is_lit(point_8, this_56.direction);
     if _e22 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_46 = Reflected(this_58.contribution, vec3(0f));
+        chosen_46 = Reflected(this_56.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_46 = Reflected(vec3(0f), this_58.contribution);
+        chosen_46 = Reflected(vec3(0f), this_56.contribution);
     }
     let _e33 = chosen_46;
     return _e33;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_59: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_57: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_59).lit;
-    (*this_59).lit = (_e6 + light.lit);
+    let _e6 = (*this_57).lit;
+    (*this_57).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_59).blocked;
-    (*this_59).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_57).blocked;
+    (*this_57).blocked = (_e11 + light.blocked);
     return;
 }
 
@@ -4334,7 +4375,7 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
         // glimt_render_gpu/src/kernels/smc.rs:249
         let old_1 = past_states[ray_12];
         // glimt_render_gpu/src/kernels/smc.rs:250
-        let first_7 = (ray_12 * particles_len_11);
+        let first_8 = (ray_12 * particles_len_11);
         // glimt_render_gpu/src/kernels/smc.rs:251
         counter_20 = 0u;
         loop {
@@ -4343,7 +4384,7 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
                 break;
             }
             // glimt_render_gpu/src/kernels/smc.rs:252
-            let _e57 = past_particles[(first_7 + i_13)];
+            let _e57 = past_particles[(first_8 + i_13)];
             particles[(particles_start_11 + i_13)] = _e57;
             continuing {
                 let _e61 = counter_20;

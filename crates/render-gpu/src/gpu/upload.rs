@@ -8,7 +8,6 @@ use crate::generated::passes::{EnvironmentArg, SceneArg};
 use crate::host::env::PreparedEnv;
 use crate::host::scene_build::SceneBuffers;
 use crate::kernels::bvh::BvhNode;
-use crate::kernels::material::Material;
 use crate::kernels::scene::Corner;
 use crate::kernels::triangle::Triangle;
 
@@ -20,8 +19,7 @@ pub struct GpuScene {
     nodes: GpuVec<BvhNode>,
     pub(super) triangles: GpuVec<Triangle>,
     pub(super) corners: GpuVec<Corner>,
-    pub(super) materials: GpuVec<Material>,
-    pub(super) texels: GpuVec<u32>,
+    pub(super) surface: GpuVec<u32>,
 }
 
 impl GpuScene {
@@ -38,8 +36,7 @@ impl GpuScene {
             nodes: context.binding_of("scene.nodes", view.nodes)?,
             triangles: context.binding_of("scene.triangles", view.triangles)?,
             corners: context.binding_of("scene.corners", view.corners)?,
-            materials: context.binding_of("scene.materials", view.materials)?,
-            texels: context.binding_of("scene.texels", view.texels)?,
+            surface: context.binding_of("scene.surface", view.surface)?,
         })
     }
 
@@ -89,8 +86,7 @@ impl GpuScene {
             nodes: self.nodes.all(),
             triangles: self.triangles.all(),
             corners: self.corners.all(),
-            materials: self.materials.all(),
-            texels: self.texels.all(),
+            surface: self.surface.all(),
         }
     }
 
@@ -101,13 +97,12 @@ impl GpuScene {
 
     /// The arguments of a kernel that takes `scene`.
     #[must_use]
-    pub fn args(&self) -> [(&'static str, Arg<'_>); 5] {
+    pub fn args(&self) -> [(&'static str, Arg<'_>); 4] {
         [
             ("scene.nodes", Arg::Buffer(&self.nodes)),
             ("scene.triangles", Arg::Buffer(&self.triangles)),
             ("scene.corners", Arg::Buffer(&self.corners)),
-            ("scene.materials", Arg::Buffer(&self.materials)),
-            ("scene.texels", Arg::Buffer(&self.texels)),
+            ("scene.surface", Arg::Buffer(&self.surface)),
         ]
     }
 
