@@ -92,7 +92,7 @@ fn probe(size: UVec2) -> PreparedEnv {
     let texels = procedural_map(size);
     let texels = texels.iter().map(|&[r, g, b]| Vec4::new(r, g, b, 1.0));
     let map = EnvMap::new(size, texels.collect()).expect("a map");
-    map.untabled(20.0).expect("a size that maps have")
+    map.without_tables(20.0).expect("a size that maps have")
 }
 
 /// The projection of the whole map, against a copy of it, both on the GPU, and against the CPU's.

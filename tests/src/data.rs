@@ -6,7 +6,7 @@ use std::path::PathBuf;
 /// Where a file of the data beside the workspace would be.
 #[must_use]
 pub fn data(path: &str) -> PathBuf {
-    crate::golden::root().join("../shared/data").join(path)
+    glimt_generate::root().join("../shared/data").join(path)
 }
 
 /// The file, or `None` after a line on standard error where it is not.

@@ -25,7 +25,7 @@ use glimt_tests::worst::largest_share;
 /// A map like noise, turned.
 fn noise(size: UVec2, seed: u32, degrees: f32) -> PreparedEnv {
     let map = EnvMap::new(size, light::noise(size, seed)).unwrap();
-    map.untabled(degrees).unwrap()
+    map.without_tables(degrees).unwrap()
 }
 
 /// The largest difference of two lists, as a share of the largest coefficient; without end where one is no number.
@@ -272,7 +272,10 @@ fn sky() -> PreparedEnv {
         Vec4::new(0.3 + 6.0 * lobe, 0.4 + 5.0 * lobe, 0.5 + 0.2 * d.z, 1.0)
     };
     let texels = (0..size.x * size.y).map(texel).collect();
-    EnvMap::new(size, texels).unwrap().untabled(25.0).unwrap()
+    EnvMap::new(size, texels)
+        .unwrap()
+        .without_tables(25.0)
+        .unwrap()
 }
 
 fn settings() -> RenderSettings {
@@ -438,7 +441,10 @@ fn sky_with_disc(radiance: f32, disc: f32) -> PreparedEnv {
         (Vec3::new(1.0, 0.9, 0.8) * if is_sun { disc } else { radiance }).extend(1.0)
     };
     let texels = (0..size.x * size.y).map(texel).collect();
-    EnvMap::new(size, texels).unwrap().untabled(0.0).unwrap()
+    EnvMap::new(size, texels)
+        .unwrap()
+        .without_tables(0.0)
+        .unwrap()
 }
 
 #[test]

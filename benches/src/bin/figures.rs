@@ -459,7 +459,7 @@ fn env(light: &Path) -> Outcome<PreparedEnv> {
     let read = glimt::input::read_image(light, &mut Notes::new(false)).map_err(told)?;
     let mut texels = read.texels;
     EnvMap::repair(&mut texels);
-    Ok(EnvMap::new(read.header.size, texels)?.untabled(0.0)?)
+    Ok(EnvMap::new(read.header.size, texels)?.without_tables(0.0)?)
 }
 
 fn stem(file: &Path) -> String {

@@ -156,7 +156,7 @@ impl Setup {
         let rotate = self.shot.probe.rotate_z_deg;
         let prepared = match self.samples_light {
             true => map.prepare(rotate),
-            false => map.untabled(rotate),
+            false => map.without_tables(rotate),
         };
         prepared.map_err(|e| {
             let error = Error::new(Kind::Input, e);

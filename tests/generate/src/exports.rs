@@ -178,12 +178,11 @@ pub(crate) const EXPORTS: &[Export] = &[
         buffers: &[
             ("scene_triangles", 0, 1),
             ("scene_corners", 0, 2),
-            ("scene_materials", 0, 3),
-            ("scene_texels", 0, 4),
-            ("surface_corner_vertices", 0, 5),
-            ("surface_reflections", 0, 6),
-            ("surface_lights", 0, 7),
-            ("texels", 0, 8),
+            ("scene_surface", 0, 3),
+            ("surface_corner_vertices", 0, 4),
+            ("surface_reflections", 0, 5),
+            ("surface_lights", 0, 6),
+            ("texels", 0, 7),
         ],
     },
 ];

@@ -219,7 +219,7 @@ impl LightCache {
         }
         let light = Arc::new(job.light(frame, &mut self.notes)?);
         // Frames are gone through in order, again and again: to drop the oldest for the newest would keep none.
-        let size = light.view().cdf.size;
+        let size = light.view().size;
         let texels = size.x as usize * size.y as usize;
         let bytes = texels * (size_of::<Vec4>() + size_of::<u32>());
         if self.kept.is_empty() || self.bytes + bytes <= LIGHT_BYTES {

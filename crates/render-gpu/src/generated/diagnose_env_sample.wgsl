@@ -47,6 +47,12 @@ struct Xoshiro128PlusPlus {
     state: vec4<u32>,
 }
 
+struct Returned_Environment_cdf {
+    value_size: vec2<u32>,
+    value_conditional_start: u32,
+    value_conditional_len: u32,
+}
+
 struct EnvSample {
     texel: vec2<u32>,
     direction: vec3<f32>,
@@ -71,15 +77,13 @@ struct Params {
     count: u32,
     frame: FrameParams,
     mis: Mis,
-    @align(16) env_cdf_size: vec2<u32>,
+    @align(16) env_size: vec2<u32>,
     env_rotation: vec2<f32>,
 }
 
 @group(0) @binding(1) 
-var<storage> env_cdf_marginal: array<u32>;
+var<storage> env_tables: array<u32>;
 @group(0) @binding(2) 
-var<storage> env_cdf_conditional: array<u32>;
-@group(0) @binding(3) 
 var<storage, read_write> out: array<EnvRecord>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
@@ -664,11 +668,26 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     return _e30;
 }
 
+// glimt_render_gpu/src/kernels/environment.rs:120
+fn marginal_words(size: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:121
+    return (size.y + 1u);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:67
+fn Environment_cdf(size_1: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cdf {
+
+    // glimt_render_gpu/src/kernels/environment.rs:68
+    let _e3 = marginal_words(size_1);
+    return Returned_Environment_cdf(size_1, _e3, (arrayLength((&env_tables)) - _e3));
+}
+
 // glimt_envmap_cdf/src/env_cdf.rs:48
-fn EnvCdf_is_black(size: vec2<u32>) -> bool {
+fn EnvCdf_is_black(size_2: vec2<u32>, conditional_start: u32, conditional_len: u32) -> bool {
 
     // glimt_envmap_cdf/src/env_cdf.rs:49
-    let _e6 = env_cdf_marginal[size.y];
+    let _e6 = env_tables[size_2.y];
     return (_e6 == 0u);
 }
 
@@ -692,7 +711,7 @@ fn find_bin(start: u32, bins: u32, u: u32) -> Bin {
         let half = (_e14 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
         let _e18 = at;
-        let _e22 = env_cdf_marginal[(_e18 + half)];
+        let _e22 = env_tables[(_e18 + half)];
         if (_e22 <= u) {
             // glimt_envmap_cdf/src/search.rs:38
             let _e25 = at;
@@ -704,16 +723,16 @@ fn find_bin(start: u32, bins: u32, u: u32) -> Bin {
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
-    let first = env_cdf_marginal[_e31];
+    let first = env_tables[_e31];
     // glimt_envmap_cdf/src/search.rs:43
     let _e36 = at;
     let _e38 = at;
-    let _e43 = env_cdf_marginal[(_e38 + 1u)];
+    let _e43 = env_tables[(_e38 + 1u)];
     return Bin((_e36 - start), first, (_e43 - first));
 }
 
 // glimt_envmap_cdf/src/search.rs:31
-fn find_bin_1(start_1: u32, bins_1: u32, u_1: u32) -> Bin {
+fn find_bin_1(edges_start: u32, edges_len: u32, start_1: u32, bins_1: u32, u_1: u32) -> Bin {
     var at_1: u32;
     var left_1: u32;
 
@@ -723,33 +742,33 @@ fn find_bin_1(start_1: u32, bins_1: u32, u_1: u32) -> Bin {
     left_1 = bins_1;
     // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e9 = left_1;
-        if !((_e9 > 1u)) {
+        let _e10 = left_1;
+        if !((_e10 > 1u)) {
             break;
         }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e14 = left_1;
-        let half_1 = (_e14 / 2u);
+        let _e15 = left_1;
+        let half_1 = (_e15 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
-        let _e18 = at_1;
-        let _e22 = env_cdf_conditional[(_e18 + half_1)];
-        if (_e22 <= u_1) {
+        let _e19 = at_1;
+        let _e24 = env_tables[(edges_start + (_e19 + half_1))];
+        if (_e24 <= u_1) {
             // glimt_envmap_cdf/src/search.rs:38
-            let _e25 = at_1;
-            at_1 = (_e25 + half_1);
+            let _e27 = at_1;
+            at_1 = (_e27 + half_1);
         }
         // glimt_envmap_cdf/src/search.rs:40
-        let _e28 = left_1;
-        left_1 = (_e28 - half_1);
+        let _e30 = left_1;
+        left_1 = (_e30 - half_1);
     }
     // glimt_envmap_cdf/src/search.rs:42
-    let _e31 = at_1;
-    let first_1 = env_cdf_conditional[_e31];
+    let _e33 = at_1;
+    let first_1 = env_tables[(edges_start + _e33)];
     // glimt_envmap_cdf/src/search.rs:43
-    let _e36 = at_1;
-    let _e38 = at_1;
-    let _e43 = env_cdf_conditional[(_e38 + 1u)];
-    return Bin((_e36 - start_1), first_1, (_e43 - first_1));
+    let _e39 = at_1;
+    let _e41 = at_1;
+    let _e47 = env_tables[(edges_start + (_e41 + 1u))];
+    return Bin((_e39 - start_1), first_1, (_e47 - first_1));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:168
@@ -799,33 +818,33 @@ fn cos_sin_pi(x_5: f32) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel: vec2<u32>, size_1: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+fn direction_in_texel(texel: vec2<u32>, size_3: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
     var chosen_3: u32;
     var chosen_4: u32;
     var chosen_5: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_6 = max(size_1, vec2(1u));
+    let size_11 = max(size_3, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_2 = min(texel.y, (size_6.y - 1u));
+    let row_2 = min(texel.y, (size_11.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_2) >= size_6.y);
+    let southern = ((2u * row_2) >= size_11.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_3 = (size_6.y - row_2);
+        chosen_3 = (size_11.y - row_2);
     } else {
         chosen_3 = row_2;
     }
     let upper = chosen_3;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_4 = ((size_6.y - row_2) - 1u);
+        chosen_4 = ((size_11.y - row_2) - 1u);
     } else {
         chosen_4 = (row_2 + 1u);
     }
     let lower = chosen_4;
     // glimt_probe/src/latlong.rs:149
-    let half_2 = (0.5f / f32(size_6.y));
+    let half_2 = (0.5f / f32(size_11.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper) * half_2));
     let sin_upper = _e41.y;
@@ -848,67 +867,67 @@ fn direction_in_texel(texel: vec2<u32>, size_1: vec2<u32>, r: vec2<f32>) -> vec3
     }
     let cos_theta = chosen_5;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel.x) + r.x)) / f32(size_6.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel.x) + r.x)) / f32(size_11.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta * _e90.x), (sin_theta * _e90.y), cos_theta);
 }
 
 // glimt_probe/src/latlong.rs:121
-fn texel_solid_angle_sr(row: u32, size_2: vec2<u32>) -> f32 {
+fn texel_solid_angle_sr(row: u32, size_4: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_7 = max(size_2, vec2(1u));
+    let size_12 = max(size_4, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_3 = min(row, (size_7.y - 1u));
+    let row_3 = min(row, (size_12.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_3, ((size_7.y - 1u) - row_3));
+    let from_pole = min(row_3, ((size_12.y - 1u) - row_3));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_7.y));
+    let half_row = (0.5f / f32(size_12.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_7.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_12.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:162
-fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_3: vec2<u32>) -> f32 {
+fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_5: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:163
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
     // glimt_envmap_cdf/src/env_cdf.rs:164
-    let _e14 = texel_solid_angle_sr(row_1, size_3);
+    let _e14 = texel_solid_angle_sr(row_1, size_5);
     return (pmf / _e14);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:61
-fn EnvCdf_sample(size_4: vec2<u32>, u_3: vec2<u32>) -> EnvSample {
+fn EnvCdf_sample(size_6: vec2<u32>, conditional_start_1: u32, conditional_len_1: u32, u_3: vec2<u32>) -> EnvSample {
 
     // glimt_envmap_cdf/src/env_cdf.rs:62
-    let _e4 = EnvCdf_is_black(size_4);
-    if _e4 {
+    let _e6 = EnvCdf_is_black(size_6, conditional_start_1, conditional_len_1);
+    if _e6 {
         // glimt_envmap_cdf/src/env_cdf.rs:63
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let _e20 = find_bin(0u, size_4.y, (u_3.y >> 1u));
+    let _e22 = find_bin(0u, size_6.y, (u_3.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_start = (_e20.index * (size_4.x + 1u));
+    let row_start = (_e22.index * (size_6.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e32 = find_bin_1(row_start, size_4.x, (u_3.x >> 1u));
+    let _e34 = find_bin_1(conditional_start_1, conditional_len_1, row_start, size_6.x, (u_3.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_1 = vec2<u32>(_e32.index, _e20.index);
+    let texel_1 = vec2<u32>(_e34.index, _e22.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e40 = hash2_(u_3.x, u_3.y);
+    let _e42 = hash2_(u_3.x, u_3.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e47 = place_in_bin(_e32, (u_3.x >> 1u), (_e40 & 65535u));
-    let _e53 = place_in_bin(_e20, (u_3.y >> 1u), (_e40 >> 16u));
-    let place = vec2<f32>(_e47, _e53);
+    let _e49 = place_in_bin(_e34, (u_3.x >> 1u), (_e42 & 65535u));
+    let _e55 = place_in_bin(_e22, (u_3.y >> 1u), (_e42 >> 16u));
+    let place = vec2<f32>(_e49, _e55);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e56 = direction_in_texel(texel_1, size_4, place);
-    let _e60 = density_sr(_e20.units, _e32.units, _e20.index, size_4);
-    return EnvSample(texel_1, _e56, _e60);
+    let _e58 = direction_in_texel(texel_1, size_6, place);
+    let _e62 = density_sr(_e22.units, _e34.units, _e22.index, size_6);
+    return EnvSample(texel_1, _e58, _e62);
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -918,21 +937,22 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:85
-fn Environment_sample(cdf_size: vec2<u32>, rotation: vec2<f32>, u_4: vec2<u32>) -> EnvSample {
+// glimt_render_gpu/src/kernels/environment.rs:99
+fn Environment_sample(size_7: vec2<u32>, rotation_1: vec2<f32>, u_4: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:86
-    let _e5 = EnvCdf_sample(cdf_size, u_4);
-    // glimt_render_gpu/src/kernels/environment.rs:87
-    let _e8 = rotate_z(_e5.direction, rotation);
-    return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
+    // glimt_render_gpu/src/kernels/environment.rs:100
+    let _e5 = Environment_cdf(size_7, rotation_1);
+    let _e9 = EnvCdf_sample(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, u_4);
+    // glimt_render_gpu/src/kernels/environment.rs:101
+    let _e12 = rotate_z(_e9.direction, rotation_1);
+    return EnvSample(_e9.texel, _e12, _e9.pdf_sr);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:64
-fn Environment_to_map(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:78
+fn Environment_to_map(size_8: vec2<u32>, rotation_2: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:65
-    let _e8 = rotate_z(direction, vec2<f32>(rotation_1.x, -(rotation_1.y)));
+    // glimt_render_gpu/src/kernels/environment.rs:79
+    let _e8 = rotate_z(direction, vec2<f32>(rotation_2.x, -(rotation_2.y)));
     return _e8;
 }
 
@@ -970,37 +990,37 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:68
-fn direction_to_texel(d_2: vec3<f32>, size_5: vec2<u32>) -> vec2<u32> {
+fn direction_to_texel(d_2: vec3<f32>, size_9: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_8 = max(size_5, vec2(1u));
+    let size_13 = max(size_9, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_8));
+    let position = (_e8 * vec2<f32>(size_13));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_8 - vec2(1u)));
+    return min(vec2<u32>(position), (size_13 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:71
-fn Environment_texel(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, direction_1: vec3<f32>) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/environment.rs:85
+fn Environment_texel(size_10: vec2<u32>, rotation_3: vec2<f32>, direction_1: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:72
-    let _e5 = Environment_to_map(cdf_size_2, rotation_2, direction_1);
-    let _e6 = direction_to_texel(_e5, cdf_size_2);
+    // glimt_render_gpu/src/kernels/environment.rs:86
+    let _e5 = Environment_to_map(size_10, rotation_3, direction_1);
+    let _e6 = direction_to_texel(_e5, size_10);
     return _e6;
 }
 
 // glimt_render_gpu/src/kernels/diagnose.rs:72
-fn env_sample(ray_1: u32, frame_2: FrameParams, mis: Mis, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> EnvRecord {
+fn env_sample(ray_1: u32, frame_2: FrameParams, mis: Mis, env_size: vec2<u32>, env_rotation: vec2<f32>) -> EnvRecord {
 
     // glimt_render_gpu/src/kernels/diagnose.rs:73
     let _e7 = FrameParams_pattern_of(frame_2, ray_1);
     // glimt_render_gpu/src/kernels/diagnose.rs:74
     let _e12 = PixelPattern_pair(_e7, 3u, 0u, mis.env_samples);
     // glimt_render_gpu/src/kernels/diagnose.rs:75
-    let _e14 = Environment_sample(env_cdf_size, env_rotation, _e12);
+    let _e14 = Environment_sample(env_size, env_rotation, _e12);
     // glimt_render_gpu/src/kernels/diagnose.rs:76
-    let _e20 = Environment_texel(env_cdf_size, env_rotation, _e14.direction);
+    let _e20 = Environment_texel(env_size, env_rotation, _e14.direction);
     return EnvRecord(_e14.direction, _e14.pdf_sr, _e14.texel, _e20);
 }
 
@@ -1014,7 +1034,7 @@ fn diagnose_env_sample(@builtin(global_invocation_id) id: vec3<u32>, @builtin(nu
     let _e14 = params.first;
     let _e17 = params.frame;
     let _e19 = params.mis;
-    let _e21 = params.env_cdf_size;
+    let _e21 = params.env_size;
     let _e23 = params.env_rotation;
     let _e24 = env_sample((_e14 + local), _e17, _e19, _e21, _e23);
     out[local] = _e24;

@@ -1099,10 +1099,10 @@ fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
     return Option_Hit(true, Hit(_e7, _e14, _e18));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:63
+// glimt_render_gpu/src/kernels/scene.rs:61
 fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 
-    // glimt_render_gpu/src/kernels/scene.rs:64
+    // glimt_render_gpu/src/kernels/scene.rs:62
     let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
     return _e4;
 }

@@ -23,27 +23,6 @@ struct Corner {
     v: f32,
 }
 
-struct TextureView {
-    first: u32,
-    width: u32,
-    height: u32,
-    flags: u32,
-}
-
-struct Material {
-    color: vec3<f32>,
-    kind: u32,
-    specular: vec3<f32>,
-    exponent: f32,
-    metallic: f32,
-    roughness: f32,
-    normal_scale: f32,
-    unused: u32,
-    base_color_texture: TextureView,
-    metallic_roughness_texture: TextureView,
-    normal_texture: TextureView,
-}
-
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -126,6 +105,18 @@ struct Tuple_f32_f32_ {
     fb: f32,
 }
 
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
 struct ShadingFrame {
     t: vec3<f32>,
     b: vec3<f32>,
@@ -159,10 +150,8 @@ var<storage> scene_triangles: array<Triangle>;
 @group(0) @binding(3) 
 var<storage> scene_corners: array<Corner>;
 @group(0) @binding(4) 
-var<storage> scene_materials: array<Material>;
+var<storage> scene_surface: array<u32>;
 @group(0) @binding(5) 
-var<storage> scene_texels: array<u32>;
-@group(0) @binding(6) 
 var<storage, read_write> out: array<SurfaceRecord>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
@@ -392,25 +381,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_11 = (index_5 & 65535u);
+    let index_12 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_11;
+        chosen = index_12;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_11);
+            let _e16 = pascal(index_12);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_11);
+                let _e20 = recurrence_2_(index_12);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_11);
+                let _e22 = recurrence_3_(index_12);
                 chosen = _e22;
             }
         }
@@ -723,17 +712,17 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:52
-    let index_12 = ((this_7.ray * samples) + sample);
+    let index_13 = ((this_7.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:53
     if (this_7.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:54
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_12);
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_13);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:56
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_12);
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_13);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:57
@@ -743,7 +732,7 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_12, (this_7.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_13, (this_7.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -1163,10 +1152,10 @@ fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
     return Option_Hit(true, Hit(_e7, _e14, _e18));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:63
+// glimt_render_gpu/src/kernels/scene.rs:61
 fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 
-    // glimt_render_gpu/src/kernels/scene.rs:64
+    // glimt_render_gpu/src/kernels/scene.rs:62
     let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
     return _e4;
 }
@@ -1178,22 +1167,42 @@ fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
     return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:120
+// glimt_render_gpu/src/kernels/scene.rs:118
 fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
     var chosen_5: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:121
+    // glimt_render_gpu/src/kernels/scene.rs:119
     let length_squared = dot(v_1, v_1);
-    // glimt_render_gpu/src/kernels/scene.rs:122
+    // glimt_render_gpu/src/kernels/scene.rs:120
     if (length_squared > 0.000000000001f) {
-        // glimt_render_gpu/src/kernels/scene.rs:123
+        // glimt_render_gpu/src/kernels/scene.rs:121
         chosen_5 = (v_1 / vec3(sqrt(length_squared)));
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:125
+        // glimt_render_gpu/src/kernels/scene.rs:123
         chosen_5 = otherwise;
     }
     let _e14 = chosen_5;
     return _e14;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:83
+fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:84
+    let first = (256u + (index_9 * 24u));
+    // glimt_render_gpu/src/kernels/material.rs:85
+    return Returned_MaterialView_new(first, ((first + 24u) - first));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:106
+fn MaterialView_texture(words_start: u32, words_len: u32, word: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:107
+    let _e7 = scene_surface[(words_start + word)];
+    let _e13 = scene_surface[(words_start + (word + 1u))];
+    let _e19 = scene_surface[(words_start + (word + 2u))];
+    let _e25 = scene_surface[(words_start + (word + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
@@ -1223,47 +1232,47 @@ fn wrap(x_6: f32, mode: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:103
-fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
+fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:104
     let last = (i32(size_1) - 1i);
     // glimt_render_gpu/src/kernels/texture.rs:105
     if (mode_1 == 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:106
-        if (index_9 < 0i) {
+        if (index_10 < 0i) {
             // glimt_render_gpu/src/kernels/texture.rs:107
             return u32(last);
         }
         // glimt_render_gpu/src/kernels/texture.rs:109
-        if (index_9 > last) {
+        if (index_10 > last) {
             // glimt_render_gpu/src/kernels/texture.rs:110
             return 0u;
         }
     }
     // glimt_render_gpu/src/kernels/texture.rs:113
-    return u32(clamp(index_9, 0i, last));
+    return u32(clamp(index_10, 0i, last));
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_14: TextureView, index_10: u32) -> vec4<f32> {
+fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
     var chosen_6: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word = scene_texels[(this_14.first + index_10)];
+    let word_3 = scene_surface[(this_14.first + index_11)];
     // glimt_render_gpu/src/kernels/texture.rs:71
-    let r = (word & 255u);
+    let r = (word_3 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
-    let g = ((word >> 8u) & 255u);
+    let g = ((word_3 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_4 = ((word >> 16u) & 255u);
+    let b_4 = ((word_3 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha = (f32((word >> 24u)) / 255f);
+    let alpha = (f32((word_3 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
-        let _e38 = scene_texels[r];
-        let _e42 = scene_texels[g];
-        let _e46 = scene_texels[b_4];
+        let _e38 = scene_surface[r];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b_4];
         chosen_6 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
@@ -1315,29 +1324,40 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:73
-fn Material_bumped_normal(this_16: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/material.rs:92
+fn MaterialView_number(words_start_1: u32, words_len_1: u32, word_1: u32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/material.rs:81
+    // glimt_render_gpu/src/kernels/material.rs:93
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:147
+fn MaterialView_bumped_normal(words_start_2: u32, words_len_2: u32, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:148
+    let _e9 = MaterialView_texture(words_start_2, words_len_2, 20u);
+    // glimt_render_gpu/src/kernels/material.rs:149
     let across = (tangent - (normal * dot(normal, tangent)));
-    // glimt_render_gpu/src/kernels/material.rs:82
-    let _e12 = TextureView_exists(this_16.normal_texture);
-    if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
-        // glimt_render_gpu/src/kernels/material.rs:83
+    // glimt_render_gpu/src/kernels/material.rs:150
+    let _e15 = TextureView_exists(_e9);
+    if (!(_e15) || !((dot(across, across) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:151
         return normal;
     }
-    // glimt_render_gpu/src/kernels/material.rs:85
+    // glimt_render_gpu/src/kernels/material.rs:153
     let t_3 = normalize(across);
-    // glimt_render_gpu/src/kernels/material.rs:86
+    // glimt_render_gpu/src/kernels/material.rs:154
     let b_5 = (cross(normal, t_3) * handedness);
-    // glimt_render_gpu/src/kernels/material.rs:87
-    let _e27 = TextureView_sample(this_16.normal_texture, uv_1);
-    let map = ((_e27.xyz * 2f) - vec3(1f));
-    // glimt_render_gpu/src/kernels/material.rs:88
-    let tilt = (((t_3 * map.x) + (b_5 * map.y)) * this_16.normal_scale);
-    // glimt_render_gpu/src/kernels/material.rs:89
-    let _e46 = unit_or((tilt + (normal * map.z)), normal);
-    return _e46;
+    // glimt_render_gpu/src/kernels/material.rs:155
+    let _e29 = TextureView_sample(_e9, uv_1);
+    let bump = ((_e29.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:156
+    let _e43 = MaterialView_number(words_start_2, words_len_2, 10u);
+    let tilt = (((t_3 * bump.x) + (b_5 * bump.y)) * _e43);
+    // glimt_render_gpu/src/kernels/material.rs:157
+    let _e49 = unit_or((tilt + (normal * bump.z)), normal);
+    return _e49;
 }
 
 // glimt_sampling/src/math.rs:45
@@ -1354,10 +1374,20 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_17: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_2, this_17.t), dot(v_2, this_17.b), dot(v_2, this_17.n));
+    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:97
+fn MaterialView_vector(words_start_3: u32, words_len_3: u32, word_2: u32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:98
+    let _e5 = MaterialView_number(words_start_3, words_len_3, word_2);
+    let _e8 = MaterialView_number(words_start_3, words_len_3, (word_2 + 1u));
+    let _e11 = MaterialView_number(words_start_3, words_len_3, (word_2 + 2u));
+    return vec3<f32>(_e5, _e8, _e11);
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -1377,120 +1407,131 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
     return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:46
-fn Material_brdf(this_18: Material, uv_2: vec2<f32>) -> BlinnPhong {
+// glimt_render_gpu/src/kernels/material.rs:118
+fn MaterialView_brdf(words_start_4: u32, words_len_4: u32, uv_2: vec2<f32>) -> BlinnPhong {
     var color: vec3<f32>;
     var metallic_1: f32;
     var roughness_1: f32;
 
-    // glimt_render_gpu/src/kernels/material.rs:47
-    if (this_18.kind == 0u) {
-        // glimt_render_gpu/src/kernels/material.rs:48
-        return BlinnPhong(this_18.color, this_18.specular, this_18.exponent);
+    // glimt_render_gpu/src/kernels/material.rs:119
+    let _e6 = MaterialView_vector(words_start_4, words_len_4, 0u);
+    color = _e6;
+    // glimt_render_gpu/src/kernels/material.rs:120
+    let _e13 = scene_surface[(words_start_4 + 3u)];
+    if (_e13 == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:121
+        let _e17 = color;
+        let _e19 = MaterialView_vector(words_start_4, words_len_4, 4u);
+        let _e21 = MaterialView_number(words_start_4, words_len_4, 7u);
+        return BlinnPhong(_e17, _e19, _e21);
     }
-    // glimt_render_gpu/src/kernels/material.rs:54
-    color = this_18.color;
-    // glimt_render_gpu/src/kernels/material.rs:55
-    let _e17 = TextureView_exists(this_18.base_color_texture);
-    if _e17 {
-        // glimt_render_gpu/src/kernels/material.rs:56
-        let _e20 = TextureView_sample(this_18.base_color_texture, uv_2);
-        let _e22 = color;
-        color = (_e22 * _e20.xyz);
+    // glimt_render_gpu/src/kernels/material.rs:127
+    let _e25 = MaterialView_texture(words_start_4, words_len_4, 12u);
+    // glimt_render_gpu/src/kernels/material.rs:128
+    let _e27 = TextureView_exists(_e25);
+    if _e27 {
+        // glimt_render_gpu/src/kernels/material.rs:129
+        let _e29 = TextureView_sample(_e25, uv_2);
+        let _e31 = color;
+        color = (_e31 * _e29.xyz);
     }
-    // glimt_render_gpu/src/kernels/material.rs:58
-    metallic_1 = this_18.metallic;
-    // glimt_render_gpu/src/kernels/material.rs:59
-    roughness_1 = this_18.roughness;
-    // glimt_render_gpu/src/kernels/material.rs:60
-    let _e32 = TextureView_exists(this_18.metallic_roughness_texture);
-    if _e32 {
-        // glimt_render_gpu/src/kernels/material.rs:61
-        let _e35 = TextureView_sample(this_18.metallic_roughness_texture, uv_2);
-        // glimt_render_gpu/src/kernels/material.rs:62
-        let _e38 = roughness_1;
-        roughness_1 = (_e38 * _e35.y);
-        // glimt_render_gpu/src/kernels/material.rs:63
-        let _e42 = metallic_1;
-        metallic_1 = (_e42 * _e35.z);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e35 = MaterialView_number(words_start_4, words_len_4, 8u);
+    metallic_1 = _e35;
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e39 = MaterialView_number(words_start_4, words_len_4, 9u);
+    roughness_1 = _e39;
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let _e43 = MaterialView_texture(words_start_4, words_len_4, 16u);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    let _e45 = TextureView_exists(_e43);
+    if _e45 {
+        // glimt_render_gpu/src/kernels/material.rs:135
+        let _e47 = TextureView_sample(_e43, uv_2);
+        // glimt_render_gpu/src/kernels/material.rs:136
+        let _e50 = roughness_1;
+        roughness_1 = (_e50 * _e47.y);
+        // glimt_render_gpu/src/kernels/material.rs:137
+        let _e54 = metallic_1;
+        metallic_1 = (_e54 * _e47.z);
     }
-    // glimt_render_gpu/src/kernels/material.rs:65
-    let _e45 = color;
-    let _e46 = metallic_1;
-    let _e47 = roughness_1;
-    let _e48 = BlinnPhong_from_metallic_roughness(_e45, _e46, _e47);
-    return _e48;
+    // glimt_render_gpu/src/kernels/material.rs:139
+    let _e57 = color;
+    let _e58 = metallic_1;
+    let _e59 = roughness_1;
+    let _e60 = BlinnPhong_from_metallic_roughness(_e57, _e58, _e59);
+    return _e60;
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:69
+// glimt_render_gpu/src/kernels/scene.rs:67
 fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
     var chosen_7: vec3<f32>;
     var chosen_8: f32;
     var chosen_9: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:70
+    // glimt_render_gpu/src/kernels/scene.rs:68
     let triangle_2 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:69
+    let first_1 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let a_5 = scene_corners[first_1];
     // glimt_render_gpu/src/kernels/scene.rs:71
-    let first = (3u * hit.triangle);
+    let b_6 = scene_corners[(first_1 + 1u)];
     // glimt_render_gpu/src/kernels/scene.rs:72
-    let a_5 = scene_corners[first];
+    let c_4 = scene_corners[(first_1 + 2u)];
     // glimt_render_gpu/src/kernels/scene.rs:73
-    let b_6 = scene_corners[(first + 1u)];
-    // glimt_render_gpu/src/kernels/scene.rs:74
-    let c_4 = scene_corners[(first + 2u)];
-    // glimt_render_gpu/src/kernels/scene.rs:75
     let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
     let u_2 = _e33.fa;
     let v_3 = _e33.fb;
-    // glimt_render_gpu/src/kernels/scene.rs:76
+    // glimt_render_gpu/src/kernels/scene.rs:74
     let w_2 = ((1f - u_2) - v_3);
-    // glimt_render_gpu/src/kernels/scene.rs:78
+    // glimt_render_gpu/src/kernels/scene.rs:76
     let to_eye = -(ray_8.direction);
-    // glimt_render_gpu/src/kernels/scene.rs:79
+    // glimt_render_gpu/src/kernels/scene.rs:77
     let _e44 = Triangle_area_normal(triangle_2);
     let face = normalize(_e44);
-    // glimt_render_gpu/src/kernels/scene.rs:80
+    // glimt_render_gpu/src/kernels/scene.rs:78
     if (dot(face, to_eye) < 0f) {
         chosen_7 = -(face);
     } else {
         chosen_7 = face;
     }
     let geometric_normal = chosen_7;
-    // glimt_render_gpu/src/kernels/scene.rs:81
+    // glimt_render_gpu/src/kernels/scene.rs:79
     let _e62 = unit_or((((a_5.normal * w_2) + (b_6.normal * u_2)) + (c_4.normal * v_3)), face);
-    // glimt_render_gpu/src/kernels/scene.rs:83
+    // glimt_render_gpu/src/kernels/scene.rs:81
     let uv_3 = vec2<f32>((((a_5.u * w_2) + (b_6.u * u_2)) + (c_4.u * v_3)), (((a_5.v * w_2) + (b_6.v * u_2)) + (c_4.v * v_3)));
-    // glimt_render_gpu/src/kernels/scene.rs:84
-    let material = scene_materials[(triangle_2.material & 2147483647u)];
-    // glimt_render_gpu/src/kernels/scene.rs:85
+    // glimt_render_gpu/src/kernels/scene.rs:82
+    let _e85 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/scene.rs:83
     let tangent_1 = (((a_5.tangent * w_2) + (b_6.tangent * u_2)) + (c_4.tangent * v_3));
-    // glimt_render_gpu/src/kernels/scene.rs:86
+    // glimt_render_gpu/src/kernels/scene.rs:84
     if ((triangle_2.material & 2147483648u) != 0u) {
-        // glimt_render_gpu/src/kernels/scene.rs:87
+        // glimt_render_gpu/src/kernels/scene.rs:85
         chosen_8 = -1f;
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:89
+        // glimt_render_gpu/src/kernels/scene.rs:87
         chosen_8 = 1f;
     }
     let handedness_1 = chosen_8;
-    // glimt_render_gpu/src/kernels/scene.rs:91
-    let _e110 = Material_bumped_normal(material, uv_3, _e62, tangent_1, handedness_1);
-    // glimt_render_gpu/src/kernels/scene.rs:92
+    // glimt_render_gpu/src/kernels/scene.rs:89
+    let _e110 = MaterialView_bumped_normal(_e85.value_words_start, _e85.value_words_len, uv_3, _e62, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:90
     if (dot(_e110, to_eye) < 0f) {
-        // glimt_render_gpu/src/kernels/scene.rs:93
+        // glimt_render_gpu/src/kernels/scene.rs:91
         chosen_9 = -(_e110);
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:95
+        // glimt_render_gpu/src/kernels/scene.rs:93
         chosen_9 = _e110;
     }
     let normal_2 = chosen_9;
-    // glimt_render_gpu/src/kernels/scene.rs:98
+    // glimt_render_gpu/src/kernels/scene.rs:96
     let _e121 = ShadingFrame_from_normal(normal_2);
-    // glimt_render_gpu/src/kernels/scene.rs:99
+    // glimt_render_gpu/src/kernels/scene.rs:97
     let edges = (((triangle_2.v1_ - triangle_2.v0_) * u_2) + ((triangle_2.v2_ - triangle_2.v0_) * v_3));
-    // glimt_render_gpu/src/kernels/scene.rs:100
+    // glimt_render_gpu/src/kernels/scene.rs:98
     let _e138 = ShadingFrame_to_local(_e121, to_eye);
-    let _e139 = Material_brdf(material, uv_3);
+    let _e139 = MaterialView_brdf(_e85.value_words_start, _e85.value_words_len, uv_3);
     return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
 }
 

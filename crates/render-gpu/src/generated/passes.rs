@@ -6,61 +6,15 @@ use glimt_executor::{Binder, Entry, Host, HostMemory, Memory, Pass};
 
 use super::entries;
 
-/// [`glimt_envmap_cdf::EnvCdf`] in some memory.
-#[derive(Clone, Copy)]
-pub struct EnvCdfArg<'a, M: Memory> {
-    /// Its `size`.
-    pub size: glam::UVec2,
-    /// Its `marginal`.
-    pub marginal: M::Slice<'a, u32>,
-    /// Its `conditional`.
-    pub conditional: M::Slice<'a, u32>,
-}
-
-impl<'a, M: Memory> EnvCdfArg<'a, M> {
-    /// The same for a shorter time: [`Memory::shorten`].
-    #[must_use]
-    pub fn shorten<'b>(self) -> EnvCdfArg<'b, M>
-    where
-        'a: 'b,
-    {
-        EnvCdfArg {
-            size: self.size,
-            marginal: M::shorten(self.marginal),
-            conditional: M::shorten(self.conditional),
-        }
-    }
-}
-
-impl<'a, M: HostMemory> EnvCdfArg<'a, M> {
-    /// What the kernel takes.
-    #[inline]
-    pub fn view(self) -> glimt_envmap_cdf::EnvCdf<'a> {
-        glimt_envmap_cdf::EnvCdf {
-            size: self.size,
-            marginal: M::values(self.marginal),
-            conditional: M::values(self.conditional),
-        }
-    }
-}
-
-impl<'a> From<glimt_envmap_cdf::EnvCdf<'a>> for EnvCdfArg<'a, Host> {
-    fn from(view: glimt_envmap_cdf::EnvCdf<'a>) -> Self {
-        Self {
-            size: view.size,
-            marginal: view.marginal,
-            conditional: view.conditional,
-        }
-    }
-}
-
 /// [`crate::kernels::environment::Environment`] in some memory.
 #[derive(Clone, Copy)]
 pub struct EnvironmentArg<'a, M: Memory> {
     /// Its `texels`.
     pub texels: M::Slice<'a, glam::Vec4>,
-    /// Its `cdf`.
-    pub cdf: EnvCdfArg<'a, M>,
+    /// Its `tables`.
+    pub tables: M::Slice<'a, u32>,
+    /// Its `size`.
+    pub size: glam::UVec2,
     /// Its `rotation`.
     pub rotation: glam::Vec2,
 }
@@ -74,7 +28,8 @@ impl<'a, M: Memory> EnvironmentArg<'a, M> {
     {
         EnvironmentArg {
             texels: M::shorten(self.texels),
-            cdf: self.cdf.shorten(),
+            tables: M::shorten(self.tables),
+            size: self.size,
             rotation: self.rotation,
         }
     }
@@ -86,7 +41,8 @@ impl<'a, M: HostMemory> EnvironmentArg<'a, M> {
     pub fn view(self) -> crate::kernels::environment::Environment<'a> {
         crate::kernels::environment::Environment {
             texels: M::values(self.texels),
-            cdf: self.cdf.view(),
+            tables: M::values(self.tables),
+            size: self.size,
             rotation: self.rotation,
         }
     }
@@ -96,7 +52,8 @@ impl<'a> From<crate::kernels::environment::Environment<'a>> for EnvironmentArg<'
     fn from(view: crate::kernels::environment::Environment<'a>) -> Self {
         Self {
             texels: view.texels,
-            cdf: view.cdf.into(),
+            tables: view.tables,
+            size: view.size,
             rotation: view.rotation,
         }
     }
@@ -111,10 +68,8 @@ pub struct SceneArg<'a, M: Memory> {
     pub triangles: M::Slice<'a, crate::kernels::triangle::Triangle>,
     /// Its `corners`.
     pub corners: M::Slice<'a, crate::kernels::scene::Corner>,
-    /// Its `materials`.
-    pub materials: M::Slice<'a, crate::kernels::material::Material>,
-    /// Its `texels`.
-    pub texels: M::Slice<'a, u32>,
+    /// Its `surface`.
+    pub surface: M::Slice<'a, u32>,
 }
 
 impl<'a, M: Memory> SceneArg<'a, M> {
@@ -128,8 +83,7 @@ impl<'a, M: Memory> SceneArg<'a, M> {
             nodes: M::shorten(self.nodes),
             triangles: M::shorten(self.triangles),
             corners: M::shorten(self.corners),
-            materials: M::shorten(self.materials),
-            texels: M::shorten(self.texels),
+            surface: M::shorten(self.surface),
         }
     }
 }
@@ -142,8 +96,7 @@ impl<'a, M: HostMemory> SceneArg<'a, M> {
             nodes: M::values(self.nodes),
             triangles: M::values(self.triangles),
             corners: M::values(self.corners),
-            materials: M::values(self.materials),
-            texels: M::values(self.texels),
+            surface: M::values(self.surface),
         }
     }
 }
@@ -154,8 +107,7 @@ impl<'a> From<crate::kernels::scene::Scene<'a>> for SceneArg<'a, Host> {
             nodes: view.nodes,
             triangles: view.triangles,
             corners: view.corners,
-            materials: view.materials,
-            texels: view.texels,
+            surface: view.surface,
         }
     }
 }
@@ -366,17 +318,15 @@ impl<'a, M: Memory> Pass for ShadeMis<'a, M> {
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
         binder.value(3, self.estimator);
-        binder.value(4, &self.env.cdf.size);
+        binder.value(4, &self.env.size);
         binder.value(5, &self.env.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.scene.nodes);
-        binder.slice(4, self.scene.triangles);
-        binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.materials);
-        binder.slice(7, self.scene.texels);
-        binder.out(8, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.corners);
+        binder.slice(5, self.scene.surface);
+        binder.out(6, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -433,17 +383,15 @@ impl<'a, M: Memory> Pass for ShadeMisLayers<'a, M> {
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
         binder.value(3, self.estimator);
-        binder.value(4, &self.env.cdf.size);
+        binder.value(4, &self.env.size);
         binder.value(5, &self.env.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.scene.nodes);
-        binder.slice(4, self.scene.triangles);
-        binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.materials);
-        binder.slice(7, self.scene.texels);
-        binder.out(8, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.corners);
+        binder.slice(5, self.scene.surface);
+        binder.out(6, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -500,17 +448,15 @@ impl<'a, M: Memory> Pass for ShadeBis<'a, M> {
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
         binder.value(3, self.estimator);
-        binder.value(4, &self.env.cdf.size);
+        binder.value(4, &self.env.size);
         binder.value(5, &self.env.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.scene.nodes);
-        binder.slice(4, self.scene.triangles);
-        binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.materials);
-        binder.slice(7, self.scene.texels);
-        binder.out(8, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.corners);
+        binder.slice(5, self.scene.surface);
+        binder.out(6, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -567,17 +513,15 @@ impl<'a, M: Memory> Pass for ShadeBisLayers<'a, M> {
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
         binder.value(3, self.estimator);
-        binder.value(4, &self.env.cdf.size);
+        binder.value(4, &self.env.size);
         binder.value(5, &self.env.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.scene.nodes);
-        binder.slice(4, self.scene.triangles);
-        binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.materials);
-        binder.slice(7, self.scene.texels);
-        binder.out(8, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.corners);
+        binder.slice(5, self.scene.surface);
+        binder.out(6, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -645,25 +589,23 @@ impl<'a, M: Memory> Pass for ShadeSmc<'a, M> {
         binder.value(4, self.frame);
         binder.value(5, self.smc);
         binder.value(6, self.view);
-        binder.value(7, &self.env.cdf.size);
+        binder.value(7, &self.env.size);
         binder.value(8, &self.env.rotation);
         binder.value(9, &self.before.size);
         binder.value(10, &self.before.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.before.texels);
-        binder.slice(4, self.scene.nodes);
-        binder.slice(5, self.scene.triangles);
-        binder.slice(6, self.scene.corners);
-        binder.slice(7, self.scene.materials);
-        binder.slice(8, self.scene.texels);
-        binder.slice(9, self.past.motions);
-        binder.slice(10, self.past.states);
-        binder.slice(11, self.past.particles);
-        binder.chunks(12, 2, &self.state);
-        binder.chunks(13, 3, &self.particles);
-        binder.out(14, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.before.texels);
+        binder.slice(3, self.scene.nodes);
+        binder.slice(4, self.scene.triangles);
+        binder.slice(5, self.scene.corners);
+        binder.slice(6, self.scene.surface);
+        binder.slice(7, self.past.motions);
+        binder.slice(8, self.past.states);
+        binder.slice(9, self.past.particles);
+        binder.chunks(10, 2, &self.state);
+        binder.chunks(11, 3, &self.particles);
+        binder.out(12, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -735,25 +677,23 @@ impl<'a, M: Memory> Pass for ShadeSmcLayers<'a, M> {
         binder.value(4, self.frame);
         binder.value(5, self.smc);
         binder.value(6, self.view);
-        binder.value(7, &self.env.cdf.size);
+        binder.value(7, &self.env.size);
         binder.value(8, &self.env.rotation);
         binder.value(9, &self.before.size);
         binder.value(10, &self.before.rotation);
         binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.cdf.marginal);
-        binder.slice(2, self.env.cdf.conditional);
-        binder.slice(3, self.before.texels);
-        binder.slice(4, self.scene.nodes);
-        binder.slice(5, self.scene.triangles);
-        binder.slice(6, self.scene.corners);
-        binder.slice(7, self.scene.materials);
-        binder.slice(8, self.scene.texels);
-        binder.slice(9, self.past.motions);
-        binder.slice(10, self.past.states);
-        binder.slice(11, self.past.particles);
-        binder.chunks(12, 2, &self.state);
-        binder.chunks(13, 3, &self.particles);
-        binder.out(14, &self.out);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.before.texels);
+        binder.slice(3, self.scene.nodes);
+        binder.slice(4, self.scene.triangles);
+        binder.slice(5, self.scene.corners);
+        binder.slice(6, self.scene.surface);
+        binder.slice(7, self.past.motions);
+        binder.slice(8, self.past.states);
+        binder.slice(9, self.past.particles);
+        binder.chunks(10, 2, &self.state);
+        binder.chunks(11, 3, &self.particles);
+        binder.out(12, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -1030,7 +970,7 @@ impl<'a, M: Memory> Pass for ReconstructLayers<'a, M> {
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
-        binder.value(3, &self.env.cdf.size);
+        binder.value(3, &self.env.size);
         binder.value(4, &self.env.rotation);
         binder.slice(0, self.env.texels);
         binder.slice(1, self.samples);
@@ -1880,11 +1820,10 @@ impl<'a, M: Memory> Pass for DiagnoseEnvSample<'a, M> {
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(2, self.frame);
         binder.value(3, self.mis);
-        binder.value(4, &self.env.cdf.size);
+        binder.value(4, &self.env.size);
         binder.value(5, &self.env.rotation);
-        binder.slice(0, self.env.cdf.marginal);
-        binder.slice(1, self.env.cdf.conditional);
-        binder.out(2, &self.out);
+        binder.slice(0, self.env.tables);
+        binder.out(1, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -1991,9 +1930,8 @@ impl<'a, M: Memory> Pass for DiagnoseSurface<'a, M> {
         binder.slice(0, self.scene.nodes);
         binder.slice(1, self.scene.triangles);
         binder.slice(2, self.scene.corners);
-        binder.slice(3, self.scene.materials);
-        binder.slice(4, self.scene.texels);
-        binder.out(5, &self.out);
+        binder.slice(3, self.scene.surface);
+        binder.out(4, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -2050,9 +1988,8 @@ impl<'a, M: Memory> Pass for DiagnoseBrdfSample<'a, M> {
         binder.slice(0, self.scene.nodes);
         binder.slice(1, self.scene.triangles);
         binder.slice(2, self.scene.corners);
-        binder.slice(3, self.scene.materials);
-        binder.slice(4, self.scene.texels);
-        binder.out(5, &self.out);
+        binder.slice(3, self.scene.surface);
+        binder.out(4, &self.out);
     }
 
     fn elements(&self) -> usize

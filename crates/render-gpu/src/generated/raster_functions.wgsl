@@ -16,27 +16,6 @@ struct Corner {
     v: f32,
 }
 
-struct TextureView {
-    first: u32,
-    width: u32,
-    height: u32,
-    flags: u32,
-}
-
-struct Material {
-    color: vec3<f32>,
-    kind: u32,
-    specular: vec3<f32>,
-    exponent: f32,
-    metallic: f32,
-    roughness: f32,
-    normal_scale: f32,
-    unused: u32,
-    base_color_texture: TextureView,
-    metallic_roughness_texture: TextureView,
-    normal_texture: TextureView,
-}
-
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -94,6 +73,18 @@ struct Tuple_f32_f32_ {
     fb: f32,
 }
 
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
 struct ShadingFrame {
     t: vec3<f32>,
     b: vec3<f32>,
@@ -137,16 +128,14 @@ var<storage> scene_triangles: array<Triangle>;
 @group(0) @binding(2) 
 var<storage> scene_corners: array<Corner>;
 @group(0) @binding(3) 
-var<storage> scene_materials: array<Material>;
-@group(0) @binding(4) 
-var<storage> scene_texels: array<u32>;
-@group(0) @binding(8) 
-var<storage> texels: array<vec4<f32>>;
-@group(0) @binding(5) 
-var<storage> surface_corner_vertices: array<u32>;
-@group(0) @binding(6) 
-var<storage> surface_reflections: array<f32>;
+var<storage> scene_surface: array<u32>;
 @group(0) @binding(7) 
+var<storage> texels: array<vec4<f32>>;
+@group(0) @binding(4) 
+var<storage> surface_corner_vertices: array<u32>;
+@group(0) @binding(5) 
+var<storage> surface_reflections: array<f32>;
+@group(0) @binding(6) 
 var<storage> surface_lights: array<VertexLight>;
 
 // glimt_render_gpu/src/kernels/raster.rs:54
@@ -228,22 +217,42 @@ fn Triangle_area_normal(this_: Triangle) -> vec3<f32> {
     return cross((this_.v1_ - this_.v0_), (this_.v2_ - this_.v0_));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:120
+// glimt_render_gpu/src/kernels/scene.rs:118
 fn unit_or(v: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
     var chosen_2: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:121
+    // glimt_render_gpu/src/kernels/scene.rs:119
     let length_squared = dot(v, v);
-    // glimt_render_gpu/src/kernels/scene.rs:122
+    // glimt_render_gpu/src/kernels/scene.rs:120
     if (length_squared > 0.000000000001f) {
-        // glimt_render_gpu/src/kernels/scene.rs:123
+        // glimt_render_gpu/src/kernels/scene.rs:121
         chosen_2 = (v / vec3(sqrt(length_squared)));
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:125
+        // glimt_render_gpu/src/kernels/scene.rs:123
         chosen_2 = otherwise;
     }
     let _e14 = chosen_2;
     return _e14;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:83
+fn MaterialView_new(index: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:84
+    let first = (256u + (index * 24u));
+    // glimt_render_gpu/src/kernels/material.rs:85
+    return Returned_MaterialView_new(first, ((first + 24u) - first));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:106
+fn MaterialView_texture(words_start: u32, words_len: u32, word: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:107
+    let _e7 = scene_surface[(words_start + word)];
+    let _e13 = scene_surface[(words_start + (word + 1u))];
+    let _e19 = scene_surface[(words_start + (word + 2u))];
+    let _e25 = scene_surface[(words_start + (word + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
@@ -273,47 +282,47 @@ fn wrap(x_1: f32, mode: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:103
-fn neighbour(index: i32, size: u32, mode_1: u32) -> u32 {
+fn neighbour(index_1: i32, size: u32, mode_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:104
     let last = (i32(size) - 1i);
     // glimt_render_gpu/src/kernels/texture.rs:105
     if (mode_1 == 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:106
-        if (index < 0i) {
+        if (index_1 < 0i) {
             // glimt_render_gpu/src/kernels/texture.rs:107
             return u32(last);
         }
         // glimt_render_gpu/src/kernels/texture.rs:109
-        if (index > last) {
+        if (index_1 > last) {
             // glimt_render_gpu/src/kernels/texture.rs:110
             return 0u;
         }
     }
     // glimt_render_gpu/src/kernels/texture.rs:113
-    return u32(clamp(index, 0i, last));
+    return u32(clamp(index_1, 0i, last));
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_2: TextureView, index_1: u32) -> vec4<f32> {
+fn TextureView_texel(this_2: TextureView, index_2: u32) -> vec4<f32> {
     var chosen_3: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word = scene_texels[(this_2.first + index_1)];
+    let word_3 = scene_surface[(this_2.first + index_2)];
     // glimt_render_gpu/src/kernels/texture.rs:71
-    let r = (word & 255u);
+    let r = (word_3 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
-    let g = ((word >> 8u) & 255u);
+    let g = ((word_3 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b = ((word >> 16u) & 255u);
+    let b = ((word_3 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha = (f32((word >> 24u)) / 255f);
+    let alpha = (f32((word_3 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_2.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
-        let _e38 = scene_texels[r];
-        let _e42 = scene_texels[g];
-        let _e46 = scene_texels[b];
+        let _e38 = scene_surface[r];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b];
         chosen_3 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
@@ -365,29 +374,40 @@ fn TextureView_sample(this_3: TextureView, uv: vec2<f32>) -> vec4<f32> {
     return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:73
-fn Material_bumped_normal(this_4: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/material.rs:92
+fn MaterialView_number(words_start_1: u32, words_len_1: u32, word_1: u32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/material.rs:81
+    // glimt_render_gpu/src/kernels/material.rs:93
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:147
+fn MaterialView_bumped_normal(words_start_2: u32, words_len_2: u32, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:148
+    let _e9 = MaterialView_texture(words_start_2, words_len_2, 20u);
+    // glimt_render_gpu/src/kernels/material.rs:149
     let across = (tangent - (normal * dot(normal, tangent)));
-    // glimt_render_gpu/src/kernels/material.rs:82
-    let _e12 = TextureView_exists(this_4.normal_texture);
-    if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
-        // glimt_render_gpu/src/kernels/material.rs:83
+    // glimt_render_gpu/src/kernels/material.rs:150
+    let _e15 = TextureView_exists(_e9);
+    if (!(_e15) || !((dot(across, across) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:151
         return normal;
     }
-    // glimt_render_gpu/src/kernels/material.rs:85
+    // glimt_render_gpu/src/kernels/material.rs:153
     let t = normalize(across);
-    // glimt_render_gpu/src/kernels/material.rs:86
+    // glimt_render_gpu/src/kernels/material.rs:154
     let b_1 = (cross(normal, t) * handedness);
-    // glimt_render_gpu/src/kernels/material.rs:87
-    let _e27 = TextureView_sample(this_4.normal_texture, uv_1);
-    let map = ((_e27.xyz * 2f) - vec3(1f));
-    // glimt_render_gpu/src/kernels/material.rs:88
-    let tilt = (((t * map.x) + (b_1 * map.y)) * this_4.normal_scale);
-    // glimt_render_gpu/src/kernels/material.rs:89
-    let _e46 = unit_or((tilt + (normal * map.z)), normal);
-    return _e46;
+    // glimt_render_gpu/src/kernels/material.rs:155
+    let _e29 = TextureView_sample(_e9, uv_1);
+    let bump = ((_e29.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:156
+    let _e43 = MaterialView_number(words_start_2, words_len_2, 10u);
+    let tilt = (((t * bump.x) + (b_1 * bump.y)) * _e43);
+    // glimt_render_gpu/src/kernels/material.rs:157
+    let _e49 = unit_or((tilt + (normal * bump.z)), normal);
+    return _e49;
 }
 
 // glimt_sampling/src/math.rs:45
@@ -404,10 +424,20 @@ fn ShadingFrame_from_normal(n: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_5: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_4: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_1, this_5.t), dot(v_1, this_5.b), dot(v_1, this_5.n));
+    return vec3<f32>(dot(v_1, this_4.t), dot(v_1, this_4.b), dot(v_1, this_4.n));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:97
+fn MaterialView_vector(words_start_3: u32, words_len_3: u32, word_2: u32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:98
+    let _e5 = MaterialView_number(words_start_3, words_len_3, word_2);
+    let _e8 = MaterialView_number(words_start_3, words_len_3, (word_2 + 1u));
+    let _e11 = MaterialView_number(words_start_3, words_len_3, (word_2 + 2u));
+    return vec3<f32>(_e5, _e8, _e11);
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -427,120 +457,131 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
     return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:46
-fn Material_brdf(this_6: Material, uv_2: vec2<f32>) -> BlinnPhong {
+// glimt_render_gpu/src/kernels/material.rs:118
+fn MaterialView_brdf(words_start_4: u32, words_len_4: u32, uv_2: vec2<f32>) -> BlinnPhong {
     var color: vec3<f32>;
     var metallic_1: f32;
     var roughness_1: f32;
 
-    // glimt_render_gpu/src/kernels/material.rs:47
-    if (this_6.kind == 0u) {
-        // glimt_render_gpu/src/kernels/material.rs:48
-        return BlinnPhong(this_6.color, this_6.specular, this_6.exponent);
+    // glimt_render_gpu/src/kernels/material.rs:119
+    let _e6 = MaterialView_vector(words_start_4, words_len_4, 0u);
+    color = _e6;
+    // glimt_render_gpu/src/kernels/material.rs:120
+    let _e13 = scene_surface[(words_start_4 + 3u)];
+    if (_e13 == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:121
+        let _e17 = color;
+        let _e19 = MaterialView_vector(words_start_4, words_len_4, 4u);
+        let _e21 = MaterialView_number(words_start_4, words_len_4, 7u);
+        return BlinnPhong(_e17, _e19, _e21);
     }
-    // glimt_render_gpu/src/kernels/material.rs:54
-    color = this_6.color;
-    // glimt_render_gpu/src/kernels/material.rs:55
-    let _e17 = TextureView_exists(this_6.base_color_texture);
-    if _e17 {
-        // glimt_render_gpu/src/kernels/material.rs:56
-        let _e20 = TextureView_sample(this_6.base_color_texture, uv_2);
-        let _e22 = color;
-        color = (_e22 * _e20.xyz);
+    // glimt_render_gpu/src/kernels/material.rs:127
+    let _e25 = MaterialView_texture(words_start_4, words_len_4, 12u);
+    // glimt_render_gpu/src/kernels/material.rs:128
+    let _e27 = TextureView_exists(_e25);
+    if _e27 {
+        // glimt_render_gpu/src/kernels/material.rs:129
+        let _e29 = TextureView_sample(_e25, uv_2);
+        let _e31 = color;
+        color = (_e31 * _e29.xyz);
     }
-    // glimt_render_gpu/src/kernels/material.rs:58
-    metallic_1 = this_6.metallic;
-    // glimt_render_gpu/src/kernels/material.rs:59
-    roughness_1 = this_6.roughness;
-    // glimt_render_gpu/src/kernels/material.rs:60
-    let _e32 = TextureView_exists(this_6.metallic_roughness_texture);
-    if _e32 {
-        // glimt_render_gpu/src/kernels/material.rs:61
-        let _e35 = TextureView_sample(this_6.metallic_roughness_texture, uv_2);
-        // glimt_render_gpu/src/kernels/material.rs:62
-        let _e38 = roughness_1;
-        roughness_1 = (_e38 * _e35.y);
-        // glimt_render_gpu/src/kernels/material.rs:63
-        let _e42 = metallic_1;
-        metallic_1 = (_e42 * _e35.z);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e35 = MaterialView_number(words_start_4, words_len_4, 8u);
+    metallic_1 = _e35;
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e39 = MaterialView_number(words_start_4, words_len_4, 9u);
+    roughness_1 = _e39;
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let _e43 = MaterialView_texture(words_start_4, words_len_4, 16u);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    let _e45 = TextureView_exists(_e43);
+    if _e45 {
+        // glimt_render_gpu/src/kernels/material.rs:135
+        let _e47 = TextureView_sample(_e43, uv_2);
+        // glimt_render_gpu/src/kernels/material.rs:136
+        let _e50 = roughness_1;
+        roughness_1 = (_e50 * _e47.y);
+        // glimt_render_gpu/src/kernels/material.rs:137
+        let _e54 = metallic_1;
+        metallic_1 = (_e54 * _e47.z);
     }
-    // glimt_render_gpu/src/kernels/material.rs:65
-    let _e45 = color;
-    let _e46 = metallic_1;
-    let _e47 = roughness_1;
-    let _e48 = BlinnPhong_from_metallic_roughness(_e45, _e46, _e47);
-    return _e48;
+    // glimt_render_gpu/src/kernels/material.rs:139
+    let _e57 = color;
+    let _e58 = metallic_1;
+    let _e59 = roughness_1;
+    let _e60 = BlinnPhong_from_metallic_roughness(_e57, _e58, _e59);
+    return _e60;
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:69
+// glimt_render_gpu/src/kernels/scene.rs:67
 fn Scene_shading_point(ray: Ray, hit: Hit) -> ShadingPoint {
     var chosen_4: vec3<f32>;
     var chosen_5: f32;
     var chosen_6: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:70
+    // glimt_render_gpu/src/kernels/scene.rs:68
     let triangle_2 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:69
+    let first_1 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let a_1 = scene_corners[first_1];
     // glimt_render_gpu/src/kernels/scene.rs:71
-    let first = (3u * hit.triangle);
+    let b_2 = scene_corners[(first_1 + 1u)];
     // glimt_render_gpu/src/kernels/scene.rs:72
-    let a_1 = scene_corners[first];
+    let c_1 = scene_corners[(first_1 + 2u)];
     // glimt_render_gpu/src/kernels/scene.rs:73
-    let b_2 = scene_corners[(first + 1u)];
-    // glimt_render_gpu/src/kernels/scene.rs:74
-    let c_1 = scene_corners[(first + 2u)];
-    // glimt_render_gpu/src/kernels/scene.rs:75
     let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
     let u = _e33.fa;
     let v_3 = _e33.fb;
-    // glimt_render_gpu/src/kernels/scene.rs:76
+    // glimt_render_gpu/src/kernels/scene.rs:74
     let w = ((1f - u) - v_3);
-    // glimt_render_gpu/src/kernels/scene.rs:78
+    // glimt_render_gpu/src/kernels/scene.rs:76
     let to_eye = -(ray.direction);
-    // glimt_render_gpu/src/kernels/scene.rs:79
+    // glimt_render_gpu/src/kernels/scene.rs:77
     let _e44 = Triangle_area_normal(triangle_2);
     let face = normalize(_e44);
-    // glimt_render_gpu/src/kernels/scene.rs:80
+    // glimt_render_gpu/src/kernels/scene.rs:78
     if (dot(face, to_eye) < 0f) {
         chosen_4 = -(face);
     } else {
         chosen_4 = face;
     }
     let geometric_normal = chosen_4;
-    // glimt_render_gpu/src/kernels/scene.rs:81
+    // glimt_render_gpu/src/kernels/scene.rs:79
     let _e62 = unit_or((((a_1.normal * w) + (b_2.normal * u)) + (c_1.normal * v_3)), face);
-    // glimt_render_gpu/src/kernels/scene.rs:83
+    // glimt_render_gpu/src/kernels/scene.rs:81
     let uv_3 = vec2<f32>((((a_1.u * w) + (b_2.u * u)) + (c_1.u * v_3)), (((a_1.v * w) + (b_2.v * u)) + (c_1.v * v_3)));
-    // glimt_render_gpu/src/kernels/scene.rs:84
-    let material = scene_materials[(triangle_2.material & 2147483647u)];
-    // glimt_render_gpu/src/kernels/scene.rs:85
+    // glimt_render_gpu/src/kernels/scene.rs:82
+    let _e85 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/scene.rs:83
     let tangent_1 = (((a_1.tangent * w) + (b_2.tangent * u)) + (c_1.tangent * v_3));
-    // glimt_render_gpu/src/kernels/scene.rs:86
+    // glimt_render_gpu/src/kernels/scene.rs:84
     if ((triangle_2.material & 2147483648u) != 0u) {
-        // glimt_render_gpu/src/kernels/scene.rs:87
+        // glimt_render_gpu/src/kernels/scene.rs:85
         chosen_5 = -1f;
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:89
+        // glimt_render_gpu/src/kernels/scene.rs:87
         chosen_5 = 1f;
     }
     let handedness_1 = chosen_5;
-    // glimt_render_gpu/src/kernels/scene.rs:91
-    let _e110 = Material_bumped_normal(material, uv_3, _e62, tangent_1, handedness_1);
-    // glimt_render_gpu/src/kernels/scene.rs:92
+    // glimt_render_gpu/src/kernels/scene.rs:89
+    let _e110 = MaterialView_bumped_normal(_e85.value_words_start, _e85.value_words_len, uv_3, _e62, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:90
     if (dot(_e110, to_eye) < 0f) {
-        // glimt_render_gpu/src/kernels/scene.rs:93
+        // glimt_render_gpu/src/kernels/scene.rs:91
         chosen_6 = -(_e110);
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:95
+        // glimt_render_gpu/src/kernels/scene.rs:93
         chosen_6 = _e110;
     }
     let normal_1 = chosen_6;
-    // glimt_render_gpu/src/kernels/scene.rs:98
+    // glimt_render_gpu/src/kernels/scene.rs:96
     let _e121 = ShadingFrame_from_normal(normal_1);
-    // glimt_render_gpu/src/kernels/scene.rs:99
+    // glimt_render_gpu/src/kernels/scene.rs:97
     let edges = (((triangle_2.v1_ - triangle_2.v0_) * u) + ((triangle_2.v2_ - triangle_2.v0_) * v_3));
-    // glimt_render_gpu/src/kernels/scene.rs:100
+    // glimt_render_gpu/src/kernels/scene.rs:98
     let _e138 = ShadingFrame_to_local(_e121, to_eye);
-    let _e139 = Material_brdf(material, uv_3);
+    let _e139 = MaterialView_brdf(_e85.value_words_start, _e85.value_words_len, uv_3);
     return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
 }
 
@@ -548,15 +589,15 @@ fn Scene_shading_point(ray: Ray, hit: Hit) -> ShadingPoint {
 fn Surface_light_at(hit_1: Hit) -> VertexLight {
 
     // glimt_render_gpu/src/kernels/prt.rs:114
-    let first_1 = (3u * hit_1.triangle);
+    let first_2 = (3u * hit_1.triangle);
     // glimt_render_gpu/src/kernels/prt.rs:115
-    let _e9 = surface_corner_vertices[first_1];
+    let _e9 = surface_corner_vertices[first_2];
     let a_2 = surface_lights[_e9];
     // glimt_render_gpu/src/kernels/prt.rs:116
-    let _e18 = surface_corner_vertices[(first_1 + 1u)];
+    let _e18 = surface_corner_vertices[(first_2 + 1u)];
     let b_3 = surface_lights[_e18];
     // glimt_render_gpu/src/kernels/prt.rs:117
-    let _e27 = surface_corner_vertices[(first_1 + 2u)];
+    let _e27 = surface_corner_vertices[(first_2 + 2u)];
     let c_2 = surface_lights[_e27];
     // glimt_render_gpu/src/kernels/prt.rs:118
     let _e36 = Tuple_f32_f32_(hit_1.barycentrics.x, hit_1.barycentrics.y);
@@ -569,10 +610,10 @@ fn Surface_light_at(hit_1: Hit) -> VertexLight {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
-fn Triangle_object_index(this_7: Triangle) -> u32 {
+fn Triangle_object_index(this_5: Triangle) -> u32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:46
-    return (this_7.object & 1073741823u);
+    return (this_5.object & 1073741823u);
 }
 
 // glimt_render_gpu/src/kernels/prt.rs:131
@@ -597,10 +638,10 @@ fn diffuse(albedo: vec3<f32>, lit: vec3<f32>, blocked: vec3<f32>) -> Reflected {
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_8: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_6: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_8.t * v_2.x) + (this_8.b * v_2.y)) + (this_8.n * v_2.z));
+    return (((this_6.t * v_2.x) + (this_6.b * v_2.y)) + (this_6.n * v_2.z));
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -643,42 +684,42 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(_e47, clamp(v_6, 0f, 1f));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:107
+// glimt_render_gpu/src/kernels/environment.rs:135
 fn bilinear(size_1: vec2<u32>, d_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:108
+    // glimt_render_gpu/src/kernels/environment.rs:136
     let _e4 = direction_to_uv(d_2);
     let p_1 = ((_e4 * vec2<f32>(size_1)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:110
+    // glimt_render_gpu/src/kernels/environment.rs:138
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:111
+    // glimt_render_gpu/src/kernels/environment.rs:139
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:112
+    // glimt_render_gpu/src/kernels/environment.rs:140
     let x0_ = (((next.x + size_1.x) - 1u) % size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:113
+    // glimt_render_gpu/src/kernels/environment.rs:141
     let x1_ = (next.x % size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:114
+    // glimt_render_gpu/src/kernels/environment.rs:142
     let row0_1 = ((max(next.y, 1u) * size_1.x) - size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:115
+    // glimt_render_gpu/src/kernels/environment.rs:143
     let row1_1 = (min(next.y, (size_1.y - 1u)) * size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:116
+    // glimt_render_gpu/src/kernels/environment.rs:144
     let _e53 = texels[(row0_1 + x0_)];
     let _e57 = texels[(row0_1 + x1_)];
     let upper_1 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:117
+    // glimt_render_gpu/src/kernels/environment.rs:145
     let _e68 = texels[(row1_1 + x0_)];
     let _e72 = texels[(row1_1 + x1_)];
     let lower_1 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:118
+    // glimt_render_gpu/src/kernels/environment.rs:146
     return ((upper_1 * (1f - f.y)) + (lower_1 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:43
+// glimt_render_gpu/src/kernels/environment.rs:46
 fn RadianceMap_background(size_2: vec2<u32>, rotation: vec2<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:44
+    // glimt_render_gpu/src/kernels/environment.rs:47
     let to_map = vec2<f32>(rotation.x, -(rotation.y));
-    // glimt_render_gpu/src/kernels/environment.rs:45
+    // glimt_render_gpu/src/kernels/environment.rs:48
     let _e10 = rotate_z(direction_1, to_map);
     let _e11 = bilinear(size_2, _e10);
     return _e11;
@@ -724,10 +765,10 @@ fn at_hit(ray_1: Ray, hit_2: Hit, map_size_1: vec2<u32>, map_rotation_1: vec2<f3
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:38
-fn Triangle_is_catcher(this_9: Triangle) -> bool {
+fn Triangle_is_catcher(this_7: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:39
-    return ((this_9.object & 2147483648u) != 0u);
+    return ((this_7.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:39

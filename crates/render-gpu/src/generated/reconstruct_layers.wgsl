@@ -81,7 +81,7 @@ struct Params {
     first: u32,
     count: u32,
     frame: FrameParams,
-    env_cdf_size: vec2<u32>,
+    env_size: vec2<u32>,
     env_rotation: vec2<f32>,
 }
 
@@ -753,11 +753,11 @@ fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
     return _e30;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:53
-fn Environment_map(cdf_size: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_map {
+// glimt_render_gpu/src/kernels/environment.rs:56
+fn Environment_map(size_1: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:54
-    return Returned_Environment_map(cdf_size, rotation);
+    // glimt_render_gpu/src/kernels/environment.rs:57
+    return Returned_Environment_map(size_1, rotation);
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -800,58 +800,58 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(_e47, clamp(v_2, 0f, 1f));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:107
-fn bilinear(size_1: vec2<u32>, d_2: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:135
+fn bilinear(size_2: vec2<u32>, d_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:108
+    // glimt_render_gpu/src/kernels/environment.rs:136
     let _e4 = direction_to_uv(d_2);
-    let p_1 = ((_e4 * vec2<f32>(size_1)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:110
+    let p_1 = ((_e4 * vec2<f32>(size_2)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:138
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:111
+    // glimt_render_gpu/src/kernels/environment.rs:139
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:112
-    let x0_ = (((next.x + size_1.x) - 1u) % size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:113
-    let x1_ = (next.x % size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:114
-    let row0_ = ((max(next.y, 1u) * size_1.x) - size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:115
-    let row1_ = (min(next.y, (size_1.y - 1u)) * size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:116
+    // glimt_render_gpu/src/kernels/environment.rs:140
+    let x0_ = (((next.x + size_2.x) - 1u) % size_2.x);
+    // glimt_render_gpu/src/kernels/environment.rs:141
+    let x1_ = (next.x % size_2.x);
+    // glimt_render_gpu/src/kernels/environment.rs:142
+    let row0_ = ((max(next.y, 1u) * size_2.x) - size_2.x);
+    // glimt_render_gpu/src/kernels/environment.rs:143
+    let row1_ = (min(next.y, (size_2.y - 1u)) * size_2.x);
+    // glimt_render_gpu/src/kernels/environment.rs:144
     let _e53 = env_texels[(row0_ + x0_)];
     let _e57 = env_texels[(row0_ + x1_)];
     let upper = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:117
+    // glimt_render_gpu/src/kernels/environment.rs:145
     let _e68 = env_texels[(row1_ + x0_)];
     let _e72 = env_texels[(row1_ + x1_)];
     let lower = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:118
+    // glimt_render_gpu/src/kernels/environment.rs:146
     return ((upper * (1f - f.y)) + (lower * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:43
-fn RadianceMap_background(size_2: vec2<u32>, rotation_1: vec2<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:46
+fn RadianceMap_background(size_3: vec2<u32>, rotation_1: vec2<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:44
+    // glimt_render_gpu/src/kernels/environment.rs:47
     let to_map = vec2<f32>(rotation_1.x, -(rotation_1.y));
-    // glimt_render_gpu/src/kernels/environment.rs:45
+    // glimt_render_gpu/src/kernels/environment.rs:48
     let _e10 = rotate_z(direction_1, to_map);
-    let _e11 = bilinear(size_2, _e10);
+    let _e11 = bilinear(size_3, _e10);
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:98
-fn Environment_background(cdf_size_1: vec2<u32>, rotation_2: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:112
+fn Environment_background(size_4: vec2<u32>, rotation_2: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:99
-    let _e5 = Environment_map(cdf_size_1, rotation_2);
+    // glimt_render_gpu/src/kernels/environment.rs:113
+    let _e5 = Environment_map(size_4, rotation_2);
     let _e8 = RadianceMap_background(_e5.value_size, _e5.value_rotation, direction_2);
     return _e8;
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:119
-fn reconstruct_layers_1(pixel_3: u32, frame_2: FrameParams, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> PixelLayers {
+fn reconstruct_layers_1(pixel_3: u32, frame_2: FrameParams, env_size: vec2<u32>, env_rotation: vec2<f32>) -> PixelLayers {
     var object: vec4<f32>;
     var lit: vec3<f32>;
     var catcher: f32;
@@ -906,7 +906,7 @@ fn reconstruct_layers_1(pixel_3: u32, frame_2: FrameParams, env_cdf_size: vec2<u
             let _e72 = FrameParams_camera_ray(frame_2, _e71);
             let direction_3 = _e72.direction;
             // glimt_render_gpu/src/kernels/layers.rs:143
-            let _e75 = Environment_background(env_cdf_size, env_rotation, direction_3);
+            let _e75 = Environment_background(env_size, env_rotation, direction_3);
             let _e76 = behind;
             behind = (_e76 + _e75);
             // glimt_render_gpu/src/kernels/layers.rs:144
@@ -939,7 +939,7 @@ fn reconstruct_layers(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num
     }
     let _e14 = params.first;
     let _e17 = params.frame;
-    let _e19 = params.env_cdf_size;
+    let _e19 = params.env_size;
     let _e21 = params.env_rotation;
     let _e22 = reconstruct_layers_1((_e14 + local), _e17, _e19, _e21);
     out[local] = _e22;

@@ -23,27 +23,6 @@ struct Corner {
     v: f32,
 }
 
-struct TextureView {
-    first: u32,
-    width: u32,
-    height: u32,
-    flags: u32,
-}
-
-struct Material {
-    color: vec3<f32>,
-    kind: u32,
-    specular: vec3<f32>,
-    exponent: f32,
-    metallic: f32,
-    roughness: f32,
-    normal_scale: f32,
-    unused: u32,
-    base_color_texture: TextureView,
-    metallic_roughness_texture: TextureView,
-    normal_texture: TextureView,
-}
-
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -121,6 +100,18 @@ struct Tuple_f32_f32_ {
     fb: f32,
 }
 
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
 struct ShadingFrame {
     t: vec3<f32>,
     b: vec3<f32>,
@@ -180,6 +171,12 @@ struct Candidate {
     radiance: vec3<f32>,
     target_: f32,
     weight: f32,
+}
+
+struct Returned_Environment_cdf {
+    value_size: vec2<u32>,
+    value_conditional_start: u32,
+    value_conditional_len: u32,
 }
 
 struct Bin {
@@ -244,27 +241,23 @@ struct Params {
     count: u32,
     frame: FrameParams,
     estimator: Bis,
-    env_cdf_size: vec2<u32>,
+    env_size: vec2<u32>,
     env_rotation: vec2<f32>,
 }
 
 @group(0) @binding(1) 
 var<storage> env_texels: array<vec4<f32>>;
 @group(0) @binding(2) 
-var<storage> env_cdf_marginal: array<u32>;
+var<storage> env_tables: array<u32>;
 @group(0) @binding(3) 
-var<storage> env_cdf_conditional: array<u32>;
-@group(0) @binding(4) 
 var<storage> scene_nodes: array<BvhNode>;
-@group(0) @binding(5) 
+@group(0) @binding(4) 
 var<storage> scene_triangles: array<Triangle>;
-@group(0) @binding(6) 
+@group(0) @binding(5) 
 var<storage> scene_corners: array<Corner>;
+@group(0) @binding(6) 
+var<storage> scene_surface: array<u32>;
 @group(0) @binding(7) 
-var<storage> scene_materials: array<Material>;
-@group(0) @binding(8) 
-var<storage> scene_texels: array<u32>;
-@group(0) @binding(9) 
 var<storage, read_write> out: array<LayerSample>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
@@ -494,25 +487,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_14 = (index_5 & 65535u);
+    let index_15 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_14;
+        chosen = index_15;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_14);
+            let _e16 = pascal(index_15);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_14);
+                let _e20 = recurrence_2_(index_15);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_14);
+                let _e22 = recurrence_3_(index_15);
                 chosen = _e22;
             }
         }
@@ -825,17 +818,17 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:52
-    let index_15 = ((this_7.ray * samples) + sample);
+    let index_16 = ((this_7.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:53
     if (this_7.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:54
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_15);
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:56
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_15);
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:57
@@ -845,7 +838,7 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_15, (this_7.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_16, (this_7.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -1265,10 +1258,10 @@ fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
     return Option_Hit(true, Hit(_e7, _e14, _e18));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:63
+// glimt_render_gpu/src/kernels/scene.rs:61
 fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 
-    // glimt_render_gpu/src/kernels/scene.rs:64
+    // glimt_render_gpu/src/kernels/scene.rs:62
     let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
     return _e4;
 }
@@ -1280,22 +1273,42 @@ fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
     return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:120
+// glimt_render_gpu/src/kernels/scene.rs:118
 fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
     var chosen_5: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:121
+    // glimt_render_gpu/src/kernels/scene.rs:119
     let length_squared = dot(v_1, v_1);
-    // glimt_render_gpu/src/kernels/scene.rs:122
+    // glimt_render_gpu/src/kernels/scene.rs:120
     if (length_squared > 0.000000000001f) {
-        // glimt_render_gpu/src/kernels/scene.rs:123
+        // glimt_render_gpu/src/kernels/scene.rs:121
         chosen_5 = (v_1 / vec3(sqrt(length_squared)));
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:125
+        // glimt_render_gpu/src/kernels/scene.rs:123
         chosen_5 = otherwise;
     }
     let _e14 = chosen_5;
     return _e14;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:83
+fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:84
+    let first = (256u + (index_9 * 24u));
+    // glimt_render_gpu/src/kernels/material.rs:85
+    return Returned_MaterialView_new(first, ((first + 24u) - first));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:106
+fn MaterialView_texture(words_start: u32, words_len: u32, word: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:107
+    let _e7 = scene_surface[(words_start + word)];
+    let _e13 = scene_surface[(words_start + (word + 1u))];
+    let _e19 = scene_surface[(words_start + (word + 2u))];
+    let _e25 = scene_surface[(words_start + (word + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
@@ -1325,47 +1338,47 @@ fn wrap(x_6: f32, mode: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:103
-fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
+fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:104
     let last = (i32(size_1) - 1i);
     // glimt_render_gpu/src/kernels/texture.rs:105
     if (mode_1 == 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:106
-        if (index_9 < 0i) {
+        if (index_10 < 0i) {
             // glimt_render_gpu/src/kernels/texture.rs:107
             return u32(last);
         }
         // glimt_render_gpu/src/kernels/texture.rs:109
-        if (index_9 > last) {
+        if (index_10 > last) {
             // glimt_render_gpu/src/kernels/texture.rs:110
             return 0u;
         }
     }
     // glimt_render_gpu/src/kernels/texture.rs:113
-    return u32(clamp(index_9, 0i, last));
+    return u32(clamp(index_10, 0i, last));
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_14: TextureView, index_10: u32) -> vec4<f32> {
+fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
     var chosen_6: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word = scene_texels[(this_14.first + index_10)];
+    let word_3 = scene_surface[(this_14.first + index_11)];
     // glimt_render_gpu/src/kernels/texture.rs:71
-    let r_1 = (word & 255u);
+    let r_1 = (word_3 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
-    let g = ((word >> 8u) & 255u);
+    let g = ((word_3 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_4 = ((word >> 16u) & 255u);
+    let b_4 = ((word_3 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha = (f32((word >> 24u)) / 255f);
+    let alpha = (f32((word_3 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
-        let _e38 = scene_texels[r_1];
-        let _e42 = scene_texels[g];
-        let _e46 = scene_texels[b_4];
+        let _e38 = scene_surface[r_1];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b_4];
         chosen_6 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
@@ -1417,29 +1430,40 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:73
-fn Material_bumped_normal(this_16: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/material.rs:92
+fn MaterialView_number(words_start_1: u32, words_len_1: u32, word_1: u32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/material.rs:81
+    // glimt_render_gpu/src/kernels/material.rs:93
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:147
+fn MaterialView_bumped_normal(words_start_2: u32, words_len_2: u32, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:148
+    let _e9 = MaterialView_texture(words_start_2, words_len_2, 20u);
+    // glimt_render_gpu/src/kernels/material.rs:149
     let across = (tangent - (normal * dot(normal, tangent)));
-    // glimt_render_gpu/src/kernels/material.rs:82
-    let _e12 = TextureView_exists(this_16.normal_texture);
-    if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
-        // glimt_render_gpu/src/kernels/material.rs:83
+    // glimt_render_gpu/src/kernels/material.rs:150
+    let _e15 = TextureView_exists(_e9);
+    if (!(_e15) || !((dot(across, across) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:151
         return normal;
     }
-    // glimt_render_gpu/src/kernels/material.rs:85
+    // glimt_render_gpu/src/kernels/material.rs:153
     let t_4 = normalize(across);
-    // glimt_render_gpu/src/kernels/material.rs:86
+    // glimt_render_gpu/src/kernels/material.rs:154
     let b_5 = (cross(normal, t_4) * handedness);
-    // glimt_render_gpu/src/kernels/material.rs:87
-    let _e27 = TextureView_sample(this_16.normal_texture, uv_1);
-    let map = ((_e27.xyz * 2f) - vec3(1f));
-    // glimt_render_gpu/src/kernels/material.rs:88
-    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_16.normal_scale);
-    // glimt_render_gpu/src/kernels/material.rs:89
-    let _e46 = unit_or((tilt + (normal * map.z)), normal);
-    return _e46;
+    // glimt_render_gpu/src/kernels/material.rs:155
+    let _e29 = TextureView_sample(_e9, uv_1);
+    let bump = ((_e29.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:156
+    let _e43 = MaterialView_number(words_start_2, words_len_2, 10u);
+    let tilt = (((t_4 * bump.x) + (b_5 * bump.y)) * _e43);
+    // glimt_render_gpu/src/kernels/material.rs:157
+    let _e49 = unit_or((tilt + (normal * bump.z)), normal);
+    return _e49;
 }
 
 // glimt_sampling/src/math.rs:45
@@ -1456,10 +1480,20 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_17: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_2, this_17.t), dot(v_2, this_17.b), dot(v_2, this_17.n));
+    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:97
+fn MaterialView_vector(words_start_3: u32, words_len_3: u32, word_2: u32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:98
+    let _e5 = MaterialView_number(words_start_3, words_len_3, word_2);
+    let _e8 = MaterialView_number(words_start_3, words_len_3, (word_2 + 1u));
+    let _e11 = MaterialView_number(words_start_3, words_len_3, (word_2 + 2u));
+    return vec3<f32>(_e5, _e8, _e11);
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -1479,120 +1513,131 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
     return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:46
-fn Material_brdf(this_18: Material, uv_2: vec2<f32>) -> BlinnPhong {
+// glimt_render_gpu/src/kernels/material.rs:118
+fn MaterialView_brdf(words_start_4: u32, words_len_4: u32, uv_2: vec2<f32>) -> BlinnPhong {
     var color: vec3<f32>;
     var metallic_1: f32;
     var roughness_1: f32;
 
-    // glimt_render_gpu/src/kernels/material.rs:47
-    if (this_18.kind == 0u) {
-        // glimt_render_gpu/src/kernels/material.rs:48
-        return BlinnPhong(this_18.color, this_18.specular, this_18.exponent);
+    // glimt_render_gpu/src/kernels/material.rs:119
+    let _e6 = MaterialView_vector(words_start_4, words_len_4, 0u);
+    color = _e6;
+    // glimt_render_gpu/src/kernels/material.rs:120
+    let _e13 = scene_surface[(words_start_4 + 3u)];
+    if (_e13 == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:121
+        let _e17 = color;
+        let _e19 = MaterialView_vector(words_start_4, words_len_4, 4u);
+        let _e21 = MaterialView_number(words_start_4, words_len_4, 7u);
+        return BlinnPhong(_e17, _e19, _e21);
     }
-    // glimt_render_gpu/src/kernels/material.rs:54
-    color = this_18.color;
-    // glimt_render_gpu/src/kernels/material.rs:55
-    let _e17 = TextureView_exists(this_18.base_color_texture);
-    if _e17 {
-        // glimt_render_gpu/src/kernels/material.rs:56
-        let _e20 = TextureView_sample(this_18.base_color_texture, uv_2);
-        let _e22 = color;
-        color = (_e22 * _e20.xyz);
+    // glimt_render_gpu/src/kernels/material.rs:127
+    let _e25 = MaterialView_texture(words_start_4, words_len_4, 12u);
+    // glimt_render_gpu/src/kernels/material.rs:128
+    let _e27 = TextureView_exists(_e25);
+    if _e27 {
+        // glimt_render_gpu/src/kernels/material.rs:129
+        let _e29 = TextureView_sample(_e25, uv_2);
+        let _e31 = color;
+        color = (_e31 * _e29.xyz);
     }
-    // glimt_render_gpu/src/kernels/material.rs:58
-    metallic_1 = this_18.metallic;
-    // glimt_render_gpu/src/kernels/material.rs:59
-    roughness_1 = this_18.roughness;
-    // glimt_render_gpu/src/kernels/material.rs:60
-    let _e32 = TextureView_exists(this_18.metallic_roughness_texture);
-    if _e32 {
-        // glimt_render_gpu/src/kernels/material.rs:61
-        let _e35 = TextureView_sample(this_18.metallic_roughness_texture, uv_2);
-        // glimt_render_gpu/src/kernels/material.rs:62
-        let _e38 = roughness_1;
-        roughness_1 = (_e38 * _e35.y);
-        // glimt_render_gpu/src/kernels/material.rs:63
-        let _e42 = metallic_1;
-        metallic_1 = (_e42 * _e35.z);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e35 = MaterialView_number(words_start_4, words_len_4, 8u);
+    metallic_1 = _e35;
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e39 = MaterialView_number(words_start_4, words_len_4, 9u);
+    roughness_1 = _e39;
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let _e43 = MaterialView_texture(words_start_4, words_len_4, 16u);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    let _e45 = TextureView_exists(_e43);
+    if _e45 {
+        // glimt_render_gpu/src/kernels/material.rs:135
+        let _e47 = TextureView_sample(_e43, uv_2);
+        // glimt_render_gpu/src/kernels/material.rs:136
+        let _e50 = roughness_1;
+        roughness_1 = (_e50 * _e47.y);
+        // glimt_render_gpu/src/kernels/material.rs:137
+        let _e54 = metallic_1;
+        metallic_1 = (_e54 * _e47.z);
     }
-    // glimt_render_gpu/src/kernels/material.rs:65
-    let _e45 = color;
-    let _e46 = metallic_1;
-    let _e47 = roughness_1;
-    let _e48 = BlinnPhong_from_metallic_roughness(_e45, _e46, _e47);
-    return _e48;
+    // glimt_render_gpu/src/kernels/material.rs:139
+    let _e57 = color;
+    let _e58 = metallic_1;
+    let _e59 = roughness_1;
+    let _e60 = BlinnPhong_from_metallic_roughness(_e57, _e58, _e59);
+    return _e60;
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:69
+// glimt_render_gpu/src/kernels/scene.rs:67
 fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
     var chosen_7: vec3<f32>;
     var chosen_8: f32;
     var chosen_9: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:70
+    // glimt_render_gpu/src/kernels/scene.rs:68
     let triangle_2 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:69
+    let first_1 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let a_5 = scene_corners[first_1];
     // glimt_render_gpu/src/kernels/scene.rs:71
-    let first = (3u * hit.triangle);
+    let b_6 = scene_corners[(first_1 + 1u)];
     // glimt_render_gpu/src/kernels/scene.rs:72
-    let a_5 = scene_corners[first];
+    let c_4 = scene_corners[(first_1 + 2u)];
     // glimt_render_gpu/src/kernels/scene.rs:73
-    let b_6 = scene_corners[(first + 1u)];
-    // glimt_render_gpu/src/kernels/scene.rs:74
-    let c_4 = scene_corners[(first + 2u)];
-    // glimt_render_gpu/src/kernels/scene.rs:75
     let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
     let u_12 = _e33.fa;
     let v_4 = _e33.fb;
-    // glimt_render_gpu/src/kernels/scene.rs:76
+    // glimt_render_gpu/src/kernels/scene.rs:74
     let w_2 = ((1f - u_12) - v_4);
-    // glimt_render_gpu/src/kernels/scene.rs:78
+    // glimt_render_gpu/src/kernels/scene.rs:76
     let to_eye = -(ray_8.direction);
-    // glimt_render_gpu/src/kernels/scene.rs:79
+    // glimt_render_gpu/src/kernels/scene.rs:77
     let _e44 = Triangle_area_normal(triangle_2);
     let face = normalize(_e44);
-    // glimt_render_gpu/src/kernels/scene.rs:80
+    // glimt_render_gpu/src/kernels/scene.rs:78
     if (dot(face, to_eye) < 0f) {
         chosen_7 = -(face);
     } else {
         chosen_7 = face;
     }
     let geometric_normal = chosen_7;
-    // glimt_render_gpu/src/kernels/scene.rs:81
+    // glimt_render_gpu/src/kernels/scene.rs:79
     let _e62 = unit_or((((a_5.normal * w_2) + (b_6.normal * u_12)) + (c_4.normal * v_4)), face);
-    // glimt_render_gpu/src/kernels/scene.rs:83
+    // glimt_render_gpu/src/kernels/scene.rs:81
     let uv_3 = vec2<f32>((((a_5.u * w_2) + (b_6.u * u_12)) + (c_4.u * v_4)), (((a_5.v * w_2) + (b_6.v * u_12)) + (c_4.v * v_4)));
-    // glimt_render_gpu/src/kernels/scene.rs:84
-    let material = scene_materials[(triangle_2.material & 2147483647u)];
-    // glimt_render_gpu/src/kernels/scene.rs:85
+    // glimt_render_gpu/src/kernels/scene.rs:82
+    let _e85 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/scene.rs:83
     let tangent_1 = (((a_5.tangent * w_2) + (b_6.tangent * u_12)) + (c_4.tangent * v_4));
-    // glimt_render_gpu/src/kernels/scene.rs:86
+    // glimt_render_gpu/src/kernels/scene.rs:84
     if ((triangle_2.material & 2147483648u) != 0u) {
-        // glimt_render_gpu/src/kernels/scene.rs:87
+        // glimt_render_gpu/src/kernels/scene.rs:85
         chosen_8 = -1f;
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:89
+        // glimt_render_gpu/src/kernels/scene.rs:87
         chosen_8 = 1f;
     }
     let handedness_1 = chosen_8;
-    // glimt_render_gpu/src/kernels/scene.rs:91
-    let _e110 = Material_bumped_normal(material, uv_3, _e62, tangent_1, handedness_1);
-    // glimt_render_gpu/src/kernels/scene.rs:92
+    // glimt_render_gpu/src/kernels/scene.rs:89
+    let _e110 = MaterialView_bumped_normal(_e85.value_words_start, _e85.value_words_len, uv_3, _e62, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:90
     if (dot(_e110, to_eye) < 0f) {
-        // glimt_render_gpu/src/kernels/scene.rs:93
+        // glimt_render_gpu/src/kernels/scene.rs:91
         chosen_9 = -(_e110);
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:95
+        // glimt_render_gpu/src/kernels/scene.rs:93
         chosen_9 = _e110;
     }
     let normal_2 = chosen_9;
-    // glimt_render_gpu/src/kernels/scene.rs:98
+    // glimt_render_gpu/src/kernels/scene.rs:96
     let _e121 = ShadingFrame_from_normal(normal_2);
-    // glimt_render_gpu/src/kernels/scene.rs:99
+    // glimt_render_gpu/src/kernels/scene.rs:97
     let edges = (((triangle_2.v1_ - triangle_2.v0_) * u_12) + ((triangle_2.v2_ - triangle_2.v0_) * v_4));
-    // glimt_render_gpu/src/kernels/scene.rs:100
+    // glimt_render_gpu/src/kernels/scene.rs:98
     let _e138 = ShadingFrame_to_local(_e121, to_eye);
-    let _e139 = Material_brdf(material, uv_3);
+    let _e139 = MaterialView_brdf(_e85.value_words_start, _e85.value_words_len, uv_3);
     return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
 }
 
@@ -1604,22 +1649,22 @@ fn RisSum_new() -> RisSum {
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:65
-fn Candidates_of_brdf(this_19: Candidates) -> u32 {
+fn Candidates_of_brdf(this_17: Candidates) -> u32 {
     var chosen_10: u32;
     var chosen_11: u32;
 
     // glimt_render_gpu/src/kernels/candidates.rs:66
-    if (this_19.source == 0u) {
+    if (this_17.source == 0u) {
         // glimt_render_gpu/src/kernels/candidates.rs:67
-        chosen_10 = this_19.count;
+        chosen_10 = this_17.count;
     } else {
-        if (this_19.source == 1u) {
+        if (this_17.source == 1u) {
             // glimt_render_gpu/src/kernels/candidates.rs:69
             chosen_11 = 0u;
         } else {
             // glimt_render_gpu/src/kernels/candidates.rs:71
-            let _e18 = (this_19.count / 2u);
-            chosen_11 = select(_e18, (_e18 + 1u), ((this_19.count % 2u) != 0u));
+            let _e18 = (this_17.count / 2u);
+            chosen_11 = select(_e18, (_e18 + 1u), ((this_17.count % 2u) != 0u));
         }
         let _e25 = chosen_11;
         chosen_10 = _e25;
@@ -1629,51 +1674,51 @@ fn Candidates_of_brdf(this_19: Candidates) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:135
-fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
+fn owen_sobol(index_12: u32, dimension_2: u32, seed_4: u32) -> u32 {
 
     // glimt_sampling/src/sobol.rs:136
-    let _e5 = shuffle(index_11, seed_4);
+    let _e5 = shuffle(index_12, seed_4);
     let _e6 = sobol_reversed(_e5, dimension_2);
     let _e7 = scramble_1(_e6, dimension_2, seed_4);
     return _e7;
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_20: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_18: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_20).dimension;
+    let dimension_4 = (*this_18).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_20).dimension = (dimension_4 + 1u);
+    (*this_18).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_20).index;
-    let _e13 = (*this_20).seed;
+    let _e11 = (*this_18).index;
+    let _e13 = (*this_18).seed;
     let _e16 = hash2_(_e13, (dimension_4 >> 2u));
     let _e17 = owen_sobol(_e11, dimension_4, _e16);
     return _e17;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:166
-fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+fn jittered(index_13: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:167
     let _e7 = hash2_(key_2, 4u);
-    let _e8 = permute(index_12, count_2, _e7);
+    let _e8 = permute(index_13, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:66
-fn PixelPattern_triple(this_21: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_19: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    let index_16 = ((this_21.ray * samples_1) + sample_1);
+    let index_17 = ((this_19.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    if (this_21.kind == 0u) {
+    if (this_19.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:69
-        let _e14 = PixelPattern_sobol_point(this_21, purpose_4, index_16);
+        let _e14 = PixelPattern_sobol_point(this_19, purpose_4, index_17);
         point = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e17 = OwenSobol_next_uvec2_((&point));
@@ -1682,25 +1727,25 @@ fn PixelPattern_triple(this_21: PixelPattern, purpose_4: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    let _e22 = PixelPattern_generator(this_21, purpose_4, index_16);
+    let _e22 = PixelPattern_generator(this_19, purpose_4, index_17);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:74
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:75
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    if (this_21.kind == 1u) {
+    if (this_19.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:77
         return vec3<u32>(_e25, _e27);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:79
-    let _e37 = PixelPattern_key(this_21, purpose_4);
-    let _e38 = Tuple_u32_u32_((this_21.rays * samples_1), _e37);
+    let _e37 = PixelPattern_key(this_19, purpose_4);
+    let _e38 = Tuple_u32_u32_((this_19.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:80
-    let _e42 = jittered_pair(index_16, count_3, _e25, key_3);
-    let _e43 = jittered(index_16, count_3, _e27, key_3);
+    let _e42 = jittered_pair(index_17, count_3, _e25, key_3);
+    let _e43 = jittered(index_17, count_3, _e27, key_3);
     return vec3<u32>(_e42, _e43);
 }
 
@@ -1712,13 +1757,13 @@ fn luminance(rgb: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_22: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_20: BlinnPhong) -> f32 {
     var chosen_12: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_22.specular);
+    let _e4 = luminance(this_20.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_22.diffuse);
+    let _e7 = luminance(this_20.diffuse);
     let both_3 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_3 > 0f) {
@@ -1937,23 +1982,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_23: HalfVector, exponent_3: f32) -> f32 {
+fn HalfVector_lobe(this_21: HalfVector, exponent_3: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_23.cos2_theta, this_23.sin2_theta, exponent_3);
+    let _e6 = cosine_power(this_21.cos2_theta, this_21.sin2_theta, exponent_3);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_24: HalfVector, exponent_4: f32) -> f32 {
+fn HalfVector_pdf_sr(this_22: HalfVector, exponent_4: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_24, exponent_4);
-    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_24.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_22, exponent_4);
+    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_22.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_25: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_23: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -1963,7 +2008,7 @@ fn BlinnPhong_pdf_sr(this_25: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_25);
+    let _e17 = BlinnPhong_pmf_specular(this_23);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -1971,21 +2016,21 @@ fn BlinnPhong_pdf_sr(this_25: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_1, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_25.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_23.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_26: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_24: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_17: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_26);
+    let _e8 = BlinnPhong_pmf_specular(this_24);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_26.exponent);
+        let _e12 = sample_power_cosine(u_5, this_24.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_17 = (((2f * dot(wo_2, h)) * h) - wo_2);
@@ -1996,15 +2041,15 @@ fn BlinnPhong_sample(this_26: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec
     }
     let wi_5 = chosen_17;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_26, wo_2, wi_5);
+    let _e25 = BlinnPhong_pdf_sr(this_24, wo_2, wi_5);
     return BrdfSample(wi_5, _e25);
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_27: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_25: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_27.t * v_3.x) + (this_27.b * v_3.y)) + (this_27.n * v_3.z));
+    return (((this_25.t * v_3.x) + (this_25.b * v_3.y)) + (this_25.n * v_3.z));
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -2014,10 +2059,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:64
-fn Environment_to_map(cdf_size: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:78
+fn Environment_to_map(size_2: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:65
+    // glimt_render_gpu/src/kernels/environment.rs:79
     let _e8 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
     return _e8;
 }
@@ -2056,56 +2101,71 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:68
-fn direction_to_texel(d_2: vec3<f32>, size_2: vec2<u32>) -> vec2<u32> {
+fn direction_to_texel(d_2: vec3<f32>, size_3: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_11 = max(size_2, vec2(1u));
+    let size_18 = max(size_3, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_11));
+    let position = (_e8 * vec2<f32>(size_18));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_11 - vec2(1u)));
+    return min(vec2<u32>(position), (size_18 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:71
-fn Environment_texel(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/environment.rs:85
+fn Environment_texel(size_4: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:72
-    let _e5 = Environment_to_map(cdf_size_1, rotation_1, direction_7);
-    let _e6 = direction_to_texel(_e5, cdf_size_1);
+    // glimt_render_gpu/src/kernels/environment.rs:86
+    let _e5 = Environment_to_map(size_4, rotation_1, direction_7);
+    let _e6 = direction_to_texel(_e5, size_4);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:78
-fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:92
+fn Environment_radiance(size_5: vec2<u32>, rotation_2: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:79
-    let _e11 = env_texels[((texel.y * cdf_size_2.x) + texel.x)];
+    // glimt_render_gpu/src/kernels/environment.rs:93
+    let _e11 = env_texels[((texel.y * size_5.x) + texel.x)];
     return _e11.xyz;
 }
 
+// glimt_render_gpu/src/kernels/environment.rs:120
+fn marginal_words(size_6: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:121
+    return (size_6.y + 1u);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:67
+fn Environment_cdf(size_7: vec2<u32>, rotation_3: vec2<f32>) -> Returned_Environment_cdf {
+
+    // glimt_render_gpu/src/kernels/environment.rs:68
+    let _e3 = marginal_words(size_7);
+    return Returned_Environment_cdf(size_7, _e3, (arrayLength((&env_tables)) - _e3));
+}
+
 // glimt_envmap_cdf/src/env_cdf.rs:142
-fn EnvCdf_row(size_3: vec2<u32>, texel_1: vec2<u32>) -> Bin {
+fn EnvCdf_row(size_8: vec2<u32>, conditional_start: u32, conditional_len: u32, texel_1: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:143
     let y_3 = texel_1.y;
     // glimt_envmap_cdf/src/env_cdf.rs:144
-    let _e8 = env_cdf_marginal[y_3];
-    let _e13 = env_cdf_marginal[(y_3 + 1u)];
-    let _e16 = env_cdf_marginal[y_3];
+    let _e8 = env_tables[y_3];
+    let _e13 = env_tables[(y_3 + 1u)];
+    let _e16 = env_tables[y_3];
     return Bin(texel_1.y, _e8, (_e13 - _e16));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:151
-fn EnvCdf_column(size_4: vec2<u32>, texel_2: vec2<u32>) -> Bin {
+fn EnvCdf_column(size_9: vec2<u32>, conditional_start_1: u32, conditional_len_1: u32, texel_2: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:152
-    let x_10 = ((texel_2.y * (size_4.x + 1u)) + texel_2.x);
+    let x_10 = ((texel_2.y * (size_9.x + 1u)) + texel_2.x);
     // glimt_envmap_cdf/src/env_cdf.rs:153
-    let _e15 = env_cdf_conditional[x_10];
-    let _e20 = env_cdf_conditional[(x_10 + 1u)];
-    let _e23 = env_cdf_conditional[x_10];
-    return Bin(texel_2.x, _e15, (_e20 - _e23));
+    let _e17 = env_tables[(conditional_start_1 + x_10)];
+    let _e23 = env_tables[(conditional_start_1 + (x_10 + 1u))];
+    let _e27 = env_tables[(conditional_start_1 + x_10)];
+    return Bin(texel_2.x, _e17, (_e23 - _e27));
 }
 
 // glimt_probe/src/trig.rs:25
@@ -2146,51 +2206,51 @@ fn cos_sin_pi(x_7: f32) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:121
-fn texel_solid_angle_sr(row: u32, size_5: vec2<u32>) -> f32 {
+fn texel_solid_angle_sr(row: u32, size_10: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_12 = max(size_5, vec2(1u));
+    let size_19 = max(size_10, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_2 = min(row, (size_12.y - 1u));
+    let row_2 = min(row, (size_19.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_2, ((size_12.y - 1u) - row_2));
+    let from_pole = min(row_2, ((size_19.y - 1u) - row_2));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_12.y));
+    let half_row = (0.5f / f32(size_19.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_12.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_19.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:162
-fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_6: vec2<u32>) -> f32 {
+fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_11: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:163
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
     // glimt_envmap_cdf/src/env_cdf.rs:164
-    let _e14 = texel_solid_angle_sr(row_1, size_6);
+    let _e14 = texel_solid_angle_sr(row_1, size_11);
     return (pmf / _e14);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:119
-fn EnvCdf_texel_pdf_sr(size_7: vec2<u32>, texel_3: vec2<u32>) -> f32 {
+fn EnvCdf_texel_pdf_sr(size_12: vec2<u32>, conditional_start_2: u32, conditional_len_2: u32, texel_3: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:120
-    let _e4 = EnvCdf_row(size_7, texel_3);
+    let _e6 = EnvCdf_row(size_12, conditional_start_2, conditional_len_2, texel_3);
     // glimt_envmap_cdf/src/env_cdf.rs:121
-    let _e6 = EnvCdf_column(size_7, texel_3);
+    let _e8 = EnvCdf_column(size_12, conditional_start_2, conditional_len_2, texel_3);
     // glimt_envmap_cdf/src/env_cdf.rs:122
-    let _e11 = density_sr(_e4.units, _e6.units, texel_3.y, size_7);
-    return _e11;
+    let _e13 = density_sr(_e6.units, _e8.units, texel_3.y, size_12);
+    return _e13;
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:48
-fn EnvCdf_is_black(size_8: vec2<u32>) -> bool {
+fn EnvCdf_is_black(size_13: vec2<u32>, conditional_start_3: u32, conditional_len_3: u32) -> bool {
 
     // glimt_envmap_cdf/src/env_cdf.rs:49
-    let _e6 = env_cdf_marginal[size_8.y];
+    let _e6 = env_tables[size_13.y];
     return (_e6 == 0u);
 }
 
@@ -2214,7 +2274,7 @@ fn find_bin(start: u32, bins: u32, u_6: u32) -> Bin {
         let half = (_e14 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
         let _e18 = at;
-        let _e22 = env_cdf_marginal[(_e18 + half)];
+        let _e22 = env_tables[(_e18 + half)];
         if (_e22 <= u_6) {
             // glimt_envmap_cdf/src/search.rs:38
             let _e25 = at;
@@ -2226,16 +2286,16 @@ fn find_bin(start: u32, bins: u32, u_6: u32) -> Bin {
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
-    let first_1 = env_cdf_marginal[_e31];
+    let first_2 = env_tables[_e31];
     // glimt_envmap_cdf/src/search.rs:43
     let _e36 = at;
     let _e38 = at;
-    let _e43 = env_cdf_marginal[(_e38 + 1u)];
-    return Bin((_e36 - start), first_1, (_e43 - first_1));
+    let _e43 = env_tables[(_e38 + 1u)];
+    return Bin((_e36 - start), first_2, (_e43 - first_2));
 }
 
 // glimt_envmap_cdf/src/search.rs:31
-fn find_bin_1(start_1: u32, bins_1: u32, u_7: u32) -> Bin {
+fn find_bin_1(edges_start: u32, edges_len: u32, start_1: u32, bins_1: u32, u_7: u32) -> Bin {
     var at_1: u32;
     var left_1: u32;
 
@@ -2245,33 +2305,33 @@ fn find_bin_1(start_1: u32, bins_1: u32, u_7: u32) -> Bin {
     left_1 = bins_1;
     // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e9 = left_1;
-        if !((_e9 > 1u)) {
+        let _e10 = left_1;
+        if !((_e10 > 1u)) {
             break;
         }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e14 = left_1;
-        let half_1 = (_e14 / 2u);
+        let _e15 = left_1;
+        let half_1 = (_e15 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
-        let _e18 = at_1;
-        let _e22 = env_cdf_conditional[(_e18 + half_1)];
-        if (_e22 <= u_7) {
+        let _e19 = at_1;
+        let _e24 = env_tables[(edges_start + (_e19 + half_1))];
+        if (_e24 <= u_7) {
             // glimt_envmap_cdf/src/search.rs:38
-            let _e25 = at_1;
-            at_1 = (_e25 + half_1);
+            let _e27 = at_1;
+            at_1 = (_e27 + half_1);
         }
         // glimt_envmap_cdf/src/search.rs:40
-        let _e28 = left_1;
-        left_1 = (_e28 - half_1);
+        let _e30 = left_1;
+        left_1 = (_e30 - half_1);
     }
     // glimt_envmap_cdf/src/search.rs:42
-    let _e31 = at_1;
-    let first_2 = env_cdf_conditional[_e31];
+    let _e33 = at_1;
+    let first_3 = env_tables[(edges_start + _e33)];
     // glimt_envmap_cdf/src/search.rs:43
-    let _e36 = at_1;
-    let _e38 = at_1;
-    let _e43 = env_cdf_conditional[(_e38 + 1u)];
-    return Bin((_e36 - start_1), first_2, (_e43 - first_2));
+    let _e39 = at_1;
+    let _e41 = at_1;
+    let _e47 = env_tables[(edges_start + (_e41 + 1u))];
+    return Bin((_e39 - start_1), first_3, (_e47 - first_3));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:168
@@ -2284,33 +2344,33 @@ fn place_in_bin(bin: Bin, u_8: u32, fraction: u32) -> f32 {
 }
 
 // glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+fn direction_in_texel(texel_4: vec2<u32>, size_14: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
     var chosen_21: u32;
     var chosen_22: u32;
     var chosen_23: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_13 = max(size_9, vec2(1u));
+    let size_20 = max(size_14, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_3 = min(texel_4.y, (size_13.y - 1u));
+    let row_3 = min(texel_4.y, (size_20.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_3) >= size_13.y);
+    let southern = ((2u * row_3) >= size_20.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_21 = (size_13.y - row_3);
+        chosen_21 = (size_20.y - row_3);
     } else {
         chosen_21 = row_3;
     }
     let upper_1 = chosen_21;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_22 = ((size_13.y - row_3) - 1u);
+        chosen_22 = ((size_20.y - row_3) - 1u);
     } else {
         chosen_22 = (row_3 + 1u);
     }
     let lower_1 = chosen_22;
     // glimt_probe/src/latlong.rs:149
-    let half_2 = (0.5f / f32(size_13.y));
+    let half_2 = (0.5f / f32(size_20.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper_1) * half_2));
     let sin_upper = _e41.y;
@@ -2333,48 +2393,49 @@ fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> ve
     }
     let cos_theta_1 = chosen_23;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_13.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_20.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:61
-fn EnvCdf_sample(size_10: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
+fn EnvCdf_sample(size_15: vec2<u32>, conditional_start_4: u32, conditional_len_4: u32, u_9: vec2<u32>) -> EnvSample {
 
     // glimt_envmap_cdf/src/env_cdf.rs:62
-    let _e4 = EnvCdf_is_black(size_10);
-    if _e4 {
+    let _e6 = EnvCdf_is_black(size_15, conditional_start_4, conditional_len_4);
+    if _e6 {
         // glimt_envmap_cdf/src/env_cdf.rs:63
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let _e20 = find_bin(0u, size_10.y, (u_9.y >> 1u));
+    let _e22 = find_bin(0u, size_15.y, (u_9.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_start = (_e20.index * (size_10.x + 1u));
+    let row_start = (_e22.index * (size_15.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e32 = find_bin_1(row_start, size_10.x, (u_9.x >> 1u));
+    let _e34 = find_bin_1(conditional_start_4, conditional_len_4, row_start, size_15.x, (u_9.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_5 = vec2<u32>(_e32.index, _e20.index);
+    let texel_5 = vec2<u32>(_e34.index, _e22.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e40 = hash2_(u_9.x, u_9.y);
+    let _e42 = hash2_(u_9.x, u_9.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e47 = place_in_bin(_e32, (u_9.x >> 1u), (_e40 & 65535u));
-    let _e53 = place_in_bin(_e20, (u_9.y >> 1u), (_e40 >> 16u));
-    let place_2 = vec2<f32>(_e47, _e53);
+    let _e49 = place_in_bin(_e34, (u_9.x >> 1u), (_e42 & 65535u));
+    let _e55 = place_in_bin(_e22, (u_9.y >> 1u), (_e42 >> 16u));
+    let place_2 = vec2<f32>(_e49, _e55);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e56 = direction_in_texel(texel_5, size_10, place_2);
-    let _e60 = density_sr(_e20.units, _e32.units, _e20.index, size_10);
-    return EnvSample(texel_5, _e56, _e60);
+    let _e58 = direction_in_texel(texel_5, size_15, place_2);
+    let _e62 = density_sr(_e22.units, _e34.units, _e22.index, size_15);
+    return EnvSample(texel_5, _e58, _e62);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:85
-fn Environment_sample(cdf_size_3: vec2<u32>, rotation_3: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
+// glimt_render_gpu/src/kernels/environment.rs:99
+fn Environment_sample(size_16: vec2<u32>, rotation_4: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:86
-    let _e5 = EnvCdf_sample(cdf_size_3, u_10);
-    // glimt_render_gpu/src/kernels/environment.rs:87
-    let _e8 = rotate_z(_e5.direction, rotation_3);
-    return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
+    // glimt_render_gpu/src/kernels/environment.rs:100
+    let _e5 = Environment_cdf(size_16, rotation_4);
+    let _e9 = EnvCdf_sample(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, u_10);
+    // glimt_render_gpu/src/kernels/environment.rs:101
+    let _e12 = rotate_z(_e9.direction, rotation_4);
+    return EnvSample(_e9.texel, _e12, _e9.pdf_sr);
 }
 
 // glimt_brdf/src/lobe.rs:86
@@ -2387,7 +2448,7 @@ fn normalisation(exponent_5: f32) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_28: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_26: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_3.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2395,38 +2456,38 @@ fn BlinnPhong_eval(this_28: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_28.diffuse * 0.31830987f);
+    let diffuse = (this_26.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_28.specular.x, this_28.specular.y), this_28.specular.z) <= 0f) {
+    if (max(max(this_26.specular.x, this_26.specular.y), this_26.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_28.exponent);
+    let _e31 = normalisation(this_26.exponent);
     let _e32 = HalfVector_new(wo_3, wi_2);
-    let _e34 = HalfVector_lobe(_e32, this_28.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_26.exponent);
     let lobe = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_28.specular * lobe));
+    return (diffuse + (this_26.specular * lobe));
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:78
-fn Candidates_draw(this_29: Candidates, index_13: u32, point_1: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_27: Candidates, index_14: u32, point_1: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density: f32;
     var direction_8: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/candidates.rs:85
-    let _e8 = Candidates_of_brdf(this_29);
+    let _e8 = Candidates_of_brdf(this_27);
     // glimt_render_gpu/src/kernels/candidates.rs:86
-    let of_env = (this_29.count - _e8);
+    let of_env = (this_27.count - _e8);
     // glimt_render_gpu/src/kernels/candidates.rs:88
     density = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:92
-    if (index_13 < _e8) {
+    if (index_14 < _e8) {
         // glimt_render_gpu/src/kernels/candidates.rs:93
-        let _e22 = PixelPattern_triple(pattern_1, 4u, index_13, _e8);
+        let _e22 = PixelPattern_triple(pattern_1, 4u, index_14, _e8);
         // glimt_render_gpu/src/kernels/candidates.rs:94
         let _e28 = unit_vec2_(_e22.xy);
         let _e29 = BlinnPhong_sample(point_1.brdf, point_1.wo, _e22.z, _e28);
@@ -2443,9 +2504,9 @@ fn Candidates_draw(this_29: Candidates, index_13: u32, point_1: ShadingPoint, pa
         direction_8 = _e54;
         // glimt_render_gpu/src/kernels/candidates.rs:100
         let _e56 = direction_8;
-        let _e57 = Environment_texel(env_cdf_size, env_rotation, _e56);
+        let _e57 = Environment_texel(env_size, env_rotation, _e56);
         // glimt_render_gpu/src/kernels/candidates.rs:101
-        let _e59 = Environment_radiance(env_cdf_size, env_rotation, _e57);
+        let _e59 = Environment_radiance(env_size, env_rotation, _e57);
         radiance = _e59;
         // glimt_render_gpu/src/kernels/candidates.rs:102
         let _e64 = density;
@@ -2453,133 +2514,134 @@ fn Candidates_draw(this_29: Candidates, index_13: u32, point_1: ShadingPoint, pa
         // glimt_render_gpu/src/kernels/candidates.rs:103
         if (of_env > 0u) {
             // glimt_render_gpu/src/kernels/candidates.rs:104
-            let _e71 = EnvCdf_texel_pdf_sr(env_cdf_size, _e57);
-            let _e73 = density;
-            density = (_e73 + (f32(of_env) * _e71));
+            let _e71 = Environment_cdf(env_size, env_rotation);
+            let _e75 = EnvCdf_texel_pdf_sr(_e71.value_size, _e71.value_conditional_start, _e71.value_conditional_len, _e57);
+            let _e77 = density;
+            density = (_e77 + (f32(of_env) * _e75));
         }
     } else {
         // glimt_render_gpu/src/kernels/candidates.rs:107
-        let _e78 = PixelPattern_pair(pattern_1, 5u, (index_13 - _e8), of_env);
+        let _e82 = PixelPattern_pair(pattern_1, 5u, (index_14 - _e8), of_env);
         // glimt_render_gpu/src/kernels/candidates.rs:108
-        let _e80 = Environment_sample(env_cdf_size, env_rotation, _e78);
+        let _e84 = Environment_sample(env_size, env_rotation, _e82);
         // glimt_render_gpu/src/kernels/candidates.rs:109
-        if !((_e80.pdf_sr > 0f)) {
+        if !((_e84.pdf_sr > 0f)) {
             // glimt_render_gpu/src/kernels/candidates.rs:110
             return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
         }
         // glimt_render_gpu/src/kernels/candidates.rs:112
-        direction_8 = _e80.direction;
+        direction_8 = _e84.direction;
         // glimt_render_gpu/src/kernels/candidates.rs:113
-        let _e104 = direction_8;
-        let _e105 = ShadingFrame_to_local(point_1.frame, _e104);
-        wi_3 = _e105;
+        let _e108 = direction_8;
+        let _e109 = ShadingFrame_to_local(point_1.frame, _e108);
+        wi_3 = _e109;
         // glimt_render_gpu/src/kernels/candidates.rs:114
-        let _e108 = Environment_radiance(env_cdf_size, env_rotation, _e80.texel);
-        radiance = _e108;
+        let _e112 = Environment_radiance(env_size, env_rotation, _e84.texel);
+        radiance = _e112;
         // glimt_render_gpu/src/kernels/candidates.rs:115
-        let _e113 = density;
-        density = (_e113 + (f32(of_env) * _e80.pdf_sr));
+        let _e117 = density;
+        density = (_e117 + (f32(of_env) * _e84.pdf_sr));
         // glimt_render_gpu/src/kernels/candidates.rs:116
         if (_e8 > 0u) {
             // glimt_render_gpu/src/kernels/candidates.rs:117
-            let _e122 = wi_3;
-            let _e123 = BlinnPhong_pdf_sr(point_1.brdf, point_1.wo, _e122);
-            let _e125 = density;
-            density = (_e125 + (f32(_e8) * _e123));
+            let _e126 = wi_3;
+            let _e127 = BlinnPhong_pdf_sr(point_1.brdf, point_1.wo, _e126);
+            let _e129 = density;
+            density = (_e129 + (f32(_e8) * _e127));
         }
     }
     // glimt_render_gpu/src/kernels/candidates.rs:120
-    let _e129 = wi_3.z;
-    if !((_e129 > 0f)) {
+    let _e133 = wi_3.z;
+    if !((_e133 > 0f)) {
         // glimt_render_gpu/src/kernels/candidates.rs:121
         return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
     }
     // glimt_render_gpu/src/kernels/candidates.rs:123
-    let _e150 = wi_3;
-    let _e151 = BlinnPhong_eval(point_1.brdf, point_1.wo, _e150);
-    let _e152 = luminance(_e151);
-    let _e154 = wi_3.z;
-    let reflected = (_e152 * _e154);
+    let _e154 = wi_3;
+    let _e155 = BlinnPhong_eval(point_1.brdf, point_1.wo, _e154);
+    let _e156 = luminance(_e155);
+    let _e158 = wi_3.z;
+    let reflected = (_e156 * _e158);
     // glimt_render_gpu/src/kernels/candidates.rs:124
-    let _e157 = radiance;
-    let _e158 = luminance(_e157);
-    let target_ = ((_e158 + this_29.floor) * reflected);
+    let _e161 = radiance;
+    let _e162 = luminance(_e161);
+    let target_ = ((_e162 + this_27.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:125
-    let _e163 = direction_8;
-    let _e164 = wi_3;
-    let _e165 = radiance;
-    let _e168 = density;
-    return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_29.count) / _e168)));
+    let _e167 = direction_8;
+    let _e168 = wi_3;
+    let _e169 = radiance;
+    let _e172 = density;
+    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_27.count) / _e172)));
 }
 
 // glimt_sampling/src/ris.rs:72
-fn RisSum_add(this_30: ptr<function, RisSum>, weight: f32) {
+fn RisSum_add(this_28: ptr<function, RisSum>, weight: f32) {
 
     // glimt_sampling/src/ris.rs:73
-    let _e6 = (*this_30).candidates;
-    (*this_30).candidates = (_e6 + 1u);
+    let _e6 = (*this_28).candidates;
+    (*this_28).candidates = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
         // glimt_sampling/src/ris.rs:75
-        let _e13 = (*this_30).sum;
-        (*this_30).sum = (_e13 + weight);
+        let _e13 = (*this_28).sum;
+        (*this_28).sum = (_e13 + weight);
         // glimt_sampling/src/ris.rs:76
-        let _e17 = (*this_30).candidates;
-        (*this_30).end = _e17;
+        let _e17 = (*this_28).candidates;
+        (*this_28).end = _e17;
     }
     return;
 }
 
 // glimt_sampling/src/ris.rs:109
-fn Word_next_u32_(this_31: ptr<function, Word>) -> u32 {
+fn Word_next_u32_(this_29: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/ris.rs:110
-    let _e4 = (*this_31).f0_;
+    let _e4 = (*this_29).f0_;
     return _e4;
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth(this_32: ptr<function, Comb>, source: ptr<function, Word>) {
+fn Comb_place_tooth(this_30: ptr<function, Comb>, source: ptr<function, Word>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_32).made;
-    let _e7 = (*this_32).teeth;
+    let _e5 = (*this_30).made;
+    let _e7 = (*this_30).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_32).made;
-    let first_3 = f32(_e12);
+    let _e12 = (*this_30).made;
+    let first_4 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_32).scheme;
+    let _e16 = (*this_30).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_32).state;
-        (*this_32).next = (first_3 + _e21);
+        let _e21 = (*this_30).state;
+        (*this_30).next = (first_4 + _e21);
     } else {
-        let _e25 = (*this_32).scheme;
+        let _e25 = (*this_30).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = Word_next_u32_(source);
             let _e30 = unit_f32_(_e29);
-            (*this_32).next = (first_3 + _e30);
+            (*this_30).next = (first_4 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = Word_next_u32_(source);
             let _e36 = unit_f32_(_e35);
             let v_7 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_32).teeth;
-            let _e42 = (*this_32).made;
+            let _e40 = (*this_30).teeth;
+            let _e42 = (*this_30).made;
             let left_3 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_32).state;
-            (*this_32).state = (_e50 * pow(v_7, (1f / left_3)));
+            let _e50 = (*this_30).state;
+            (*this_30).state = (_e50 * pow(v_7, (1f / left_3)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_32).state;
-            let _e58 = (*this_32).teeth;
-            (*this_32).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_30).state;
+            let _e58 = (*this_30).teeth;
+            (*this_30).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -2626,13 +2688,13 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_11: u32) -> RisPicks {
 }
 
 // glimt_sampling/src/ris.rs:83
-fn RisSum_normaliser(this_33: RisSum) -> f32 {
+fn RisSum_normaliser(this_31: RisSum) -> f32 {
     var chosen_25: f32;
 
     // glimt_sampling/src/ris.rs:84
-    if (this_33.candidates > 0u) {
+    if (this_31.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_25 = (this_33.sum / f32(this_33.candidates));
+        chosen_25 = (this_31.sum / f32(this_31.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
         chosen_25 = 0f;
@@ -2642,10 +2704,10 @@ fn RisSum_normaliser(this_33: RisSum) -> f32 {
 }
 
 // glimt_sampling/src/ris.rs:153
-fn RisPicks_is_done(this_34: RisPicks) -> bool {
+fn RisPicks_is_done(this_32: RisPicks) -> bool {
 
     // glimt_sampling/src/ris.rs:154
-    return (this_34.left == 0u);
+    return (this_32.left == 0u);
 }
 
 // glimt_sampling/src/resample.rs:45
@@ -2665,76 +2727,76 @@ fn sure_copies(scheme_1: u32, expected: f32) -> u32 {
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take(this_35: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, Word>) -> u32 {
+fn Comb_take(this_33: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_35).scheme;
+    let _e6 = (*this_33).scheme;
     let _e7 = sure_copies(_e6, expected_1);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_35).reach;
-    (*this_35).reach = (_e12 + (expected_1 - f32(_e7)));
+    let _e12 = (*this_33).reach;
+    (*this_33).reach = (_e12 + (expected_1 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before = (*this_35).made;
+    let before = (*this_33).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_35).made;
-        let _e21 = (*this_35).teeth;
-        let _e24 = (*this_35).next;
-        let _e26 = (*this_35).reach;
+        let _e19 = (*this_33).made;
+        let _e21 = (*this_33).teeth;
+        let _e24 = (*this_33).next;
+        let _e26 = (*this_33).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_35).made;
-            (*this_35).made = (_e32 + 1u);
+            let _e32 = (*this_33).made;
+            (*this_33).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth(this_35, source_2);
+            Comb_place_tooth(this_33, source_2);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_35).made;
+    let _e37 = (*this_33).made;
     return (_e7 + (_e37 - before));
 }
 
 // glimt_sampling/src/ris.rs:133
-fn RisPicks_take(this_36: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+fn RisPicks_take(this_34: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     var chosen_27: u32;
     var borrowed_3: Comb;
     var borrowed_4: Word;
 
     // glimt_sampling/src/ris.rs:134
-    let _e6 = (*this_36).candidate;
-    (*this_36).candidate = (_e6 + 1u);
+    let _e6 = (*this_34).candidate;
+    (*this_34).candidate = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:135
-    let _e13 = (*this_36).left;
+    let _e13 = (*this_34).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
         // glimt_sampling/src/ris.rs:136
         return 0u;
     }
     // glimt_sampling/src/ris.rs:138
-    let _e22 = (*this_36).candidate;
-    let _e24 = (*this_36).end;
+    let _e22 = (*this_34).candidate;
+    let _e24 = (*this_34).end;
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
-        let _e28 = (*this_36).left;
+        let _e28 = (*this_34).left;
         chosen_27 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
-        let _e32 = (*this_36).comb;
+        let _e32 = (*this_34).comb;
         borrowed_3 = _e32;
-        let _e34 = (*this_36).sum;
-        let _e37 = (*this_36).samples;
+        let _e34 = (*this_34).sum;
+        let _e37 = (*this_34).samples;
         borrowed_4 = Word(0u);
         let _e42 = Comb_take((&borrowed_3), ((weight_1 / _e34) * _e37), (&borrowed_4));
         let _e43 = borrowed_3;
-        (*this_36).comb = _e43;
-        let _e45 = (*this_36).left;
+        (*this_34).comb = _e43;
+        let _e45 = (*this_34).left;
         chosen_27 = min(_e42, _e45);
     }
     let picks_2 = chosen_27;
     // glimt_sampling/src/ris.rs:146
-    let _e50 = (*this_36).left;
-    (*this_36).left = (_e50 - picks_2);
+    let _e50 = (*this_34).left;
+    (*this_34).left = (_e50 - picks_2);
     // glimt_sampling/src/ris.rs:147
     return picks_2;
 }
@@ -2767,52 +2829,52 @@ fn any_hit(ray_9: Ray, t_max_2: f32) -> bool {
     return (_e7 != 4294967295u);
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:112
+// glimt_render_gpu/src/kernels/scene.rs:110
 fn Scene_is_lit(point_3: ShadingPoint, direction_10: vec3<f32>) -> bool {
 
-    // glimt_render_gpu/src/kernels/scene.rs:113
+    // glimt_render_gpu/src/kernels/scene.rs:111
     let _e5 = Ray_new(point_3.origin, direction_10);
-    // glimt_render_gpu/src/kernels/scene.rs:114
+    // glimt_render_gpu/src/kernels/scene.rs:112
     let _e8 = any_hit(_e5, 0x1.fffffep+127f);
     return !(_e8);
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_37: LightSample, point_4: ShadingPoint) -> Reflected {
+fn LightSample_traced(this_35: LightSample, point_4: ShadingPoint) -> Reflected {
     var chosen_28: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_37.contribution.x, this_37.contribution.y), this_37.contribution.z) > 0f)) {
+    if !((max(max(this_35.contribution.x, this_35.contribution.y), this_35.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e22 = Scene_is_lit(point_4, this_37.direction);
+    let _e22 = Scene_is_lit(point_4, this_35.direction);
     if _e22 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_28 = Reflected(this_37.contribution, vec3(0f));
+        chosen_28 = Reflected(this_35.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_28 = Reflected(vec3(0f), this_37.contribution);
+        chosen_28 = Reflected(vec3(0f), this_35.contribution);
     }
     let _e33 = chosen_28;
     return _e33;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_38: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_36: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_38).lit;
-    (*this_38).lit = (_e6 + light.lit);
+    let _e6 = (*this_36).lit;
+    (*this_36).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_38).blocked;
-    (*this_38).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_36).blocked;
+    (*this_36).blocked = (_e11 + light.blocked);
     return;
 }
 
 // glimt_render_gpu/src/kernels/bis.rs:33
-fn Bis_reflected(this_39: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Reflected {
+fn Bis_reflected(this_37: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Reflected {
     var weights_1: RisSum;
     var counter_2: u32;
     var sum_2: Reflected;
@@ -2821,7 +2883,7 @@ fn Bis_reflected(this_39: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
     var both_2: bool;
 
     // glimt_render_gpu/src/kernels/bis.rs:40
-    let candidates = Candidates(this_39.candidates, this_39.source, 0f);
+    let candidates = Candidates(this_37.candidates, this_37.source, 0f);
     // glimt_render_gpu/src/kernels/bis.rs:45
     let _e12 = RisSum_new();
     weights_1 = _e12;
@@ -2829,11 +2891,11 @@ fn Bis_reflected(this_39: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
     counter_2 = 0u;
     loop {
         let j_1 = counter_2;
-        if (j_1 >= this_39.candidates) {
+        if (j_1 >= this_37.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/bis.rs:47
-        let _e21 = Candidates_draw(candidates, j_1, point_5, pattern_2, env_cdf_size_1, env_rotation_1);
+        let _e21 = Candidates_draw(candidates, j_1, point_5, pattern_2, env_size_1, env_rotation_1);
         RisSum_add((&weights_1), _e21.weight);
         continuing {
             let _e23 = counter_2;
@@ -2845,18 +2907,18 @@ fn Bis_reflected(this_39: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
     // glimt_render_gpu/src/kernels/bis.rs:50
     let _e34 = weights_1;
     let _e39 = PixelPattern_pair(pattern_2, 6u, 0u, 1u);
-    let _e41 = RisPicks_new(_e34, this_39.samples, _e39.x);
+    let _e41 = RisPicks_new(_e34, this_37.samples, _e39.x);
     picks_1 = _e41;
     // glimt_render_gpu/src/kernels/bis.rs:51
     let _e46 = weights_1;
     let _e47 = RisSum_normaliser(_e46);
-    let scale = (f32(this_39.samples) / max(_e47, 0.000000000000000000000000000000000000011754944f));
+    let scale = (f32(this_37.samples) / max(_e47, 0.000000000000000000000000000000000000011754944f));
     // glimt_render_gpu/src/kernels/bis.rs:52
     j = 0u;
     // glimt_render_gpu/src/kernels/bis.rs:53
     loop {
         let _e55 = j;
-        let _e57 = (_e55 < this_39.candidates);
+        let _e57 = (_e55 < this_37.candidates);
         both_2 = _e57;
         if _e57 {
             let _e59 = picks_1;
@@ -2867,7 +2929,7 @@ fn Bis_reflected(this_39: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
         if _e62 {
             // glimt_render_gpu/src/kernels/bis.rs:54
             let _e64 = j;
-            let _e65 = Candidates_draw(candidates, _e64, point_5, pattern_2, env_cdf_size_1, env_rotation_1);
+            let _e65 = Candidates_draw(candidates, _e64, point_5, pattern_2, env_size_1, env_rotation_1);
             // glimt_render_gpu/src/kernels/bis.rs:55
             let _e68 = RisPicks_take((&picks_1), _e65.weight);
             // glimt_render_gpu/src/kernels/bis.rs:56
@@ -2912,11 +2974,11 @@ fn LayerSample_of_surface(light_2: Reflected, is_catcher_1: bool) -> LayerSample
     return _e4;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:53
-fn Environment_map(cdf_size_4: vec2<u32>, rotation_4: vec2<f32>) -> Returned_Environment_map {
+// glimt_render_gpu/src/kernels/environment.rs:56
+fn Environment_map(size_17: vec2<u32>, rotation_5: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:54
-    return Returned_Environment_map(cdf_size_4, rotation_4);
+    // glimt_render_gpu/src/kernels/environment.rs:57
+    return Returned_Environment_map(size_17, rotation_5);
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:46
@@ -2927,7 +2989,7 @@ fn LayerSample_of_background(_ray: Ray, _frame: FrameParams, _map_size: vec2<u32
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:53
-fn shade(ray_10: u32, frame_2: FrameParams, estimator: Bis, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> LayerSample {
+fn shade(ray_10: u32, frame_2: FrameParams, estimator: Bis, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> LayerSample {
 
     // glimt_render_gpu/src/kernels/shade.rs:60
     let _e7 = FrameParams_pattern_of(frame_2, ray_10);
@@ -2940,7 +3002,7 @@ fn shade(ray_10: u32, frame_2: FrameParams, estimator: Bis, env_cdf_size_2: vec2
         // glimt_render_gpu/src/kernels/shade.rs:63
         let _e15 = Scene_shading_point(_e9, hit_1);
         // glimt_render_gpu/src/kernels/shade.rs:64
-        let _e17 = Bis_reflected(estimator, _e15, _e7, env_cdf_size_2, env_rotation_2);
+        let _e17 = Bis_reflected(estimator, _e15, _e7, env_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/shade.rs:65
         let _e22 = scene_triangles[hit_1.triangle];
         let _e23 = Triangle_is_catcher(_e22);
@@ -2949,7 +3011,7 @@ fn shade(ray_10: u32, frame_2: FrameParams, estimator: Bis, env_cdf_size_2: vec2
         return _e25;
     }
     // glimt_render_gpu/src/kernels/shade.rs:68
-    let _e27 = Environment_map(env_cdf_size_2, env_rotation_2);
+    let _e27 = Environment_map(env_size_2, env_rotation_2);
     let _e30 = LayerSample_of_background(_e9, frame_2, _e27.value_size, _e27.value_rotation);
     return _e30;
 }
@@ -2964,7 +3026,7 @@ fn shade_bis_layers(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_w
     let _e14 = params.first;
     let _e17 = params.frame;
     let _e19 = params.estimator;
-    let _e21 = params.env_cdf_size;
+    let _e21 = params.env_size;
     let _e23 = params.env_rotation;
     let _e24 = shade((_e14 + local), _e17, _e19, _e21, _e23);
     out[local] = _e24;

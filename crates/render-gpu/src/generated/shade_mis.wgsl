@@ -23,27 +23,6 @@ struct Corner {
     v: f32,
 }
 
-struct TextureView {
-    first: u32,
-    width: u32,
-    height: u32,
-    flags: u32,
-}
-
-struct Material {
-    color: vec3<f32>,
-    kind: u32,
-    specular: vec3<f32>,
-    exponent: f32,
-    metallic: f32,
-    roughness: f32,
-    normal_scale: f32,
-    unused: u32,
-    base_color_texture: TextureView,
-    metallic_roughness_texture: TextureView,
-    normal_texture: TextureView,
-}
-
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -120,6 +99,18 @@ struct Tuple_f32_f32_ {
     fb: f32,
 }
 
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
 struct ShadingFrame {
     t: vec3<f32>,
     b: vec3<f32>,
@@ -171,6 +162,12 @@ struct LightSample {
     contribution: vec3<f32>,
 }
 
+struct Returned_Environment_cdf {
+    value_size: vec2<u32>,
+    value_conditional_start: u32,
+    value_conditional_len: u32,
+}
+
 struct Bin {
     index: u32,
     first: u32,
@@ -193,27 +190,23 @@ struct Params {
     count: u32,
     frame: FrameParams,
     estimator: Mis,
-    @align(16) env_cdf_size: vec2<u32>,
+    @align(16) env_size: vec2<u32>,
     env_rotation: vec2<f32>,
 }
 
 @group(0) @binding(1) 
 var<storage> env_texels: array<vec4<f32>>;
 @group(0) @binding(2) 
-var<storage> env_cdf_marginal: array<u32>;
+var<storage> env_tables: array<u32>;
 @group(0) @binding(3) 
-var<storage> env_cdf_conditional: array<u32>;
-@group(0) @binding(4) 
 var<storage> scene_nodes: array<BvhNode>;
-@group(0) @binding(5) 
+@group(0) @binding(4) 
 var<storage> scene_triangles: array<Triangle>;
-@group(0) @binding(6) 
+@group(0) @binding(5) 
 var<storage> scene_corners: array<Corner>;
+@group(0) @binding(6) 
+var<storage> scene_surface: array<u32>;
 @group(0) @binding(7) 
-var<storage> scene_materials: array<Material>;
-@group(0) @binding(8) 
-var<storage> scene_texels: array<u32>;
-@group(0) @binding(9) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
@@ -443,25 +436,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_13 = (index_5 & 65535u);
+    let index_14 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_13;
+        chosen = index_14;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_13);
+            let _e16 = pascal(index_14);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_13);
+                let _e20 = recurrence_2_(index_14);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_13);
+                let _e22 = recurrence_3_(index_14);
                 chosen = _e22;
             }
         }
@@ -774,17 +767,17 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:52
-    let index_14 = ((this_7.ray * samples) + sample);
+    let index_15 = ((this_7.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:53
     if (this_7.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:54
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_14);
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_15);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:56
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_14);
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_15);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:57
@@ -794,7 +787,7 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_14, (this_7.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_15, (this_7.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -1214,10 +1207,10 @@ fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
     return Option_Hit(true, Hit(_e7, _e14, _e18));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:63
+// glimt_render_gpu/src/kernels/scene.rs:61
 fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 
-    // glimt_render_gpu/src/kernels/scene.rs:64
+    // glimt_render_gpu/src/kernels/scene.rs:62
     let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
     return _e4;
 }
@@ -1229,22 +1222,42 @@ fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
     return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:120
+// glimt_render_gpu/src/kernels/scene.rs:118
 fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
     var chosen_5: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:121
+    // glimt_render_gpu/src/kernels/scene.rs:119
     let length_squared = dot(v_1, v_1);
-    // glimt_render_gpu/src/kernels/scene.rs:122
+    // glimt_render_gpu/src/kernels/scene.rs:120
     if (length_squared > 0.000000000001f) {
-        // glimt_render_gpu/src/kernels/scene.rs:123
+        // glimt_render_gpu/src/kernels/scene.rs:121
         chosen_5 = (v_1 / vec3(sqrt(length_squared)));
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:125
+        // glimt_render_gpu/src/kernels/scene.rs:123
         chosen_5 = otherwise;
     }
     let _e14 = chosen_5;
     return _e14;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:83
+fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:84
+    let first = (256u + (index_9 * 24u));
+    // glimt_render_gpu/src/kernels/material.rs:85
+    return Returned_MaterialView_new(first, ((first + 24u) - first));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:106
+fn MaterialView_texture(words_start: u32, words_len: u32, word: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:107
+    let _e7 = scene_surface[(words_start + word)];
+    let _e13 = scene_surface[(words_start + (word + 1u))];
+    let _e19 = scene_surface[(words_start + (word + 2u))];
+    let _e25 = scene_surface[(words_start + (word + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
@@ -1274,47 +1287,47 @@ fn wrap(x_6: f32, mode: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:103
-fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
+fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:104
     let last = (i32(size_1) - 1i);
     // glimt_render_gpu/src/kernels/texture.rs:105
     if (mode_1 == 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:106
-        if (index_9 < 0i) {
+        if (index_10 < 0i) {
             // glimt_render_gpu/src/kernels/texture.rs:107
             return u32(last);
         }
         // glimt_render_gpu/src/kernels/texture.rs:109
-        if (index_9 > last) {
+        if (index_10 > last) {
             // glimt_render_gpu/src/kernels/texture.rs:110
             return 0u;
         }
     }
     // glimt_render_gpu/src/kernels/texture.rs:113
-    return u32(clamp(index_9, 0i, last));
+    return u32(clamp(index_10, 0i, last));
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_14: TextureView, index_10: u32) -> vec4<f32> {
+fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
     var chosen_6: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word = scene_texels[(this_14.first + index_10)];
+    let word_3 = scene_surface[(this_14.first + index_11)];
     // glimt_render_gpu/src/kernels/texture.rs:71
-    let r_1 = (word & 255u);
+    let r_1 = (word_3 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
-    let g = ((word >> 8u) & 255u);
+    let g = ((word_3 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_4 = ((word >> 16u) & 255u);
+    let b_4 = ((word_3 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha = (f32((word >> 24u)) / 255f);
+    let alpha = (f32((word_3 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
-        let _e38 = scene_texels[r_1];
-        let _e42 = scene_texels[g];
-        let _e46 = scene_texels[b_4];
+        let _e38 = scene_surface[r_1];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b_4];
         chosen_6 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
@@ -1366,29 +1379,40 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:73
-fn Material_bumped_normal(this_16: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/material.rs:92
+fn MaterialView_number(words_start_1: u32, words_len_1: u32, word_1: u32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/material.rs:81
+    // glimt_render_gpu/src/kernels/material.rs:93
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:147
+fn MaterialView_bumped_normal(words_start_2: u32, words_len_2: u32, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:148
+    let _e9 = MaterialView_texture(words_start_2, words_len_2, 20u);
+    // glimt_render_gpu/src/kernels/material.rs:149
     let across = (tangent - (normal * dot(normal, tangent)));
-    // glimt_render_gpu/src/kernels/material.rs:82
-    let _e12 = TextureView_exists(this_16.normal_texture);
-    if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
-        // glimt_render_gpu/src/kernels/material.rs:83
+    // glimt_render_gpu/src/kernels/material.rs:150
+    let _e15 = TextureView_exists(_e9);
+    if (!(_e15) || !((dot(across, across) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:151
         return normal;
     }
-    // glimt_render_gpu/src/kernels/material.rs:85
+    // glimt_render_gpu/src/kernels/material.rs:153
     let t_4 = normalize(across);
-    // glimt_render_gpu/src/kernels/material.rs:86
+    // glimt_render_gpu/src/kernels/material.rs:154
     let b_5 = (cross(normal, t_4) * handedness);
-    // glimt_render_gpu/src/kernels/material.rs:87
-    let _e27 = TextureView_sample(this_16.normal_texture, uv_1);
-    let map = ((_e27.xyz * 2f) - vec3(1f));
-    // glimt_render_gpu/src/kernels/material.rs:88
-    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_16.normal_scale);
-    // glimt_render_gpu/src/kernels/material.rs:89
-    let _e46 = unit_or((tilt + (normal * map.z)), normal);
-    return _e46;
+    // glimt_render_gpu/src/kernels/material.rs:155
+    let _e29 = TextureView_sample(_e9, uv_1);
+    let bump = ((_e29.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:156
+    let _e43 = MaterialView_number(words_start_2, words_len_2, 10u);
+    let tilt = (((t_4 * bump.x) + (b_5 * bump.y)) * _e43);
+    // glimt_render_gpu/src/kernels/material.rs:157
+    let _e49 = unit_or((tilt + (normal * bump.z)), normal);
+    return _e49;
 }
 
 // glimt_sampling/src/math.rs:45
@@ -1405,10 +1429,20 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_17: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_2, this_17.t), dot(v_2, this_17.b), dot(v_2, this_17.n));
+    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:97
+fn MaterialView_vector(words_start_3: u32, words_len_3: u32, word_2: u32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:98
+    let _e5 = MaterialView_number(words_start_3, words_len_3, word_2);
+    let _e8 = MaterialView_number(words_start_3, words_len_3, (word_2 + 1u));
+    let _e11 = MaterialView_number(words_start_3, words_len_3, (word_2 + 2u));
+    return vec3<f32>(_e5, _e8, _e11);
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -1428,169 +1462,180 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
     return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:46
-fn Material_brdf(this_18: Material, uv_2: vec2<f32>) -> BlinnPhong {
+// glimt_render_gpu/src/kernels/material.rs:118
+fn MaterialView_brdf(words_start_4: u32, words_len_4: u32, uv_2: vec2<f32>) -> BlinnPhong {
     var color: vec3<f32>;
     var metallic_1: f32;
     var roughness_1: f32;
 
-    // glimt_render_gpu/src/kernels/material.rs:47
-    if (this_18.kind == 0u) {
-        // glimt_render_gpu/src/kernels/material.rs:48
-        return BlinnPhong(this_18.color, this_18.specular, this_18.exponent);
+    // glimt_render_gpu/src/kernels/material.rs:119
+    let _e6 = MaterialView_vector(words_start_4, words_len_4, 0u);
+    color = _e6;
+    // glimt_render_gpu/src/kernels/material.rs:120
+    let _e13 = scene_surface[(words_start_4 + 3u)];
+    if (_e13 == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:121
+        let _e17 = color;
+        let _e19 = MaterialView_vector(words_start_4, words_len_4, 4u);
+        let _e21 = MaterialView_number(words_start_4, words_len_4, 7u);
+        return BlinnPhong(_e17, _e19, _e21);
     }
-    // glimt_render_gpu/src/kernels/material.rs:54
-    color = this_18.color;
-    // glimt_render_gpu/src/kernels/material.rs:55
-    let _e17 = TextureView_exists(this_18.base_color_texture);
-    if _e17 {
-        // glimt_render_gpu/src/kernels/material.rs:56
-        let _e20 = TextureView_sample(this_18.base_color_texture, uv_2);
-        let _e22 = color;
-        color = (_e22 * _e20.xyz);
+    // glimt_render_gpu/src/kernels/material.rs:127
+    let _e25 = MaterialView_texture(words_start_4, words_len_4, 12u);
+    // glimt_render_gpu/src/kernels/material.rs:128
+    let _e27 = TextureView_exists(_e25);
+    if _e27 {
+        // glimt_render_gpu/src/kernels/material.rs:129
+        let _e29 = TextureView_sample(_e25, uv_2);
+        let _e31 = color;
+        color = (_e31 * _e29.xyz);
     }
-    // glimt_render_gpu/src/kernels/material.rs:58
-    metallic_1 = this_18.metallic;
-    // glimt_render_gpu/src/kernels/material.rs:59
-    roughness_1 = this_18.roughness;
-    // glimt_render_gpu/src/kernels/material.rs:60
-    let _e32 = TextureView_exists(this_18.metallic_roughness_texture);
-    if _e32 {
-        // glimt_render_gpu/src/kernels/material.rs:61
-        let _e35 = TextureView_sample(this_18.metallic_roughness_texture, uv_2);
-        // glimt_render_gpu/src/kernels/material.rs:62
-        let _e38 = roughness_1;
-        roughness_1 = (_e38 * _e35.y);
-        // glimt_render_gpu/src/kernels/material.rs:63
-        let _e42 = metallic_1;
-        metallic_1 = (_e42 * _e35.z);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e35 = MaterialView_number(words_start_4, words_len_4, 8u);
+    metallic_1 = _e35;
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e39 = MaterialView_number(words_start_4, words_len_4, 9u);
+    roughness_1 = _e39;
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let _e43 = MaterialView_texture(words_start_4, words_len_4, 16u);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    let _e45 = TextureView_exists(_e43);
+    if _e45 {
+        // glimt_render_gpu/src/kernels/material.rs:135
+        let _e47 = TextureView_sample(_e43, uv_2);
+        // glimt_render_gpu/src/kernels/material.rs:136
+        let _e50 = roughness_1;
+        roughness_1 = (_e50 * _e47.y);
+        // glimt_render_gpu/src/kernels/material.rs:137
+        let _e54 = metallic_1;
+        metallic_1 = (_e54 * _e47.z);
     }
-    // glimt_render_gpu/src/kernels/material.rs:65
-    let _e45 = color;
-    let _e46 = metallic_1;
-    let _e47 = roughness_1;
-    let _e48 = BlinnPhong_from_metallic_roughness(_e45, _e46, _e47);
-    return _e48;
+    // glimt_render_gpu/src/kernels/material.rs:139
+    let _e57 = color;
+    let _e58 = metallic_1;
+    let _e59 = roughness_1;
+    let _e60 = BlinnPhong_from_metallic_roughness(_e57, _e58, _e59);
+    return _e60;
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:69
+// glimt_render_gpu/src/kernels/scene.rs:67
 fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
     var chosen_7: vec3<f32>;
     var chosen_8: f32;
     var chosen_9: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:70
+    // glimt_render_gpu/src/kernels/scene.rs:68
     let triangle_2 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:69
+    let first_1 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let a_5 = scene_corners[first_1];
     // glimt_render_gpu/src/kernels/scene.rs:71
-    let first = (3u * hit.triangle);
+    let b_6 = scene_corners[(first_1 + 1u)];
     // glimt_render_gpu/src/kernels/scene.rs:72
-    let a_5 = scene_corners[first];
+    let c_4 = scene_corners[(first_1 + 2u)];
     // glimt_render_gpu/src/kernels/scene.rs:73
-    let b_6 = scene_corners[(first + 1u)];
-    // glimt_render_gpu/src/kernels/scene.rs:74
-    let c_4 = scene_corners[(first + 2u)];
-    // glimt_render_gpu/src/kernels/scene.rs:75
     let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
     let u_11 = _e33.fa;
     let v_4 = _e33.fb;
-    // glimt_render_gpu/src/kernels/scene.rs:76
+    // glimt_render_gpu/src/kernels/scene.rs:74
     let w_2 = ((1f - u_11) - v_4);
-    // glimt_render_gpu/src/kernels/scene.rs:78
+    // glimt_render_gpu/src/kernels/scene.rs:76
     let to_eye = -(ray_8.direction);
-    // glimt_render_gpu/src/kernels/scene.rs:79
+    // glimt_render_gpu/src/kernels/scene.rs:77
     let _e44 = Triangle_area_normal(triangle_2);
     let face = normalize(_e44);
-    // glimt_render_gpu/src/kernels/scene.rs:80
+    // glimt_render_gpu/src/kernels/scene.rs:78
     if (dot(face, to_eye) < 0f) {
         chosen_7 = -(face);
     } else {
         chosen_7 = face;
     }
     let geometric_normal = chosen_7;
-    // glimt_render_gpu/src/kernels/scene.rs:81
+    // glimt_render_gpu/src/kernels/scene.rs:79
     let _e62 = unit_or((((a_5.normal * w_2) + (b_6.normal * u_11)) + (c_4.normal * v_4)), face);
-    // glimt_render_gpu/src/kernels/scene.rs:83
+    // glimt_render_gpu/src/kernels/scene.rs:81
     let uv_3 = vec2<f32>((((a_5.u * w_2) + (b_6.u * u_11)) + (c_4.u * v_4)), (((a_5.v * w_2) + (b_6.v * u_11)) + (c_4.v * v_4)));
-    // glimt_render_gpu/src/kernels/scene.rs:84
-    let material = scene_materials[(triangle_2.material & 2147483647u)];
-    // glimt_render_gpu/src/kernels/scene.rs:85
+    // glimt_render_gpu/src/kernels/scene.rs:82
+    let _e85 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/scene.rs:83
     let tangent_1 = (((a_5.tangent * w_2) + (b_6.tangent * u_11)) + (c_4.tangent * v_4));
-    // glimt_render_gpu/src/kernels/scene.rs:86
+    // glimt_render_gpu/src/kernels/scene.rs:84
     if ((triangle_2.material & 2147483648u) != 0u) {
-        // glimt_render_gpu/src/kernels/scene.rs:87
+        // glimt_render_gpu/src/kernels/scene.rs:85
         chosen_8 = -1f;
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:89
+        // glimt_render_gpu/src/kernels/scene.rs:87
         chosen_8 = 1f;
     }
     let handedness_1 = chosen_8;
-    // glimt_render_gpu/src/kernels/scene.rs:91
-    let _e110 = Material_bumped_normal(material, uv_3, _e62, tangent_1, handedness_1);
-    // glimt_render_gpu/src/kernels/scene.rs:92
+    // glimt_render_gpu/src/kernels/scene.rs:89
+    let _e110 = MaterialView_bumped_normal(_e85.value_words_start, _e85.value_words_len, uv_3, _e62, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:90
     if (dot(_e110, to_eye) < 0f) {
-        // glimt_render_gpu/src/kernels/scene.rs:93
+        // glimt_render_gpu/src/kernels/scene.rs:91
         chosen_9 = -(_e110);
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:95
+        // glimt_render_gpu/src/kernels/scene.rs:93
         chosen_9 = _e110;
     }
     let normal_2 = chosen_9;
-    // glimt_render_gpu/src/kernels/scene.rs:98
+    // glimt_render_gpu/src/kernels/scene.rs:96
     let _e121 = ShadingFrame_from_normal(normal_2);
-    // glimt_render_gpu/src/kernels/scene.rs:99
+    // glimt_render_gpu/src/kernels/scene.rs:97
     let edges = (((triangle_2.v1_ - triangle_2.v0_) * u_11) + ((triangle_2.v2_ - triangle_2.v0_) * v_4));
-    // glimt_render_gpu/src/kernels/scene.rs:100
+    // glimt_render_gpu/src/kernels/scene.rs:98
     let _e138 = ShadingFrame_to_local(_e121, to_eye);
-    let _e139 = Material_brdf(material, uv_3);
+    let _e139 = MaterialView_brdf(_e85.value_words_start, _e85.value_words_len, uv_3);
     return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
 }
 
 // glimt_sampling/src/sobol.rs:135
-fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
+fn owen_sobol(index_12: u32, dimension_2: u32, seed_4: u32) -> u32 {
 
     // glimt_sampling/src/sobol.rs:136
-    let _e5 = shuffle(index_11, seed_4);
+    let _e5 = shuffle(index_12, seed_4);
     let _e6 = sobol_reversed(_e5, dimension_2);
     let _e7 = scramble_1(_e6, dimension_2, seed_4);
     return _e7;
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_19: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_17: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_19).dimension;
+    let dimension_4 = (*this_17).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_19).dimension = (dimension_4 + 1u);
+    (*this_17).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_19).index;
-    let _e13 = (*this_19).seed;
+    let _e11 = (*this_17).index;
+    let _e13 = (*this_17).seed;
     let _e16 = hash2_(_e13, (dimension_4 >> 2u));
     let _e17 = owen_sobol(_e11, dimension_4, _e16);
     return _e17;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:166
-fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+fn jittered(index_13: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:167
     let _e7 = hash2_(key_2, 4u);
-    let _e8 = permute(index_12, count_2, _e7);
+    let _e8 = permute(index_13, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:66
-fn PixelPattern_triple(this_20: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_18: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    let index_15 = ((this_20.ray * samples_1) + sample_1);
+    let index_16 = ((this_18.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    if (this_20.kind == 0u) {
+    if (this_18.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:69
-        let _e14 = PixelPattern_sobol_point(this_20, purpose_4, index_15);
+        let _e14 = PixelPattern_sobol_point(this_18, purpose_4, index_16);
         point = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e17 = OwenSobol_next_uvec2_((&point));
@@ -1599,25 +1644,25 @@ fn PixelPattern_triple(this_20: PixelPattern, purpose_4: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    let _e22 = PixelPattern_generator(this_20, purpose_4, index_15);
+    let _e22 = PixelPattern_generator(this_18, purpose_4, index_16);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:74
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:75
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    if (this_20.kind == 1u) {
+    if (this_18.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:77
         return vec3<u32>(_e25, _e27);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:79
-    let _e37 = PixelPattern_key(this_20, purpose_4);
-    let _e38 = Tuple_u32_u32_((this_20.rays * samples_1), _e37);
+    let _e37 = PixelPattern_key(this_18, purpose_4);
+    let _e38 = Tuple_u32_u32_((this_18.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:80
-    let _e42 = jittered_pair(index_15, count_3, _e25, key_3);
-    let _e43 = jittered(index_15, count_3, _e27, key_3);
+    let _e42 = jittered_pair(index_16, count_3, _e25, key_3);
+    let _e43 = jittered(index_16, count_3, _e27, key_3);
     return vec3<u32>(_e42, _e43);
 }
 
@@ -1629,13 +1674,13 @@ fn luminance(rgb: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_21: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_19: BlinnPhong) -> f32 {
     var chosen_10: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_21.specular);
+    let _e4 = luminance(this_19.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_21.diffuse);
+    let _e7 = luminance(this_19.diffuse);
     let both_2 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_2 > 0f) {
@@ -1854,23 +1899,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_22: HalfVector, exponent_3: f32) -> f32 {
+fn HalfVector_lobe(this_20: HalfVector, exponent_3: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_22.cos2_theta, this_22.sin2_theta, exponent_3);
+    let _e6 = cosine_power(this_20.cos2_theta, this_20.sin2_theta, exponent_3);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_23: HalfVector, exponent_4: f32) -> f32 {
+fn HalfVector_pdf_sr(this_21: HalfVector, exponent_4: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_23, exponent_4);
-    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_23.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_21, exponent_4);
+    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_21.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -1880,7 +1925,7 @@ fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_24);
+    let _e17 = BlinnPhong_pmf_specular(this_22);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -1888,21 +1933,21 @@ fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_1, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_24.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_22.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_25: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_23: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_15: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_25);
+    let _e8 = BlinnPhong_pmf_specular(this_23);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_25.exponent);
+        let _e12 = sample_power_cosine(u_5, this_23.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_15 = (((2f * dot(wo_2, h)) * h) - wo_2);
@@ -1913,15 +1958,15 @@ fn BlinnPhong_sample(this_25: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec
     }
     let wi_4 = chosen_15;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_25, wo_2, wi_4);
+    let _e25 = BlinnPhong_pdf_sr(this_23, wo_2, wi_4);
     return BrdfSample(wi_4, _e25);
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_26: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_24: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_26.t * v_3.x) + (this_26.b * v_3.y)) + (this_26.n * v_3.z));
+    return (((this_24.t * v_3.x) + (this_24.b * v_3.y)) + (this_24.n * v_3.z));
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -1931,10 +1976,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:64
-fn Environment_to_map(cdf_size: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:78
+fn Environment_to_map(size_2: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:65
+    // glimt_render_gpu/src/kernels/environment.rs:79
     let _e8 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
     return _e8;
 }
@@ -1973,48 +2018,63 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:68
-fn direction_to_texel(d_2: vec3<f32>, size_2: vec2<u32>) -> vec2<u32> {
+fn direction_to_texel(d_2: vec3<f32>, size_3: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_13 = max(size_2, vec2(1u));
+    let size_20 = max(size_3, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_13));
+    let position = (_e8 * vec2<f32>(size_20));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_13 - vec2(1u)));
+    return min(vec2<u32>(position), (size_20 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:71
-fn Environment_texel(cdf_size_1: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/environment.rs:85
+fn Environment_texel(size_4: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:72
-    let _e5 = Environment_to_map(cdf_size_1, rotation_1, direction_7);
-    let _e6 = direction_to_texel(_e5, cdf_size_1);
+    // glimt_render_gpu/src/kernels/environment.rs:86
+    let _e5 = Environment_to_map(size_4, rotation_1, direction_7);
+    let _e6 = direction_to_texel(_e5, size_4);
     return _e6;
 }
 
+// glimt_render_gpu/src/kernels/environment.rs:120
+fn marginal_words(size_5: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:121
+    return (size_5.y + 1u);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:67
+fn Environment_cdf(size_6: vec2<u32>, rotation_2: vec2<f32>) -> Returned_Environment_cdf {
+
+    // glimt_render_gpu/src/kernels/environment.rs:68
+    let _e3 = marginal_words(size_6);
+    return Returned_Environment_cdf(size_6, _e3, (arrayLength((&env_tables)) - _e3));
+}
+
 // glimt_envmap_cdf/src/env_cdf.rs:142
-fn EnvCdf_row(size_3: vec2<u32>, texel: vec2<u32>) -> Bin {
+fn EnvCdf_row(size_7: vec2<u32>, conditional_start: u32, conditional_len: u32, texel: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:143
     let y_3 = texel.y;
     // glimt_envmap_cdf/src/env_cdf.rs:144
-    let _e8 = env_cdf_marginal[y_3];
-    let _e13 = env_cdf_marginal[(y_3 + 1u)];
-    let _e16 = env_cdf_marginal[y_3];
+    let _e8 = env_tables[y_3];
+    let _e13 = env_tables[(y_3 + 1u)];
+    let _e16 = env_tables[y_3];
     return Bin(texel.y, _e8, (_e13 - _e16));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:151
-fn EnvCdf_column(size_4: vec2<u32>, texel_1: vec2<u32>) -> Bin {
+fn EnvCdf_column(size_8: vec2<u32>, conditional_start_1: u32, conditional_len_1: u32, texel_1: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:152
-    let x_10 = ((texel_1.y * (size_4.x + 1u)) + texel_1.x);
+    let x_10 = ((texel_1.y * (size_8.x + 1u)) + texel_1.x);
     // glimt_envmap_cdf/src/env_cdf.rs:153
-    let _e15 = env_cdf_conditional[x_10];
-    let _e20 = env_cdf_conditional[(x_10 + 1u)];
-    let _e23 = env_cdf_conditional[x_10];
-    return Bin(texel_1.x, _e15, (_e20 - _e23));
+    let _e17 = env_tables[(conditional_start_1 + x_10)];
+    let _e23 = env_tables[(conditional_start_1 + (x_10 + 1u))];
+    let _e27 = env_tables[(conditional_start_1 + x_10)];
+    return Bin(texel_1.x, _e17, (_e23 - _e27));
 }
 
 // glimt_probe/src/trig.rs:25
@@ -2055,44 +2115,44 @@ fn cos_sin_pi(x_7: f32) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:121
-fn texel_solid_angle_sr(row: u32, size_5: vec2<u32>) -> f32 {
+fn texel_solid_angle_sr(row: u32, size_9: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_14 = max(size_5, vec2(1u));
+    let size_21 = max(size_9, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_2 = min(row, (size_14.y - 1u));
+    let row_2 = min(row, (size_21.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_2, ((size_14.y - 1u) - row_2));
+    let from_pole = min(row_2, ((size_21.y - 1u) - row_2));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_14.y));
+    let half_row = (0.5f / f32(size_21.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_14.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_21.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:162
-fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_6: vec2<u32>) -> f32 {
+fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_10: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:163
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
     // glimt_envmap_cdf/src/env_cdf.rs:164
-    let _e14 = texel_solid_angle_sr(row_1, size_6);
+    let _e14 = texel_solid_angle_sr(row_1, size_10);
     return (pmf / _e14);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:119
-fn EnvCdf_texel_pdf_sr(size_7: vec2<u32>, texel_2: vec2<u32>) -> f32 {
+fn EnvCdf_texel_pdf_sr(size_11: vec2<u32>, conditional_start_2: u32, conditional_len_2: u32, texel_2: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:120
-    let _e4 = EnvCdf_row(size_7, texel_2);
+    let _e6 = EnvCdf_row(size_11, conditional_start_2, conditional_len_2, texel_2);
     // glimt_envmap_cdf/src/env_cdf.rs:121
-    let _e6 = EnvCdf_column(size_7, texel_2);
+    let _e8 = EnvCdf_column(size_11, conditional_start_2, conditional_len_2, texel_2);
     // glimt_envmap_cdf/src/env_cdf.rs:122
-    let _e11 = density_sr(_e4.units, _e6.units, texel_2.y, size_7);
-    return _e11;
+    let _e13 = density_sr(_e6.units, _e8.units, texel_2.y, size_11);
+    return _e13;
 }
 
 // glimt_sampling/src/mis.rs:59
@@ -2103,18 +2163,18 @@ fn multi_sample_density(n_f: u32, pdf_f: f32, n_g: u32, pdf_g: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/mis.rs:75
-fn Mis_density(this_27: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
+fn Mis_density(this_25: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/mis.rs:76
-    let _e7 = multi_sample_density(this_27.brdf_samples, brdf_pdf_sr, this_27.env_samples, env_pdf_sr);
+    let _e7 = multi_sample_density(this_25.brdf_samples, brdf_pdf_sr, this_25.env_samples, env_pdf_sr);
     return _e7;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:78
-fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_2: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:92
+fn Environment_radiance(size_12: vec2<u32>, rotation_3: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:79
-    let _e11 = env_texels[((texel_3.y * cdf_size_2.x) + texel_3.x)];
+    // glimt_render_gpu/src/kernels/environment.rs:93
+    let _e11 = env_texels[((texel_3.y * size_12.x) + texel_3.x)];
     return _e11.xyz;
 }
 
@@ -2128,7 +2188,7 @@ fn normalisation(exponent_5: f32) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_28: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_26: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_3.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2136,19 +2196,19 @@ fn BlinnPhong_eval(this_28: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_28.diffuse * 0.31830987f);
+    let diffuse = (this_26.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_28.specular.x, this_28.specular.y), this_28.specular.z) <= 0f) {
+    if (max(max(this_26.specular.x, this_26.specular.y), this_26.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_28.exponent);
+    let _e31 = normalisation(this_26.exponent);
     let _e32 = HalfVector_new(wo_3, wi_2);
-    let _e34 = HalfVector_lobe(_e32, this_28.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_26.exponent);
     let lobe = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_28.specular * lobe));
+    return (diffuse + (this_26.specular * lobe));
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:76
@@ -2169,10 +2229,10 @@ fn LightSample_new(point_1: ShadingPoint, direction_8: vec3<f32>, wi_3: vec3<f32
 }
 
 // glimt_render_gpu/src/kernels/mis.rs:30
-fn Mis_brdf_sample(this_29: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> LightSample {
+fn Mis_brdf_sample(this_27: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> LightSample {
 
     // glimt_render_gpu/src/kernels/mis.rs:37
-    let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_29.brdf_samples);
+    let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_27.brdf_samples);
     // glimt_render_gpu/src/kernels/mis.rs:38
     let _e16 = unit_vec2_(_e10.xy);
     let _e17 = BlinnPhong_sample(point_2.brdf, point_2.wo, _e10.z, _e16);
@@ -2184,14 +2244,15 @@ fn Mis_brdf_sample(this_29: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1
     // glimt_render_gpu/src/kernels/mis.rs:42
     let _e34 = ShadingFrame_to_world(point_2.frame, _e17.wi);
     // glimt_render_gpu/src/kernels/mis.rs:43
-    let _e36 = Environment_texel(env_cdf_size, env_rotation, _e34);
+    let _e36 = Environment_texel(env_size, env_rotation, _e34);
     // glimt_render_gpu/src/kernels/mis.rs:44
-    let _e39 = EnvCdf_texel_pdf_sr(env_cdf_size, _e36);
-    let _e40 = Mis_density(this_29, _e17.pdf_sr, _e39);
+    let _e39 = Environment_cdf(env_size, env_rotation);
+    let _e43 = EnvCdf_texel_pdf_sr(_e39.value_size, _e39.value_conditional_start, _e39.value_conditional_len, _e36);
+    let _e44 = Mis_density(this_27, _e17.pdf_sr, _e43);
     // glimt_render_gpu/src/kernels/mis.rs:45
-    let _e43 = Environment_radiance(env_cdf_size, env_rotation, _e36);
-    let _e44 = LightSample_new(point_2, _e34, _e17.wi, _e43, _e40);
-    return _e44;
+    let _e47 = Environment_radiance(env_size, env_rotation, _e36);
+    let _e48 = LightSample_new(point_2, _e34, _e17.wi, _e47, _e44);
+    return _e48;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:65
@@ -2205,55 +2266,55 @@ fn any_hit(ray_9: Ray, t_max_2: f32) -> bool {
     return (_e7 != 4294967295u);
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:112
+// glimt_render_gpu/src/kernels/scene.rs:110
 fn Scene_is_lit(point_3: ShadingPoint, direction_9: vec3<f32>) -> bool {
 
-    // glimt_render_gpu/src/kernels/scene.rs:113
+    // glimt_render_gpu/src/kernels/scene.rs:111
     let _e5 = Ray_new(point_3.origin, direction_9);
-    // glimt_render_gpu/src/kernels/scene.rs:114
+    // glimt_render_gpu/src/kernels/scene.rs:112
     let _e8 = any_hit(_e5, 0x1.fffffep+127f);
     return !(_e8);
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_30: LightSample, point_4: ShadingPoint) -> Reflected {
+fn LightSample_traced(this_28: LightSample, point_4: ShadingPoint) -> Reflected {
     var chosen_19: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_30.contribution.x, this_30.contribution.y), this_30.contribution.z) > 0f)) {
+    if !((max(max(this_28.contribution.x, this_28.contribution.y), this_28.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e22 = Scene_is_lit(point_4, this_30.direction);
+    let _e22 = Scene_is_lit(point_4, this_28.direction);
     if _e22 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_19 = Reflected(this_30.contribution, vec3(0f));
+        chosen_19 = Reflected(this_28.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_19 = Reflected(vec3(0f), this_30.contribution);
+        chosen_19 = Reflected(vec3(0f), this_28.contribution);
     }
     let _e33 = chosen_19;
     return _e33;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_31: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_29: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_31).lit;
-    (*this_31).lit = (_e6 + light.lit);
+    let _e6 = (*this_29).lit;
+    (*this_29).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_31).blocked;
-    (*this_31).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_29).blocked;
+    (*this_29).blocked = (_e11 + light.blocked);
     return;
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:48
-fn EnvCdf_is_black(size_8: vec2<u32>) -> bool {
+fn EnvCdf_is_black(size_13: vec2<u32>, conditional_start_3: u32, conditional_len_3: u32) -> bool {
 
     // glimt_envmap_cdf/src/env_cdf.rs:49
-    let _e6 = env_cdf_marginal[size_8.y];
+    let _e6 = env_tables[size_13.y];
     return (_e6 == 0u);
 }
 
@@ -2277,7 +2338,7 @@ fn find_bin(start: u32, bins: u32, u_6: u32) -> Bin {
         let half = (_e14 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
         let _e18 = at;
-        let _e22 = env_cdf_marginal[(_e18 + half)];
+        let _e22 = env_tables[(_e18 + half)];
         if (_e22 <= u_6) {
             // glimt_envmap_cdf/src/search.rs:38
             let _e25 = at;
@@ -2289,16 +2350,16 @@ fn find_bin(start: u32, bins: u32, u_6: u32) -> Bin {
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
-    let first_1 = env_cdf_marginal[_e31];
+    let first_2 = env_tables[_e31];
     // glimt_envmap_cdf/src/search.rs:43
     let _e36 = at;
     let _e38 = at;
-    let _e43 = env_cdf_marginal[(_e38 + 1u)];
-    return Bin((_e36 - start), first_1, (_e43 - first_1));
+    let _e43 = env_tables[(_e38 + 1u)];
+    return Bin((_e36 - start), first_2, (_e43 - first_2));
 }
 
 // glimt_envmap_cdf/src/search.rs:31
-fn find_bin_1(start_1: u32, bins_1: u32, u_7: u32) -> Bin {
+fn find_bin_1(edges_start: u32, edges_len: u32, start_1: u32, bins_1: u32, u_7: u32) -> Bin {
     var at_1: u32;
     var left_1: u32;
 
@@ -2308,33 +2369,33 @@ fn find_bin_1(start_1: u32, bins_1: u32, u_7: u32) -> Bin {
     left_1 = bins_1;
     // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e9 = left_1;
-        if !((_e9 > 1u)) {
+        let _e10 = left_1;
+        if !((_e10 > 1u)) {
             break;
         }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e14 = left_1;
-        let half_1 = (_e14 / 2u);
+        let _e15 = left_1;
+        let half_1 = (_e15 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
-        let _e18 = at_1;
-        let _e22 = env_cdf_conditional[(_e18 + half_1)];
-        if (_e22 <= u_7) {
+        let _e19 = at_1;
+        let _e24 = env_tables[(edges_start + (_e19 + half_1))];
+        if (_e24 <= u_7) {
             // glimt_envmap_cdf/src/search.rs:38
-            let _e25 = at_1;
-            at_1 = (_e25 + half_1);
+            let _e27 = at_1;
+            at_1 = (_e27 + half_1);
         }
         // glimt_envmap_cdf/src/search.rs:40
-        let _e28 = left_1;
-        left_1 = (_e28 - half_1);
+        let _e30 = left_1;
+        left_1 = (_e30 - half_1);
     }
     // glimt_envmap_cdf/src/search.rs:42
-    let _e31 = at_1;
-    let first_2 = env_cdf_conditional[_e31];
+    let _e33 = at_1;
+    let first_3 = env_tables[(edges_start + _e33)];
     // glimt_envmap_cdf/src/search.rs:43
-    let _e36 = at_1;
-    let _e38 = at_1;
-    let _e43 = env_cdf_conditional[(_e38 + 1u)];
-    return Bin((_e36 - start_1), first_2, (_e43 - first_2));
+    let _e39 = at_1;
+    let _e41 = at_1;
+    let _e47 = env_tables[(edges_start + (_e41 + 1u))];
+    return Bin((_e39 - start_1), first_3, (_e47 - first_3));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:168
@@ -2347,33 +2408,33 @@ fn place_in_bin(bin: Bin, u_8: u32, fraction: u32) -> f32 {
 }
 
 // glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+fn direction_in_texel(texel_4: vec2<u32>, size_14: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
     var chosen_20: u32;
     var chosen_21: u32;
     var chosen_22: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_15 = max(size_9, vec2(1u));
+    let size_22 = max(size_14, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_3 = min(texel_4.y, (size_15.y - 1u));
+    let row_3 = min(texel_4.y, (size_22.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_3) >= size_15.y);
+    let southern = ((2u * row_3) >= size_22.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_20 = (size_15.y - row_3);
+        chosen_20 = (size_22.y - row_3);
     } else {
         chosen_20 = row_3;
     }
     let upper_1 = chosen_20;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_21 = ((size_15.y - row_3) - 1u);
+        chosen_21 = ((size_22.y - row_3) - 1u);
     } else {
         chosen_21 = (row_3 + 1u);
     }
     let lower_1 = chosen_21;
     // glimt_probe/src/latlong.rs:149
-    let half_2 = (0.5f / f32(size_15.y));
+    let half_2 = (0.5f / f32(size_22.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper_1) * half_2));
     let sin_upper = _e41.y;
@@ -2396,57 +2457,58 @@ fn direction_in_texel(texel_4: vec2<u32>, size_9: vec2<u32>, r: vec2<f32>) -> ve
     }
     let cos_theta_1 = chosen_22;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_15.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_22.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:61
-fn EnvCdf_sample(size_10: vec2<u32>, u_9: vec2<u32>) -> EnvSample {
+fn EnvCdf_sample(size_15: vec2<u32>, conditional_start_4: u32, conditional_len_4: u32, u_9: vec2<u32>) -> EnvSample {
 
     // glimt_envmap_cdf/src/env_cdf.rs:62
-    let _e4 = EnvCdf_is_black(size_10);
-    if _e4 {
+    let _e6 = EnvCdf_is_black(size_15, conditional_start_4, conditional_len_4);
+    if _e6 {
         // glimt_envmap_cdf/src/env_cdf.rs:63
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let _e20 = find_bin(0u, size_10.y, (u_9.y >> 1u));
+    let _e22 = find_bin(0u, size_15.y, (u_9.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_start = (_e20.index * (size_10.x + 1u));
+    let row_start = (_e22.index * (size_15.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e32 = find_bin_1(row_start, size_10.x, (u_9.x >> 1u));
+    let _e34 = find_bin_1(conditional_start_4, conditional_len_4, row_start, size_15.x, (u_9.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_5 = vec2<u32>(_e32.index, _e20.index);
+    let texel_5 = vec2<u32>(_e34.index, _e22.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e40 = hash2_(u_9.x, u_9.y);
+    let _e42 = hash2_(u_9.x, u_9.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e47 = place_in_bin(_e32, (u_9.x >> 1u), (_e40 & 65535u));
-    let _e53 = place_in_bin(_e20, (u_9.y >> 1u), (_e40 >> 16u));
-    let place_2 = vec2<f32>(_e47, _e53);
+    let _e49 = place_in_bin(_e34, (u_9.x >> 1u), (_e42 & 65535u));
+    let _e55 = place_in_bin(_e22, (u_9.y >> 1u), (_e42 >> 16u));
+    let place_2 = vec2<f32>(_e49, _e55);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e56 = direction_in_texel(texel_5, size_10, place_2);
-    let _e60 = density_sr(_e20.units, _e32.units, _e20.index, size_10);
-    return EnvSample(texel_5, _e56, _e60);
+    let _e58 = direction_in_texel(texel_5, size_15, place_2);
+    let _e62 = density_sr(_e22.units, _e34.units, _e22.index, size_15);
+    return EnvSample(texel_5, _e58, _e62);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:85
-fn Environment_sample(cdf_size_3: vec2<u32>, rotation_3: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
+// glimt_render_gpu/src/kernels/environment.rs:99
+fn Environment_sample(size_16: vec2<u32>, rotation_4: vec2<f32>, u_10: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:86
-    let _e5 = EnvCdf_sample(cdf_size_3, u_10);
-    // glimt_render_gpu/src/kernels/environment.rs:87
-    let _e8 = rotate_z(_e5.direction, rotation_3);
-    return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
+    // glimt_render_gpu/src/kernels/environment.rs:100
+    let _e5 = Environment_cdf(size_16, rotation_4);
+    let _e9 = EnvCdf_sample(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, u_10);
+    // glimt_render_gpu/src/kernels/environment.rs:101
+    let _e12 = rotate_z(_e9.direction, rotation_4);
+    return EnvSample(_e9.texel, _e12, _e9.pdf_sr);
 }
 
 // glimt_render_gpu/src/kernels/mis.rs:51
-fn Mis_env_sample(this_32: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LightSample {
+fn Mis_env_sample(this_30: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LightSample {
 
     // glimt_render_gpu/src/kernels/mis.rs:58
-    let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_32.env_samples);
+    let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_30.env_samples);
     // glimt_render_gpu/src/kernels/mis.rs:59
-    let _e12 = Environment_sample(env_cdf_size_1, env_rotation_1, _e10);
+    let _e12 = Environment_sample(env_size_1, env_rotation_1, _e10);
     // glimt_render_gpu/src/kernels/mis.rs:60
     if !((_e12.pdf_sr > 0f)) {
         // glimt_render_gpu/src/kernels/mis.rs:61
@@ -2456,15 +2518,15 @@ fn Mis_env_sample(this_32: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2:
     let _e29 = ShadingFrame_to_local(point_5.frame, _e12.direction);
     // glimt_render_gpu/src/kernels/mis.rs:64
     let _e33 = BlinnPhong_pdf_sr(point_5.brdf, point_5.wo, _e29);
-    let _e35 = Mis_density(this_32, _e33, _e12.pdf_sr);
+    let _e35 = Mis_density(this_30, _e33, _e12.pdf_sr);
     // glimt_render_gpu/src/kernels/mis.rs:65
-    let _e39 = Environment_radiance(env_cdf_size_1, env_rotation_1, _e12.texel);
+    let _e39 = Environment_radiance(env_size_1, env_rotation_1, _e12.texel);
     let _e40 = LightSample_new(point_5, _e12.direction, _e29, _e39, _e35);
     return _e40;
 }
 
 // glimt_render_gpu/src/kernels/mis.rs:82
-fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> Reflected {
+fn Mis_reflected(this_31: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> Reflected {
     var sum_2: Reflected;
     var counter_2: u32;
     var counter_3: u32;
@@ -2475,11 +2537,11 @@ fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
     counter_2 = 0u;
     loop {
         let i_1 = counter_2;
-        if (i_1 >= this_33.brdf_samples) {
+        if (i_1 >= this_31.brdf_samples) {
             break;
         }
         // glimt_render_gpu/src/kernels/mis.rs:91
-        let _e20 = Mis_brdf_sample(this_33, i_1, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
+        let _e20 = Mis_brdf_sample(this_31, i_1, point_6, pattern_3, env_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/mis.rs:92
         let _e22 = LightSample_traced(_e20, point_6);
         Reflected_gather((&sum_2), _e22);
@@ -2492,11 +2554,11 @@ fn Mis_reflected(this_33: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
     counter_3 = 0u;
     loop {
         let i_2 = counter_3;
-        if (i_2 >= this_33.env_samples) {
+        if (i_2 >= this_31.env_samples) {
             break;
         }
         // glimt_render_gpu/src/kernels/mis.rs:95
-        let _e33 = Mis_env_sample(this_33, i_2, point_6, pattern_3, env_cdf_size_2, env_rotation_2);
+        let _e33 = Mis_env_sample(this_31, i_2, point_6, pattern_3, env_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/mis.rs:96
         let _e35 = LightSample_traced(_e33, point_6);
         Reflected_gather((&sum_2), _e35);
@@ -2517,51 +2579,51 @@ fn Vec4_of_surface(light_1: Reflected, _is_catcher: bool) -> vec4<f32> {
     return vec4<f32>(light_1.lit, 1f);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:53
-fn Environment_map(cdf_size_4: vec2<u32>, rotation_4: vec2<f32>) -> Returned_Environment_map {
+// glimt_render_gpu/src/kernels/environment.rs:56
+fn Environment_map(size_17: vec2<u32>, rotation_5: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:54
-    return Returned_Environment_map(cdf_size_4, rotation_4);
+    // glimt_render_gpu/src/kernels/environment.rs:57
+    return Returned_Environment_map(size_17, rotation_5);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:107
-fn bilinear(size_11: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:135
+fn bilinear(size_18: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:108
+    // glimt_render_gpu/src/kernels/environment.rs:136
     let _e4 = direction_to_uv(d_3);
-    let p_1 = ((_e4 * vec2<f32>(size_11)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:110
+    let p_1 = ((_e4 * vec2<f32>(size_18)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:138
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:111
+    // glimt_render_gpu/src/kernels/environment.rs:139
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:112
-    let x0_ = (((next.x + size_11.x) - 1u) % size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:113
-    let x1_ = (next.x % size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:114
-    let row0_1 = ((max(next.y, 1u) * size_11.x) - size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:115
-    let row1_1 = (min(next.y, (size_11.y - 1u)) * size_11.x);
-    // glimt_render_gpu/src/kernels/environment.rs:116
+    // glimt_render_gpu/src/kernels/environment.rs:140
+    let x0_ = (((next.x + size_18.x) - 1u) % size_18.x);
+    // glimt_render_gpu/src/kernels/environment.rs:141
+    let x1_ = (next.x % size_18.x);
+    // glimt_render_gpu/src/kernels/environment.rs:142
+    let row0_1 = ((max(next.y, 1u) * size_18.x) - size_18.x);
+    // glimt_render_gpu/src/kernels/environment.rs:143
+    let row1_1 = (min(next.y, (size_18.y - 1u)) * size_18.x);
+    // glimt_render_gpu/src/kernels/environment.rs:144
     let _e53 = env_texels[(row0_1 + x0_)];
     let _e57 = env_texels[(row0_1 + x1_)];
     let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:117
+    // glimt_render_gpu/src/kernels/environment.rs:145
     let _e68 = env_texels[(row1_1 + x0_)];
     let _e72 = env_texels[(row1_1 + x1_)];
     let lower_2 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:118
+    // glimt_render_gpu/src/kernels/environment.rs:146
     return ((upper_2 * (1f - f.y)) + (lower_2 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:43
-fn RadianceMap_background(size_12: vec2<u32>, rotation_5: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:46
+fn RadianceMap_background(size_19: vec2<u32>, rotation_6: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:44
-    let to_map = vec2<f32>(rotation_5.x, -(rotation_5.y));
-    // glimt_render_gpu/src/kernels/environment.rs:45
+    // glimt_render_gpu/src/kernels/environment.rs:47
+    let to_map = vec2<f32>(rotation_6.x, -(rotation_6.y));
+    // glimt_render_gpu/src/kernels/environment.rs:48
     let _e10 = rotate_z(direction_10, to_map);
-    let _e11 = bilinear(size_12, _e10);
+    let _e11 = bilinear(size_19, _e10);
     return _e11;
 }
 
@@ -2579,7 +2641,7 @@ fn Vec4_of_background(ray_10: Ray, frame_2: FrameParams, map_size: vec2<u32>, ma
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:53
-fn shade(ray_11: u32, frame_3: FrameParams, estimator: Mis, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>) -> vec4<f32> {
+fn shade(ray_11: u32, frame_3: FrameParams, estimator: Mis, env_size_3: vec2<u32>, env_rotation_3: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/shade.rs:60
     let _e7 = FrameParams_pattern_of(frame_3, ray_11);
@@ -2592,7 +2654,7 @@ fn shade(ray_11: u32, frame_3: FrameParams, estimator: Mis, env_cdf_size_3: vec2
         // glimt_render_gpu/src/kernels/shade.rs:63
         let _e15 = Scene_shading_point(_e9, hit_1);
         // glimt_render_gpu/src/kernels/shade.rs:64
-        let _e17 = Mis_reflected(estimator, _e15, _e7, env_cdf_size_3, env_rotation_3);
+        let _e17 = Mis_reflected(estimator, _e15, _e7, env_size_3, env_rotation_3);
         // glimt_render_gpu/src/kernels/shade.rs:65
         let _e22 = scene_triangles[hit_1.triangle];
         let _e23 = Triangle_is_catcher(_e22);
@@ -2601,7 +2663,7 @@ fn shade(ray_11: u32, frame_3: FrameParams, estimator: Mis, env_cdf_size_3: vec2
         return _e25;
     }
     // glimt_render_gpu/src/kernels/shade.rs:68
-    let _e27 = Environment_map(env_cdf_size_3, env_rotation_3);
+    let _e27 = Environment_map(env_size_3, env_rotation_3);
     let _e30 = Vec4_of_background(_e9, frame_3, _e27.value_size, _e27.value_rotation);
     return _e30;
 }
@@ -2616,7 +2678,7 @@ fn shade_mis(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgrou
     let _e14 = params.first;
     let _e17 = params.frame;
     let _e19 = params.estimator;
-    let _e21 = params.env_cdf_size;
+    let _e21 = params.env_size;
     let _e23 = params.env_rotation;
     let _e24 = shade((_e14 + local), _e17, _e19, _e21, _e23);
     out[local] = _e24;

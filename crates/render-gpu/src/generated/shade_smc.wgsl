@@ -23,27 +23,6 @@ struct Corner {
     v: f32,
 }
 
-struct TextureView {
-    first: u32,
-    width: u32,
-    height: u32,
-    flags: u32,
-}
-
-struct Material {
-    color: vec3<f32>,
-    kind: u32,
-    specular: vec3<f32>,
-    exponent: f32,
-    metallic: f32,
-    roughness: f32,
-    normal_scale: f32,
-    unused: u32,
-    base_color_texture: TextureView,
-    metallic_roughness_texture: TextureView,
-    normal_texture: TextureView,
-}
-
 struct RayState {
     normal: vec3<f32>,
     log_normaliser: f32,
@@ -165,6 +144,18 @@ struct Tuple_f32_f32_ {
     fb: f32,
 }
 
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
 struct ShadingFrame {
     t: vec3<f32>,
     b: vec3<f32>,
@@ -276,6 +267,12 @@ struct DirectionSample {
     pdf_sr: f32,
 }
 
+struct Returned_Environment_cdf {
+    value_size: vec2<u32>,
+    value_conditional_start: u32,
+    value_conditional_len: u32,
+}
+
 struct EnvSample {
     texel: vec2<u32>,
     direction: vec3<f32>,
@@ -359,7 +356,7 @@ struct Params {
     frame: FrameParams,
     smc: SmcParams,
     view: PastView,
-    env_cdf_size: vec2<u32>,
+    env_size: vec2<u32>,
     env_rotation: vec2<f32>,
     before_size: vec2<u32>,
     before_rotation: vec2<f32>,
@@ -368,32 +365,28 @@ struct Params {
 @group(0) @binding(1) 
 var<storage> env_texels: array<vec4<f32>>;
 @group(0) @binding(2) 
-var<storage> env_cdf_marginal: array<u32>;
+var<storage> env_tables: array<u32>;
 @group(0) @binding(3) 
-var<storage> env_cdf_conditional: array<u32>;
-@group(0) @binding(4) 
 var<storage> before_texels: array<vec4<f32>>;
-@group(0) @binding(5) 
+@group(0) @binding(4) 
 var<storage> scene_nodes: array<BvhNode>;
-@group(0) @binding(6) 
+@group(0) @binding(5) 
 var<storage> scene_triangles: array<Triangle>;
-@group(0) @binding(7) 
+@group(0) @binding(6) 
 var<storage> scene_corners: array<Corner>;
+@group(0) @binding(7) 
+var<storage> scene_surface: array<u32>;
 @group(0) @binding(8) 
-var<storage> scene_materials: array<Material>;
-@group(0) @binding(9) 
-var<storage> scene_texels: array<u32>;
-@group(0) @binding(10) 
 var<storage> past_motions: array<mat4x4<f32>>;
-@group(0) @binding(11) 
+@group(0) @binding(9) 
 var<storage> past_states: array<RayState>;
-@group(0) @binding(12) 
+@group(0) @binding(10) 
 var<storage> past_particles: array<Particle>;
-@group(0) @binding(13) 
+@group(0) @binding(11) 
 var<storage, read_write> state_5: array<RayState>;
-@group(0) @binding(14) 
+@group(0) @binding(12) 
 var<storage, read_write> particles: array<Particle>;
-@group(0) @binding(15) 
+@group(0) @binding(13) 
 var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
@@ -623,25 +616,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_14 = (index_5 & 65535u);
+    let index_15 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_14;
+        chosen = index_15;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_14);
+            let _e16 = pascal(index_15);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_14);
+                let _e20 = recurrence_2_(index_15);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_14);
+                let _e22 = recurrence_3_(index_15);
                 chosen = _e22;
             }
         }
@@ -954,17 +947,17 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:52
-    let index_15 = ((this_7.ray * samples) + sample);
+    let index_16 = ((this_7.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:53
     if (this_7.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:54
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_15);
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:56
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_15);
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:57
@@ -974,7 +967,7 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_15, (this_7.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_16, (this_7.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -1394,10 +1387,10 @@ fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
     return Option_Hit(true, Hit(_e7, _e14, _e18));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:63
+// glimt_render_gpu/src/kernels/scene.rs:61
 fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
 
-    // glimt_render_gpu/src/kernels/scene.rs:64
+    // glimt_render_gpu/src/kernels/scene.rs:62
     let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
     return _e4;
 }
@@ -1409,22 +1402,42 @@ fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
     return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:120
+// glimt_render_gpu/src/kernels/scene.rs:118
 fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
     var chosen_5: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:121
+    // glimt_render_gpu/src/kernels/scene.rs:119
     let length_squared = dot(v_1, v_1);
-    // glimt_render_gpu/src/kernels/scene.rs:122
+    // glimt_render_gpu/src/kernels/scene.rs:120
     if (length_squared > 0.000000000001f) {
-        // glimt_render_gpu/src/kernels/scene.rs:123
+        // glimt_render_gpu/src/kernels/scene.rs:121
         chosen_5 = (v_1 / vec3(sqrt(length_squared)));
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:125
+        // glimt_render_gpu/src/kernels/scene.rs:123
         chosen_5 = otherwise;
     }
     let _e14 = chosen_5;
     return _e14;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:83
+fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:84
+    let first_1 = (256u + (index_9 * 24u));
+    // glimt_render_gpu/src/kernels/material.rs:85
+    return Returned_MaterialView_new(first_1, ((first_1 + 24u) - first_1));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:106
+fn MaterialView_texture(words_start: u32, words_len: u32, word: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:107
+    let _e7 = scene_surface[(words_start + word)];
+    let _e13 = scene_surface[(words_start + (word + 1u))];
+    let _e19 = scene_surface[(words_start + (word + 2u))];
+    let _e25 = scene_surface[(words_start + (word + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
@@ -1454,47 +1467,47 @@ fn wrap(x_6: f32, mode: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:103
-fn neighbour(index_9: i32, size_1: u32, mode_1: u32) -> u32 {
+fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:104
     let last_1 = (i32(size_1) - 1i);
     // glimt_render_gpu/src/kernels/texture.rs:105
     if (mode_1 == 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:106
-        if (index_9 < 0i) {
+        if (index_10 < 0i) {
             // glimt_render_gpu/src/kernels/texture.rs:107
             return u32(last_1);
         }
         // glimt_render_gpu/src/kernels/texture.rs:109
-        if (index_9 > last_1) {
+        if (index_10 > last_1) {
             // glimt_render_gpu/src/kernels/texture.rs:110
             return 0u;
         }
     }
     // glimt_render_gpu/src/kernels/texture.rs:113
-    return u32(clamp(index_9, 0i, last_1));
+    return u32(clamp(index_10, 0i, last_1));
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_14: TextureView, index_10: u32) -> vec4<f32> {
+fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
     var chosen_6: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_1 = scene_texels[(this_14.first + index_10)];
+    let word_4 = scene_surface[(this_14.first + index_11)];
     // glimt_render_gpu/src/kernels/texture.rs:71
-    let r_1 = (word_1 & 255u);
+    let r_1 = (word_4 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
-    let g = ((word_1 >> 8u) & 255u);
+    let g = ((word_4 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_4 = ((word_1 >> 16u) & 255u);
+    let b_4 = ((word_4 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha = (f32((word_1 >> 24u)) / 255f);
+    let alpha = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
-        let _e38 = scene_texels[r_1];
-        let _e42 = scene_texels[g];
-        let _e46 = scene_texels[b_4];
+        let _e38 = scene_surface[r_1];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b_4];
         chosen_6 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
@@ -1546,29 +1559,40 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:73
-fn Material_bumped_normal(this_16: Material, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/material.rs:92
+fn MaterialView_number(words_start_1: u32, words_len_1: u32, word_1: u32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/material.rs:81
+    // glimt_render_gpu/src/kernels/material.rs:93
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:147
+fn MaterialView_bumped_normal(words_start_2: u32, words_len_2: u32, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:148
+    let _e9 = MaterialView_texture(words_start_2, words_len_2, 20u);
+    // glimt_render_gpu/src/kernels/material.rs:149
     let across = (tangent - (normal * dot(normal, tangent)));
-    // glimt_render_gpu/src/kernels/material.rs:82
-    let _e12 = TextureView_exists(this_16.normal_texture);
-    if (!(_e12) || !((dot(across, across) > 0.000000000001f))) {
-        // glimt_render_gpu/src/kernels/material.rs:83
+    // glimt_render_gpu/src/kernels/material.rs:150
+    let _e15 = TextureView_exists(_e9);
+    if (!(_e15) || !((dot(across, across) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:151
         return normal;
     }
-    // glimt_render_gpu/src/kernels/material.rs:85
+    // glimt_render_gpu/src/kernels/material.rs:153
     let t_4 = normalize(across);
-    // glimt_render_gpu/src/kernels/material.rs:86
+    // glimt_render_gpu/src/kernels/material.rs:154
     let b_5 = (cross(normal, t_4) * handedness);
-    // glimt_render_gpu/src/kernels/material.rs:87
-    let _e27 = TextureView_sample(this_16.normal_texture, uv_1);
-    let map = ((_e27.xyz * 2f) - vec3(1f));
-    // glimt_render_gpu/src/kernels/material.rs:88
-    let tilt = (((t_4 * map.x) + (b_5 * map.y)) * this_16.normal_scale);
-    // glimt_render_gpu/src/kernels/material.rs:89
-    let _e46 = unit_or((tilt + (normal * map.z)), normal);
-    return _e46;
+    // glimt_render_gpu/src/kernels/material.rs:155
+    let _e29 = TextureView_sample(_e9, uv_1);
+    let bump = ((_e29.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:156
+    let _e43 = MaterialView_number(words_start_2, words_len_2, 10u);
+    let tilt = (((t_4 * bump.x) + (b_5 * bump.y)) * _e43);
+    // glimt_render_gpu/src/kernels/material.rs:157
+    let _e49 = unit_or((tilt + (normal * bump.z)), normal);
+    return _e49;
 }
 
 // glimt_sampling/src/math.rs:45
@@ -1585,10 +1609,20 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_17: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_2, this_17.t), dot(v_2, this_17.b), dot(v_2, this_17.n));
+    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:97
+fn MaterialView_vector(words_start_3: u32, words_len_3: u32, word_2: u32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:98
+    let _e5 = MaterialView_number(words_start_3, words_len_3, word_2);
+    let _e8 = MaterialView_number(words_start_3, words_len_3, (word_2 + 1u));
+    let _e11 = MaterialView_number(words_start_3, words_len_3, (word_2 + 2u));
+    return vec3<f32>(_e5, _e8, _e11);
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -1608,128 +1642,139 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
     return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:46
-fn Material_brdf(this_18: Material, uv_2: vec2<f32>) -> BlinnPhong {
+// glimt_render_gpu/src/kernels/material.rs:118
+fn MaterialView_brdf(words_start_4: u32, words_len_4: u32, uv_2: vec2<f32>) -> BlinnPhong {
     var color: vec3<f32>;
     var metallic_1: f32;
     var roughness_1: f32;
 
-    // glimt_render_gpu/src/kernels/material.rs:47
-    if (this_18.kind == 0u) {
-        // glimt_render_gpu/src/kernels/material.rs:48
-        return BlinnPhong(this_18.color, this_18.specular, this_18.exponent);
+    // glimt_render_gpu/src/kernels/material.rs:119
+    let _e6 = MaterialView_vector(words_start_4, words_len_4, 0u);
+    color = _e6;
+    // glimt_render_gpu/src/kernels/material.rs:120
+    let _e13 = scene_surface[(words_start_4 + 3u)];
+    if (_e13 == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:121
+        let _e17 = color;
+        let _e19 = MaterialView_vector(words_start_4, words_len_4, 4u);
+        let _e21 = MaterialView_number(words_start_4, words_len_4, 7u);
+        return BlinnPhong(_e17, _e19, _e21);
     }
-    // glimt_render_gpu/src/kernels/material.rs:54
-    color = this_18.color;
-    // glimt_render_gpu/src/kernels/material.rs:55
-    let _e17 = TextureView_exists(this_18.base_color_texture);
-    if _e17 {
-        // glimt_render_gpu/src/kernels/material.rs:56
-        let _e20 = TextureView_sample(this_18.base_color_texture, uv_2);
-        let _e22 = color;
-        color = (_e22 * _e20.xyz);
+    // glimt_render_gpu/src/kernels/material.rs:127
+    let _e25 = MaterialView_texture(words_start_4, words_len_4, 12u);
+    // glimt_render_gpu/src/kernels/material.rs:128
+    let _e27 = TextureView_exists(_e25);
+    if _e27 {
+        // glimt_render_gpu/src/kernels/material.rs:129
+        let _e29 = TextureView_sample(_e25, uv_2);
+        let _e31 = color;
+        color = (_e31 * _e29.xyz);
     }
-    // glimt_render_gpu/src/kernels/material.rs:58
-    metallic_1 = this_18.metallic;
-    // glimt_render_gpu/src/kernels/material.rs:59
-    roughness_1 = this_18.roughness;
-    // glimt_render_gpu/src/kernels/material.rs:60
-    let _e32 = TextureView_exists(this_18.metallic_roughness_texture);
-    if _e32 {
-        // glimt_render_gpu/src/kernels/material.rs:61
-        let _e35 = TextureView_sample(this_18.metallic_roughness_texture, uv_2);
-        // glimt_render_gpu/src/kernels/material.rs:62
-        let _e38 = roughness_1;
-        roughness_1 = (_e38 * _e35.y);
-        // glimt_render_gpu/src/kernels/material.rs:63
-        let _e42 = metallic_1;
-        metallic_1 = (_e42 * _e35.z);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e35 = MaterialView_number(words_start_4, words_len_4, 8u);
+    metallic_1 = _e35;
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e39 = MaterialView_number(words_start_4, words_len_4, 9u);
+    roughness_1 = _e39;
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let _e43 = MaterialView_texture(words_start_4, words_len_4, 16u);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    let _e45 = TextureView_exists(_e43);
+    if _e45 {
+        // glimt_render_gpu/src/kernels/material.rs:135
+        let _e47 = TextureView_sample(_e43, uv_2);
+        // glimt_render_gpu/src/kernels/material.rs:136
+        let _e50 = roughness_1;
+        roughness_1 = (_e50 * _e47.y);
+        // glimt_render_gpu/src/kernels/material.rs:137
+        let _e54 = metallic_1;
+        metallic_1 = (_e54 * _e47.z);
     }
-    // glimt_render_gpu/src/kernels/material.rs:65
-    let _e45 = color;
-    let _e46 = metallic_1;
-    let _e47 = roughness_1;
-    let _e48 = BlinnPhong_from_metallic_roughness(_e45, _e46, _e47);
-    return _e48;
+    // glimt_render_gpu/src/kernels/material.rs:139
+    let _e57 = color;
+    let _e58 = metallic_1;
+    let _e59 = roughness_1;
+    let _e60 = BlinnPhong_from_metallic_roughness(_e57, _e58, _e59);
+    return _e60;
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:69
+// glimt_render_gpu/src/kernels/scene.rs:67
 fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
     var chosen_7: vec3<f32>;
     var chosen_8: f32;
     var chosen_9: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:70
+    // glimt_render_gpu/src/kernels/scene.rs:68
     let triangle_2 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:69
+    let first_2 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let a_5 = scene_corners[first_2];
     // glimt_render_gpu/src/kernels/scene.rs:71
-    let first_1 = (3u * hit.triangle);
+    let b_6 = scene_corners[(first_2 + 1u)];
     // glimt_render_gpu/src/kernels/scene.rs:72
-    let a_5 = scene_corners[first_1];
+    let c_4 = scene_corners[(first_2 + 2u)];
     // glimt_render_gpu/src/kernels/scene.rs:73
-    let b_6 = scene_corners[(first_1 + 1u)];
-    // glimt_render_gpu/src/kernels/scene.rs:74
-    let c_4 = scene_corners[(first_1 + 2u)];
-    // glimt_render_gpu/src/kernels/scene.rs:75
     let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
     let u_22 = _e33.fa;
     let v_4 = _e33.fb;
-    // glimt_render_gpu/src/kernels/scene.rs:76
+    // glimt_render_gpu/src/kernels/scene.rs:74
     let w_2 = ((1f - u_22) - v_4);
-    // glimt_render_gpu/src/kernels/scene.rs:78
+    // glimt_render_gpu/src/kernels/scene.rs:76
     let to_eye = -(ray_8.direction);
-    // glimt_render_gpu/src/kernels/scene.rs:79
+    // glimt_render_gpu/src/kernels/scene.rs:77
     let _e44 = Triangle_area_normal(triangle_2);
     let face = normalize(_e44);
-    // glimt_render_gpu/src/kernels/scene.rs:80
+    // glimt_render_gpu/src/kernels/scene.rs:78
     if (dot(face, to_eye) < 0f) {
         chosen_7 = -(face);
     } else {
         chosen_7 = face;
     }
     let geometric_normal = chosen_7;
-    // glimt_render_gpu/src/kernels/scene.rs:81
+    // glimt_render_gpu/src/kernels/scene.rs:79
     let _e62 = unit_or((((a_5.normal * w_2) + (b_6.normal * u_22)) + (c_4.normal * v_4)), face);
-    // glimt_render_gpu/src/kernels/scene.rs:83
+    // glimt_render_gpu/src/kernels/scene.rs:81
     let uv_3 = vec2<f32>((((a_5.u * w_2) + (b_6.u * u_22)) + (c_4.u * v_4)), (((a_5.v * w_2) + (b_6.v * u_22)) + (c_4.v * v_4)));
-    // glimt_render_gpu/src/kernels/scene.rs:84
-    let material = scene_materials[(triangle_2.material & 2147483647u)];
-    // glimt_render_gpu/src/kernels/scene.rs:85
+    // glimt_render_gpu/src/kernels/scene.rs:82
+    let _e85 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/scene.rs:83
     let tangent_1 = (((a_5.tangent * w_2) + (b_6.tangent * u_22)) + (c_4.tangent * v_4));
-    // glimt_render_gpu/src/kernels/scene.rs:86
+    // glimt_render_gpu/src/kernels/scene.rs:84
     if ((triangle_2.material & 2147483648u) != 0u) {
-        // glimt_render_gpu/src/kernels/scene.rs:87
+        // glimt_render_gpu/src/kernels/scene.rs:85
         chosen_8 = -1f;
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:89
+        // glimt_render_gpu/src/kernels/scene.rs:87
         chosen_8 = 1f;
     }
     let handedness_1 = chosen_8;
-    // glimt_render_gpu/src/kernels/scene.rs:91
-    let _e110 = Material_bumped_normal(material, uv_3, _e62, tangent_1, handedness_1);
-    // glimt_render_gpu/src/kernels/scene.rs:92
+    // glimt_render_gpu/src/kernels/scene.rs:89
+    let _e110 = MaterialView_bumped_normal(_e85.value_words_start, _e85.value_words_len, uv_3, _e62, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:90
     if (dot(_e110, to_eye) < 0f) {
-        // glimt_render_gpu/src/kernels/scene.rs:93
+        // glimt_render_gpu/src/kernels/scene.rs:91
         chosen_9 = -(_e110);
     } else {
-        // glimt_render_gpu/src/kernels/scene.rs:95
+        // glimt_render_gpu/src/kernels/scene.rs:93
         chosen_9 = _e110;
     }
     let normal_2 = chosen_9;
-    // glimt_render_gpu/src/kernels/scene.rs:98
+    // glimt_render_gpu/src/kernels/scene.rs:96
     let _e121 = ShadingFrame_from_normal(normal_2);
-    // glimt_render_gpu/src/kernels/scene.rs:99
+    // glimt_render_gpu/src/kernels/scene.rs:97
     let edges = (((triangle_2.v1_ - triangle_2.v0_) * u_22) + ((triangle_2.v2_ - triangle_2.v0_) * v_4));
-    // glimt_render_gpu/src/kernels/scene.rs:100
+    // glimt_render_gpu/src/kernels/scene.rs:98
     let _e138 = ShadingFrame_to_local(_e121, to_eye);
-    let _e139 = Material_brdf(material, uv_3);
+    let _e139 = MaterialView_brdf(_e85.value_words_start, _e85.value_words_len, uv_3);
     return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
-fn Triangle_object_index(this_19: Triangle) -> u32 {
+fn Triangle_object_index(this_17: Triangle) -> u32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:46
-    return (this_19.object & 1073741823u);
+    return (this_17.object & 1073741823u);
 }
 
 // glimt_sampling/src/math.rs:16
@@ -1749,21 +1794,21 @@ fn LightLobe_of_point(point: ShadingPoint) -> LightLobe {
 }
 
 // glimt_render_gpu/src/kernels/past.rs:109
-fn PastView_project(this_20: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
+fn PastView_project(this_18: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
 
     // glimt_render_gpu/src/kernels/past.rs:110
-    let v_5 = (was_at - this_20.eye);
+    let v_5 = (was_at - this_18.eye);
     // glimt_render_gpu/src/kernels/past.rs:111
-    let along = dot(v_5, this_20.forward);
+    let along = dot(v_5, this_18.forward);
     // glimt_render_gpu/src/kernels/past.rs:112
     if !((along > 0f)) {
         // glimt_render_gpu/src/kernels/past.rs:113
         return Option_Vec3_();
     }
     // glimt_render_gpu/src/kernels/past.rs:115
-    let x_10 = (dot(v_5, this_20.right) / (along * dot(this_20.right, this_20.right)));
+    let x_10 = (dot(v_5, this_18.right) / (along * dot(this_18.right, this_18.right)));
     // glimt_render_gpu/src/kernels/past.rs:116
-    let y_3 = (dot(v_5, this_20.up) / (along * dot(this_20.up, this_20.up)));
+    let y_3 = (dot(v_5, this_18.up) / (along * dot(this_18.up, this_18.up)));
     // glimt_render_gpu/src/kernels/past.rs:117
     let place_2 = (vec2<f32>((0.5f + (0.5f * x_10)), (0.5f - (0.5f * y_3))) * size_2);
     // glimt_render_gpu/src/kernels/past.rs:118
@@ -1771,13 +1816,13 @@ fn PastView_project(this_20: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> 
 }
 
 // glimt_render_gpu/src/kernels/past.rs:126
-fn PastView_predecessor(this_21: PastView, point_1: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
+fn PastView_predecessor(this_19: PastView, point_1: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
     var chosen_10: vec3<f32>;
     var chosen_11: u32;
     var chosen_12: Option_u32_;
 
     // glimt_render_gpu/src/kernels/past.rs:134
-    if (this_21.pixels == 0u) {
+    if (this_19.pixels == 0u) {
         // glimt_render_gpu/src/kernels/past.rs:135
         return Option_u32_();
     }
@@ -1786,9 +1831,9 @@ fn PastView_predecessor(this_21: PastView, point_1: ShadingPoint, object: u32, f
     // glimt_render_gpu/src/kernels/past.rs:138
     let was_at_1 = (motion * vec4<f32>(point_1.origin, 1f)).xyz;
     // glimt_render_gpu/src/kernels/past.rs:139
-    let size_15 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
+    let size_23 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
     // glimt_render_gpu/src/kernels/past.rs:140
-    let _e29 = PastView_project(this_21, was_at_1, size_15);
+    let _e29 = PastView_project(this_19, was_at_1, size_23);
     let value = _e29.value;
     if _e29.is_some {
         chosen_10 = value;
@@ -1803,7 +1848,7 @@ fn PastView_predecessor(this_21: PastView, point_1: ShadingPoint, object: u32, f
     // glimt_render_gpu/src/kernels/past.rs:146
     let still = ((min(off.x, off.y) > -0.015625f) && (max(off.x, off.y) < (1f + 0.015625f)));
     // glimt_render_gpu/src/kernels/past.rs:147
-    let in_image = ((((seen.x >= 0f) && (seen.y >= 0f)) && (seen.x < size_15.x)) && (seen.y < size_15.y));
+    let in_image = ((((seen.x >= 0f) && (seen.y >= 0f)) && (seen.x < size_23.x)) && (seen.y < size_23.y));
     // glimt_render_gpu/src/kernels/past.rs:148
     if (!(still) && !(in_image)) {
         // glimt_render_gpu/src/kernels/past.rs:149
@@ -1819,24 +1864,24 @@ fn PastView_predecessor(this_21: PastView, point_1: ShadingPoint, object: u32, f
     }
     let pixel_3 = chosen_11;
     // glimt_render_gpu/src/kernels/past.rs:156
-    if ((pixel_3 < this_21.first_pixel) || ((pixel_3 - this_21.first_pixel) >= this_21.pixels)) {
+    if ((pixel_3 < this_19.first_pixel) || ((pixel_3 - this_19.first_pixel) >= this_19.pixels)) {
         // glimt_render_gpu/src/kernels/past.rs:157
         return Option_u32_();
     }
     // glimt_render_gpu/src/kernels/past.rs:159
-    let ray_11 = (((pixel_3 - this_21.first_pixel) * pattern_1.rays) + pattern_1.ray);
+    let ray_11 = (((pixel_3 - this_19.first_pixel) * pattern_1.rays) + pattern_1.ray);
     // glimt_render_gpu/src/kernels/past.rs:160
     let state_6 = past_states[ray_11];
     // glimt_render_gpu/src/kernels/past.rs:161
     let turned = normalize((motion * vec4<f32>(point_1.frame.n, 0f)).xyz);
     // glimt_render_gpu/src/kernels/past.rs:163
-    let saw = (this_21.eye - (state_6.wo * state_6.depth));
+    let saw = (this_19.eye - (state_6.wo * state_6.depth));
     // glimt_render_gpu/src/kernels/past.rs:164
     let off_plane = abs(dot((was_at_1 - saw), state_6.normal));
     // glimt_render_gpu/src/kernels/past.rs:165
-    let same_plane = (off_plane <= (this_21.depth_tolerance * seen.z));
+    let same_plane = (off_plane <= (this_19.depth_tolerance * seen.z));
     // glimt_render_gpu/src/kernels/past.rs:166
-    if (((state_6.depth > 0f) && same_plane) && (dot(turned, state_6.normal) >= this_21.normal_cosine)) {
+    if (((state_6.depth > 0f) && same_plane) && (dot(turned, state_6.normal) >= this_19.normal_cosine)) {
         // glimt_render_gpu/src/kernels/past.rs:167
         chosen_12 = Option_u32_(true, ray_11);
     } else {
@@ -1858,26 +1903,26 @@ fn LightLobe_of_state(state_1: RayState) -> LightLobe {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:87
-fn PixelPattern_source(this_22: PixelPattern, purpose_4: u32) -> PatternSource {
+fn PixelPattern_source(this_20: PixelPattern, purpose_4: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:88
-    let _e8 = PixelPattern_sobol_point(this_22, purpose_4, this_22.ray);
-    let _e10 = PixelPattern_generator(this_22, purpose_4, this_22.ray);
-    return PatternSource((this_22.kind == 0u), _e8, _e10);
+    let _e8 = PixelPattern_sobol_point(this_20, purpose_4, this_20.ray);
+    let _e10 = PixelPattern_generator(this_20, purpose_4, this_20.ray);
+    return PatternSource((this_20.kind == 0u), _e8, _e10);
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:68
-fn SmcParams_sampler(this_23: SmcParams) -> Sampler {
+fn SmcParams_sampler(this_21: SmcParams) -> Sampler {
 
     // glimt_render_gpu/src/kernels/smc.rs:69
-    return Sampler(Bridge(this_23.path, this_23.intermediate), this_23.scheme, this_23.ess_threshold);
+    return Sampler(Bridge(this_21.path, this_21.intermediate), this_21.scheme, this_21.ess_threshold);
 }
 
 // glimt_smc/src/bridge.rs:48
-fn Bridge_steps(this_24: Bridge) -> u32 {
+fn Bridge_steps(this_22: Bridge) -> u32 {
 
     // glimt_smc/src/bridge.rs:49
-    return (this_24.intermediate + 1u);
+    return (this_22.intermediate + 1u);
 }
 
 // glimt_brdf/src/lobe.rs:86
@@ -1929,15 +1974,15 @@ fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_25: HalfVector, exponent_2: f32) -> f32 {
+fn HalfVector_lobe(this_23: HalfVector, exponent_2: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_25.cos2_theta, this_25.sin2_theta, exponent_2);
+    let _e6 = cosine_power(this_23.cos2_theta, this_23.sin2_theta, exponent_2);
     return _e6;
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_26: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_24: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -1945,33 +1990,33 @@ fn BlinnPhong_eval(this_26: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_26.diffuse * 0.31830987f);
+    let diffuse = (this_24.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_26.specular.x, this_26.specular.y), this_26.specular.z) <= 0f) {
+    if (max(max(this_24.specular.x, this_24.specular.y), this_24.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_26.exponent);
+    let _e31 = normalisation(this_24.exponent);
     let _e32 = HalfVector_new(wo_1, wi_1);
-    let _e34 = HalfVector_lobe(_e32, this_26.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_24.exponent);
     let lobe_4 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_26.specular * lobe_4));
+    return (diffuse + (this_24.specular * lobe_4));
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:57
-fn LightLobe_value(this_27: LightLobe, direction_2: vec3<f32>) -> f32 {
+fn LightLobe_value(this_25: LightLobe, direction_2: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:58
-    let _e5 = ShadingFrame_to_local(this_27.frame, direction_2);
+    let _e5 = ShadingFrame_to_local(this_25.frame, direction_2);
     // glimt_render_gpu/src/kernels/light_target.rs:59
     if !((_e5.z > 0f)) {
         // glimt_render_gpu/src/kernels/light_target.rs:60
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:62
-    let _e16 = BlinnPhong_eval(this_27.brdf, this_27.wo, _e5);
+    let _e16 = BlinnPhong_eval(this_25.brdf, this_25.wo, _e5);
     return (_e16.x * _e5.z);
 }
 
@@ -2019,29 +2064,29 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
 fn direction_to_texel(d_2: vec3<f32>, size_3: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_16 = max(size_3, vec2(1u));
+    let size_24 = max(size_3, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_16));
+    let position = (_e8 * vec2<f32>(size_24));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_16 - vec2(1u)));
+    return min(vec2<u32>(position), (size_24 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:34
+// glimt_render_gpu/src/kernels/environment.rs:37
 fn RadianceMap_radiance(size_4: vec2<u32>, rotation: vec2<f32>, direction_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:35
+    // glimt_render_gpu/src/kernels/environment.rs:38
     let to_map = vec2<f32>(rotation.x, -(rotation.y));
-    // glimt_render_gpu/src/kernels/environment.rs:36
+    // glimt_render_gpu/src/kernels/environment.rs:39
     let _e10 = rotate_z(direction_3, to_map);
     let _e11 = direction_to_texel(_e10, size_4);
-    // glimt_render_gpu/src/kernels/environment.rs:37
+    // glimt_render_gpu/src/kernels/environment.rs:40
     let _e20 = before_texels[((_e11.y * size_4.x) + _e11.x)];
     return _e20.xyz;
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:101
-fn LightTarget_previous(previous_light_size: vec2<u32>, previous_light_rotation: vec2<f32>, previous_floor: f32, previous_lobe: LightLobe, light_cdf_size: vec2<u32>, light_rotation: vec2<f32>, floor_: f32, lobe: LightLobe, direction_4: vec3<f32>) -> f32 {
+fn LightTarget_previous(previous_light_size: vec2<u32>, previous_light_rotation: vec2<f32>, previous_floor: f32, previous_lobe: LightLobe, light_size: vec2<u32>, light_rotation: vec2<f32>, floor_: f32, lobe: LightLobe, direction_4: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:102
     let _e7 = LightLobe_value(previous_lobe, direction_4);
@@ -2056,33 +2101,33 @@ fn LightTarget_previous(previous_light_size: vec2<u32>, previous_light_rotation:
     return ((_e16 + previous_floor) * _e7);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:64
-fn Environment_to_map(cdf_size: vec2<u32>, rotation_1: vec2<f32>, direction_5: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:78
+fn Environment_to_map(size_5: vec2<u32>, rotation_1: vec2<f32>, direction_5: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:65
+    // glimt_render_gpu/src/kernels/environment.rs:79
     let _e8 = rotate_z(direction_5, vec2<f32>(rotation_1.x, -(rotation_1.y)));
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:71
-fn Environment_texel(cdf_size_1: vec2<u32>, rotation_2: vec2<f32>, direction_6: vec3<f32>) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/environment.rs:85
+fn Environment_texel(size_6: vec2<u32>, rotation_2: vec2<f32>, direction_6: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:72
-    let _e5 = Environment_to_map(cdf_size_1, rotation_2, direction_6);
-    let _e6 = direction_to_texel(_e5, cdf_size_1);
+    // glimt_render_gpu/src/kernels/environment.rs:86
+    let _e5 = Environment_to_map(size_6, rotation_2, direction_6);
+    let _e6 = direction_to_texel(_e5, size_6);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:78
-fn Environment_radiance(cdf_size_2: vec2<u32>, rotation_3: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:92
+fn Environment_radiance(size_7: vec2<u32>, rotation_3: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:79
-    let _e11 = env_texels[((texel.y * cdf_size_2.x) + texel.x)];
+    // glimt_render_gpu/src/kernels/environment.rs:93
+    let _e11 = env_texels[((texel.y * size_7.x) + texel.x)];
     return _e11.xyz;
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:89
-fn LightTarget_current(previous_light_size_1: vec2<u32>, previous_light_rotation_1: vec2<f32>, previous_floor_1: f32, previous_lobe_1: LightLobe, light_cdf_size_1: vec2<u32>, light_rotation_1: vec2<f32>, floor_1: f32, lobe_1: LightLobe, direction_7: vec3<f32>) -> f32 {
+fn LightTarget_current(previous_light_size_1: vec2<u32>, previous_light_rotation_1: vec2<f32>, previous_floor_1: f32, previous_lobe_1: LightLobe, light_size_1: vec2<u32>, light_rotation_1: vec2<f32>, floor_1: f32, lobe_1: LightLobe, direction_7: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:90
     let _e7 = LightLobe_value(lobe_1, direction_7);
@@ -2092,24 +2137,24 @@ fn LightTarget_current(previous_light_size_1: vec2<u32>, previous_light_rotation
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:94
-    let _e15 = Environment_texel(light_cdf_size_1, light_rotation_1, direction_7);
-    let _e16 = Environment_radiance(light_cdf_size_1, light_rotation_1, _e15);
+    let _e15 = Environment_texel(light_size_1, light_rotation_1, direction_7);
+    let _e16 = Environment_radiance(light_size_1, light_rotation_1, _e15);
     // glimt_render_gpu/src/kernels/light_target.rs:95
     let _e18 = luminance(_e16);
     return ((_e18 + floor_1) * _e7);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:112
-fn LightTarget_densities(previous_light_size_2: vec2<u32>, previous_light_rotation_2: vec2<f32>, previous_floor_2: f32, previous_lobe_2: LightLobe, light_cdf_size_2: vec2<u32>, light_rotation_2: vec2<f32>, floor_2: f32, lobe_2: LightLobe, state_2: vec3<f32>) -> Endpoints {
+fn LightTarget_densities(previous_light_size_2: vec2<u32>, previous_light_rotation_2: vec2<f32>, previous_floor_2: f32, previous_lobe_2: LightLobe, light_size_2: vec2<u32>, light_rotation_2: vec2<f32>, floor_2: f32, lobe_2: LightLobe, state_2: vec3<f32>) -> Endpoints {
 
     // glimt_render_gpu/src/kernels/light_target.rs:113
-    let _e11 = LightTarget_previous(previous_light_size_2, previous_light_rotation_2, previous_floor_2, previous_lobe_2, light_cdf_size_2, light_rotation_2, floor_2, lobe_2, state_2);
-    let _e12 = LightTarget_current(previous_light_size_2, previous_light_rotation_2, previous_floor_2, previous_lobe_2, light_cdf_size_2, light_rotation_2, floor_2, lobe_2, state_2);
+    let _e11 = LightTarget_previous(previous_light_size_2, previous_light_rotation_2, previous_floor_2, previous_lobe_2, light_size_2, light_rotation_2, floor_2, lobe_2, state_2);
+    let _e12 = LightTarget_current(previous_light_size_2, previous_light_rotation_2, previous_floor_2, previous_lobe_2, light_size_2, light_rotation_2, floor_2, lobe_2, state_2);
     return Endpoints(_e11, _e12);
 }
 
 // glimt_smc/src/bridge.rs:65
-fn Bridge_density(this_28: Bridge, k: u32, ends: Endpoints) -> f32 {
+fn Bridge_density(this_26: Bridge, k: u32, ends: Endpoints) -> f32 {
 
     // glimt_smc/src/bridge.rs:66
     if (k == 0u) {
@@ -2117,16 +2162,16 @@ fn Bridge_density(this_28: Bridge, k: u32, ends: Endpoints) -> f32 {
         return ends.previous;
     }
     // glimt_smc/src/bridge.rs:69
-    let _e10 = Bridge_steps(this_28);
+    let _e10 = Bridge_steps(this_26);
     if (k >= _e10) {
         // glimt_smc/src/bridge.rs:70
         return ends.current;
     }
     // glimt_smc/src/bridge.rs:72
-    let _e16 = Bridge_steps(this_28);
+    let _e16 = Bridge_steps(this_26);
     let beta = (f32(k) / f32(_e16));
     // glimt_smc/src/bridge.rs:73
-    if (this_28.path == 0u) {
+    if (this_26.path == 0u) {
         // glimt_smc/src/bridge.rs:74
         return (((1f - beta) * ends.previous) + (beta * ends.current));
     }
@@ -2229,7 +2274,7 @@ fn normalise(particles_start: u32, particles_len: u32) -> f32 {
 }
 
 // glimt_smc/src/reweight.rs:13
-fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, target_previous_light_rotation: vec2<f32>, target_previous_floor: f32, target_previous_lobe: LightLobe, target_light_cdf_size: vec2<u32>, target_light_rotation: vec2<f32>, target_floor: f32, target_lobe: LightLobe, particles_start_1: u32, particles_len_1: u32) -> f32 {
+fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, target_previous_light_rotation: vec2<f32>, target_previous_floor: f32, target_previous_lobe: LightLobe, target_light_size: vec2<u32>, target_light_rotation: vec2<f32>, target_floor: f32, target_lobe: LightLobe, particles_start_1: u32, particles_len_1: u32) -> f32 {
     var counter_5: u32;
     var chosen_16: f32;
     var both_2: bool;
@@ -2243,7 +2288,7 @@ fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, tar
         }
         // glimt_smc/src/reweight.rs:15
         let _e23 = particles[(particles_start_1 + i_4)].state;
-        let _e24 = LightTarget_densities(target_previous_light_size, target_previous_light_rotation, target_previous_floor, target_previous_lobe, target_light_cdf_size, target_light_rotation, target_floor, target_lobe, _e23);
+        let _e24 = LightTarget_densities(target_previous_light_size, target_previous_light_rotation, target_previous_floor, target_previous_lobe, target_light_size, target_light_rotation, target_floor, target_lobe, _e23);
         // glimt_smc/src/reweight.rs:16
         let _e28 = Bridge_density(bridge, (k_1 - 1u), _e24);
         // glimt_smc/src/reweight.rs:17
@@ -2278,10 +2323,10 @@ fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, tar
 }
 
 // glimt_smc/src/particle.rs:25
-fn Particle_weight(this_29: Particle) -> f32 {
+fn Particle_weight(this_27: Particle) -> f32 {
 
     // glimt_smc/src/particle.rs:26
-    return exp(this_29.log_weight);
+    return exp(this_27.log_weight);
 }
 
 // glimt_smc/src/weights.rs:65
@@ -2339,53 +2384,53 @@ fn sure_copies(scheme: u32, expected: f32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:135
-fn owen_sobol(index_11: u32, dimension_2: u32, seed_4: u32) -> u32 {
+fn owen_sobol(index_12: u32, dimension_2: u32, seed_4: u32) -> u32 {
 
     // glimt_sampling/src/sobol.rs:136
-    let _e5 = shuffle(index_11, seed_4);
+    let _e5 = shuffle(index_12, seed_4);
     let _e6 = sobol_reversed(_e5, dimension_2);
     let _e7 = scramble_1(_e6, dimension_2, seed_4);
     return _e7;
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_30: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_28: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_30).dimension;
+    let dimension_4 = (*this_28).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_30).dimension = (dimension_4 + 1u);
+    (*this_28).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_30).index;
-    let _e13 = (*this_30).seed;
+    let _e11 = (*this_28).index;
+    let _e13 = (*this_28).seed;
     let _e16 = hash2_(_e13, (dimension_4 >> 2u));
     let _e17 = owen_sobol(_e11, dimension_4, _e16);
     return _e17;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:131
-fn PatternSource_next_u32_(this_31: ptr<function, PatternSource>) -> u32 {
+fn PatternSource_next_u32_(this_29: ptr<function, PatternSource>) -> u32 {
     var chosen_19: u32;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:132
-    let _e5 = (*this_31).is_sobol;
+    let _e5 = (*this_29).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:133
-        let _e9 = (*this_31).point;
+        let _e9 = (*this_29).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_31).point = _e11;
+        (*this_29).point = _e11;
         chosen_19 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:135
-        let _e15 = (*this_31).generator;
+        let _e15 = (*this_29).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_31).generator = _e17;
+        (*this_29).generator = _e17;
         chosen_19 = _e16;
     }
     let _e18 = chosen_19;
@@ -2393,47 +2438,47 @@ fn PatternSource_next_u32_(this_31: ptr<function, PatternSource>) -> u32 {
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth(this_32: ptr<function, Comb>, source: ptr<function, PatternSource>) {
+fn Comb_place_tooth(this_30: ptr<function, Comb>, source: ptr<function, PatternSource>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_32).made;
-    let _e7 = (*this_32).teeth;
+    let _e5 = (*this_30).made;
+    let _e7 = (*this_30).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_32).made;
-    let first_2 = f32(_e12);
+    let _e12 = (*this_30).made;
+    let first_3 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_32).scheme;
+    let _e16 = (*this_30).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_32).state;
-        (*this_32).next = (first_2 + _e21);
+        let _e21 = (*this_30).state;
+        (*this_30).next = (first_3 + _e21);
     } else {
-        let _e25 = (*this_32).scheme;
+        let _e25 = (*this_30).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = PatternSource_next_u32_(source);
             let _e30 = unit_f32_(_e29);
-            (*this_32).next = (first_2 + _e30);
+            (*this_30).next = (first_3 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = PatternSource_next_u32_(source);
             let _e36 = unit_f32_(_e35);
             let v_8 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_32).teeth;
-            let _e42 = (*this_32).made;
+            let _e40 = (*this_30).teeth;
+            let _e42 = (*this_30).made;
             let left_3 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_32).state;
-            (*this_32).state = (_e50 * pow(v_8, (1f / left_3)));
+            let _e50 = (*this_30).state;
+            (*this_30).state = (_e50 * pow(v_8, (1f / left_3)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_32).state;
-            let _e58 = (*this_32).teeth;
-            (*this_32).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_30).state;
+            let _e58 = (*this_30).teeth;
+            (*this_30).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -2460,54 +2505,54 @@ fn Comb_new(scheme_1: u32, picks: u32, sure: u32, source_1: ptr<function, Patter
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take(this_33: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
+fn Comb_take(this_31: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_33).scheme;
+    let _e6 = (*this_31).scheme;
     let _e7 = sure_copies(_e6, expected_1);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_33).reach;
-    (*this_33).reach = (_e12 + (expected_1 - f32(_e7)));
+    let _e12 = (*this_31).reach;
+    (*this_31).reach = (_e12 + (expected_1 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before = (*this_33).made;
+    let before = (*this_31).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_33).made;
-        let _e21 = (*this_33).teeth;
-        let _e24 = (*this_33).next;
-        let _e26 = (*this_33).reach;
+        let _e19 = (*this_31).made;
+        let _e21 = (*this_31).teeth;
+        let _e24 = (*this_31).next;
+        let _e26 = (*this_31).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_33).made;
-            (*this_33).made = (_e32 + 1u);
+            let _e32 = (*this_31).made;
+            (*this_31).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth(this_33, source_2);
+            Comb_place_tooth(this_31, source_2);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_33).made;
+    let _e37 = (*this_31).made;
     return (_e7 + (_e37 - before));
 }
 
 // glimt_sampling/src/resample.rs:121
-fn Comb_finish(this_34: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
+fn Comb_finish(this_32: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
     var counter_7: u32;
 
     // glimt_sampling/src/resample.rs:122
-    let _e5 = (*this_34).teeth;
-    let _e7 = (*this_34).made;
+    let _e5 = (*this_32).teeth;
+    let _e7 = (*this_32).made;
     let left_4 = (_e5 - _e7);
     // glimt_sampling/src/resample.rs:123
-    let _e11 = (*this_34).scheme;
+    let _e11 = (*this_32).scheme;
     if (_e11 != 0u) {
         // glimt_sampling/src/resample.rs:125
-        let _e16 = (*this_34).teeth;
-        let _e18 = (*this_34).made;
+        let _e16 = (*this_32).teeth;
+        let _e18 = (*this_32).made;
         let drawn = min(_e16, (_e18 + 1u));
         // glimt_sampling/src/resample.rs:126
-        let _e24 = (*this_34).picks;
+        let _e24 = (*this_32).picks;
         counter_7 = drawn;
         loop {
             let _e26 = counter_7;
@@ -2523,8 +2568,8 @@ fn Comb_finish(this_34: ptr<function, Comb>, source_3: ptr<function, PatternSour
         }
     }
     // glimt_sampling/src/resample.rs:130
-    let _e35 = (*this_34).teeth;
-    (*this_34).made = _e35;
+    let _e35 = (*this_32).teeth;
+    (*this_32).made = _e35;
     // glimt_sampling/src/resample.rs:131
     return left_4;
 }
@@ -2740,28 +2785,28 @@ fn skip(scheme_4: u32, picks_3: u32, source_5: ptr<function, PatternSource>) {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:140
-fn PatternSource_next_uvec2_(this_35: ptr<function, PatternSource>) -> vec2<u32> {
+fn PatternSource_next_uvec2_(this_33: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_21: vec2<u32>;
     var borrowed_4: OwenSobol;
     var borrowed_5: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:141
-    let _e5 = (*this_35).is_sobol;
+    let _e5 = (*this_33).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:142
-        let _e9 = (*this_35).point;
+        let _e9 = (*this_33).point;
         borrowed_4 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_4));
         let _e11 = borrowed_4;
-        (*this_35).point = _e11;
+        (*this_33).point = _e11;
         chosen_21 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:144
-        let _e15 = (*this_35).generator;
+        let _e15 = (*this_33).generator;
         borrowed_5 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
         let _e17 = borrowed_5;
-        (*this_35).generator = _e17;
+        (*this_33).generator = _e17;
         chosen_21 = _e16;
     }
     let _e18 = chosen_21;
@@ -2769,28 +2814,28 @@ fn PatternSource_next_uvec2_(this_35: ptr<function, PatternSource>) -> vec2<u32>
 }
 
 // glimt_smc/src/proposal.rs:136
-fn split_word(word: u32, pmf_first: f32) -> Split {
+fn split_word(word_3: u32, pmf_first: f32) -> Split {
     var chosen_22: u32;
     var chosen_23: u32;
 
     // glimt_smc/src/proposal.rs:138
     let edge = u32((clamp(pmf_first, 0f, 1f) * 65536f));
     // glimt_smc/src/proposal.rs:139
-    let first_3 = ((word >> 16u) < edge);
+    let first_4 = ((word_3 >> 16u) < edge);
     // glimt_smc/src/proposal.rs:140
-    if first_3 {
+    if first_4 {
         chosen_22 = edge;
     } else {
         chosen_22 = (65536u - edge);
     }
     let width = chosen_22;
     // glimt_smc/src/proposal.rs:142
-    if first_3 {
+    if first_4 {
         // glimt_smc/src/proposal.rs:143
-        chosen_23 = word;
+        chosen_23 = word_3;
     } else {
         // glimt_smc/src/proposal.rs:145
-        chosen_23 = (word - (edge << 16u));
+        chosen_23 = (word_3 - (edge << 16u));
     }
     let place_3 = chosen_23;
     // glimt_smc/src/proposal.rs:147
@@ -2800,7 +2845,7 @@ fn split_word(word: u32, pmf_first: f32) -> Split {
     // glimt_smc/src/proposal.rs:149
     let lower_1 = (((place_3 % width_1) * 65536u) / width_1);
     // glimt_smc/src/proposal.rs:150
-    return Split(first_3, ((upper_1 << 16u) + lower_1));
+    return Split(first_4, ((upper_1 << 16u) + lower_1));
 }
 
 // glimt_sampling/src/warp.rs:182
@@ -2834,18 +2879,18 @@ fn sample_cap(u_2: vec2<f32>, height_1: f32) -> DirectionSample {
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_36: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_34: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_36.t * v_3.x) + (this_36.b * v_3.y)) + (this_36.n * v_3.z));
+    return (((this_34.t * v_3.x) + (this_34.b * v_3.y)) + (this_34.n * v_3.z));
 }
 
 // glimt_smc/src/proposal.rs:43
-fn CapMove_propose(this_37: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
+fn CapMove_propose(this_35: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:44
     let _e6 = unit_vec2_(u_3.xy);
-    let _e8 = sample_cap(_e6, this_37.height);
+    let _e8 = sample_cap(_e6, this_35.height);
     let local = _e8.direction;
     // glimt_smc/src/proposal.rs:45
     let _e11 = ShadingFrame_from_normal(from_);
@@ -2853,11 +2898,26 @@ fn CapMove_propose(this_37: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Propos
     return Proposed(normalize(_e12), 1f, 1f);
 }
 
+// glimt_render_gpu/src/kernels/environment.rs:120
+fn marginal_words(size_8: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:121
+    return (size_8.y + 1u);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:67
+fn Environment_cdf(size_9: vec2<u32>, rotation_4: vec2<f32>) -> Returned_Environment_cdf {
+
+    // glimt_render_gpu/src/kernels/environment.rs:68
+    let _e3 = marginal_words(size_9);
+    return Returned_Environment_cdf(size_9, _e3, (arrayLength((&env_tables)) - _e3));
+}
+
 // glimt_envmap_cdf/src/env_cdf.rs:48
-fn EnvCdf_is_black(size_5: vec2<u32>) -> bool {
+fn EnvCdf_is_black(size_10: vec2<u32>, conditional_start: u32, conditional_len: u32) -> bool {
 
     // glimt_envmap_cdf/src/env_cdf.rs:49
-    let _e6 = env_cdf_marginal[size_5.y];
+    let _e6 = env_tables[size_10.y];
     return (_e6 == 0u);
 }
 
@@ -2881,7 +2941,7 @@ fn find_bin(start: u32, bins: u32, u_4: u32) -> Bin {
         let half = (_e14 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
         let _e18 = at;
-        let _e22 = env_cdf_marginal[(_e18 + half)];
+        let _e22 = env_tables[(_e18 + half)];
         if (_e22 <= u_4) {
             // glimt_envmap_cdf/src/search.rs:38
             let _e25 = at;
@@ -2893,16 +2953,16 @@ fn find_bin(start: u32, bins: u32, u_4: u32) -> Bin {
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
-    let first_4 = env_cdf_marginal[_e31];
+    let first_5 = env_tables[_e31];
     // glimt_envmap_cdf/src/search.rs:43
     let _e36 = at;
     let _e38 = at;
-    let _e43 = env_cdf_marginal[(_e38 + 1u)];
-    return Bin((_e36 - start), first_4, (_e43 - first_4));
+    let _e43 = env_tables[(_e38 + 1u)];
+    return Bin((_e36 - start), first_5, (_e43 - first_5));
 }
 
 // glimt_envmap_cdf/src/search.rs:31
-fn find_bin_1(start_1: u32, bins_1: u32, u_5: u32) -> Bin {
+fn find_bin_1(edges_start: u32, edges_len: u32, start_1: u32, bins_1: u32, u_5: u32) -> Bin {
     var at_1: u32;
     var left_1: u32;
 
@@ -2912,33 +2972,33 @@ fn find_bin_1(start_1: u32, bins_1: u32, u_5: u32) -> Bin {
     left_1 = bins_1;
     // glimt_envmap_cdf/src/search.rs:35
     loop {
-        let _e9 = left_1;
-        if !((_e9 > 1u)) {
+        let _e10 = left_1;
+        if !((_e10 > 1u)) {
             break;
         }
         // glimt_envmap_cdf/src/search.rs:36
-        let _e14 = left_1;
-        let half_1 = (_e14 / 2u);
+        let _e15 = left_1;
+        let half_1 = (_e15 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
-        let _e18 = at_1;
-        let _e22 = env_cdf_conditional[(_e18 + half_1)];
-        if (_e22 <= u_5) {
+        let _e19 = at_1;
+        let _e24 = env_tables[(edges_start + (_e19 + half_1))];
+        if (_e24 <= u_5) {
             // glimt_envmap_cdf/src/search.rs:38
-            let _e25 = at_1;
-            at_1 = (_e25 + half_1);
+            let _e27 = at_1;
+            at_1 = (_e27 + half_1);
         }
         // glimt_envmap_cdf/src/search.rs:40
-        let _e28 = left_1;
-        left_1 = (_e28 - half_1);
+        let _e30 = left_1;
+        left_1 = (_e30 - half_1);
     }
     // glimt_envmap_cdf/src/search.rs:42
-    let _e31 = at_1;
-    let first_5 = env_cdf_conditional[_e31];
+    let _e33 = at_1;
+    let first_6 = env_tables[(edges_start + _e33)];
     // glimt_envmap_cdf/src/search.rs:43
-    let _e36 = at_1;
-    let _e38 = at_1;
-    let _e43 = env_cdf_conditional[(_e38 + 1u)];
-    return Bin((_e36 - start_1), first_5, (_e43 - first_5));
+    let _e39 = at_1;
+    let _e41 = at_1;
+    let _e47 = env_tables[(edges_start + (_e41 + 1u))];
+    return Bin((_e39 - start_1), first_6, (_e47 - first_6));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:168
@@ -2988,33 +3048,33 @@ fn cos_sin_pi(x_7: f32) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel_1: vec2<u32>, size_6: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+fn direction_in_texel(texel_1: vec2<u32>, size_11: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
     var chosen_26: u32;
     var chosen_27: u32;
     var chosen_28: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_17 = max(size_6, vec2(1u));
+    let size_25 = max(size_11, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_2 = min(texel_1.y, (size_17.y - 1u));
+    let row_2 = min(texel_1.y, (size_25.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_2) >= size_17.y);
+    let southern = ((2u * row_2) >= size_25.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_26 = (size_17.y - row_2);
+        chosen_26 = (size_25.y - row_2);
     } else {
         chosen_26 = row_2;
     }
     let upper_2 = chosen_26;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_27 = ((size_17.y - row_2) - 1u);
+        chosen_27 = ((size_25.y - row_2) - 1u);
     } else {
         chosen_27 = (row_2 + 1u);
     }
     let lower_2 = chosen_27;
     // glimt_probe/src/latlong.rs:149
-    let half_2 = (0.5f / f32(size_17.y));
+    let half_2 = (0.5f / f32(size_25.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper_2) * half_2));
     let sin_upper = _e41.y;
@@ -3037,151 +3097,153 @@ fn direction_in_texel(texel_1: vec2<u32>, size_6: vec2<u32>, r: vec2<f32>) -> ve
     }
     let cos_theta_1 = chosen_28;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_1.x) + r.x)) / f32(size_17.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_1.x) + r.x)) / f32(size_25.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
 // glimt_probe/src/latlong.rs:121
-fn texel_solid_angle_sr(row: u32, size_7: vec2<u32>) -> f32 {
+fn texel_solid_angle_sr(row: u32, size_12: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_18 = max(size_7, vec2(1u));
+    let size_26 = max(size_12, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_3 = min(row, (size_18.y - 1u));
+    let row_3 = min(row, (size_26.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_3, ((size_18.y - 1u) - row_3));
+    let from_pole = min(row_3, ((size_26.y - 1u) - row_3));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_18.y));
+    let half_row = (0.5f / f32(size_26.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_18.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_26.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:162
-fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_8: vec2<u32>) -> f32 {
+fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_13: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:163
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
     // glimt_envmap_cdf/src/env_cdf.rs:164
-    let _e14 = texel_solid_angle_sr(row_1, size_8);
+    let _e14 = texel_solid_angle_sr(row_1, size_13);
     return (pmf / _e14);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:61
-fn EnvCdf_sample(size_9: vec2<u32>, u_7: vec2<u32>) -> EnvSample {
+fn EnvCdf_sample(size_14: vec2<u32>, conditional_start_1: u32, conditional_len_1: u32, u_7: vec2<u32>) -> EnvSample {
 
     // glimt_envmap_cdf/src/env_cdf.rs:62
-    let _e4 = EnvCdf_is_black(size_9);
-    if _e4 {
+    let _e6 = EnvCdf_is_black(size_14, conditional_start_1, conditional_len_1);
+    if _e6 {
         // glimt_envmap_cdf/src/env_cdf.rs:63
         return EnvSample(vec2(0u), vec3<f32>(0f, 0f, 1f), 0f);
     }
     // glimt_envmap_cdf/src/env_cdf.rs:69
-    let _e20 = find_bin(0u, size_9.y, (u_7.y >> 1u));
+    let _e22 = find_bin(0u, size_14.y, (u_7.y >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:70
-    let row_start = (_e20.index * (size_9.x + 1u));
+    let row_start = (_e22.index * (size_14.x + 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:71
-    let _e32 = find_bin_1(row_start, size_9.x, (u_7.x >> 1u));
+    let _e34 = find_bin_1(conditional_start_1, conditional_len_1, row_start, size_14.x, (u_7.x >> 1u));
     // glimt_envmap_cdf/src/env_cdf.rs:72
-    let texel_5 = vec2<u32>(_e32.index, _e20.index);
+    let texel_5 = vec2<u32>(_e34.index, _e22.index);
     // glimt_envmap_cdf/src/env_cdf.rs:73
-    let _e40 = hash2_(u_7.x, u_7.y);
+    let _e42 = hash2_(u_7.x, u_7.y);
     // glimt_envmap_cdf/src/env_cdf.rs:74
-    let _e47 = place_in_bin(_e32, (u_7.x >> 1u), (_e40 & 65535u));
-    let _e53 = place_in_bin(_e20, (u_7.y >> 1u), (_e40 >> 16u));
-    let place_4 = vec2<f32>(_e47, _e53);
+    let _e49 = place_in_bin(_e34, (u_7.x >> 1u), (_e42 & 65535u));
+    let _e55 = place_in_bin(_e22, (u_7.y >> 1u), (_e42 >> 16u));
+    let place_4 = vec2<f32>(_e49, _e55);
     // glimt_envmap_cdf/src/env_cdf.rs:78
-    let _e56 = direction_in_texel(texel_5, size_9, place_4);
-    let _e60 = density_sr(_e20.units, _e32.units, _e20.index, size_9);
-    return EnvSample(texel_5, _e56, _e60);
+    let _e58 = direction_in_texel(texel_5, size_14, place_4);
+    let _e62 = density_sr(_e22.units, _e34.units, _e22.index, size_14);
+    return EnvSample(texel_5, _e58, _e62);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:85
-fn Environment_sample(cdf_size_3: vec2<u32>, rotation_4: vec2<f32>, u_8: vec2<u32>) -> EnvSample {
+// glimt_render_gpu/src/kernels/environment.rs:99
+fn Environment_sample(size_15: vec2<u32>, rotation_5: vec2<f32>, u_8: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:86
-    let _e5 = EnvCdf_sample(cdf_size_3, u_8);
-    // glimt_render_gpu/src/kernels/environment.rs:87
-    let _e8 = rotate_z(_e5.direction, rotation_4);
-    return EnvSample(_e5.texel, _e8, _e5.pdf_sr);
+    // glimt_render_gpu/src/kernels/environment.rs:100
+    let _e5 = Environment_cdf(size_15, rotation_5);
+    let _e9 = EnvCdf_sample(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, u_8);
+    // glimt_render_gpu/src/kernels/environment.rs:101
+    let _e12 = rotate_z(_e9.direction, rotation_5);
+    return EnvSample(_e9.texel, _e12, _e9.pdf_sr);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:156
-fn LightDraw_sample(light_cdf_size_3: vec2<u32>, light_rotation_3: vec2<f32>, u_9: vec3<u32>) -> Sampled {
+fn LightDraw_sample(light_size_3: vec2<u32>, light_rotation_3: vec2<f32>, u_9: vec3<u32>) -> Sampled {
 
     // glimt_render_gpu/src/kernels/light_target.rs:157
-    let _e8 = Environment_sample(light_cdf_size_3, light_rotation_3, vec2<u32>(u_9.x, u_9.y));
+    let _e8 = Environment_sample(light_size_3, light_rotation_3, vec2<u32>(u_9.x, u_9.y));
     // glimt_render_gpu/src/kernels/light_target.rs:158
     return Sampled(_e8.direction, _e8.pdf_sr);
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:142
-fn EnvCdf_row(size_10: vec2<u32>, texel_2: vec2<u32>) -> Bin {
+fn EnvCdf_row(size_16: vec2<u32>, conditional_start_2: u32, conditional_len_2: u32, texel_2: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:143
     let y_5 = texel_2.y;
     // glimt_envmap_cdf/src/env_cdf.rs:144
-    let _e8 = env_cdf_marginal[y_5];
-    let _e13 = env_cdf_marginal[(y_5 + 1u)];
-    let _e16 = env_cdf_marginal[y_5];
+    let _e8 = env_tables[y_5];
+    let _e13 = env_tables[(y_5 + 1u)];
+    let _e16 = env_tables[y_5];
     return Bin(texel_2.y, _e8, (_e13 - _e16));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:151
-fn EnvCdf_column(size_11: vec2<u32>, texel_3: vec2<u32>) -> Bin {
+fn EnvCdf_column(size_17: vec2<u32>, conditional_start_3: u32, conditional_len_3: u32, texel_3: vec2<u32>) -> Bin {
 
     // glimt_envmap_cdf/src/env_cdf.rs:152
-    let x_11 = ((texel_3.y * (size_11.x + 1u)) + texel_3.x);
+    let x_11 = ((texel_3.y * (size_17.x + 1u)) + texel_3.x);
     // glimt_envmap_cdf/src/env_cdf.rs:153
-    let _e15 = env_cdf_conditional[x_11];
-    let _e20 = env_cdf_conditional[(x_11 + 1u)];
-    let _e23 = env_cdf_conditional[x_11];
-    return Bin(texel_3.x, _e15, (_e20 - _e23));
+    let _e17 = env_tables[(conditional_start_3 + x_11)];
+    let _e23 = env_tables[(conditional_start_3 + (x_11 + 1u))];
+    let _e27 = env_tables[(conditional_start_3 + x_11)];
+    return Bin(texel_3.x, _e17, (_e23 - _e27));
 }
 
 // glimt_envmap_cdf/src/env_cdf.rs:119
-fn EnvCdf_texel_pdf_sr(size_12: vec2<u32>, texel_4: vec2<u32>) -> f32 {
+fn EnvCdf_texel_pdf_sr(size_18: vec2<u32>, conditional_start_4: u32, conditional_len_4: u32, texel_4: vec2<u32>) -> f32 {
 
     // glimt_envmap_cdf/src/env_cdf.rs:120
-    let _e4 = EnvCdf_row(size_12, texel_4);
+    let _e6 = EnvCdf_row(size_18, conditional_start_4, conditional_len_4, texel_4);
     // glimt_envmap_cdf/src/env_cdf.rs:121
-    let _e6 = EnvCdf_column(size_12, texel_4);
+    let _e8 = EnvCdf_column(size_18, conditional_start_4, conditional_len_4, texel_4);
     // glimt_envmap_cdf/src/env_cdf.rs:122
-    let _e11 = density_sr(_e4.units, _e6.units, texel_4.y, size_12);
-    return _e11;
+    let _e13 = density_sr(_e6.units, _e8.units, texel_4.y, size_18);
+    return _e13;
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:165
-fn LightDraw_pdf(light_cdf_size_4: vec2<u32>, light_rotation_4: vec2<f32>, state_3: vec3<f32>) -> f32 {
+fn LightDraw_pdf(light_size_4: vec2<u32>, light_rotation_4: vec2<f32>, state_3: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:166
-    let _e5 = Environment_texel(light_cdf_size_4, light_rotation_4, state_3);
-    let _e6 = EnvCdf_texel_pdf_sr(light_cdf_size_4, _e5);
-    return _e6;
+    let _e5 = Environment_cdf(light_size_4, light_rotation_4);
+    let _e9 = Environment_texel(light_size_4, light_rotation_4, state_3);
+    let _e10 = EnvCdf_texel_pdf_sr(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, _e9);
+    return _e10;
 }
 
 // glimt_smc/src/proposal.rs:81
-fn Independent_LightDraw_propose(sampler_light_cdf_size: vec2<u32>, sampler_light_rotation: vec2<f32>, from_1: vec3<f32>, u_10: vec3<u32>) -> Proposed {
+fn Independent_LightDraw_propose(sampler_light_size: vec2<u32>, sampler_light_rotation: vec2<f32>, from_1: vec3<f32>, u_10: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:82
-    let _e6 = LightDraw_sample(sampler_light_cdf_size, sampler_light_rotation, u_10);
+    let _e6 = LightDraw_sample(sampler_light_size, sampler_light_rotation, u_10);
     // glimt_smc/src/proposal.rs:83
-    let _e10 = LightDraw_pdf(sampler_light_cdf_size, sampler_light_rotation, from_1);
+    let _e10 = LightDraw_pdf(sampler_light_size, sampler_light_rotation, from_1);
     return Proposed(_e6.state, _e6.pdf, _e10);
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_38: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_36: BlinnPhong) -> f32 {
     var chosen_29: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_38.specular);
+    let _e4 = luminance(this_36.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_38.diffuse);
+    let _e7 = luminance(this_36.diffuse);
     let both_4 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_4 > 0f) {
@@ -3344,15 +3406,15 @@ fn pdf_cosine_hemisphere_sr(direction_11: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_39: HalfVector, exponent_5: f32) -> f32 {
+fn HalfVector_pdf_sr(this_37: HalfVector, exponent_5: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_39, exponent_5);
-    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_39.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_37, exponent_5);
+    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_37.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_40: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_38: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_2.z <= 0f) || (wi_2.z <= 0f)) {
@@ -3362,7 +3424,7 @@ fn BlinnPhong_pdf_sr(this_40: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_2);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_40);
+    let _e17 = BlinnPhong_pmf_specular(this_38);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -3370,21 +3432,21 @@ fn BlinnPhong_pdf_sr(this_40: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_2, wi_2);
-    let _e25 = HalfVector_pdf_sr(_e23, this_40.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_38.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_41: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_39: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
     var chosen_32: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_41);
+    let _e8 = BlinnPhong_pmf_specular(this_39);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_14, this_41.exponent);
+        let _e12 = sample_power_cosine(u_14, this_39.exponent);
         let h_1 = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_32 = (((2f * dot(wo_3, h_1)) * h_1) - wo_3);
@@ -3395,42 +3457,42 @@ fn BlinnPhong_sample(this_41: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: ve
     }
     let wi_5 = chosen_32;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_41, wo_3, wi_5);
+    let _e25 = BlinnPhong_pdf_sr(this_39, wo_3, wi_5);
     return BrdfSample(wi_5, _e25);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:133
-fn BrdfDraw_sample(this_42: BrdfDraw, u_15: vec3<u32>) -> Sampled {
+fn BrdfDraw_sample(this_40: BrdfDraw, u_15: vec3<u32>) -> Sampled {
 
     // glimt_render_gpu/src/kernels/light_target.rs:134
     let _e8 = unit_vec2_(u_15.xy);
-    let _e9 = BlinnPhong_sample(this_42.brdf, this_42.wo, u_15.z, _e8);
+    let _e9 = BlinnPhong_sample(this_40.brdf, this_40.wo, u_15.z, _e8);
     // glimt_render_gpu/src/kernels/light_target.rs:135
-    let _e13 = ShadingFrame_to_world(this_42.frame, _e9.wi);
+    let _e13 = ShadingFrame_to_world(this_40.frame, _e9.wi);
     return Sampled(_e13, _e9.pdf_sr);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:142
-fn BrdfDraw_pdf(this_43: BrdfDraw, state_4: vec3<f32>) -> f32 {
+fn BrdfDraw_pdf(this_41: BrdfDraw, state_4: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:143
-    let _e7 = ShadingFrame_to_local(this_43.frame, state_4);
-    let _e8 = BlinnPhong_pdf_sr(this_43.brdf, this_43.wo, _e7);
+    let _e7 = ShadingFrame_to_local(this_41.frame, state_4);
+    let _e8 = BlinnPhong_pdf_sr(this_41.brdf, this_41.wo, _e7);
     return _e8;
 }
 
 // glimt_smc/src/proposal.rs:81
-fn Independent_BrdfDraw_propose(this_44: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
+fn Independent_BrdfDraw_propose(this_42: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:82
-    let _e6 = BrdfDraw_sample(this_44.sampler, u_16);
+    let _e6 = BrdfDraw_sample(this_42.sampler, u_16);
     // glimt_smc/src/proposal.rs:83
-    let _e11 = BrdfDraw_pdf(this_44.sampler, from_2);
+    let _e11 = BrdfDraw_pdf(this_42.sampler, from_2);
     return Proposed(_e6.state, _e6.pdf, _e11);
 }
 
 // glimt_smc/src/proposal.rs:106
-fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, first_sampler_light_cdf_size: vec2<u32>, first_sampler_light_rotation: vec2<f32>, second: Independent_BrdfDraw, from_3: vec3<f32>, u_17: vec3<u32>) -> Proposed {
+fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, first_sampler_light_size: vec2<u32>, first_sampler_light_rotation: vec2<f32>, second: Independent_BrdfDraw, from_3: vec3<f32>, u_17: vec3<u32>) -> Proposed {
     var chosen_33: Proposed;
 
     // glimt_smc/src/proposal.rs:107
@@ -3440,7 +3502,7 @@ fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, 
     // glimt_smc/src/proposal.rs:109
     if _e9.first {
         // glimt_smc/src/proposal.rs:110
-        let _e19 = Independent_LightDraw_propose(first_sampler_light_cdf_size, first_sampler_light_rotation, from_3, rest_1);
+        let _e19 = Independent_LightDraw_propose(first_sampler_light_size, first_sampler_light_rotation, from_3, rest_1);
         chosen_33 = _e19;
     } else {
         // glimt_smc/src/proposal.rs:112
@@ -3452,7 +3514,7 @@ fn Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_1: f32, 
 }
 
 // glimt_smc/src/proposal.rs:106
-fn Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_2: f32, first: CapMove, second_pmf_first: f32, second_first_sampler_light_cdf_size: vec2<u32>, second_first_sampler_light_rotation: vec2<f32>, second_second: Independent_BrdfDraw, from_4: vec3<f32>, u_18: vec3<u32>) -> Proposed {
+fn Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pmf_first_2: f32, first: CapMove, second_pmf_first: f32, second_first_sampler_light_size: vec2<u32>, second_first_sampler_light_rotation: vec2<f32>, second_second: Independent_BrdfDraw, from_4: vec3<f32>, u_18: vec3<u32>) -> Proposed {
     var chosen_34: Proposed;
 
     // glimt_smc/src/proposal.rs:107
@@ -3466,7 +3528,7 @@ fn Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(pm
         chosen_34 = _e21;
     } else {
         // glimt_smc/src/proposal.rs:112
-        let _e23 = Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(second_pmf_first, second_first_sampler_light_cdf_size, second_first_sampler_light_rotation, second_second, from_4, rest_2);
+        let _e23 = Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(second_pmf_first, second_first_sampler_light_size, second_first_sampler_light_rotation, second_second, from_4, rest_2);
         chosen_34 = _e23;
     }
     let _e24 = chosen_34;
@@ -3481,17 +3543,17 @@ fn accept(u_19: f32, density: f32, forward: f32, proposed_density: f32, backward
 }
 
 // glimt_smc/src/metropolis.rs:32
-fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32>, target_previous_light_rotation_1: vec2<f32>, target_previous_floor_1: f32, target_previous_lobe_1: LightLobe, target_light_cdf_size_1: vec2<u32>, target_light_rotation_1: vec2<f32>, target_floor_1: f32, target_lobe_1: LightLobe, proposal_pmf_first: f32, proposal_first: CapMove, proposal_second_pmf_first: f32, proposal_second_first_sampler_light_cdf_size: vec2<u32>, proposal_second_first_sampler_light_rotation: vec2<f32>, proposal_second_second: Independent_BrdfDraw, particle: ptr<function, Particle>, u_20: vec4<u32>) -> bool {
+fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32>, target_previous_light_rotation_1: vec2<f32>, target_previous_floor_1: f32, target_previous_lobe_1: LightLobe, target_light_size_1: vec2<u32>, target_light_rotation_1: vec2<f32>, target_floor_1: f32, target_lobe_1: LightLobe, proposal_pmf_first: f32, proposal_first: CapMove, proposal_second_pmf_first: f32, proposal_second_first_sampler_light_size: vec2<u32>, proposal_second_first_sampler_light_rotation: vec2<f32>, proposal_second_second: Independent_BrdfDraw, particle: ptr<function, Particle>, u_20: vec4<u32>) -> bool {
 
     // glimt_smc/src/metropolis.rs:40
     let _e21 = (*particle).state;
-    let _e23 = Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(proposal_pmf_first, proposal_first, proposal_second_pmf_first, proposal_second_first_sampler_light_cdf_size, proposal_second_first_sampler_light_rotation, proposal_second_second, _e21, u_20.xyz);
+    let _e23 = Mixture_CapMove_Mixture_Independent_LightDraw_Independent_BrdfDraw_propose(proposal_pmf_first, proposal_first, proposal_second_pmf_first, proposal_second_first_sampler_light_size, proposal_second_first_sampler_light_rotation, proposal_second_second, _e21, u_20.xyz);
     // glimt_smc/src/metropolis.rs:41
     let _e26 = (*particle).state;
-    let _e27 = LightTarget_densities(target_previous_light_size_1, target_previous_light_rotation_1, target_previous_floor_1, target_previous_lobe_1, target_light_cdf_size_1, target_light_rotation_1, target_floor_1, target_lobe_1, _e26);
+    let _e27 = LightTarget_densities(target_previous_light_size_1, target_previous_light_rotation_1, target_previous_floor_1, target_previous_lobe_1, target_light_size_1, target_light_rotation_1, target_floor_1, target_lobe_1, _e26);
     let _e28 = Bridge_density(bridge_1, k_2, _e27);
     // glimt_smc/src/metropolis.rs:42
-    let _e31 = LightTarget_densities(target_previous_light_size_1, target_previous_light_rotation_1, target_previous_floor_1, target_previous_lobe_1, target_light_cdf_size_1, target_light_rotation_1, target_floor_1, target_lobe_1, _e23.state);
+    let _e31 = LightTarget_densities(target_previous_light_size_1, target_previous_light_rotation_1, target_previous_floor_1, target_previous_lobe_1, target_light_size_1, target_light_rotation_1, target_floor_1, target_lobe_1, _e23.state);
     let _e32 = Bridge_density(bridge_1, k_2, _e31);
     // glimt_smc/src/metropolis.rs:43
     let _e35 = unit_f32_(u_20.w);
@@ -3506,7 +3568,7 @@ fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32
 }
 
 // glimt_smc/src/sampler.rs:47
-fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_cdf_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_cdf_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
+fn Sampler_step(this_43: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
     var accepted: u32;
     var counter_13: u32;
     var borrowed_6: Particle;
@@ -3514,18 +3576,18 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 
     // glimt_smc/src/sampler.rs:55
     // glimt_smc/src/sampler.rs:56
-    let _e23 = reweight(k_3, this_45.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
+    let _e23 = reweight(k_3, this_43.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:57
     let _e25 = ess(particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:58
-    let resampled = ((_e25 < (this_45.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
+    let resampled = ((_e25 < (this_43.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
     // glimt_smc/src/sampler.rs:59
     if resampled {
         // glimt_smc/src/sampler.rs:60
-        resample(this_45.scheme, particles_start_6, particles_len_6, source_6);
+        resample(this_43.scheme, particles_start_6, particles_len_6, source_6);
     } else {
         // glimt_smc/src/sampler.rs:62
-        skip(this_45.scheme, particles_len_6, source_6);
+        skip(this_43.scheme, particles_len_6, source_6);
     }
     // glimt_smc/src/sampler.rs:64
     accepted = 0u;
@@ -3547,7 +3609,7 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
         // glimt_smc/src/sampler.rs:70
         let _e63 = particles[(particles_start_6 + i_10)];
         borrowed_6 = _e63;
-        let _e64 = metropolis(k_3, this_45.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_cdf_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_cdf_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_6), u_24);
+        let _e64 = metropolis(k_3, this_43.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_6), u_24);
         let _e65 = borrowed_6;
         particles[(particles_start_6 + i_10)] = _e65;
         if _e64 {
@@ -3573,7 +3635,7 @@ fn Sampler_step(this_45: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 }
 
 // glimt_smc/src/sampler.rs:85
-fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_cdf_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_cdf_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
+fn Sampler_advance(this_44: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
     var frame_3: Report;
     var counter_14: u32;
     var chosen_36: f32;
@@ -3582,7 +3644,7 @@ fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, ta
     // glimt_smc/src/sampler.rs:92
     frame_3 = Report(0f, f32(particles_len_7), 0u, 0u);
     // glimt_smc/src/sampler.rs:98
-    let _e29 = Bridge_steps(this_46.bridge);
+    let _e29 = Bridge_steps(this_44.bridge);
     counter_14 = 1u;
     loop {
         let k_4 = counter_14;
@@ -3590,7 +3652,7 @@ fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, ta
             break;
         }
         // glimt_smc/src/sampler.rs:99
-        let _e36 = Sampler_step(this_46, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_cdf_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_cdf_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
+        let _e36 = Sampler_step(this_44, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
         // glimt_smc/src/sampler.rs:100
         let _e40 = is_log_zero(_e36.log_ratio);
         either_1 = _e40;
@@ -3631,12 +3693,12 @@ fn Sampler_advance(this_46: Sampler, target_previous_light_size_3: vec2<u32>, ta
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:82
-fn SmcParams_advance(this_47: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_cdf_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
+fn SmcParams_advance(this_45: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_2: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
 
     // glimt_render_gpu/src/kernels/smc.rs:89
     // glimt_render_gpu/src/kernels/smc.rs:110
-    let _e25 = SmcParams_sampler(this_47);
-    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_cdf_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_47.cap_share, CapMove(this_47.cap_height), this_47.light_share, target_light_cdf_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
+    let _e25 = SmcParams_sampler(this_45);
+    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_45.cap_share, CapMove(this_45.cap_height), this_45.light_share, target_light_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_2.frame, point_2.wo, point_2.brdf)), particles_start_8, particles_len_8, source_8);
     return _e26;
 }
 
@@ -3648,22 +3710,22 @@ fn RisSum_new() -> RisSum {
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:65
-fn Candidates_of_brdf(this_48: Candidates) -> u32 {
+fn Candidates_of_brdf(this_46: Candidates) -> u32 {
     var chosen_37: u32;
     var chosen_38: u32;
 
     // glimt_render_gpu/src/kernels/candidates.rs:66
-    if (this_48.source == 0u) {
+    if (this_46.source == 0u) {
         // glimt_render_gpu/src/kernels/candidates.rs:67
-        chosen_37 = this_48.count;
+        chosen_37 = this_46.count;
     } else {
-        if (this_48.source == 1u) {
+        if (this_46.source == 1u) {
             // glimt_render_gpu/src/kernels/candidates.rs:69
             chosen_38 = 0u;
         } else {
             // glimt_render_gpu/src/kernels/candidates.rs:71
-            let _e18 = (this_48.count / 2u);
-            chosen_38 = select(_e18, (_e18 + 1u), ((this_48.count % 2u) != 0u));
+            let _e18 = (this_46.count / 2u);
+            chosen_38 = select(_e18, (_e18 + 1u), ((this_46.count % 2u) != 0u));
         }
         let _e25 = chosen_38;
         chosen_37 = _e25;
@@ -3673,26 +3735,26 @@ fn Candidates_of_brdf(this_48: Candidates) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:166
-fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+fn jittered(index_13: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:167
     let _e7 = hash2_(key_2, 4u);
-    let _e8 = permute(index_12, count_2, _e7);
+    let _e8 = permute(index_13, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:66
-fn PixelPattern_triple(this_49: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_47: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point_3: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    let index_16 = ((this_49.ray * samples_1) + sample_1);
+    let index_17 = ((this_47.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    if (this_49.kind == 0u) {
+    if (this_47.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:69
-        let _e14 = PixelPattern_sobol_point(this_49, purpose_5, index_16);
+        let _e14 = PixelPattern_sobol_point(this_47, purpose_5, index_17);
         point_3 = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e17 = OwenSobol_next_uvec2_((&point_3));
@@ -3701,45 +3763,45 @@ fn PixelPattern_triple(this_49: PixelPattern, purpose_5: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    let _e22 = PixelPattern_generator(this_49, purpose_5, index_16);
+    let _e22 = PixelPattern_generator(this_47, purpose_5, index_17);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:74
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:75
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    if (this_49.kind == 1u) {
+    if (this_47.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:77
         return vec3<u32>(_e25, _e27);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:79
-    let _e37 = PixelPattern_key(this_49, purpose_5);
-    let _e38 = Tuple_u32_u32_((this_49.rays * samples_1), _e37);
+    let _e37 = PixelPattern_key(this_47, purpose_5);
+    let _e38 = Tuple_u32_u32_((this_47.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:80
-    let _e42 = jittered_pair(index_16, count_3, _e25, key_3);
-    let _e43 = jittered(index_16, count_3, _e27, key_3);
+    let _e42 = jittered_pair(index_17, count_3, _e25, key_3);
+    let _e43 = jittered(index_17, count_3, _e27, key_3);
     return vec3<u32>(_e42, _e43);
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:78
-fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_cdf_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_48: Candidates, index_14: u32, point_4: ShadingPoint, pattern_2: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density_1: f32;
     var direction_12: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/candidates.rs:85
-    let _e8 = Candidates_of_brdf(this_50);
+    let _e8 = Candidates_of_brdf(this_48);
     // glimt_render_gpu/src/kernels/candidates.rs:86
-    let of_env = (this_50.count - _e8);
+    let of_env = (this_48.count - _e8);
     // glimt_render_gpu/src/kernels/candidates.rs:88
     density_1 = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:92
-    if (index_13 < _e8) {
+    if (index_14 < _e8) {
         // glimt_render_gpu/src/kernels/candidates.rs:93
-        let _e22 = PixelPattern_triple(pattern_2, 4u, index_13, _e8);
+        let _e22 = PixelPattern_triple(pattern_2, 4u, index_14, _e8);
         // glimt_render_gpu/src/kernels/candidates.rs:94
         let _e28 = unit_vec2_(_e22.xy);
         let _e29 = BlinnPhong_sample(point_4.brdf, point_4.wo, _e22.z, _e28);
@@ -3756,9 +3818,9 @@ fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pa
         direction_12 = _e54;
         // glimt_render_gpu/src/kernels/candidates.rs:100
         let _e56 = direction_12;
-        let _e57 = Environment_texel(env_cdf_size, env_rotation, _e56);
+        let _e57 = Environment_texel(env_size, env_rotation, _e56);
         // glimt_render_gpu/src/kernels/candidates.rs:101
-        let _e59 = Environment_radiance(env_cdf_size, env_rotation, _e57);
+        let _e59 = Environment_radiance(env_size, env_rotation, _e57);
         radiance = _e59;
         // glimt_render_gpu/src/kernels/candidates.rs:102
         let _e64 = density_1;
@@ -3766,91 +3828,92 @@ fn Candidates_draw(this_50: Candidates, index_13: u32, point_4: ShadingPoint, pa
         // glimt_render_gpu/src/kernels/candidates.rs:103
         if (of_env > 0u) {
             // glimt_render_gpu/src/kernels/candidates.rs:104
-            let _e71 = EnvCdf_texel_pdf_sr(env_cdf_size, _e57);
-            let _e73 = density_1;
-            density_1 = (_e73 + (f32(of_env) * _e71));
+            let _e71 = Environment_cdf(env_size, env_rotation);
+            let _e75 = EnvCdf_texel_pdf_sr(_e71.value_size, _e71.value_conditional_start, _e71.value_conditional_len, _e57);
+            let _e77 = density_1;
+            density_1 = (_e77 + (f32(of_env) * _e75));
         }
     } else {
         // glimt_render_gpu/src/kernels/candidates.rs:107
-        let _e78 = PixelPattern_pair(pattern_2, 5u, (index_13 - _e8), of_env);
+        let _e82 = PixelPattern_pair(pattern_2, 5u, (index_14 - _e8), of_env);
         // glimt_render_gpu/src/kernels/candidates.rs:108
-        let _e80 = Environment_sample(env_cdf_size, env_rotation, _e78);
+        let _e84 = Environment_sample(env_size, env_rotation, _e82);
         // glimt_render_gpu/src/kernels/candidates.rs:109
-        if !((_e80.pdf_sr > 0f)) {
+        if !((_e84.pdf_sr > 0f)) {
             // glimt_render_gpu/src/kernels/candidates.rs:110
             return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
         }
         // glimt_render_gpu/src/kernels/candidates.rs:112
-        direction_12 = _e80.direction;
+        direction_12 = _e84.direction;
         // glimt_render_gpu/src/kernels/candidates.rs:113
-        let _e104 = direction_12;
-        let _e105 = ShadingFrame_to_local(point_4.frame, _e104);
-        wi_3 = _e105;
+        let _e108 = direction_12;
+        let _e109 = ShadingFrame_to_local(point_4.frame, _e108);
+        wi_3 = _e109;
         // glimt_render_gpu/src/kernels/candidates.rs:114
-        let _e108 = Environment_radiance(env_cdf_size, env_rotation, _e80.texel);
-        radiance = _e108;
+        let _e112 = Environment_radiance(env_size, env_rotation, _e84.texel);
+        radiance = _e112;
         // glimt_render_gpu/src/kernels/candidates.rs:115
-        let _e113 = density_1;
-        density_1 = (_e113 + (f32(of_env) * _e80.pdf_sr));
+        let _e117 = density_1;
+        density_1 = (_e117 + (f32(of_env) * _e84.pdf_sr));
         // glimt_render_gpu/src/kernels/candidates.rs:116
         if (_e8 > 0u) {
             // glimt_render_gpu/src/kernels/candidates.rs:117
-            let _e122 = wi_3;
-            let _e123 = BlinnPhong_pdf_sr(point_4.brdf, point_4.wo, _e122);
-            let _e125 = density_1;
-            density_1 = (_e125 + (f32(_e8) * _e123));
+            let _e126 = wi_3;
+            let _e127 = BlinnPhong_pdf_sr(point_4.brdf, point_4.wo, _e126);
+            let _e129 = density_1;
+            density_1 = (_e129 + (f32(_e8) * _e127));
         }
     }
     // glimt_render_gpu/src/kernels/candidates.rs:120
-    let _e129 = wi_3.z;
-    if !((_e129 > 0f)) {
+    let _e133 = wi_3.z;
+    if !((_e133 > 0f)) {
         // glimt_render_gpu/src/kernels/candidates.rs:121
         return Candidate(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 0f, 1f), vec3(0f), 0f, 0f);
     }
     // glimt_render_gpu/src/kernels/candidates.rs:123
-    let _e150 = wi_3;
-    let _e151 = BlinnPhong_eval(point_4.brdf, point_4.wo, _e150);
-    let _e152 = luminance(_e151);
-    let _e154 = wi_3.z;
-    let reflected = (_e152 * _e154);
+    let _e154 = wi_3;
+    let _e155 = BlinnPhong_eval(point_4.brdf, point_4.wo, _e154);
+    let _e156 = luminance(_e155);
+    let _e158 = wi_3.z;
+    let reflected = (_e156 * _e158);
     // glimt_render_gpu/src/kernels/candidates.rs:124
-    let _e157 = radiance;
-    let _e158 = luminance(_e157);
-    let target_ = ((_e158 + this_50.floor) * reflected);
+    let _e161 = radiance;
+    let _e162 = luminance(_e161);
+    let target_ = ((_e162 + this_48.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:125
-    let _e163 = direction_12;
-    let _e164 = wi_3;
-    let _e165 = radiance;
-    let _e168 = density_1;
-    return Candidate(_e163, _e164, _e165, target_, (target_ * (f32(this_50.count) / _e168)));
+    let _e167 = direction_12;
+    let _e168 = wi_3;
+    let _e169 = radiance;
+    let _e172 = density_1;
+    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_48.count) / _e172)));
 }
 
 // glimt_sampling/src/ris.rs:72
-fn RisSum_add(this_51: ptr<function, RisSum>, weight: f32) {
+fn RisSum_add(this_49: ptr<function, RisSum>, weight: f32) {
 
     // glimt_sampling/src/ris.rs:73
-    let _e6 = (*this_51).candidates;
-    (*this_51).candidates = (_e6 + 1u);
+    let _e6 = (*this_49).candidates;
+    (*this_49).candidates = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
         // glimt_sampling/src/ris.rs:75
-        let _e13 = (*this_51).sum;
-        (*this_51).sum = (_e13 + weight);
+        let _e13 = (*this_49).sum;
+        (*this_49).sum = (_e13 + weight);
         // glimt_sampling/src/ris.rs:76
-        let _e17 = (*this_51).candidates;
-        (*this_51).end = _e17;
+        let _e17 = (*this_49).candidates;
+        (*this_49).end = _e17;
     }
     return;
 }
 
 // glimt_sampling/src/ris.rs:83
-fn RisSum_normaliser(this_52: RisSum) -> f32 {
+fn RisSum_normaliser(this_50: RisSum) -> f32 {
     var chosen_39: f32;
 
     // glimt_sampling/src/ris.rs:84
-    if (this_52.candidates > 0u) {
+    if (this_50.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_39 = (this_52.sum / f32(this_52.candidates));
+        chosen_39 = (this_50.sum / f32(this_50.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
         chosen_39 = 0f;
@@ -3860,55 +3923,55 @@ fn RisSum_normaliser(this_52: RisSum) -> f32 {
 }
 
 // glimt_sampling/src/ris.rs:109
-fn Word_next_u32_(this_53: ptr<function, Word>) -> u32 {
+fn Word_next_u32_(this_51: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/ris.rs:110
-    let _e4 = (*this_53).f0_;
+    let _e4 = (*this_51).f0_;
     return _e4;
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth_1(this_54: ptr<function, Comb>, source_9: ptr<function, Word>) {
+fn Comb_place_tooth_1(this_52: ptr<function, Comb>, source_9: ptr<function, Word>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_54).made;
-    let _e7 = (*this_54).teeth;
+    let _e5 = (*this_52).made;
+    let _e7 = (*this_52).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_54).made;
-    let first_6 = f32(_e12);
+    let _e12 = (*this_52).made;
+    let first_7 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_54).scheme;
+    let _e16 = (*this_52).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_54).state;
-        (*this_54).next = (first_6 + _e21);
+        let _e21 = (*this_52).state;
+        (*this_52).next = (first_7 + _e21);
     } else {
-        let _e25 = (*this_54).scheme;
+        let _e25 = (*this_52).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = Word_next_u32_(source_9);
             let _e30 = unit_f32_(_e29);
-            (*this_54).next = (first_6 + _e30);
+            (*this_52).next = (first_7 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = Word_next_u32_(source_9);
             let _e36 = unit_f32_(_e35);
             let v_9 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_54).teeth;
-            let _e42 = (*this_54).made;
+            let _e40 = (*this_52).teeth;
+            let _e42 = (*this_52).made;
             let left_5 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_54).state;
-            (*this_54).state = (_e50 * pow(v_9, (1f / left_5)));
+            let _e50 = (*this_52).state;
+            (*this_52).state = (_e50 * pow(v_9, (1f / left_5)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_54).state;
-            let _e58 = (*this_54).teeth;
-            (*this_54).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_52).state;
+            let _e58 = (*this_52).teeth;
+            (*this_52).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -3955,82 +4018,82 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take_1(this_55: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
+fn Comb_take_1(this_53: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_55).scheme;
+    let _e6 = (*this_53).scheme;
     let _e7 = sure_copies(_e6, expected_2);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_55).reach;
-    (*this_55).reach = (_e12 + (expected_2 - f32(_e7)));
+    let _e12 = (*this_53).reach;
+    (*this_53).reach = (_e12 + (expected_2 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before_1 = (*this_55).made;
+    let before_1 = (*this_53).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_55).made;
-        let _e21 = (*this_55).teeth;
-        let _e24 = (*this_55).next;
-        let _e26 = (*this_55).reach;
+        let _e19 = (*this_53).made;
+        let _e21 = (*this_53).teeth;
+        let _e24 = (*this_53).next;
+        let _e26 = (*this_53).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_55).made;
-            (*this_55).made = (_e32 + 1u);
+            let _e32 = (*this_53).made;
+            (*this_53).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth_1(this_55, source_11);
+            Comb_place_tooth_1(this_53, source_11);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_55).made;
+    let _e37 = (*this_53).made;
     return (_e7 + (_e37 - before_1));
 }
 
 // glimt_sampling/src/ris.rs:133
-fn RisPicks_take(this_56: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+fn RisPicks_take(this_54: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     var chosen_41: u32;
     var borrowed_8: Comb;
     var borrowed_9: Word;
 
     // glimt_sampling/src/ris.rs:134
-    let _e6 = (*this_56).candidate;
-    (*this_56).candidate = (_e6 + 1u);
+    let _e6 = (*this_54).candidate;
+    (*this_54).candidate = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:135
-    let _e13 = (*this_56).left;
+    let _e13 = (*this_54).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
         // glimt_sampling/src/ris.rs:136
         return 0u;
     }
     // glimt_sampling/src/ris.rs:138
-    let _e22 = (*this_56).candidate;
-    let _e24 = (*this_56).end;
+    let _e22 = (*this_54).candidate;
+    let _e24 = (*this_54).end;
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
-        let _e28 = (*this_56).left;
+        let _e28 = (*this_54).left;
         chosen_41 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
-        let _e32 = (*this_56).comb;
+        let _e32 = (*this_54).comb;
         borrowed_8 = _e32;
-        let _e34 = (*this_56).sum;
-        let _e37 = (*this_56).samples;
+        let _e34 = (*this_54).sum;
+        let _e37 = (*this_54).samples;
         borrowed_9 = Word(0u);
         let _e42 = Comb_take_1((&borrowed_8), ((weight_1 / _e34) * _e37), (&borrowed_9));
         let _e43 = borrowed_8;
-        (*this_56).comb = _e43;
-        let _e45 = (*this_56).left;
+        (*this_54).comb = _e43;
+        let _e45 = (*this_54).left;
         chosen_41 = min(_e42, _e45);
     }
     let picks_6 = chosen_41;
     // glimt_sampling/src/ris.rs:146
-    let _e50 = (*this_56).left;
-    (*this_56).left = (_e50 - picks_6);
+    let _e50 = (*this_54).left;
+    (*this_54).left = (_e50 - picks_6);
     // glimt_sampling/src/ris.rs:147
     return picks_6;
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:116
-fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_cdf_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
+fn SmcParams_start(this_55: SmcParams, point_5: ShadingPoint, pattern_3: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
     var counter_15: u32;
     var counter_16: u32;
@@ -4041,7 +4104,7 @@ fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
 
     // glimt_render_gpu/src/kernels/smc.rs:123
     // glimt_render_gpu/src/kernels/smc.rs:124
-    let candidates = Candidates(this_57.candidates, this_57.source, this_57.floor);
+    let candidates = Candidates(this_55.candidates, this_55.source, this_55.floor);
     // glimt_render_gpu/src/kernels/smc.rs:129
     let _e15 = RisSum_new();
     weights_1 = _e15;
@@ -4049,11 +4112,11 @@ fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
     counter_15 = 0u;
     loop {
         let j = counter_15;
-        if (j >= this_57.candidates) {
+        if (j >= this_55.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:131
-        let _e24 = Candidates_draw(candidates, j, point_5, pattern_3, env_cdf_size_1, env_rotation_1);
+        let _e24 = Candidates_draw(candidates, j, point_5, pattern_3, env_size_1, env_rotation_1);
         RisSum_add((&weights_1), _e24.weight);
         continuing {
             let _e26 = counter_15;
@@ -4093,11 +4156,11 @@ fn SmcParams_start(this_57: SmcParams, point_5: ShadingPoint, pattern_3: PixelPa
     counter_17 = 0u;
     loop {
         let j_1 = counter_17;
-        if (j_1 >= this_57.candidates) {
+        if (j_1 >= this_55.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:146
-        let _e73 = Candidates_draw(candidates, j_1, point_5, pattern_3, env_cdf_size_1, env_rotation_1);
+        let _e73 = Candidates_draw(candidates, j_1, point_5, pattern_3, env_size_1, env_rotation_1);
         // glimt_render_gpu/src/kernels/smc.rs:147
         let _e76 = RisPicks_take((&picks_5), _e73.weight);
         // glimt_render_gpu/src/kernels/smc.rs:148
@@ -4157,52 +4220,52 @@ fn any_hit(ray_9: Ray, t_max_2: f32) -> bool {
     return (_e7 != 4294967295u);
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:112
+// glimt_render_gpu/src/kernels/scene.rs:110
 fn Scene_is_lit(point_7: ShadingPoint, direction_14: vec3<f32>) -> bool {
 
-    // glimt_render_gpu/src/kernels/scene.rs:113
+    // glimt_render_gpu/src/kernels/scene.rs:111
     let _e5 = Ray_new(point_7.origin, direction_14);
-    // glimt_render_gpu/src/kernels/scene.rs:114
+    // glimt_render_gpu/src/kernels/scene.rs:112
     let _e8 = any_hit(_e5, 0x1.fffffep+127f);
     return !(_e8);
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_58: LightSample, point_8: ShadingPoint) -> Reflected {
+fn LightSample_traced(this_56: LightSample, point_8: ShadingPoint) -> Reflected {
     var chosen_42: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_58.contribution.x, this_58.contribution.y), this_58.contribution.z) > 0f)) {
+    if !((max(max(this_56.contribution.x, this_56.contribution.y), this_56.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e22 = Scene_is_lit(point_8, this_58.direction);
+    let _e22 = Scene_is_lit(point_8, this_56.direction);
     if _e22 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_42 = Reflected(this_58.contribution, vec3(0f));
+        chosen_42 = Reflected(this_56.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_42 = Reflected(vec3(0f), this_58.contribution);
+        chosen_42 = Reflected(vec3(0f), this_56.contribution);
     }
     let _e33 = chosen_42;
     return _e33;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_59: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_57: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_59).lit;
-    (*this_59).lit = (_e6 + light.lit);
+    let _e6 = (*this_57).lit;
+    (*this_57).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_59).blocked;
-    (*this_59).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_57).blocked;
+    (*this_57).blocked = (_e11 + light.blocked);
     return;
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:160
-fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normaliser: f32, env_cdf_size_2: vec2<u32>, env_rotation_2: vec2<f32>, particles_start_10: u32, particles_len_10: u32) -> Reflected {
+fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normaliser: f32, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, particles_start_10: u32, particles_len_10: u32) -> Reflected {
     var sum_3: Reflected;
     var counter_19: u32;
 
@@ -4223,8 +4286,8 @@ fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normalis
             // glimt_render_gpu/src/kernels/smc.rs:173
             let direction_18 = particle_1.state;
             // glimt_render_gpu/src/kernels/smc.rs:174
-            let _e33 = Environment_texel(env_cdf_size_2, env_rotation_2, direction_18);
-            let _e34 = Environment_radiance(env_cdf_size_2, env_rotation_2, _e33);
+            let _e33 = Environment_texel(env_size_2, env_rotation_2, direction_18);
+            let _e34 = Environment_radiance(env_size_2, env_rotation_2, _e33);
             // glimt_render_gpu/src/kernels/smc.rs:175
             let _e36 = luminance(_e34);
             let _e38 = LightLobe_value(lobe_3, direction_18);
@@ -4250,7 +4313,7 @@ fn estimate(point_9: ShadingPoint, lobe_3: LightLobe, floor_3: f32, log_normalis
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:188
-fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, frame_4: FrameParams, smc: SmcParams, view: PastView, pattern_4: PixelPattern, env_cdf_size_3: vec2<u32>, env_rotation_3: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_11: u32, particles_len_11: u32) -> Reflected {
+fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, frame_4: FrameParams, smc: SmcParams, view: PastView, pattern_4: PixelPattern, env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_11: u32, particles_len_11: u32) -> Reflected {
     var now: RayState;
     var counter_20: u32;
     var source_12: PatternSource;
@@ -4274,7 +4337,7 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
         // glimt_render_gpu/src/kernels/smc.rs:221
         let old_1 = past_states[ray_12];
         // glimt_render_gpu/src/kernels/smc.rs:222
-        let first_7 = (ray_12 * particles_len_11);
+        let first_8 = (ray_12 * particles_len_11);
         // glimt_render_gpu/src/kernels/smc.rs:223
         counter_20 = 0u;
         loop {
@@ -4283,7 +4346,7 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
                 break;
             }
             // glimt_render_gpu/src/kernels/smc.rs:224
-            let _e57 = past_particles[(first_7 + i_13)];
+            let _e57 = past_particles[(first_8 + i_13)];
             particles[(particles_start_11 + i_13)] = _e57;
             continuing {
                 let _e61 = counter_20;
@@ -4296,7 +4359,7 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
         let _e70 = PixelPattern_source(pattern_4, 7u);
         source_12 = _e70;
         // glimt_render_gpu/src/kernels/smc.rs:235
-        let _e73 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e66, env_cdf_size_3, env_rotation_3, smc.floor, _e18, point_10, particles_start_11, particles_len_11, (&source_12));
+        let _e73 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e66, env_size_3, env_rotation_3, smc.floor, _e18, point_10, particles_start_11, particles_len_11, (&source_12));
         // glimt_render_gpu/src/kernels/smc.rs:236
         let _e76 = is_log_zero(_e73.log_ratio);
         either_2 = _e76;
@@ -4349,7 +4412,7 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
         // glimt_render_gpu/src/kernels/smc.rs:255
         now.age = 0u;
         // glimt_render_gpu/src/kernels/smc.rs:256
-        let _e143 = SmcParams_start(smc, point_10, pattern_4, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
+        let _e143 = SmcParams_start(smc, point_10, pattern_4, env_size_3, env_rotation_3, particles_start_11, particles_len_11);
         now.log_normaliser = _e143;
     }
     // glimt_render_gpu/src/kernels/smc.rs:258
@@ -4361,7 +4424,7 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
     } else {
         // glimt_render_gpu/src/kernels/smc.rs:261
         let _e159 = now.log_normaliser;
-        let _e160 = estimate(point_10, _e18, smc.floor, _e159, env_cdf_size_3, env_rotation_3, particles_start_11, particles_len_11);
+        let _e160 = estimate(point_10, _e18, smc.floor, _e159, env_size_3, env_rotation_3, particles_start_11, particles_len_11);
         chosen_46 = _e160;
     }
     let light_1 = chosen_46;
@@ -4372,65 +4435,65 @@ fn follow(point_10: ShadingPoint, depth: f32, wo_4: vec3<f32>, object_1: u32, fr
     return light_1;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:53
-fn Environment_map(cdf_size_4: vec2<u32>, rotation_5: vec2<f32>) -> Returned_Environment_map {
+// glimt_render_gpu/src/kernels/environment.rs:56
+fn Environment_map(size_19: vec2<u32>, rotation_6: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:54
-    return Returned_Environment_map(cdf_size_4, rotation_5);
+    // glimt_render_gpu/src/kernels/environment.rs:57
+    return Returned_Environment_map(size_19, rotation_6);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:107
-fn bilinear(size_13: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:135
+fn bilinear(size_20: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:108
+    // glimt_render_gpu/src/kernels/environment.rs:136
     let _e4 = direction_to_uv(d_3);
-    let p_1 = ((_e4 * vec2<f32>(size_13)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:110
+    let p_1 = ((_e4 * vec2<f32>(size_20)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:138
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:111
+    // glimt_render_gpu/src/kernels/environment.rs:139
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:112
-    let x0_ = (((next.x + size_13.x) - 1u) % size_13.x);
-    // glimt_render_gpu/src/kernels/environment.rs:113
-    let x1_ = (next.x % size_13.x);
-    // glimt_render_gpu/src/kernels/environment.rs:114
-    let row0_1 = ((max(next.y, 1u) * size_13.x) - size_13.x);
-    // glimt_render_gpu/src/kernels/environment.rs:115
-    let row1_1 = (min(next.y, (size_13.y - 1u)) * size_13.x);
-    // glimt_render_gpu/src/kernels/environment.rs:116
+    // glimt_render_gpu/src/kernels/environment.rs:140
+    let x0_ = (((next.x + size_20.x) - 1u) % size_20.x);
+    // glimt_render_gpu/src/kernels/environment.rs:141
+    let x1_ = (next.x % size_20.x);
+    // glimt_render_gpu/src/kernels/environment.rs:142
+    let row0_1 = ((max(next.y, 1u) * size_20.x) - size_20.x);
+    // glimt_render_gpu/src/kernels/environment.rs:143
+    let row1_1 = (min(next.y, (size_20.y - 1u)) * size_20.x);
+    // glimt_render_gpu/src/kernels/environment.rs:144
     let _e53 = env_texels[(row0_1 + x0_)];
     let _e57 = env_texels[(row0_1 + x1_)];
     let upper_3 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:117
+    // glimt_render_gpu/src/kernels/environment.rs:145
     let _e68 = env_texels[(row1_1 + x0_)];
     let _e72 = env_texels[(row1_1 + x1_)];
     let lower_3 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:118
+    // glimt_render_gpu/src/kernels/environment.rs:146
     return ((upper_3 * (1f - f.y)) + (lower_3 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:43
-fn RadianceMap_background(size_14: vec2<u32>, rotation_6: vec2<f32>, direction_15: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:46
+fn RadianceMap_background(size_21: vec2<u32>, rotation_7: vec2<f32>, direction_15: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:44
-    let to_map_1 = vec2<f32>(rotation_6.x, -(rotation_6.y));
-    // glimt_render_gpu/src/kernels/environment.rs:45
+    // glimt_render_gpu/src/kernels/environment.rs:47
+    let to_map_1 = vec2<f32>(rotation_7.x, -(rotation_7.y));
+    // glimt_render_gpu/src/kernels/environment.rs:48
     let _e10 = rotate_z(direction_15, to_map_1);
-    let _e11 = bilinear(size_14, _e10);
+    let _e11 = bilinear(size_21, _e10);
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:98
-fn Environment_background(cdf_size_5: vec2<u32>, rotation_7: vec2<f32>, direction_16: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:112
+fn Environment_background(size_22: vec2<u32>, rotation_8: vec2<f32>, direction_16: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:99
-    let _e5 = Environment_map(cdf_size_5, rotation_7);
+    // glimt_render_gpu/src/kernels/environment.rs:113
+    let _e5 = Environment_map(size_22, rotation_8);
     let _e8 = RadianceMap_background(_e5.value_size, _e5.value_rotation, direction_16);
     return _e8;
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:278
-fn shade_smc_1(ray_10: u32, frame_5: FrameParams, smc_1: SmcParams, view_1: PastView, env_cdf_size_4: vec2<u32>, env_rotation_4: vec2<f32>, before_size_1: vec2<u32>, before_rotation_1: vec2<f32>, state_start_1: u32, state_len_1: u32, particles_start_12: u32, particles_len_12: u32) -> vec4<f32> {
+fn shade_smc_1(ray_10: u32, frame_5: FrameParams, smc_1: SmcParams, view_1: PastView, env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, before_size_1: vec2<u32>, before_rotation_1: vec2<f32>, state_start_1: u32, state_len_1: u32, particles_start_12: u32, particles_len_12: u32) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/smc.rs:290
     let _e14 = FrameParams_pattern_of(frame_5, ray_10);
@@ -4448,7 +4511,7 @@ fn shade_smc_1(ray_10: u32, frame_5: FrameParams, smc_1: SmcParams, view_1: Past
         // glimt_render_gpu/src/kernels/smc.rs:295
         let wo_5 = -(_e16.direction);
         // glimt_render_gpu/src/kernels/smc.rs:296
-        let _e34 = follow(_e22, hit_1.t, wo_5, _e28, frame_5, smc_1, view_1, _e14, env_cdf_size_4, env_rotation_4, before_size_1, before_rotation_1, state_start_1, state_len_1, particles_start_12, particles_len_12);
+        let _e34 = follow(_e22, hit_1.t, wo_5, _e28, frame_5, smc_1, view_1, _e14, env_size_4, env_rotation_4, before_size_1, before_rotation_1, state_start_1, state_len_1, particles_start_12, particles_len_12);
         // glimt_render_gpu/src/kernels/smc.rs:300
         return vec4<f32>(_e34.lit, 1f);
     }
@@ -4457,7 +4520,7 @@ fn shade_smc_1(ray_10: u32, frame_5: FrameParams, smc_1: SmcParams, view_1: Past
     // glimt_render_gpu/src/kernels/smc.rs:303
     if (frame_5.background == 0u) {
         // glimt_render_gpu/src/kernels/smc.rs:304
-        let _e65 = Environment_background(env_cdf_size_4, env_rotation_4, _e16.direction);
+        let _e65 = Environment_background(env_size_4, env_rotation_4, _e16.direction);
         return vec4<f32>(_e65, 1f);
     }
     // glimt_render_gpu/src/kernels/smc.rs:306
@@ -4475,7 +4538,7 @@ fn shade_smc(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgrou
     let _e17 = params.frame;
     let _e19 = params.smc;
     let _e21 = params.view;
-    let _e23 = params.env_cdf_size;
+    let _e23 = params.env_size;
     let _e25 = params.env_rotation;
     let _e27 = params.before_size;
     let _e29 = params.before_rotation;

@@ -268,11 +268,10 @@ impl GpuPrt {
             unused_a: 0.0,
             unused_b: 0.0,
         };
-        let buffers: [&GpuBuffer; 8] = [
+        let buffers: [&GpuBuffer; 7] = [
             &scene.triangles,
             &scene.corners,
-            &scene.materials,
-            &scene.texels,
+            &scene.surface,
             &transfer.corner_vertices,
             &transfer.reflections,
             &transfer.lights,

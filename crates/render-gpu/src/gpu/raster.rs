@@ -21,7 +21,7 @@ pub(super) const WGSL: &str = concat!(
 );
 
 /// Storage buffers of the stages, bindings 1 to this.
-pub(super) const BUFFERS: usize = 8;
+pub(super) const BUFFERS: usize = 7;
 
 /// The compiled stages, for one number of samples a pixel.
 #[derive(Debug)]

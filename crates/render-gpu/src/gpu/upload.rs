@@ -4,11 +4,10 @@ use glam::{UVec2, Vec2, Vec4};
 use glimt_executor::Element;
 use glimt_executor::gpu::{Arg, Gpu, GpuContext, GpuError, GpuSlice, GpuVec};
 
-use crate::generated::passes::{EnvCdfArg, EnvironmentArg, SceneArg};
+use crate::generated::passes::{EnvironmentArg, SceneArg};
 use crate::host::env::PreparedEnv;
 use crate::host::scene_build::SceneBuffers;
 use crate::kernels::bvh::BvhNode;
-use crate::kernels::material::Material;
 use crate::kernels::scene::Corner;
 use crate::kernels::triangle::Triangle;
 
@@ -20,8 +19,7 @@ pub struct GpuScene {
     nodes: GpuVec<BvhNode>,
     pub(super) triangles: GpuVec<Triangle>,
     pub(super) corners: GpuVec<Corner>,
-    pub(super) materials: GpuVec<Material>,
-    pub(super) texels: GpuVec<u32>,
+    pub(super) surface: GpuVec<u32>,
 }
 
 impl GpuScene {
@@ -38,8 +36,7 @@ impl GpuScene {
             nodes: context.binding_of("scene.nodes", view.nodes)?,
             triangles: context.binding_of("scene.triangles", view.triangles)?,
             corners: context.binding_of("scene.corners", view.corners)?,
-            materials: context.binding_of("scene.materials", view.materials)?,
-            texels: context.binding_of("scene.texels", view.texels)?,
+            surface: context.binding_of("scene.surface", view.surface)?,
         })
     }
 
@@ -89,8 +86,7 @@ impl GpuScene {
             nodes: self.nodes.all(),
             triangles: self.triangles.all(),
             corners: self.corners.all(),
-            materials: self.materials.all(),
-            texels: self.texels.all(),
+            surface: self.surface.all(),
         }
     }
 
@@ -101,13 +97,12 @@ impl GpuScene {
 
     /// The arguments of a kernel that takes `scene`.
     #[must_use]
-    pub fn args(&self) -> [(&'static str, Arg<'_>); 5] {
+    pub fn args(&self) -> [(&'static str, Arg<'_>); 4] {
         [
             ("scene.nodes", Arg::Buffer(&self.nodes)),
             ("scene.triangles", Arg::Buffer(&self.triangles)),
             ("scene.corners", Arg::Buffer(&self.corners)),
-            ("scene.materials", Arg::Buffer(&self.materials)),
-            ("scene.texels", Arg::Buffer(&self.texels)),
+            ("scene.surface", Arg::Buffer(&self.surface)),
         ]
     }
 
@@ -159,8 +154,7 @@ pub struct GpuEnv {
     size: UVec2,
     rotation: Vec2,
     texels: GpuVec<Vec4>,
-    marginal: GpuVec<u32>,
-    conditional: GpuVec<u32>,
+    tables: GpuVec<u32>,
 }
 
 impl GpuEnv {
@@ -172,11 +166,10 @@ impl GpuEnv {
     pub fn new(context: &GpuContext, env: &PreparedEnv) -> Result<Self, GpuError> {
         let view = env.view();
         Ok(Self {
-            size: view.cdf.size,
+            size: view.size,
             rotation: view.rotation,
             texels: context.binding_of("env.texels", view.texels)?,
-            marginal: context.binding_of("env.cdf.marginal", view.cdf.marginal)?,
-            conditional: context.binding_of("env.cdf.conditional", view.cdf.conditional)?,
+            tables: context.binding_of("env.tables", view.tables)?,
         })
     }
 
@@ -187,13 +180,12 @@ impl GpuEnv {
     /// As [`Self::new`].
     pub fn update(&mut self, context: &GpuContext, env: &PreparedEnv) -> Result<(), GpuError> {
         let view = env.view();
-        if view.cdf.size != self.size {
+        if view.size != self.size {
             *self = Self::new(context, env)?;
             return Ok(());
         }
         context.write(&self.texels, view.texels)?;
-        context.write(&self.marginal, view.cdf.marginal)?;
-        context.write(&self.conditional, view.cdf.conditional)?;
+        context.write(&self.tables, view.tables)?;
         self.rotation = view.rotation;
         Ok(())
     }
@@ -208,27 +200,23 @@ impl GpuEnv {
     pub fn arg(&self) -> EnvironmentArg<'_, Gpu> {
         EnvironmentArg {
             texels: self.texels.all(),
-            cdf: EnvCdfArg {
-                size: self.size,
-                marginal: self.marginal.all(),
-                conditional: self.conditional.all(),
-            },
+            tables: self.tables.all(),
+            size: self.size,
             rotation: self.rotation,
         }
     }
 
     /// The arguments of a kernel that takes `env`.
     #[must_use]
-    pub fn args(&self) -> [(&'static str, Arg<'_>); 5] {
+    pub fn args(&self) -> [(&'static str, Arg<'_>); 4] {
         [
-            ("env.cdf.size", Arg::Value(bytemuck::bytes_of(&self.size))),
+            ("env.size", Arg::Value(bytemuck::bytes_of(&self.size))),
             (
                 "env.rotation",
                 Arg::Value(bytemuck::bytes_of(&self.rotation)),
             ),
             ("env.texels", Arg::Buffer(&self.texels)),
-            ("env.cdf.marginal", Arg::Buffer(&self.marginal)),
-            ("env.cdf.conditional", Arg::Buffer(&self.conditional)),
+            ("env.tables", Arg::Buffer(&self.tables)),
         ]
     }
 }

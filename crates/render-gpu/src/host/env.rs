@@ -3,12 +3,12 @@
 use std::f64::consts::PI;
 
 use glam::{DVec3, UVec2, Vec2, Vec4};
-use glimt_envmap_cdf::{BuildError, EnvCdf, build_marginal_into, build_row_into, required_len};
+use glimt_envmap_cdf::BuildError;
 use glimt_probe::latlong::texel_solid_angle_sr;
 use glimt_probe::rotate::cos_sin_degrees;
-use glimt_sampling::luminance;
 use rayon::prelude::*;
 
+use super::light_tables::{self, Light};
 use crate::kernels::environment::Environment;
 
 /// Largest radiance that a texel may have. It keeps every product of the estimators finite in f32.
@@ -110,13 +110,11 @@ impl EnvMap {
     ///
     /// # Errors
     /// As [`EnvMap::prepare`].
-    pub fn untabled(self, rotate_z_deg: f32) -> Result<PreparedEnv, EnvError> {
-        let len = required_len(self.size.x, self.size.y)?;
+    pub fn without_tables(self, rotate_z_deg: f32) -> Result<PreparedEnv, EnvError> {
         Ok(PreparedEnv {
+            tables: light_tables::zeroed(self.size)?,
             size: self.size,
             texels: self.texels,
-            marginal: vec![0; len.marginal],
-            conditional: vec![0; len.conditional],
             rotation: cos_sin_degrees(rotate_z_deg),
             mean_luminance: 0.0,
         })
@@ -129,29 +127,19 @@ impl EnvMap {
     /// [`EnvError::Table`] for a map wider or higher than [`glimt_envmap_cdf::MAX_SIZE`].
     pub fn prepare(self, rotate_z_deg: f32) -> Result<PreparedEnv, EnvError> {
         let Self { size, texels } = self;
-        let len = required_len(size.x, size.y)?;
-        let mut marginal = vec![0; len.marginal];
-        let mut conditional = vec![0; len.conditional];
-        let width = size.x as usize;
-        let weight_sums = conditional
-            .par_chunks_mut(width + 1)
-            .zip(texels.par_chunks(width))
-            .map(|(edges, row)| {
-                let weights = row.iter().map(|texel| luminance(texel.truncate()));
-                build_row_into(weights, edges).map(|report| report.weight_sum)
-            })
-            .collect::<Result<Vec<_>, _>>()?;
-        build_marginal_into(&weight_sums, &mut marginal)?;
-        let energies = weight_sums
-            .iter()
-            .zip(0..size.y)
-            .map(|(sum, row)| sum * f64::from(texel_solid_angle_sr(row, size)));
+        let mut light = Light {
+            size,
+            texels: &texels,
+            row_luminance: Vec::new(),
+        };
+        let tables = light_tables::build(&mut light)?;
+        let rows = light.row_luminance.iter().zip(0..size.y);
+        let energies = rows.map(|(sum, row)| sum * f64::from(texel_solid_angle_sr(row, size)));
         let mean_luminance = (energies.sum::<f64>() / (4.0 * PI)) as f32;
         Ok(PreparedEnv {
             size,
             texels,
-            marginal,
-            conditional,
+            tables,
             rotation: cos_sin_degrees(rotate_z_deg),
             mean_luminance,
         })
@@ -163,8 +151,7 @@ impl EnvMap {
 pub struct PreparedEnv {
     size: UVec2,
     texels: Vec<Vec4>,
-    marginal: Vec<u32>,
-    conditional: Vec<u32>,
+    tables: Vec<u32>,
     rotation: Vec2,
     mean_luminance: f32,
 }
@@ -186,11 +173,8 @@ impl PreparedEnv {
     pub fn view(&self) -> Environment<'_> {
         Environment {
             texels: &self.texels,
-            cdf: EnvCdf {
-                size: self.size,
-                marginal: &self.marginal,
-                conditional: &self.conditional,
-            },
+            tables: &self.tables,
+            size: self.size,
             rotation: self.rotation,
         }
     }

@@ -1,22 +1,40 @@
-//! Host file: materials and textures, checked and packed.
+//! Host file: materials and textures, checked and packed into the surface buffer.
 
 use glam::UVec2;
 use glimt_brdf::BlinnPhong;
 
 use super::scene::{Material, Texture, Wrap};
 use super::scene_error::SceneError;
-use crate::kernels::material::{self as kernel, BLINN_PHONG, METALLIC_ROUGHNESS};
+use crate::kernels::material::{self as kernel, BLINN_PHONG, MATERIAL_WORDS, METALLIC_ROUGHNESS};
 use crate::kernels::texture::{
     FLAG_SRGB, SRGB_TABLE_LEN, TextureView, WRAP_CLAMP, WRAP_MIRROR, WRAP_REPEAT, WRAP_SHIFT,
 };
 
-/// All textures in one buffer of words, behind the table that decodes sRGB, and where each lies.
-pub(super) fn pack_textures(
+/// The surface buffer of a scene with these materials and textures.
+pub(super) fn pack_surface(
+    materials: &[Material],
     textures: &[Texture],
-) -> Result<(Vec<u32>, Vec<TextureView>), SceneError> {
-    let mut words: Vec<u32> = (0..SRGB_TABLE_LEN)
-        .map(|code| srgb_decode(code).to_bits())
-        .collect();
+) -> Result<Vec<u32>, SceneError> {
+    let texels: usize = textures.iter().map(|texture| texture.texels.len()).sum();
+    let first_material = SRGB_TABLE_LEN as usize;
+    let first_texel = first_material + materials.len() * MATERIAL_WORDS;
+    let mut words = Vec::with_capacity(first_texel + texels);
+    words.extend((0..SRGB_TABLE_LEN).map(|code| srgb_decode(code).to_bits()));
+    words.resize(first_texel, 0);
+    let views = append_textures(&mut words, textures)?;
+    let places = words[first_material..first_texel].chunks_exact_mut(MATERIAL_WORDS);
+    for (index, (material, place)) in materials.iter().zip(places).enumerate() {
+        let packed = pack_material(index, material, &views)?;
+        place.copy_from_slice(bytemuck::cast_slice(&[packed]));
+    }
+    Ok(words)
+}
+
+/// Puts the texels of all textures behind the words that are there. Says where each texture lies.
+fn append_textures(
+    words: &mut Vec<u32>,
+    textures: &[Texture],
+) -> Result<Vec<TextureView>, SceneError> {
     let mut views = Vec::with_capacity(textures.len());
     for (index, texture) in textures.iter().enumerate() {
         let UVec2 {
@@ -51,7 +69,7 @@ pub(super) fn pack_textures(
             flags,
         });
     }
-    Ok((words, views))
+    Ok(views)
 }
 
 fn wrap_code(wrap: Wrap) -> u32 {
@@ -74,7 +92,7 @@ fn srgb_decode(code: u32) -> f32 {
 }
 
 /// A material as kernels read it.
-pub(super) fn pack_material(
+fn pack_material(
     index: usize,
     material: &Material,
     textures: &[TextureView],

@@ -7,13 +7,12 @@ use bytemuck::Zeroable;
 use glam::{Mat4, Vec3};
 
 use super::geometry::{Flat, Geometry};
-use super::materials::{pack_material, pack_textures};
+use super::materials::pack_surface;
 use super::scene::{Mesh, SceneDescription};
 use super::scene_error::SceneError;
 use super::transfer::{SceneTransfer, SurfaceVertex, Transfer, TransferError};
 use super::tree::{build_tree, refit, sah_cost};
 use crate::kernels::bvh::BvhNode;
-use crate::kernels::material::Material;
 use crate::kernels::scene::{Corner, Scene};
 use crate::kernels::triangle::Triangle;
 
@@ -36,8 +35,7 @@ pub struct SceneBuffers {
     nodes: Vec<BvhNode>,
     triangles: Vec<Triangle>,
     corners: Vec<Corner>,
-    materials: Arc<Vec<Material>>,
-    texels: Arc<Vec<u32>>,
+    surface: Arc<Vec<u32>>,
     dropped: usize,
     geometry: Arc<Geometry>,
     transforms: Vec<Mat4>,
@@ -79,14 +77,8 @@ impl SceneBuffers {
     /// # Errors
     /// A [`SceneError`] that names the place.
     pub fn build(description: &SceneDescription) -> Result<Self, SceneError> {
-        let (texels, textures) = pack_textures(&description.textures)?;
-        let materials = description
-            .materials
-            .iter()
-            .enumerate()
-            .map(|(index, material)| pack_material(index, material, &textures))
-            .collect::<Result<Vec<_>, _>>()?;
-        let geometry = Geometry::new(description, materials.len())?;
+        let surface = pack_surface(&description.materials, &description.textures)?;
+        let geometry = Geometry::new(description, description.materials.len())?;
         let objects = description.objects.iter();
         let transforms: Vec<Mat4> = objects.map(|object| object.transform).collect();
         let flats = flatten_all(&geometry, &transforms)?;
@@ -119,8 +111,7 @@ impl SceneBuffers {
             nodes,
             triangles,
             corners,
-            materials: Arc::new(materials),
-            texels: Arc::new(texels),
+            surface: Arc::new(surface),
             dropped: count_dropped(&flats),
             geometry: Arc::new(geometry),
             transforms,
@@ -312,8 +303,7 @@ impl SceneBuffers {
             nodes: &self.nodes,
             triangles: &self.triangles,
             corners: &self.corners,
-            materials: &self.materials,
-            texels: &self.texels,
+            surface: &self.surface,
         }
     }
 

@@ -94,7 +94,7 @@ impl PastFrame {
             frame: settings.frame,
             view: settings.camera.view(settings.size)?,
             transforms: scene.transforms().to_vec(),
-            light_size: light.cdf.size,
+            light_size: light.size,
             light_rotation: light.rotation,
             light_mean: env.mean_luminance(),
         })

@@ -101,7 +101,7 @@ impl Candidates {
             radiance = env.radiance(texel);
             density += of_brdf as f32 * drawn.pdf_sr;
             if of_env > 0 {
-                density += of_env as f32 * env.cdf.texel_pdf_sr(texel);
+                density += of_env as f32 * env.cdf().texel_pdf_sr(texel);
             }
         } else {
             let u = pattern.pair(CANDIDATE_ENVIRONMENT, index - of_brdf, of_env);

@@ -8,10 +8,13 @@ use glimt_probe::rotate::rotate_z;
 /// A lat-long map of radiance with its tables, turned about the vertical.
 #[derive(Clone, Copy, Debug)]
 pub struct Environment<'a> {
-    /// Linear RGB, row by row from +z; as many texels as the tables' size says.
+    /// Linear RGB, row by row from +z.
     pub texels: &'a [Vec4],
-    /// Its tables.
-    pub cdf: EnvCdf<'a>,
+    /// All of its tables, one after the other. Where each of them begins depends on the map's size alone; the first are those of
+    /// [`Environment::cdf`].
+    pub tables: &'a [u32],
+    /// Its columns and rows.
+    pub size: UVec2,
     /// Cosine and sine of the angle by which it is turned, counter-clockwise seen from above.
     pub rotation: Vec2,
 }
@@ -53,8 +56,19 @@ impl<'a> Environment<'a> {
     pub fn map(&self) -> RadianceMap<'a> {
         RadianceMap {
             texels: self.texels,
-            size: self.cdf.size,
+            size: self.size,
             rotation: self.rotation,
+        }
+    }
+
+    /// The tables that draw directions in proportion to the map's luminance.
+    #[inline]
+    #[must_use]
+    pub fn cdf(&self) -> EnvCdf<'a> {
+        EnvCdf {
+            size: self.size,
+            marginal: self.tables,
+            conditional: &self.tables[marginal_words(self.size) as usize..],
         }
     }
 
@@ -69,21 +83,21 @@ impl<'a> Environment<'a> {
     #[inline]
     #[must_use]
     pub fn texel(&self, direction: Vec3) -> UVec2 {
-        direction_to_texel(self.to_map(direction), self.cdf.size)
+        direction_to_texel(self.to_map(direction), self.size)
     }
 
     /// Radiance of a texel.
     #[inline]
     #[must_use]
     pub fn radiance(&self, texel: UVec2) -> Vec3 {
-        self.texels[(texel.y * self.cdf.size.x + texel.x) as usize].truncate()
+        self.texels[(texel.y * self.size.x + texel.x) as usize].truncate()
     }
 
     /// A direction of the world, drawn in proportion to the map's luminance. Its radiance is that of its texel.
     #[inline]
     #[must_use]
     pub fn sample(&self, u: UVec2) -> EnvSample {
-        let sample = self.cdf.sample(u);
+        let sample = self.cdf().sample(u);
         EnvSample {
             direction: rotate_z(sample.direction, self.rotation),
             ..sample
@@ -98,6 +112,20 @@ impl<'a> Environment<'a> {
     pub fn background(&self, direction: Vec3) -> Vec3 {
         self.map().background(direction)
     }
+}
+
+/// Words of the table of rows of a map of this size: the first of [`Environment::tables`].
+#[inline]
+#[must_use]
+pub fn marginal_words(size: UVec2) -> u32 {
+    size.y + 1
+}
+
+/// Words of the table of rows and of the tables of columns: where a table that follows them begins.
+#[inline]
+#[must_use]
+pub fn cdf_words(size: UVec2) -> u32 {
+    marginal_words(size) + size.y * (size.x + 1)
 }
 
 /// A lat-long map's colour in the direction `d` of its own coordinates (any length but zero), filtered bilinearly: values

@@ -163,6 +163,6 @@ impl StateSampler for LightDraw<'_> {
 
     #[inline]
     fn pdf(&self, state: Vec3) -> f32 {
-        self.light.cdf.texel_pdf_sr(self.light.texel(state))
+        self.light.cdf().texel_pdf_sr(self.light.texel(state))
     }
 }

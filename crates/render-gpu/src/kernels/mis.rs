@@ -41,7 +41,7 @@ impl Mis {
         }
         let direction = point.frame.to_world(drawn.wi);
         let texel = env.texel(direction);
-        let density = self.density(drawn.pdf_sr, env.cdf.texel_pdf_sr(texel));
+        let density = self.density(drawn.pdf_sr, env.cdf().texel_pdf_sr(texel));
         LightSample::new(point, direction, drawn.wi, env.radiance(texel), density)
     }
 

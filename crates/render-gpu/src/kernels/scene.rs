@@ -5,7 +5,7 @@ use glimt_brdf::BlinnPhong;
 use glimt_sampling::math::ShadingFrame;
 
 use super::bvh::{BvhNode, any_hit, closest_hit};
-use super::material::Material;
+use super::material::MaterialView;
 use super::ray::{Hit, Ray};
 use super::triangle::Triangle;
 
@@ -35,10 +35,8 @@ pub struct Scene<'a> {
     pub triangles: &'a [Triangle],
     /// Three corners for each triangle.
     pub corners: &'a [Corner],
-    /// Materials.
-    pub materials: &'a [Material],
-    /// All textures; see [`texture`](super::texture).
-    pub texels: &'a [u32],
+    /// Materials and textures: the surface buffer of [`material`](super::material).
+    pub surface: &'a [u32],
 }
 
 /// A point of a surface with all that an estimator of its reflected light needs.
@@ -81,14 +79,14 @@ impl Scene<'_> {
         let smooth = unit_or(a.normal * w + b.normal * u + c.normal * v, face);
 
         let uv = Vec2::new(a.u * w + b.u * u + c.u * v, a.v * w + b.v * u + c.v * v);
-        let material = &self.materials[(triangle.material & !MIRRORED) as usize];
+        let material = MaterialView::new(self.surface, triangle.material & !MIRRORED);
         let tangent = a.tangent * w + b.tangent * u + c.tangent * v;
         let handedness = if triangle.material & MIRRORED != 0 {
             -1.0
         } else {
             1.0
         };
-        let bumped = material.bumped_normal(self.texels, uv, smooth, tangent, handedness);
+        let bumped = material.bumped_normal(uv, smooth, tangent, handedness);
         let normal = if bumped.dot(to_eye) < 0.0 {
             -bumped
         } else {
@@ -102,7 +100,7 @@ impl Scene<'_> {
             geometric_normal,
             frame,
             wo: frame.to_local(to_eye),
-            brdf: material.brdf(self.texels, uv),
+            brdf: material.brdf(uv),
         }
     }
 

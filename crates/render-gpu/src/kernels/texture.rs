@@ -1,11 +1,11 @@
-//! Shared file: 8-bit textures in one buffer of words, filtered bilinearly.
+//! Shared file: 8-bit textures in the surface buffer, filtered bilinearly.
 //!
 //! The buffer's first [`SRGB_TABLE_LEN`] words are the bits of the sRGB decoding of each 8-bit code, so that both
-//! processors decode to the same numbers; the texels of all textures follow, red in the lowest byte.
+//! processors decode to the same numbers. A texel is a word, red in the lowest byte.
 
 use glam::{Vec2, Vec4};
 
-/// Words before the first texel.
+/// Words of the table that decodes sRGB.
 pub const SRGB_TABLE_LEN: u32 = 256;
 
 /// [`TextureView::flags`]: red, green and blue are sRGB-encoded.
@@ -43,10 +43,10 @@ impl TextureView {
 
     /// Its value at `uv`, v = 0 at the first row: linear red, green, blue and alpha in [0, 1], filtered bilinearly.
     ///
-    /// `texels` is the whole buffer. A `uv` that is not finite gives some texel.
+    /// `surface` is the whole buffer. A `uv` that is not finite gives some texel.
     #[inline]
     #[must_use]
-    pub fn sample(&self, texels: &[u32], uv: Vec2) -> Vec4 {
+    pub fn sample(&self, surface: &[u32], uv: Vec2) -> Vec4 {
         let wrap_u = (self.flags >> WRAP_SHIFT) & 3;
         let wrap_v = (self.flags >> (WRAP_SHIFT + 2)) & 3;
         let x = wrap(uv.x, wrap_u) * self.width as f32 - 0.5;
@@ -57,26 +57,26 @@ impl TextureView {
         let row0 = neighbour(top as i32, self.height, wrap_v) * self.width;
         let row1 = neighbour(top as i32 + 1, self.height, wrap_v) * self.width;
         let upper = self
-            .texel(texels, row0 + x0)
-            .lerp(self.texel(texels, row0 + x1), x - left);
+            .texel(surface, row0 + x0)
+            .lerp(self.texel(surface, row0 + x1), x - left);
         let lower = self
-            .texel(texels, row1 + x0)
-            .lerp(self.texel(texels, row1 + x1), x - left);
+            .texel(surface, row1 + x0)
+            .lerp(self.texel(surface, row1 + x1), x - left);
         upper.lerp(lower, y - top)
     }
 
     #[inline]
-    fn texel(&self, texels: &[u32], index: u32) -> Vec4 {
-        let word = texels[(self.first + index) as usize];
+    fn texel(&self, surface: &[u32], index: u32) -> Vec4 {
+        let word = surface[(self.first + index) as usize];
         let r = word & 0xff;
         let g = (word >> 8) & 0xff;
         let b = (word >> 16) & 0xff;
         let alpha = (word >> 24) as f32 / 255.0;
         if self.flags & FLAG_SRGB != 0 {
             Vec4::new(
-                f32::from_bits(texels[r as usize]),
-                f32::from_bits(texels[g as usize]),
-                f32::from_bits(texels[b as usize]),
+                f32::from_bits(surface[r as usize]),
+                f32::from_bits(surface[g as usize]),
+                f32::from_bits(surface[b as usize]),
                 alpha,
             )
         } else {

@@ -280,7 +280,7 @@ impl<M: Memory> Following<M> {
                 params: own.params(mean, mean),
                 settings: *own,
                 view,
-                light_size: now.cdf.size,
+                light_size: now.size,
                 light_rotation: now.rotation,
             },
         };

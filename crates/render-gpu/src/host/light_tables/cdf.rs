@@ -1,0 +1,29 @@
+//! Host file: the tables that draw directions in proportion to a light map's luminance.
+
+use glimt_envmap_cdf::{BuildError, build_marginal_into, build_row_into};
+use glimt_sampling::luminance;
+use rayon::prelude::*;
+
+use super::{Light, LightTable};
+use crate::kernels::environment::{cdf_words, marginal_words};
+
+/// The table of rows, then the tables of columns, a row after the other.
+pub(super) const TABLE: LightTable = LightTable {
+    first: |_| 0,
+    words: cdf_words,
+    build,
+};
+
+fn build(light: &mut Light<'_>, _: &[u32], own: &mut [u32]) -> Result<(), BuildError> {
+    let (marginal, conditional) = own.split_at_mut(marginal_words(light.size) as usize);
+    let width = light.size.x as usize;
+    light.row_luminance = conditional
+        .par_chunks_mut(width + 1)
+        .zip(light.texels.par_chunks(width))
+        .map(|(edges, row)| {
+            let weights = row.iter().map(|texel| luminance(texel.truncate()));
+            build_row_into(weights, edges).map(|report| report.weight_sum)
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    build_marginal_into(&light.row_luminance, marginal).map(drop)
+}
