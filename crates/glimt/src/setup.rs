@@ -8,7 +8,7 @@ use crate::scene::place::{self, Mover};
 use crate::scene::view::View;
 use crate::shot::digest::{self, Hash};
 use crate::shot::parse::Source;
-use crate::shot::{self, Shot, check};
+use crate::shot::{Shot, check};
 use glam::{Mat4, UVec2};
 use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::host::render::{RenderSettings, SettingsError, Shadow};
@@ -36,8 +36,8 @@ pub struct Setup {
     movers: Vec<Mover>,
     /// Which of the shot's objects each object of the scene is a part of.
     pub owners: Vec<usize>,
-    /// Whether directions are drawn from the light.
-    pub samples_light: bool,
+    /// Whether all tables of the light are built, and not those alone that the shot's method reads.
+    pub all_tables: bool,
 }
 
 /// Where everything stands in a frame.
@@ -77,7 +77,7 @@ impl Setup {
             out: out_folder(flags, source.folder().join(&shot.output.dir)),
             scene: placed.scene,
             owners: placed.owners,
-            samples_light: shot.render.method != shot::Method::Prt,
+            all_tables: false,
             source,
             shot,
         })
@@ -154,9 +154,10 @@ impl Setup {
     /// The map is too large.
     pub fn tables(&self, map: EnvMap, file: Option<&Path>) -> Result<PreparedEnv> {
         let rotate = self.shot.probe.rotate_z_deg;
-        let prepared = match self.samples_light {
-            true => map.prepare(rotate),
-            false => map.without_tables(rotate),
+        let prepared = match self.shot.render.estimator() {
+            _ if self.all_tables => map.prepare(rotate),
+            Some(method) => map.prepare_for(&method, rotate),
+            None => map.without_tables(rotate),
         };
         prepared.map_err(|e| {
             let error = Error::new(Kind::Input, e);

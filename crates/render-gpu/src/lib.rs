@@ -59,7 +59,7 @@
 //! scene.set_transfer(baked.transfer.into(), &[])?;
 //! let settings = RenderSettings::new(UVec2::ONE, camera);
 //! // No tables: such a frame draws no directions from its light.
-//! let sky = EnvMap::new(UVec2::new(8, 4), vec![Vec4::ONE; 32])?.untabled(0.0)?;
+//! let sky = EnvMap::new(UVec2::new(8, 4), vec![Vec4::ONE; 32])?.without_tables(0.0)?;
 //! let image = CpuDrawing::default().render_frame(&scene, &sky, &settings, &|_| ())?;
 //! assert!((image.linear[0].x - 0.5).abs() < 0.02);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

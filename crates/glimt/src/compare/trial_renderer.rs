@@ -63,7 +63,7 @@ impl<'a> TrialRenderer<'a> {
         reporter: &'a Reporter,
     ) -> Result<Self> {
         // Whatever the shot's own method, contestants have others.
-        job.setup.samples_light = true;
+        job.setup.all_tables = true;
         let refused = |e| job.setup.refused_scene(job.setup.first, &e);
         let scene = SceneBuffers::build(&job.setup.scene).map_err(refused)?;
         Ok(Self {

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 
 use super::light_tables::{self, Light};
 use crate::kernels::environment::Environment;
+use crate::methods::Method;
 
 /// Largest radiance that a texel may have. It keeps every product of the estimators finite in f32.
 pub const MAX_RADIANCE: f32 = 1e20;
@@ -126,13 +127,29 @@ impl EnvMap {
     /// # Errors
     /// [`EnvError::Table`] for a map wider or higher than [`glimt_envmap_cdf::MAX_SIZE`].
     pub fn prepare(self, rotate_z_deg: f32) -> Result<PreparedEnv, EnvError> {
+        self.prepare_tables(rotate_z_deg, &|_| true)
+    }
+
+    /// As [`EnvMap::prepare`], but builds those tables alone that a method reads.
+    ///
+    /// # Errors
+    /// As [`EnvMap::prepare`].
+    pub fn prepare_for(self, method: &Method, rotate_z_deg: f32) -> Result<PreparedEnv, EnvError> {
+        self.prepare_tables(rotate_z_deg, &|table| method.reads(table))
+    }
+
+    fn prepare_tables(
+        self,
+        rotate_z_deg: f32,
+        wanted: &dyn Fn(&str) -> bool,
+    ) -> Result<PreparedEnv, EnvError> {
         let Self { size, texels } = self;
         let mut light = Light {
             size,
             texels: &texels,
             row_luminance: Vec::new(),
         };
-        let tables = light_tables::build(&mut light)?;
+        let tables = light_tables::build(&mut light, wanted)?;
         let rows = light.row_luminance.iter().zip(0..size.y);
         let energies = rows.map(|(sum, row)| sum * f64::from(texel_solid_angle_sr(row, size)));
         let mean_luminance = (energies.sum::<f64>() / (4.0 * PI)) as f32;

@@ -13,11 +13,13 @@ const TABLES: &[LightTable] = &[cdf::TABLE];
 
 /// A table of words that is made of each light map.
 struct LightTable {
+    /// What methods call it that read it.
+    name: &'static str,
     /// Index of its first word, for a map of this size: the sum of the words of the tables before it.
     first: fn(UVec2) -> u32,
     /// How many words it has, for a map of this size.
     words: fn(UVec2) -> u32,
-    /// Fills its own words, which are 0. Those of all tables before it are filled.
+    /// Fills its own words, which are 0. Those of the tables before it that are wanted are filled.
     build: fn(light: &mut Light<'_>, before: &[u32], own: &mut [u32]) -> Result<(), BuildError>,
 }
 
@@ -41,14 +43,17 @@ pub(super) fn zeroed(size: UVec2) -> Result<Vec<u32>, BuildError> {
     Ok(vec![0; words as usize])
 }
 
-/// All tables of a map.
+/// All tables of a map. Those that are not `wanted` have room, too, and stay 0.
 ///
 /// # Errors
 /// [`BuildError::Size`].
-pub(super) fn build(light: &mut Light<'_>) -> Result<Vec<u32>, BuildError> {
+pub(super) fn build(
+    light: &mut Light<'_>,
+    wanted: &dyn Fn(&str) -> bool,
+) -> Result<Vec<u32>, BuildError> {
     let size = light.size;
     let mut all = zeroed(size)?;
-    for table in TABLES {
+    for table in TABLES.iter().filter(|table| wanted(table.name)) {
         let (before, rest) = all.split_at_mut((table.first)(size) as usize);
         let own = &mut rest[..(table.words)(size) as usize];
         (table.build)(light, before, own)?;

@@ -32,6 +32,11 @@ trait Memoryless: Copy + Debug + PartialEq {
     /// What kernels read.
     fn params(&self) -> Self::Params;
 
+    /// Whether it reads a table of the light, by the table's name.
+    fn reads(&self, table: &str) -> bool {
+        table == CDF
+    }
+
     /// The most samples that a ray takes for one purpose.
     fn samples_per_ray(&self) -> u32;
 
@@ -47,6 +52,9 @@ trait Memoryless: Copy + Debug + PartialEq {
     /// The counts in words.
     fn describe(&self) -> String;
 }
+
+/// Name of the tables that draw directions in proportion to a light's luminance.
+pub(crate) const CDF: &str = "cdf";
 
 /// The most of any count.
 const MOST: u32 = 65_536;
@@ -186,6 +194,14 @@ macro_rules! methods {
                 match self {
                     $(Self::$settings(own) => own.describe(),)+
                     Self::Smc(own) => format!("N = {}", own.particles),
+                }
+            }
+
+            /// Whether it reads a table of the light, by the table's name.
+            pub(crate) fn reads(&self, table: &str) -> bool {
+                match self {
+                    $(Self::$settings(own) => own.reads(table),)+
+                    Self::Smc(_) => table == CDF,
                 }
             }
 

@@ -6,9 +6,11 @@ use rayon::prelude::*;
 
 use super::{Light, LightTable};
 use crate::kernels::environment::{cdf_words, marginal_words};
+use crate::methods::CDF;
 
 /// The table of rows, then the tables of columns, a row after the other.
 pub(super) const TABLE: LightTable = LightTable {
+    name: CDF,
     first: |_| 0,
     words: cdf_words,
     build,
