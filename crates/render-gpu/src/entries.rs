@@ -12,6 +12,7 @@ macro_rules! each_estimator {
         $then! {
             Mis in mis = "mis", "mis::Mis", ShadeMis, ShadeMisLayers;
             Bis in bis = "bis", "bis::Bis", ShadeBis, ShadeBisLayers;
+            Product in product = "product", "product::Product", ShadeProduct, ShadeProductLayers;
         }
     };
 }

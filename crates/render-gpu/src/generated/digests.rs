@@ -3,7 +3,7 @@
 //! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 /// SHA-256, in hexadecimal, of the shaders that the pixels of a rendered frame depend on.
-pub const PIXELS: &str = "47442c5e4ff23bfa04d3bfbed067b2c0bca7c64770f5def8cb1fa3703e77ed17";
+pub const PIXELS: &str = "7049ebaad177c22eff39ed7a382949da08873d3b33e1ccc5ad00537d67bfc065";
 
 /// SHA-256, in hexadecimal, of the shaders that precomputed transfer depend on.
 pub const BAKE: &str = "a17ab6959a051991cafa6d5193cd98756beacccdfaa49dc4d5671b74797d29d1";

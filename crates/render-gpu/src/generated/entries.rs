@@ -114,6 +114,60 @@ pub static SHADE_BIS_LAYERS: Entry = Entry {
     ]),
 };
 
+/// `shade::shade::<crate::kernels::product::Product, glam::Vec4>` as a compute entry point.
+pub static SHADE_PRODUCT: Entry = Entry {
+    name: Borrowed("shade_product"),
+    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade::<glimt_render_gpu::kernels::product::Product, glam::Vec4>"),
+    wgsl: Borrowed(include_str!("shade_product.wgsl")),
+    workgroup_size: 64,
+    params_size: 160,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("estimator", 128, 8),
+        ParamField::new("env.size", 144, 8),
+        ParamField::new("env.rotation", 152, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.tables", 2, 4, false),
+        BufferSlot::new("scene.nodes", 3, 32, false),
+        BufferSlot::new("scene.triangles", 4, 48, false),
+        BufferSlot::new("scene.corners", 5, 32, false),
+        BufferSlot::new("scene.surface", 6, 4, false),
+        BufferSlot::new("out", 7, 16, true),
+    ]),
+};
+
+/// `shade::shade::<crate::kernels::product::Product, crate::kernels::layers::LayerSample>` as a compute entry point.
+pub static SHADE_PRODUCT_LAYERS: Entry = Entry {
+    name: Borrowed("shade_product_layers"),
+    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade::<glimt_render_gpu::kernels::product::Product, glimt_render_gpu::kernels::layers::LayerSample>"),
+    wgsl: Borrowed(include_str!("shade_product_layers.wgsl")),
+    workgroup_size: 64,
+    params_size: 160,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("estimator", 128, 8),
+        ParamField::new("env.size", 144, 8),
+        ParamField::new("env.rotation", 152, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.tables", 2, 4, false),
+        BufferSlot::new("scene.nodes", 3, 32, false),
+        BufferSlot::new("scene.triangles", 4, 48, false),
+        BufferSlot::new("scene.corners", 5, 32, false),
+        BufferSlot::new("scene.surface", 6, 4, false),
+        BufferSlot::new("out", 7, 32, true),
+    ]),
+};
+
 /// `smc::shade_smc` as a compute entry point.
 pub static SHADE_SMC: Entry = Entry {
     name: Borrowed("shade_smc"),

@@ -138,6 +138,9 @@ const _: () = {
     assert!(offset_of!(crate::kernels::past::RayState, log_ratio) == 52);
     assert!(offset_of!(crate::kernels::past::RayState, started) == 56);
     assert!(offset_of!(crate::kernels::past::RayState, accepted) == 60);
+    assert!(size_of::<crate::kernels::product::Product>() == 8);
+    assert!(offset_of!(crate::kernels::product::Product, brdf_samples) == 0);
+    assert!(offset_of!(crate::kernels::product::Product, env_samples) == 4);
     assert!(size_of::<crate::kernels::prt::VertexLight>() == 32);
     assert!(offset_of!(crate::kernels::prt::VertexLight, lit) == 0);
     assert!(offset_of!(crate::kernels::prt::VertexLight, unused_a) == 12);

@@ -554,6 +554,136 @@ impl<'a, M: Memory> Pass for ShadeBisLayers<'a, M> {
     }
 }
 
+/// `shade::shade::<crate::kernels::product::Product, glam::Vec4>` with its arguments.
+pub struct ShadeProduct<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `estimator`.
+    pub estimator: &'a crate::kernels::product::Product,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for ShadeProduct<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SHADE_PRODUCT
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, self.estimator);
+        binder.value(4, &self.env.size);
+        binder.value(5, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.corners);
+        binder.slice(5, self.scene.surface);
+        binder.out(6, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out },
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::shade::shade::<crate::kernels::product::Product, glam::Vec4>(id, self.frame, self.estimator, env, scene);
+        }
+    }
+}
+
+/// `shade::shade::<crate::kernels::product::Product, crate::kernels::layers::LayerSample>` with its arguments.
+pub struct ShadeProductLayers<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `estimator`.
+    pub estimator: &'a crate::kernels::product::Product,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::layers::LayerSample>,
+}
+
+impl<'a, M: Memory> Pass for ShadeProductLayers<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SHADE_PRODUCT_LAYERS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, self.estimator);
+        binder.value(4, &self.env.size);
+        binder.value(5, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.corners);
+        binder.slice(5, self.scene.surface);
+        binder.out(6, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out },
+            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::shade::shade::<crate::kernels::product::Product, crate::kernels::layers::LayerSample>(id, self.frame, self.estimator, env, scene);
+        }
+    }
+}
+
 /// `smc::shade_smc` with its arguments.
 pub struct ShadeSmc<'a, M: Memory> {
     /// The kernel's `frame`.

@@ -24,6 +24,7 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("kernels/mod.rs", include_str!("../kernels/mod.rs")),
     ("kernels/past.rs", include_str!("../kernels/past.rs")),
     ("kernels/pattern.rs", include_str!("../kernels/pattern.rs")),
+    ("kernels/product.rs", include_str!("../kernels/product.rs")),
     ("kernels/prt.rs", include_str!("../kernels/prt.rs")),
     ("kernels/pyramid.rs", include_str!("../kernels/pyramid.rs")),
     ("kernels/raster.rs", include_str!("../kernels/raster.rs")),

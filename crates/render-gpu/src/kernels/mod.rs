@@ -24,6 +24,7 @@ pub mod material;
 pub mod mis;
 pub mod past;
 pub mod pattern;
+pub mod product;
 pub mod prt;
 pub mod pyramid;
 pub mod raster;

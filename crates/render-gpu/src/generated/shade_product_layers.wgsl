@@ -1,0 +1,2853 @@
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
+
+struct BvhNode {
+    min: vec3<f32>,
+    count: u32,
+    max: vec3<f32>,
+    first: u32,
+}
+
+struct Triangle {
+    v0_: vec3<f32>,
+    material: u32,
+    v1_: vec3<f32>,
+    object: u32,
+    v2_: vec3<f32>,
+    ray_offset: f32,
+}
+
+struct Corner {
+    normal: vec3<f32>,
+    u: f32,
+    tangent: vec3<f32>,
+    v: f32,
+}
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    shadow: u32,
+    film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+}
+
+struct Product {
+    brdf_samples: u32,
+    env_samples: u32,
+}
+
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
+}
+
+struct OwenSobol {
+    seed: u32,
+    index: u32,
+    dimension: u32,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+struct CameraView {
+    eye: vec3<f32>,
+    forward: vec3<f32>,
+    right: vec3<f32>,
+    up: vec3<f32>,
+}
+
+struct Ray {
+    origin: vec3<f32>,
+    direction: vec3<f32>,
+    inverse_direction: vec3<f32>,
+}
+
+struct Hit {
+    triangle: u32,
+    t: f32,
+    barycentrics: vec2<f32>,
+}
+
+struct Option_Hit {
+    is_some: bool,
+    value: Hit,
+}
+
+struct Tuple_f32_f32_ {
+    fa: f32,
+    fb: f32,
+}
+
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
+struct ShadingFrame {
+    t: vec3<f32>,
+    b: vec3<f32>,
+    n: vec3<f32>,
+}
+
+struct BlinnPhong {
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    exponent: f32,
+}
+
+struct ShadingPoint {
+    origin: vec3<f32>,
+    geometric_normal: vec3<f32>,
+    frame: ShadingFrame,
+    wo: vec3<f32>,
+    brdf: BlinnPhong,
+}
+
+struct CellLobe {
+    tangent: vec3<f32>,
+    bitangent: vec3<f32>,
+    normal: vec3<f32>,
+    wo: vec3<f32>,
+    diffuse: f32,
+    specular: f32,
+    exponent: f32,
+}
+
+struct HalfVector {
+    cos2_theta: f32,
+    sin2_theta: f32,
+    wo_dot_h: f32,
+}
+
+struct Reflected {
+    lit: vec3<f32>,
+    blocked: vec3<f32>,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
+struct DirectionSample {
+    direction: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct BrdfSample {
+    wi: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct LightSample {
+    direction: vec3<f32>,
+    contribution: vec3<f32>,
+}
+
+struct Bin {
+    index: u32,
+    first: u32,
+    units: u32,
+}
+
+struct TexelDraw {
+    texel: vec2<u32>,
+    pmf: f32,
+}
+
+struct LayerSample {
+    radiance: vec3<f32>,
+    alpha: f32,
+    blocked: vec3<f32>,
+    catcher: f32,
+}
+
+struct Returned_Environment_map {
+    value_size: vec2<u32>,
+    value_rotation: vec2<f32>,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    frame: FrameParams,
+    estimator: Product,
+    @align(16) env_size: vec2<u32>,
+    env_rotation: vec2<f32>,
+}
+
+@group(0) @binding(1) 
+var<storage> env_texels: array<vec4<f32>>;
+@group(0) @binding(2) 
+var<storage> env_tables: array<u32>;
+@group(0) @binding(3) 
+var<storage> scene_nodes: array<BvhNode>;
+@group(0) @binding(4) 
+var<storage> scene_triangles: array<Triangle>;
+@group(0) @binding(5) 
+var<storage> scene_corners: array<Corner>;
+@group(0) @binding(6) 
+var<storage> scene_surface: array<u32>;
+@group(0) @binding(7) 
+var<storage, read_write> out: array<LayerSample>;
+@group(0) @binding(0) 
+var<uniform> params: Params;
+
+// glimt_render_gpu/src/kernels/frame.rs:115
+fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:116
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x;
+    let _e10 = x;
+    x = (_e10 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e13 = x;
+    x = (_e13 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e17 = x;
+    let _e20 = x;
+    x = (_e20 ^ (_e17 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e23 = x;
+    x = (_e23 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e27 = x;
+    let _e28 = x;
+    return (_e27 ^ (_e28 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:171
+fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+
+    // glimt_sampling/src/sobol.rs:172
+    let _e6 = hash3_(seed, frame, pixel);
+    let _e9 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e9, (sample_index & 65535u), 0u);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:96
+fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:97
+    let _e6 = hash2_(this_1.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
+    return _e9;
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+    var x_1: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_1 = (n_1 ^ (n_1 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_1;
+    x_1 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_1;
+    x_1 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e19 = x_1;
+    let _e22 = x_1;
+    x_1 = (_e22 ^ (_e19 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e25 = x_1;
+    let _e26 = x_1;
+    return (_e25 ^ (_e26 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index_1: u32, seed_1: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_1 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_2: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_2 = index_2;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_2;
+    let _e10 = x_2;
+    x_2 = (_e10 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e13 = x_2;
+    let _e18 = x_2;
+    x_2 = (_e18 ^ ((_e13 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e21 = x_2;
+    let _e26 = x_2;
+    x_2 = (_e26 ^ ((_e21 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e29 = x_2;
+    let _e30 = x_2;
+    return (_e29 ^ ((_e30 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_3: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_3;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum;
+        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e37 = v1_;
+        v0_ = _e37;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e40 = bits;
+        bits = (_e40 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e44 = sum;
+    return _e44;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_4: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_4;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_1;
+        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e40 = v1_1;
+        v0_1 = _e40;
+        // glimt_sampling/src/sobol.rs:93
+        let _e42 = v2_;
+        v1_1 = _e42;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e45 = bits_1;
+        bits_1 = (_e45 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e49 = sum_1;
+    return _e49;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
+    var chosen: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_14 = (index_5 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen = index_14;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_14);
+            chosen = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_14);
+                chosen = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_14);
+                chosen = _e22;
+            }
+        }
+    }
+    let _e23 = chosen;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_1 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_1 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_1 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_1 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_1;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_2).dimension;
+    let dimension_3 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_2).dimension = (dimension_3 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_2).seed;
+    let _e18 = hash2_(_e15, (dimension_3 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e21 = (*this_2).index;
+    let _e22 = shuffle(_e21, _e18);
+    // glimt_sampling/src/sobol.rs:195
+    let _e24 = sobol_reversed(_e22, dimension_3);
+    let _e25 = scramble_1(_e24, dimension_3, _e18);
+    let _e28 = sobol_reversed(_e22, (dimension_3 + 1u));
+    let _e31 = scramble_1(_e28, (dimension_3 + 1u), _e18);
+    return vec2<u32>(_e25, _e31);
+}
+
+// glimt_sampling/src/hash.rs:50
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:51
+    let _e4 = hash_u32_(v.x);
+    x_3 = ((_e4 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:54
+    let _e12 = hash_u32_(v.y);
+    y = ((_e12 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:57
+    let _e20 = hash_u32_(v.z);
+    z = ((_e20 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:60
+    let _e28 = hash_u32_(v.w);
+    w = ((_e28 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:64
+    let _e35 = x_3;
+    let _e36 = y;
+    let _e37 = w;
+    x_3 = (_e35 + (_e36 * _e37));
+    // glimt_sampling/src/hash.rs:65
+    let _e41 = y;
+    let _e42 = z;
+    let _e43 = x_3;
+    y = (_e41 + (_e42 * _e43));
+    // glimt_sampling/src/hash.rs:66
+    let _e47 = z;
+    let _e48 = x_3;
+    let _e49 = y;
+    z = (_e47 + (_e48 * _e49));
+    // glimt_sampling/src/hash.rs:67
+    let _e53 = w;
+    let _e54 = y;
+    let _e55 = z;
+    w = (_e53 + (_e54 * _e55));
+    // glimt_sampling/src/hash.rs:68
+    let _e59 = x_3;
+    let _e62 = x_3;
+    x_3 = (_e62 ^ (_e59 >> 16u));
+    // glimt_sampling/src/hash.rs:69
+    let _e65 = y;
+    let _e68 = y;
+    y = (_e68 ^ (_e65 >> 16u));
+    // glimt_sampling/src/hash.rs:70
+    let _e71 = z;
+    let _e74 = z;
+    z = (_e74 ^ (_e71 >> 16u));
+    // glimt_sampling/src/hash.rs:71
+    let _e77 = w;
+    let _e80 = w;
+    w = (_e80 ^ (_e77 >> 16u));
+    // glimt_sampling/src/hash.rs:72
+    let _e83 = x_3;
+    let _e84 = y;
+    let _e85 = w;
+    x_3 = (_e83 + (_e84 * _e85));
+    // glimt_sampling/src/hash.rs:73
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_3;
+    y = (_e89 + (_e90 * _e91));
+    // glimt_sampling/src/hash.rs:74
+    let _e95 = z;
+    let _e96 = x_3;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
+    // glimt_sampling/src/hash.rs:75
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
+    // glimt_sampling/src/hash.rs:76
+    let _e107 = x_3;
+    let _e108 = x_3;
+    let _e112 = y;
+    let _e113 = y;
+    let _e117 = z;
+    let _e118 = z;
+    let _e122 = w;
+    let _e123 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e112 ^ (_e113 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e122 ^ (_e123 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_1 = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_1 == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:101
+fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:102
+    let _e6 = hash3_(this_3.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
+    return _e9;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s = (*this_4).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s.x + s.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_1 = (s.z ^ s.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s.w ^ s.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:106
+fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:107
+    let _e5 = hash2_(this_6.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:181
+fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
+    var x_4: u32;
+    var round_key: u32;
+    var counter: i32;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:182
+    if (length_ <= 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:183
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:185
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
+    // glimt_render_gpu/src/kernels/pattern.rs:186
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:187
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:188
+    loop {
+        // glimt_render_gpu/src/kernels/pattern.rs:189
+        round_key = key;
+        // glimt_render_gpu/src/kernels/pattern.rs:190
+        counter = 0i;
+        loop {
+            let _e31 = counter;
+            if (_e31 >= 3i) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pattern.rs:191
+            let _e34 = round_key;
+            let _e35 = hash_u32_(_e34);
+            round_key = _e35;
+            // glimt_render_gpu/src/kernels/pattern.rs:193
+            let _e37 = x_4;
+            let _e38 = round_key;
+            x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:194
+            let _e44 = x_4;
+            let _e46 = (bits_2 / 2u);
+            let _e56 = x_4;
+            x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            continuing {
+                let _e58 = counter;
+                counter = (_e58 + 1i);
+            }
+        }
+        // glimt_render_gpu/src/kernels/pattern.rs:196
+        let _e62 = x_4;
+        if (_e62 < length_) {
+            // glimt_render_gpu/src/kernels/pattern.rs:197
+            let _e65 = x_4;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:172
+fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:173
+    return ((cell * (4294967295u / count)) + (jitter / count));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:152
+fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:153
+    let columns_1 = max(u32(sqrt(f32(count_1))), 1u);
+    // glimt_render_gpu/src/kernels/pattern.rs:154
+    let _e12 = (count_1 / columns_1);
+    let rows = select(_e12, (_e12 + 1u), ((count_1 % columns_1) != 0u));
+    // glimt_render_gpu/src/kernels/pattern.rs:155
+    let _e21 = hash2_(key_1, 1u);
+    let _e22 = permute(index_8, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:156
+    let _e26 = hash2_(key_1, 2u);
+    let _e27 = permute((_e22 % columns_1), columns_1, _e26);
+    // glimt_render_gpu/src/kernels/pattern.rs:157
+    let _e31 = hash2_(key_1, 3u);
+    let _e32 = permute((_e22 / columns_1), rows, _e31);
+    // glimt_render_gpu/src/kernels/pattern.rs:158
+    let _e38 = stratum(((_e27 * rows) + _e32), (columns_1 * rows), jitter_1.x);
+    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    return vec2<u32>(_e38, _e40);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:51
+fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed: OwenSobol;
+    var borrowed_1: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:52
+    let index_15 = ((this_7.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:53
+    if (this_7.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:54
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_15);
+        borrowed = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed));
+        return _e16;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:56
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_15);
+    borrowed_1 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
+    // glimt_render_gpu/src/kernels/pattern.rs:57
+    if (this_7.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:58
+        return _e20;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:60
+    let _e29 = PixelPattern_key(this_7, purpose_3);
+    let _e30 = jittered_pair(index_15, (this_7.rays * samples), _e20, _e29);
+    return _e30;
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_sampling/src/uniform.rs:22
+fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+
+    // glimt_sampling/src/uniform.rs:23
+    let _e4 = unit_f32_(u_1.x);
+    let _e6 = unit_f32_(u_1.y);
+    return vec2<f32>(_e4, _e6);
+}
+
+// glimt_render_gpu/src/kernels/camera.rs:23
+fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/camera.rs:24
+    let x_8 = (((2f * p.x) / f32(size.x)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:25
+    let y_2 = (((2f * p.y) / f32(size.y)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:26
+    return normalize(((this_8.forward + (this_8.right * x_8)) - (this_8.up * y_2)));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:145
+fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/frame.rs:146
+    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:147
+    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:153
+    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    return _e22;
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:48
+fn inverse(x_5: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/ray.rs:49
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_5), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_5) & 2147483648u))));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:34
+fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
+
+    // glimt_render_gpu/src/kernels/ray.rs:35
+    let _e5 = inverse(direction.x);
+    let _e7 = inverse(direction.y);
+    let _e9 = inverse(direction.z);
+    return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:129
+fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
+    var chosen_2: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/frame.rs:130
+    if (this_10.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:131
+        chosen_2 = vec2(0.5f);
+    } else {
+        // glimt_render_gpu/src/kernels/frame.rs:133
+        let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+        // glimt_render_gpu/src/kernels/frame.rs:137
+        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e24 = unit_vec2_(_e23);
+        chosen_2 = _e24;
+    }
+    let place_1 = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:139
+    let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
+    let _e30 = Ray_new(this_10.eye, _e29);
+    return _e30;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:29
+fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
+    var chosen_3: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:30
+    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:31
+    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:32
+    let _e16 = min(to_min, to_max);
+    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
+    let _e23 = max(to_min, to_max);
+    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:34
+    if ((far_1 >= near_1) && (far_1 >= 0f)) {
+        // glimt_render_gpu/src/kernels/bvh.rs:35
+        chosen_3 = near_1;
+    } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:37
+        chosen_3 = 0x1.fffffep+127f;
+    }
+    let _e40 = chosen_3;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:75
+fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:76
+    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:88
+fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
+    var chosen_4: f32;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:89
+    let a_4 = (triangle.v0_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:90
+    let b_4 = (triangle.v1_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:91
+    let c_2 = (triangle.v2_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:92
+    let _e18 = edge_functions(a_4, b_4, c_2, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:93
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:94
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:96
+    let normal_1 = cross((c_2 - a_4), (a_4 - b_4));
+    // glimt_render_gpu/src/kernels/triangle.rs:97
+    let slope = dot(normal_1, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:98
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:99
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:101
+    let t_2 = (dot(a_4, normal_1) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:102
+    if ((t_2 > 0f) && (t_2 < t_max)) {
+        chosen_4 = t_2;
+    } else {
+        chosen_4 = 0x1.fffffep+127f;
+    }
+    let _e59 = chosen_4;
+    return _e59;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:38
+fn Triangle_is_catcher(this_11: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:39
+    return ((this_11.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:145
+fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
+    var nearest: u32;
+    var counter_1: u32;
+    var both: bool;
+    var both_1: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:153
+    nearest = best;
+    // glimt_render_gpu/src/kernels/bvh.rs:154
+    counter_1 = leaf.first;
+    loop {
+        let i = counter_1;
+        if (i >= (leaf.first + leaf.count)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:155
+        let _e19 = scene_triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_3, _e20);
+        // glimt_render_gpu/src/kernels/bvh.rs:157
+        let _e23 = (*reach);
+        let _e24 = (_e21 < _e23);
+        both = _e24;
+        if _e24 {
+            both_1 = no_catcher;
+            if no_catcher {
+                let _e29 = scene_triangles[i];
+                let _e30 = Triangle_is_catcher(_e29);
+                both_1 = _e30;
+            }
+            let _e31 = both_1;
+            both = !(_e31);
+        }
+        let _e33 = both;
+        if _e33 {
+            // glimt_render_gpu/src/kernels/bvh.rs:158
+            (*reach) = _e21;
+            // glimt_render_gpu/src/kernels/bvh.rs:159
+            nearest = i;
+        }
+        continuing {
+            let _e36 = counter_1;
+            counter_1 = (_e36 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:162
+    let _e40 = nearest;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:77
+fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+    var either: bool;
+    var best_1: u32;
+    var stack: array<u32, 64>;
+    var height: u32;
+    var pair: u32;
+    var near: BvhNode;
+    var far: BvhNode;
+    var t_near: f32;
+    var t_far: f32;
+    var into_near: bool;
+    var into_far: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:84
+    let _e8 = (arrayLength((&scene_nodes)) == 0u);
+    either = _e8;
+    if _e8 {
+    } else {
+        let _e13 = scene_nodes[0u];
+        let _e14 = box_distance(_e13, ray_4);
+        let _e15 = (*reach_1);
+        either = (_e14 >= _e15);
+    }
+    let _e17 = either;
+    if _e17 {
+        // glimt_render_gpu/src/kernels/bvh.rs:85
+        return 4294967295u;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:87
+    let root = scene_nodes[0u];
+    // glimt_render_gpu/src/kernels/bvh.rs:88
+    if (root.count > 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:89
+        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u, any_);
+        return _e31;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:91
+    best_1 = 4294967295u;
+    // glimt_render_gpu/src/kernels/bvh.rs:92
+    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:93
+    height = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:94
+    pair = root.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:95
+    loop {
+        // glimt_render_gpu/src/kernels/bvh.rs:96
+        let _e47 = pair;
+        let _e50 = scene_nodes[_e47];
+        near = _e50;
+        // glimt_render_gpu/src/kernels/bvh.rs:97
+        let _e53 = pair;
+        let _e58 = scene_nodes[(_e53 + 1u)];
+        far = _e58;
+        // glimt_render_gpu/src/kernels/bvh.rs:98
+        let _e61 = near;
+        let _e62 = box_distance(_e61, ray_4);
+        t_near = _e62;
+        // glimt_render_gpu/src/kernels/bvh.rs:99
+        let _e65 = far;
+        let _e66 = box_distance(_e65, ray_4);
+        t_far = _e66;
+        // glimt_render_gpu/src/kernels/bvh.rs:101
+        let _e69 = t_near;
+        let _e70 = t_far;
+        if (_e69 > _e70) {
+            // glimt_render_gpu/src/kernels/bvh.rs:102
+            let node_1 = near;
+            // glimt_render_gpu/src/kernels/bvh.rs:103
+            let _e75 = far;
+            near = _e75;
+            // glimt_render_gpu/src/kernels/bvh.rs:104
+            far = node_1;
+            // glimt_render_gpu/src/kernels/bvh.rs:105
+            let t_3 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:106
+            let _e80 = t_far;
+            t_near = _e80;
+            // glimt_render_gpu/src/kernels/bvh.rs:107
+            t_far = t_3;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:109
+        let _e83 = t_near;
+        let _e84 = (*reach_1);
+        into_near = (_e83 < _e84);
+        // glimt_render_gpu/src/kernels/bvh.rs:110
+        let _e88 = into_near;
+        let _e90 = near.count;
+        if (_e88 && (_e90 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:111
+            let _e95 = near;
+            let _e96 = best_1;
+            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96, any_);
+            best_1 = _e97;
+            // glimt_render_gpu/src/kernels/bvh.rs:112
+            let _e99 = best_1;
+            if (any_ && (_e99 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:113
+                let _e104 = best_1;
+                return _e104;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:115
+            into_near = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:117
+        let _e108 = t_far;
+        let _e109 = (*reach_1);
+        into_far = (_e108 < _e109);
+        // glimt_render_gpu/src/kernels/bvh.rs:118
+        let _e113 = into_far;
+        let _e115 = far.count;
+        if (_e113 && (_e115 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:119
+            let _e120 = far;
+            let _e121 = best_1;
+            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121, any_);
+            best_1 = _e122;
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let _e124 = best_1;
+            if (any_ && (_e124 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:121
+                let _e129 = best_1;
+                return _e129;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:123
+            into_far = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:125
+        let _e133 = into_near;
+        if _e133 {
+            // glimt_render_gpu/src/kernels/bvh.rs:126
+            let _e136 = near.first;
+            pair = _e136;
+            // glimt_render_gpu/src/kernels/bvh.rs:127
+            let _e138 = into_far;
+            if _e138 {
+                // glimt_render_gpu/src/kernels/bvh.rs:128
+                let _e141 = far.first;
+                let _e142 = height;
+                stack[_e142] = _e141;
+                // glimt_render_gpu/src/kernels/bvh.rs:129
+                let _e146 = height;
+                height = (_e146 + 1u);
+            }
+        } else {
+            let _e148 = into_far;
+            if _e148 {
+                // glimt_render_gpu/src/kernels/bvh.rs:132
+                let _e151 = far.first;
+                pair = _e151;
+            } else {
+                let _e152 = height;
+                if (_e152 > 0u) {
+                    // glimt_render_gpu/src/kernels/bvh.rs:134
+                    let _e157 = height;
+                    height = (_e157 - 1u);
+                    // glimt_render_gpu/src/kernels/bvh.rs:135
+                    let _e160 = height;
+                    let _e162 = stack[_e160];
+                    pair = _e162;
+                } else {
+                    // glimt_render_gpu/src/kernels/bvh.rs:137
+                    let _e164 = best_1;
+                    return _e164;
+                }
+            }
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:108
+fn barycentrics(triangle_1: Triangle, ray_5: Ray) -> vec2<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:109
+    let _e14 = edge_functions((triangle_1.v0_ - ray_5.origin), (triangle_1.v1_ - ray_5.origin), (triangle_1.v2_ - ray_5.origin), ray_5.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:115
+    let sum_4 = ((_e14.x + _e14.y) + _e14.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:116
+    if (sum_4 == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:118
+        return vec2((1f / 3f));
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:120
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_4));
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:45
+fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
+    var t: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:51
+    t = t_max_1;
+    // glimt_render_gpu/src/kernels/bvh.rs:52
+    let _e7 = traverse(ray_6, (&t), false);
+    // glimt_render_gpu/src/kernels/bvh.rs:53
+    if (_e7 == 4294967295u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:54
+        return Option_Hit();
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    let _e14 = t;
+    let _e17 = scene_triangles[_e7];
+    let _e18 = barycentrics(_e17, ray_6);
+    return Option_Hit(true, Hit(_e7, _e14, _e18));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:61
+fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
+
+    // glimt_render_gpu/src/kernels/scene.rs:62
+    let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
+    return _e4;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:118
+fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
+    var chosen_5: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:119
+    let length_squared = dot(v_1, v_1);
+    // glimt_render_gpu/src/kernels/scene.rs:120
+    if (length_squared > 0.000000000001f) {
+        // glimt_render_gpu/src/kernels/scene.rs:121
+        chosen_5 = (v_1 / vec3(sqrt(length_squared)));
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:123
+        chosen_5 = otherwise;
+    }
+    let _e14 = chosen_5;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:83
+fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:84
+    let first = (256u + (index_9 * 24u));
+    // glimt_render_gpu/src/kernels/material.rs:85
+    return Returned_MaterialView_new(first, ((first + 24u) - first));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:106
+fn MaterialView_texture(words_start: u32, words_len: u32, word: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:107
+    let _e7 = scene_surface[(words_start + word)];
+    let _e13 = scene_surface[(words_start + (word + 1u))];
+    let _e19 = scene_surface[(words_start + (word + 2u))];
+    let _e25 = scene_surface[(words_start + (word + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:40
+fn TextureView_exists(this_13: TextureView) -> bool {
+
+    // glimt_render_gpu/src/kernels/texture.rs:41
+    return (this_13.width > 0u);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:90
+fn wrap(x_6: f32, mode: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:91
+    if (mode == 2u) {
+        // glimt_render_gpu/src/kernels/texture.rs:92
+        return clamp(x_6, 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:94
+    if (mode == 1u) {
+        // glimt_render_gpu/src/kernels/texture.rs:95
+        let folded = (x_6 - (2f * floor((0.5f * x_6))));
+        // glimt_render_gpu/src/kernels/texture.rs:96
+        return clamp(min(folded, (2f - folded)), 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:98
+    return clamp((x_6 - floor(x_6)), 0f, 1f);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:103
+fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:104
+    let last = (i32(size_1) - 1i);
+    // glimt_render_gpu/src/kernels/texture.rs:105
+    if (mode_1 == 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:106
+        if (index_10 < 0i) {
+            // glimt_render_gpu/src/kernels/texture.rs:107
+            return u32(last);
+        }
+        // glimt_render_gpu/src/kernels/texture.rs:109
+        if (index_10 > last) {
+            // glimt_render_gpu/src/kernels/texture.rs:110
+            return 0u;
+        }
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:113
+    return u32(clamp(index_10, 0i, last));
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:69
+fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
+    var chosen_6: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/texture.rs:70
+    let word_3 = scene_surface[(this_14.first + index_11)];
+    // glimt_render_gpu/src/kernels/texture.rs:71
+    let r_1 = (word_3 & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:72
+    let g = ((word_3 >> 8u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:73
+    let b_5 = ((word_3 >> 16u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:74
+    let alpha = (f32((word_3 >> 24u)) / 255f);
+    // glimt_render_gpu/src/kernels/texture.rs:75
+    if ((this_14.flags & 1u) != 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:76
+        let _e38 = scene_surface[r_1];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b_5];
+        chosen_6 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
+    } else {
+        // glimt_render_gpu/src/kernels/texture.rs:83
+        chosen_6 = vec4<f32>((f32(r_1) / 255f), (f32(g) / 255f), (f32(b_5) / 255f), alpha);
+    }
+    let _e60 = chosen_6;
+    return _e60;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:49
+fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/texture.rs:50
+    let wrap_u = ((this_15.flags >> 1u) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:51
+    let wrap_v = ((this_15.flags >> ((1u + 2u) & 31u)) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:52
+    let _e21 = wrap(uv.x, wrap_u);
+    let x_9 = ((_e21 * f32(this_15.width)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:53
+    let _e29 = wrap(uv.y, wrap_v);
+    let y_3 = ((_e29 * f32(this_15.height)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:54
+    let _e38 = Tuple_f32_f32_(floor(x_9), floor(y_3));
+    let left_1 = _e38.fa;
+    let top = _e38.fb;
+    // glimt_render_gpu/src/kernels/texture.rs:55
+    let _e44 = neighbour(i32(left_1), this_15.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:56
+    let _e50 = neighbour((i32(left_1) + 1i), this_15.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:57
+    let _e54 = neighbour(i32(top), this_15.height, wrap_v);
+    let row0_ = (_e54 * this_15.width);
+    // glimt_render_gpu/src/kernels/texture.rs:58
+    let _e62 = neighbour((i32(top) + 1i), this_15.height, wrap_v);
+    let row1_ = (_e62 * this_15.width);
+    // glimt_render_gpu/src/kernels/texture.rs:59
+    let _e67 = TextureView_texel(this_15, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_15, (row0_ + _e50));
+    let _e70 = (x_9 - left_1);
+    let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
+    // glimt_render_gpu/src/kernels/texture.rs:62
+    let _e78 = TextureView_texel(this_15, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_15, (row1_ + _e50));
+    let _e81 = (x_9 - left_1);
+    let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
+    // glimt_render_gpu/src/kernels/texture.rs:65
+    let _e88 = (y_3 - top);
+    return ((upper * (1f - _e88)) + (lower * _e88));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:92
+fn MaterialView_number(words_start_1: u32, words_len_1: u32, word_1: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/material.rs:93
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:147
+fn MaterialView_bumped_normal(words_start_2: u32, words_len_2: u32, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:148
+    let _e9 = MaterialView_texture(words_start_2, words_len_2, 20u);
+    // glimt_render_gpu/src/kernels/material.rs:149
+    let across = (tangent - (normal * dot(normal, tangent)));
+    // glimt_render_gpu/src/kernels/material.rs:150
+    let _e15 = TextureView_exists(_e9);
+    if (!(_e15) || !((dot(across, across) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:151
+        return normal;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:153
+    let t_4 = normalize(across);
+    // glimt_render_gpu/src/kernels/material.rs:154
+    let b_6 = (cross(normal, t_4) * handedness);
+    // glimt_render_gpu/src/kernels/material.rs:155
+    let _e29 = TextureView_sample(_e9, uv_1);
+    let bump = ((_e29.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:156
+    let _e43 = MaterialView_number(words_start_2, words_len_2, 10u);
+    let tilt = (((t_4 * bump.x) + (b_6 * bump.y)) * _e43);
+    // glimt_render_gpu/src/kernels/material.rs:157
+    let _e49 = unit_or((tilt + (normal * bump.z)), normal);
+    return _e49;
+}
+
+// glimt_sampling/src/math.rs:45
+fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
+
+    // glimt_sampling/src/math.rs:46
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
+    // glimt_sampling/src/math.rs:47
+    let a_5 = (-1f / (sign_ + n_2.z));
+    // glimt_sampling/src/math.rs:48
+    let c_3 = ((n_2.x * n_2.y) * a_5);
+    // glimt_sampling/src/math.rs:49
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_5)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_5)), -(n_2.y)), n_2);
+}
+
+// glimt_sampling/src/math.rs:66
+fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:67
+    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:97
+fn MaterialView_vector(words_start_3: u32, words_len_3: u32, word_2: u32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:98
+    let _e5 = MaterialView_number(words_start_3, words_len_3, word_2);
+    let _e8 = MaterialView_number(words_start_3, words_len_3, (word_2 + 1u));
+    let _e11 = MaterialView_number(words_start_3, words_len_3, (word_2 + 2u));
+    return vec3<f32>(_e5, _e8, _e11);
+}
+
+// glimt_brdf/src/metallic_roughness.rs:31
+fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness: f32) -> BlinnPhong {
+
+    // glimt_brdf/src/metallic_roughness.rs:32
+    let base_1 = clamp(base, vec3(0f), vec3(1f));
+    // glimt_brdf/src/metallic_roughness.rs:33
+    let metallic_2 = clamp(metallic, 0f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:34
+    let roughness_2 = clamp(roughness, 0.12f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:35
+    let alpha_1 = (roughness_2 * roughness_2);
+    // glimt_brdf/src/metallic_roughness.rs:36
+    let dielectric = (1f - metallic_2);
+    // glimt_brdf/src/metallic_roughness.rs:37
+    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:118
+fn MaterialView_brdf(words_start_4: u32, words_len_4: u32, uv_2: vec2<f32>) -> BlinnPhong {
+    var color: vec3<f32>;
+    var metallic_1: f32;
+    var roughness_1: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:119
+    let _e6 = MaterialView_vector(words_start_4, words_len_4, 0u);
+    color = _e6;
+    // glimt_render_gpu/src/kernels/material.rs:120
+    let _e13 = scene_surface[(words_start_4 + 3u)];
+    if (_e13 == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:121
+        let _e17 = color;
+        let _e19 = MaterialView_vector(words_start_4, words_len_4, 4u);
+        let _e21 = MaterialView_number(words_start_4, words_len_4, 7u);
+        return BlinnPhong(_e17, _e19, _e21);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:127
+    let _e25 = MaterialView_texture(words_start_4, words_len_4, 12u);
+    // glimt_render_gpu/src/kernels/material.rs:128
+    let _e27 = TextureView_exists(_e25);
+    if _e27 {
+        // glimt_render_gpu/src/kernels/material.rs:129
+        let _e29 = TextureView_sample(_e25, uv_2);
+        let _e31 = color;
+        color = (_e31 * _e29.xyz);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e35 = MaterialView_number(words_start_4, words_len_4, 8u);
+    metallic_1 = _e35;
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e39 = MaterialView_number(words_start_4, words_len_4, 9u);
+    roughness_1 = _e39;
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let _e43 = MaterialView_texture(words_start_4, words_len_4, 16u);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    let _e45 = TextureView_exists(_e43);
+    if _e45 {
+        // glimt_render_gpu/src/kernels/material.rs:135
+        let _e47 = TextureView_sample(_e43, uv_2);
+        // glimt_render_gpu/src/kernels/material.rs:136
+        let _e50 = roughness_1;
+        roughness_1 = (_e50 * _e47.y);
+        // glimt_render_gpu/src/kernels/material.rs:137
+        let _e54 = metallic_1;
+        metallic_1 = (_e54 * _e47.z);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:139
+    let _e57 = color;
+    let _e58 = metallic_1;
+    let _e59 = roughness_1;
+    let _e60 = BlinnPhong_from_metallic_roughness(_e57, _e58, _e59);
+    return _e60;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:67
+fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
+    var chosen_7: vec3<f32>;
+    var chosen_8: f32;
+    var chosen_9: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:68
+    let triangle_2 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:69
+    let first_1 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let a_6 = scene_corners[first_1];
+    // glimt_render_gpu/src/kernels/scene.rs:71
+    let b_7 = scene_corners[(first_1 + 1u)];
+    // glimt_render_gpu/src/kernels/scene.rs:72
+    let c_4 = scene_corners[(first_1 + 2u)];
+    // glimt_render_gpu/src/kernels/scene.rs:73
+    let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
+    let u_9 = _e33.fa;
+    let v_4 = _e33.fb;
+    // glimt_render_gpu/src/kernels/scene.rs:74
+    let w_2 = ((1f - u_9) - v_4);
+    // glimt_render_gpu/src/kernels/scene.rs:76
+    let to_eye = -(ray_8.direction);
+    // glimt_render_gpu/src/kernels/scene.rs:77
+    let _e44 = Triangle_area_normal(triangle_2);
+    let face = normalize(_e44);
+    // glimt_render_gpu/src/kernels/scene.rs:78
+    if (dot(face, to_eye) < 0f) {
+        chosen_7 = -(face);
+    } else {
+        chosen_7 = face;
+    }
+    let geometric_normal = chosen_7;
+    // glimt_render_gpu/src/kernels/scene.rs:79
+    let _e62 = unit_or((((a_6.normal * w_2) + (b_7.normal * u_9)) + (c_4.normal * v_4)), face);
+    // glimt_render_gpu/src/kernels/scene.rs:81
+    let uv_3 = vec2<f32>((((a_6.u * w_2) + (b_7.u * u_9)) + (c_4.u * v_4)), (((a_6.v * w_2) + (b_7.v * u_9)) + (c_4.v * v_4)));
+    // glimt_render_gpu/src/kernels/scene.rs:82
+    let _e85 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/scene.rs:83
+    let tangent_1 = (((a_6.tangent * w_2) + (b_7.tangent * u_9)) + (c_4.tangent * v_4));
+    // glimt_render_gpu/src/kernels/scene.rs:84
+    if ((triangle_2.material & 2147483648u) != 0u) {
+        // glimt_render_gpu/src/kernels/scene.rs:85
+        chosen_8 = -1f;
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:87
+        chosen_8 = 1f;
+    }
+    let handedness_1 = chosen_8;
+    // glimt_render_gpu/src/kernels/scene.rs:89
+    let _e110 = MaterialView_bumped_normal(_e85.value_words_start, _e85.value_words_len, uv_3, _e62, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:90
+    if (dot(_e110, to_eye) < 0f) {
+        // glimt_render_gpu/src/kernels/scene.rs:91
+        chosen_9 = -(_e110);
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:93
+        chosen_9 = _e110;
+    }
+    let normal_2 = chosen_9;
+    // glimt_render_gpu/src/kernels/scene.rs:96
+    let _e121 = ShadingFrame_from_normal(normal_2);
+    // glimt_render_gpu/src/kernels/scene.rs:97
+    let edges = (((triangle_2.v1_ - triangle_2.v0_) * u_9) + ((triangle_2.v2_ - triangle_2.v0_) * v_4));
+    // glimt_render_gpu/src/kernels/scene.rs:98
+    let _e138 = ShadingFrame_to_local(_e121, to_eye);
+    let _e139 = MaterialView_brdf(_e85.value_words_start, _e85.value_words_len, uv_3);
+    return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
+}
+
+// glimt_probe/src/rotate.rs:33
+fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
+
+    // glimt_probe/src/rotate.rs:34
+    return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:78
+fn Environment_to_map(size_2: vec2<u32>, rotation: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:79
+    let _e8 = rotate_z(direction_2, vec2<f32>(rotation.x, -(rotation.y)));
+    return _e8;
+}
+
+// glimt_sampling/src/math.rs:16
+fn luminance(rgb: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/math.rs:17
+    return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
+}
+
+// glimt_render_gpu/src/kernels/product.rs:91
+fn CellLobe_new(point: ShadingPoint, env_size: vec2<u32>, env_rotation: vec2<f32>) -> CellLobe {
+
+    // glimt_render_gpu/src/kernels/product.rs:92
+    let _e7 = Environment_to_map(env_size, env_rotation, point.frame.t);
+    let _e10 = Environment_to_map(env_size, env_rotation, point.frame.b);
+    let _e13 = Environment_to_map(env_size, env_rotation, point.frame.n);
+    let _e17 = luminance(point.brdf.diffuse);
+    let _e20 = luminance(point.brdf.specular);
+    return CellLobe(_e7, _e10, _e13, point.wo, _e17, _e20, point.brdf.exponent);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:120
+fn marginal_words(size_3: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:121
+    return (size_3.y + 1u);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:127
+fn cdf_words(size_4: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:128
+    let _e3 = marginal_words(size_4);
+    return (_e3 + (size_4.y * (size_4.x + 1u)));
+}
+
+// glimt_render_gpu/src/kernels/product.rs:33
+fn first_word(size_5: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/product.rs:34
+    let _e3 = cdf_words(size_5);
+    return _e3;
+}
+
+// glimt_brdf/src/lobe.rs:86
+fn normalisation(exponent: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:87
+    let tail = exp2(max((-0.5f * exponent), -60f));
+    // glimt_brdf/src/lobe.rs:88
+    return ((((exponent + 2f) * (exponent + 4f)) * (0.125f * 0.31830987f)) / (tail + exponent));
+}
+
+// glimt_brdf/src/lobe.rs:20
+fn HalfVector_new(wo: vec3<f32>, wi: vec3<f32>) -> HalfVector {
+
+    // glimt_brdf/src/lobe.rs:21
+    let sum_5 = (wo + wi);
+    // glimt_brdf/src/lobe.rs:23
+    let length2_ = max(dot(sum_5, sum_5), 0.00000000000000000001f);
+    // glimt_brdf/src/lobe.rs:24
+    return HalfVector(((sum_5.z * sum_5.z) / length2_), (((sum_5.x * sum_5.x) + (sum_5.y * sum_5.y)) / length2_), (0.5f * sqrt(length2_)));
+}
+
+// glimt_brdf/src/lobe.rs:59
+fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
+    var chosen_10: f32;
+
+    // glimt_brdf/src/lobe.rs:60
+    if (sin2_theta < (1f / 16f)) {
+        // glimt_brdf/src/lobe.rs:62
+        let t_5 = (sin2_theta / (2f - sin2_theta));
+        // glimt_brdf/src/lobe.rs:63
+        let t2_ = (t_5 * t_5);
+        // glimt_brdf/src/lobe.rs:64
+        chosen_10 = ((-2f * t_5) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
+    } else {
+        // glimt_brdf/src/lobe.rs:66
+        chosen_10 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
+    }
+    let log_cos2_ = chosen_10;
+    // glimt_brdf/src/lobe.rs:68
+    let log_power = ((0.5f * exponent_1) * log_cos2_);
+    // glimt_brdf/src/lobe.rs:69
+    if (log_power < -85f) {
+        // glimt_brdf/src/lobe.rs:70
+        return 0f;
+    }
+    // glimt_brdf/src/lobe.rs:72
+    return exp(log_power);
+}
+
+// glimt_brdf/src/lobe.rs:32
+fn HalfVector_lobe(this_17: HalfVector, exponent_2: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:33
+    let _e6 = cosine_power(this_17.cos2_theta, this_17.sin2_theta, exponent_2);
+    return _e6;
+}
+
+// glimt_brdf/src/blinn_phong.rs:59
+fn BlinnPhong_eval(this_18: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_brdf/src/blinn_phong.rs:60
+    if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
+        // glimt_brdf/src/blinn_phong.rs:61
+        return vec3(0f);
+    }
+    // glimt_brdf/src/blinn_phong.rs:63
+    let diffuse = (this_18.diffuse * 0.31830987f);
+    // glimt_brdf/src/blinn_phong.rs:65
+    if (max(max(this_18.specular.x, this_18.specular.y), this_18.specular.z) <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:66
+        return diffuse;
+    }
+    // glimt_brdf/src/blinn_phong.rs:68
+    let _e31 = normalisation(this_18.exponent);
+    let _e32 = HalfVector_new(wo_1, wi_1);
+    let _e34 = HalfVector_lobe(_e32, this_18.exponent);
+    let lobe_5 = (_e31 * _e34);
+    // glimt_brdf/src/blinn_phong.rs:69
+    return (diffuse + (this_18.specular * lobe_5));
+}
+
+// glimt_render_gpu/src/kernels/product.rs:106
+fn CellLobe_weight(this_19: CellLobe, cell_1: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/product.rs:107
+    let _e5 = first_word(env_size_1);
+    let at_1 = (((_e5 + 16u) + 1u) + (cell_1 * 5u));
+    // glimt_render_gpu/src/kernels/product.rs:108
+    let _e18 = env_tables[(at_1 + 3u)];
+    let flux = bitcast<f32>(_e18);
+    // glimt_render_gpu/src/kernels/product.rs:109
+    if !((flux > 0f)) {
+        // glimt_render_gpu/src/kernels/product.rs:110
+        return 0f;
+    }
+    // glimt_render_gpu/src/kernels/product.rs:112
+    let _e29 = env_tables[at_1];
+    let _e35 = env_tables[(at_1 + 1u)];
+    let _e41 = env_tables[(at_1 + 2u)];
+    let d_3 = vec3<f32>(bitcast<f32>(_e29), bitcast<f32>(_e35), bitcast<f32>(_e41));
+    // glimt_render_gpu/src/kernels/product.rs:117
+    let _e49 = env_tables[(at_1 + 4u)];
+    let radius = bitcast<f32>(_e49);
+    // glimt_render_gpu/src/kernels/product.rs:118
+    let z_2 = dot(this_19.normal, d_3);
+    // glimt_render_gpu/src/kernels/product.rs:119
+    let cosine = max(z_2, (0.25f * (z_2 + radius)));
+    // glimt_render_gpu/src/kernels/product.rs:120
+    if !((cosine > 0f)) {
+        // glimt_render_gpu/src/kernels/product.rs:121
+        return 0f;
+    }
+    // glimt_render_gpu/src/kernels/product.rs:123
+    let wi_4 = normalize(vec3<f32>(dot(this_19.tangent, d_3), dot(this_19.bitangent, d_3), cosine));
+    // glimt_render_gpu/src/kernels/product.rs:124
+    let widened = BlinnPhong(vec3(this_19.diffuse), vec3(this_19.specular), (4f / ((4f / max(this_19.exponent, 0.001f)) + ((0.7f * radius) * radius))));
+    // glimt_render_gpu/src/kernels/product.rs:129
+    let _e91 = BlinnPhong_eval(widened, this_19.wo, wi_4);
+    return (flux * (_e91.x * cosine));
+}
+
+// glimt_render_gpu/src/kernels/product.rs:252
+fn Product_total(this_20: Product, lobe: CellLobe, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> f32 {
+    var total: f32;
+    var counter_2: u32;
+
+    // glimt_render_gpu/src/kernels/product.rs:253
+    total = 0f;
+    // glimt_render_gpu/src/kernels/product.rs:254
+    counter_2 = 0u;
+    loop {
+        let cell_4 = counter_2;
+        if (cell_4 >= 512u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/product.rs:255
+        let _e14 = CellLobe_weight(lobe, cell_4, env_size_2, env_rotation_2);
+        let _e15 = total;
+        total = (_e15 + _e14);
+        continuing {
+            let _e17 = counter_2;
+            counter_2 = (_e17 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/product.rs:257
+    let _e21 = total;
+    return _e21;
+}
+
+// glimt_sampling/src/sobol.rs:135
+fn owen_sobol(index_12: u32, dimension_2: u32, seed_4: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:136
+    let _e5 = shuffle(index_12, seed_4);
+    let _e6 = sobol_reversed(_e5, dimension_2);
+    let _e7 = scramble_1(_e6, dimension_2, seed_4);
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:182
+fn OwenSobol_next_u32_(this_21: ptr<function, OwenSobol>) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:183
+    let dimension_4 = (*this_21).dimension;
+    // glimt_sampling/src/sobol.rs:184
+    (*this_21).dimension = (dimension_4 + 1u);
+    // glimt_sampling/src/sobol.rs:185
+    let _e11 = (*this_21).index;
+    let _e13 = (*this_21).seed;
+    let _e16 = hash2_(_e13, (dimension_4 >> 2u));
+    let _e17 = owen_sobol(_e11, dimension_4, _e16);
+    return _e17;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:166
+fn jittered(index_13: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:167
+    let _e7 = hash2_(key_2, 4u);
+    let _e8 = permute(index_13, count_2, _e7);
+    let _e9 = stratum(_e8, count_2, jitter_2);
+    return _e9;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:66
+fn PixelPattern_triple(this_22: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+    var point_1: OwenSobol;
+    var generator: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    let index_16 = ((this_22.ray * samples_1) + sample_1);
+    // glimt_render_gpu/src/kernels/pattern.rs:68
+    if (this_22.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:69
+        let _e14 = PixelPattern_sobol_point(this_22, purpose_4, index_16);
+        point_1 = _e14;
+        // glimt_render_gpu/src/kernels/pattern.rs:70
+        let _e17 = OwenSobol_next_uvec2_((&point_1));
+        // glimt_render_gpu/src/kernels/pattern.rs:71
+        let _e19 = OwenSobol_next_u32_((&point_1));
+        return vec3<u32>(_e17, _e19);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:73
+    let _e22 = PixelPattern_generator(this_22, purpose_4, index_16);
+    generator = _e22;
+    // glimt_render_gpu/src/kernels/pattern.rs:74
+    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:75
+    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:76
+    if (this_22.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:77
+        return vec3<u32>(_e25, _e27);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:79
+    let _e37 = PixelPattern_key(this_22, purpose_4);
+    let _e38 = Tuple_u32_u32_((this_22.rays * samples_1), _e37);
+    let count_3 = _e38.fa;
+    let key_3 = _e38.fb;
+    // glimt_render_gpu/src/kernels/pattern.rs:80
+    let _e42 = jittered_pair(index_16, count_3, _e25, key_3);
+    let _e43 = jittered(index_16, count_3, _e27, key_3);
+    return vec3<u32>(_e42, _e43);
+}
+
+// glimt_brdf/src/blinn_phong.rs:116
+fn BlinnPhong_pmf_specular(this_23: BlinnPhong) -> f32 {
+    var chosen_11: f32;
+
+    // glimt_brdf/src/blinn_phong.rs:117
+    let _e4 = luminance(this_23.specular);
+    // glimt_brdf/src/blinn_phong.rs:118
+    let _e7 = luminance(this_23.diffuse);
+    let both_2 = (_e7 + _e4);
+    // glimt_brdf/src/blinn_phong.rs:119
+    if (both_2 > 0f) {
+        chosen_11 = (_e4 / both_2);
+    } else {
+        chosen_11 = 0f;
+    }
+    let _e15 = chosen_11;
+    return _e15;
+}
+
+// glimt_sampling/src/warp.rs:190
+fn height_of(direction_3: vec3<f32>) -> f32 {
+    var chosen_12: f32;
+
+    // glimt_sampling/src/warp.rs:191
+    if (direction_3.z > 0f) {
+        // glimt_sampling/src/warp.rs:192
+        chosen_12 = (((direction_3.x * direction_3.x) + (direction_3.y * direction_3.y)) / (1f + direction_3.z));
+    } else {
+        // glimt_sampling/src/warp.rs:194
+        chosen_12 = (1f - direction_3.z);
+    }
+    let _e23 = chosen_12;
+    return _e23;
+}
+
+// glimt_sampling/src/warp.rs:201
+fn ln_cos_theta(direction_4: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:202
+    let _e3 = height_of(direction_4);
+    // glimt_sampling/src/warp.rs:203
+    if (_e3 < 0.1f) {
+        // glimt_sampling/src/warp.rs:204
+        let tail_1 = ((1f / 3f) + (_e3 * (0.25f + (_e3 * (0.2f + (_e3 * ((1f / 6f) + (_e3 / 7f))))))));
+        // glimt_sampling/src/warp.rs:205
+        return (0f - (_e3 * (1f + (_e3 * (0.5f + (_e3 * tail_1))))));
+    }
+    // glimt_sampling/src/warp.rs:207
+    return log(direction_4.z);
+}
+
+// glimt_sampling/src/warp.rs:289
+fn pdf_power_cosine_sr(direction_5: vec3<f32>, exponent_3: f32) -> f32 {
+    var chosen_13: f32;
+
+    // glimt_sampling/src/warp.rs:290
+    let normalisation_1 = ((exponent_3 + 1f) * (0.5f * 0.31830987f));
+    // glimt_sampling/src/warp.rs:291
+    if (exponent_3 <= 0f) {
+        // glimt_sampling/src/warp.rs:292
+        if (direction_5.z >= 0f) {
+            // glimt_sampling/src/warp.rs:293
+            chosen_13 = normalisation_1;
+        } else {
+            // glimt_sampling/src/warp.rs:295
+            chosen_13 = 0f;
+        }
+        let _e21 = chosen_13;
+        return _e21;
+    }
+    // glimt_sampling/src/warp.rs:298
+    if (direction_5.z <= 0f) {
+        // glimt_sampling/src/warp.rs:299
+        return 0f;
+    }
+    // glimt_sampling/src/warp.rs:301
+    let _e29 = ln_cos_theta(direction_5);
+    return (normalisation_1 * exp((exponent_3 * _e29)));
+}
+
+// glimt_sampling/src/warp.rs:182
+fn cos_sin_turns(turns: f32) -> vec2<f32> {
+    var chosen_14: f32;
+
+    // glimt_sampling/src/warp.rs:183
+    if (turns < 0.5f) {
+        chosen_14 = turns;
+    } else {
+        chosen_14 = (turns - 1f);
+    }
+    let signed = chosen_14;
+    // glimt_sampling/src/warp.rs:184
+    let phi = (6.2831855f * signed);
+    // glimt_sampling/src/warp.rs:185
+    return vec2<f32>(cos(phi), sin(phi));
+}
+
+// glimt_sampling/src/warp.rs:257
+fn sample_power_cosine(u_2: vec2<f32>, exponent_4: f32) -> DirectionSample {
+    var sin2_theta_1: f32;
+    var cos_theta: f32;
+
+    // glimt_sampling/src/warp.rs:258
+    if (u_2.x <= 0f) {
+        // glimt_sampling/src/warp.rs:259
+        let _e16 = pdf_power_cosine_sr(vec3<f32>(1f, 0f, 0f), exponent_4);
+        return DirectionSample(vec3<f32>(1f, 0f, 0f), _e16);
+    }
+    // glimt_sampling/src/warp.rs:266
+    let t_6 = ((2f / (exponent_4 + 1f)) * (0f - log(u_2.x)));
+    // glimt_sampling/src/warp.rs:269
+    if (t_6 < 0.25f) {
+        // glimt_sampling/src/warp.rs:270
+        let tail_2 = ((1f / 6f) - (t_6 * ((1f / 24f) - (t_6 * ((1f / 120f) - (t_6 / 720f))))));
+        // glimt_sampling/src/warp.rs:271
+        sin2_theta_1 = max((t_6 * (1f - (t_6 * (0.5f - (t_6 * tail_2))))), 0f);
+        // glimt_sampling/src/warp.rs:272
+        let _e62 = sin2_theta_1;
+        cos_theta = sqrt((1f - _e62));
+    } else {
+        // glimt_sampling/src/warp.rs:274
+        cos_theta = exp((-0.5f * t_6));
+        // glimt_sampling/src/warp.rs:275
+        let _e71 = cos_theta;
+        let _e72 = cos_theta;
+        sin2_theta_1 = (1f - (_e71 * _e72));
+    }
+    // glimt_sampling/src/warp.rs:277
+    let _e76 = sin2_theta_1;
+    let sin_theta = sqrt(_e76);
+    // glimt_sampling/src/warp.rs:278
+    let _e80 = cos_sin_turns(u_2.y);
+    // glimt_sampling/src/warp.rs:279
+    let _e86 = cos_theta;
+    let direction_10 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
+    // glimt_sampling/src/warp.rs:280
+    let _e89 = pdf_power_cosine_sr(direction_10, exponent_4);
+    return DirectionSample(direction_10, _e89);
+}
+
+// glimt_sampling/src/warp.rs:31
+fn sample_concentric_disk(u_3: vec2<f32>) -> vec2<f32> {
+
+    // glimt_sampling/src/warp.rs:32
+    let a_7 = ((2f * u_3.x) - 1f);
+    // glimt_sampling/src/warp.rs:33
+    let b_8 = ((2f * u_3.y) - 1f);
+    // glimt_sampling/src/warp.rs:34
+    if ((a_7 == 0f) && (b_8 == 0f)) {
+        // glimt_sampling/src/warp.rs:35
+        return vec2(0f);
+    }
+    // glimt_sampling/src/warp.rs:37
+    if ((a_7 * a_7) > (b_8 * b_8)) {
+        // glimt_sampling/src/warp.rs:38
+        let phi_1 = (0.7853982f * (b_8 / a_7));
+        // glimt_sampling/src/warp.rs:39
+        return vec2<f32>((a_7 * cos(phi_1)), (a_7 * sin(phi_1)));
+    }
+    // glimt_sampling/src/warp.rs:41
+    let phi_2 = (0.7853982f * (a_7 / b_8));
+    // glimt_sampling/src/warp.rs:42
+    return vec2<f32>((b_8 * sin(phi_2)), (b_8 * cos(phi_2)));
+}
+
+// glimt_sampling/src/warp.rs:88
+fn sample_cosine_hemisphere(u_4: vec2<f32>) -> DirectionSample {
+
+    // glimt_sampling/src/warp.rs:89
+    let _e3 = sample_concentric_disk(u_4);
+    // glimt_sampling/src/warp.rs:92
+    let _e10 = abs(((2f * u_4) - vec2(1f)));
+    let r_2 = max(_e10.x, _e10.y);
+    // glimt_sampling/src/warp.rs:93
+    let z_3 = sqrt(((1f - r_2) * (1f + r_2)));
+    // glimt_sampling/src/warp.rs:94
+    return DirectionSample(vec3<f32>(_e3, z_3), (z_3 * 0.31830987f));
+}
+
+// glimt_sampling/src/warp.rs:103
+fn pdf_cosine_hemisphere_sr(direction_6: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:104
+    return (max(direction_6.z, 0f) * 0.31830987f);
+}
+
+// glimt_brdf/src/lobe.rs:37
+fn HalfVector_pdf_sr(this_24: HalfVector, exponent_5: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:38
+    let _e10 = HalfVector_lobe(this_24, exponent_5);
+    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_24.wo_dot_h));
+}
+
+// glimt_brdf/src/blinn_phong.rs:99
+fn BlinnPhong_pdf_sr(this_25: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
+
+    // glimt_brdf/src/blinn_phong.rs:100
+    if ((wo_2.z <= 0f) || (wi_2.z <= 0f)) {
+        // glimt_brdf/src/blinn_phong.rs:101
+        return 0f;
+    }
+    // glimt_brdf/src/blinn_phong.rs:103
+    let _e15 = pdf_cosine_hemisphere_sr(wi_2);
+    // glimt_brdf/src/blinn_phong.rs:104
+    let _e17 = BlinnPhong_pmf_specular(this_25);
+    // glimt_brdf/src/blinn_phong.rs:105
+    if (_e17 <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:106
+        return _e15;
+    }
+    // glimt_brdf/src/blinn_phong.rs:108
+    let _e23 = HalfVector_new(wo_2, wi_2);
+    let _e25 = HalfVector_pdf_sr(_e23, this_25.exponent);
+    // glimt_brdf/src/blinn_phong.rs:109
+    return ((_e17 * _e25) + ((1f - _e17) * _e15));
+}
+
+// glimt_brdf/src/blinn_phong.rs:80
+fn BlinnPhong_sample(this_26: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+    var chosen_15: vec3<f32>;
+
+    // glimt_brdf/src/blinn_phong.rs:81
+    let _e7 = unit_f32_(u_lobe);
+    let _e8 = BlinnPhong_pmf_specular(this_26);
+    if (_e7 < _e8) {
+        // glimt_brdf/src/blinn_phong.rs:82
+        let _e12 = sample_power_cosine(u_5, this_26.exponent);
+        let h = _e12.direction;
+        // glimt_brdf/src/blinn_phong.rs:83
+        chosen_15 = (((2f * dot(wo_3, h)) * h) - wo_3);
+    } else {
+        // glimt_brdf/src/blinn_phong.rs:85
+        let _e21 = sample_cosine_hemisphere(u_5);
+        chosen_15 = _e21.direction;
+    }
+    let wi_5 = chosen_15;
+    // glimt_brdf/src/blinn_phong.rs:87
+    let _e25 = BlinnPhong_pdf_sr(this_26, wo_3, wi_5);
+    return BrdfSample(wi_5, _e25);
+}
+
+// glimt_sampling/src/math.rs:59
+fn ShadingFrame_to_world(this_27: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:60
+    return (((this_27.t * v_3.x) + (this_27.b * v_3.y)) + (this_27.n * v_3.z));
+}
+
+// glimt_probe/src/latlong.rs:45
+fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
+    var chosen_16: f32;
+    var chosen_17: f32;
+
+    // glimt_probe/src/latlong.rs:46
+    let horizontal = sqrt(((d_1.x * d_1.x) + (d_1.y * d_1.y)));
+    // glimt_probe/src/latlong.rs:47
+    if (horizontal <= 0f) {
+        // glimt_probe/src/latlong.rs:48
+        if (d_1.z < 0f) {
+            chosen_16 = 1f;
+        } else {
+            chosen_16 = 0f;
+        }
+        let v_5 = chosen_16;
+        // glimt_probe/src/latlong.rs:49
+        return vec2<f32>(0.5f, v_5);
+    }
+    // glimt_probe/src/latlong.rs:52
+    let v_6 = (atan2(horizontal, d_1.z) * 0.31830987f);
+    // glimt_probe/src/latlong.rs:53
+    let u_10 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
+    // glimt_probe/src/latlong.rs:54
+    if (u_10 < 1f) {
+        chosen_17 = max(u_10, 0f);
+    } else {
+        chosen_17 = 0f;
+    }
+    let _e47 = chosen_17;
+    return vec2<f32>(_e47, clamp(v_6, 0f, 1f));
+}
+
+// glimt_probe/src/latlong.rs:68
+fn direction_to_texel(d_2: vec3<f32>, size_6: vec2<u32>) -> vec2<u32> {
+
+    // glimt_probe/src/latlong.rs:69
+    let size_12 = max(size_6, vec2(1u));
+    // glimt_probe/src/latlong.rs:70
+    let _e8 = direction_to_uv(d_2);
+    let position = (_e8 * vec2<f32>(size_12));
+    // glimt_probe/src/latlong.rs:71
+    return min(vec2<u32>(position), (size_12 - vec2(1u)));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:85
+fn Environment_texel(size_7: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:86
+    let _e5 = Environment_to_map(size_7, rotation_1, direction_7);
+    let _e6 = direction_to_texel(_e5, size_7);
+    return _e6;
+}
+
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin(start: u32, bins: u32, u_6: u32) -> Bin {
+    var at: u32;
+    var left: u32;
+
+    // glimt_envmap_cdf/src/search.rs:33
+    at = start;
+    // glimt_envmap_cdf/src/search.rs:34
+    left = bins;
+    // glimt_envmap_cdf/src/search.rs:35
+    loop {
+        let _e9 = left;
+        if !((_e9 > 1u)) {
+            break;
+        }
+        // glimt_envmap_cdf/src/search.rs:36
+        let _e14 = left;
+        let half = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at;
+        let _e22 = env_tables[(_e18 + half)];
+        if (_e22 <= u_6) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at;
+            at = (_e25 + half);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left;
+        left = (_e28 - half);
+    }
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at;
+    let first_2 = env_tables[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at;
+    let _e38 = at;
+    let _e43 = env_tables[(_e38 + 1u)];
+    return Bin((_e36 - start), first_2, (_e43 - first_2));
+}
+
+// glimt_render_gpu/src/kernels/product.rs:152
+fn cell_of(texel: vec2<u32>, env_size_3: vec2<u32>, env_rotation_3: vec2<f32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/product.rs:153
+    let _e4 = first_word(env_size_3);
+    // glimt_render_gpu/src/kernels/product.rs:154
+    let _e8 = find_bin(_e4, 16u, texel.y);
+    let row_4 = _e8.index;
+    // glimt_render_gpu/src/kernels/product.rs:155
+    let column_3 = (((32u * (texel.x + 1u)) - 1u) / env_size_3.x);
+    // glimt_render_gpu/src/kernels/product.rs:156
+    return ((row_4 * 32u) + column_3);
+}
+
+// glimt_render_gpu/src/kernels/product.rs:144
+fn texel_rows(row: u32, env_size_4: vec2<u32>, env_rotation_4: vec2<f32>) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/product.rs:145
+    let _e4 = first_word(env_size_4);
+    let at_2 = (_e4 + row);
+    // glimt_render_gpu/src/kernels/product.rs:146
+    let _e9 = env_tables[at_2];
+    let _e14 = env_tables[(at_2 + 1u)];
+    return vec2<u32>(_e9, _e14);
+}
+
+// glimt_render_gpu/src/kernels/product.rs:55
+fn first_edge(column: u32, row_1: u32, first_row: u32, height_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/product.rs:56
+    return (((((16u + 1u) + (512u * 5u)) + (column * (height_1 + 16u))) + first_row) + row_1);
+}
+
+// glimt_render_gpu/src/kernels/product.rs:47
+fn first_column(column_1: u32, width: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/product.rs:48
+    return ((column_1 * width) / 32u);
+}
+
+// glimt_render_gpu/src/kernels/product.rs:172
+fn column_units(y_1: u32, columns: vec2<u32>, env_size_5: vec2<u32>, env_rotation_5: vec2<f32>) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/product.rs:173
+    let _e5 = marginal_words(env_size_5);
+    let start_1 = (_e5 + (y_1 * (env_size_5.x + 1u)));
+    // glimt_render_gpu/src/kernels/product.rs:174
+    let low = env_tables[(start_1 + columns.x)];
+    // glimt_render_gpu/src/kernels/product.rs:175
+    let _e22 = env_tables[(start_1 + columns.y)];
+    return vec2<u32>(low, (_e22 - low));
+}
+
+// glimt_render_gpu/src/kernels/product.rs:241
+fn pmf(row_2: Bin, column_2: Bin, all_: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/product.rs:242
+    if (all_ == 0u) {
+        // glimt_render_gpu/src/kernels/product.rs:243
+        return 0f;
+    }
+    // glimt_render_gpu/src/kernels/product.rs:245
+    return ((f32(row_2.units) * (1f / 2147483600f)) * (f32(column_2.units) / f32(all_)));
+}
+
+// glimt_render_gpu/src/kernels/product.rs:214
+fn pmf_in_cell(texel_1: vec2<u32>, env_size_6: vec2<u32>, env_rotation_6: vec2<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/product.rs:215
+    let _e5 = cell_of(texel_1, env_size_6, env_rotation_6);
+    // glimt_render_gpu/src/kernels/product.rs:216
+    let _e11 = Tuple_u32_u32_((_e5 % 32u), (_e5 / 32u));
+    let column_4 = _e11.fa;
+    let row_5 = _e11.fb;
+    // glimt_render_gpu/src/kernels/product.rs:217
+    let _e15 = texel_rows(row_5, env_size_6, env_rotation_6);
+    // glimt_render_gpu/src/kernels/product.rs:218
+    let _e17 = first_word(env_size_6);
+    let _e20 = first_edge(column_4, row_5, _e15.x, env_size_6.y);
+    let edges_1 = (_e17 + _e20);
+    // glimt_render_gpu/src/kernels/product.rs:219
+    let at_3 = (edges_1 + (texel_1.y - _e15.x));
+    // glimt_render_gpu/src/kernels/product.rs:220
+    let _e34 = env_tables[(at_3 + 1u)];
+    let _e37 = env_tables[at_3];
+    let of_row = Bin(0u, 0u, (_e34 - _e37));
+    // glimt_render_gpu/src/kernels/product.rs:225
+    let _e42 = first_column(column_4, env_size_6.x);
+    let _e46 = first_column((column_4 + 1u), env_size_6.x);
+    let columns_2 = vec2<u32>(_e42, _e46);
+    // glimt_render_gpu/src/kernels/product.rs:229
+    let _e50 = column_units(texel_1.y, columns_2, env_size_6, env_rotation_6);
+    // glimt_render_gpu/src/kernels/product.rs:230
+    let _e52 = marginal_words(env_size_6);
+    let start_2 = ((_e52 + (texel_1.y * (env_size_6.x + 1u))) + texel_1.x);
+    // glimt_render_gpu/src/kernels/product.rs:231
+    let _e68 = env_tables[(start_2 + 1u)];
+    let _e71 = env_tables[start_2];
+    let of_column = Bin(0u, 0u, (_e68 - _e71));
+    // glimt_render_gpu/src/kernels/product.rs:236
+    let _e76 = pmf(of_row, of_column, _e50.y);
+    return _e76;
+}
+
+// glimt_probe/src/trig.rs:25
+fn cos_sin_pi(x_7: f32) -> vec2<f32> {
+    var chosen_18: vec2<f32>;
+
+    // glimt_probe/src/trig.rs:27
+    let quarter = floor(((2f * x_7) + 0.5f));
+    // glimt_probe/src/trig.rs:28
+    let y_4 = (x_7 - (0.5f * quarter));
+    // glimt_probe/src/trig.rs:29
+    let y2_ = (y_4 * y_4);
+    // glimt_probe/src/trig.rs:31
+    let c_5 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
+    // glimt_probe/src/trig.rs:34
+    let s_1 = (y_4 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    // glimt_probe/src/trig.rs:37
+    let _e49 = (i32(quarter) & 3i);
+    if (_e49 == 0i) {
+        // glimt_probe/src/trig.rs:38
+        chosen_18 = vec2<f32>(c_5, (s_1 + 0f));
+    } else {
+        if (_e49 == 1i) {
+            // glimt_probe/src/trig.rs:39
+            chosen_18 = vec2<f32>((0f - s_1), c_5);
+        } else {
+            if (_e49 == 2i) {
+                // glimt_probe/src/trig.rs:40
+                chosen_18 = vec2<f32>((0f - c_5), (0f - s_1));
+            } else {
+                // glimt_probe/src/trig.rs:41
+                chosen_18 = vec2<f32>((s_1 + 0f), (0f - c_5));
+            }
+        }
+    }
+    let _e77 = chosen_18;
+    return _e77;
+}
+
+// glimt_probe/src/latlong.rs:121
+fn texel_solid_angle_sr(row_3: u32, size_8: vec2<u32>) -> f32 {
+
+    // glimt_probe/src/latlong.rs:122
+    let size_13 = max(size_8, vec2(1u));
+    // glimt_probe/src/latlong.rs:123
+    let row_6 = min(row_3, (size_13.y - 1u));
+    // glimt_probe/src/latlong.rs:124
+    let from_pole = min(row_6, ((size_13.y - 1u) - row_6));
+    // glimt_probe/src/latlong.rs:125
+    let half_row = (0.5f / f32(size_13.y));
+    // glimt_probe/src/latlong.rs:126
+    let middle = (f32(((2u * from_pole) + 1u)) * half_row);
+    // glimt_probe/src/latlong.rs:127
+    let _e37 = cos_sin_pi(middle);
+    let _e40 = cos_sin_pi(half_row);
+    return ((((4f * 3.1415927f) / f32(size_13.x)) * _e37.y) * _e40.y);
+}
+
+// glimt_render_gpu/src/kernels/product.rs:263
+fn Product_pdf_sr(this_28: Product, texel_2: vec2<u32>, total_1: f32, lobe_1: CellLobe, env_size_7: vec2<u32>, env_rotation_7: vec2<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/product.rs:264
+    if !((total_1 > 0f)) {
+        // glimt_render_gpu/src/kernels/product.rs:265
+        return 0f;
+    }
+    // glimt_render_gpu/src/kernels/product.rs:267
+    let _e13 = cell_of(texel_2, env_size_7, env_rotation_7);
+    let _e14 = CellLobe_weight(lobe_1, _e13, env_size_7, env_rotation_7);
+    let cell_5 = (_e14 / total_1);
+    // glimt_render_gpu/src/kernels/product.rs:268
+    let _e17 = pmf_in_cell(texel_2, env_size_7, env_rotation_7);
+    let _e20 = texel_solid_angle_sr(texel_2.y, env_size_7);
+    return ((cell_5 * _e17) / _e20);
+}
+
+// glimt_sampling/src/mis.rs:59
+fn multi_sample_density(n_f: u32, pdf_f: f32, n_g: u32, pdf_g: f32) -> f32 {
+
+    // glimt_sampling/src/mis.rs:60
+    return ((f32(n_f) * pdf_f) + (f32(n_g) * pdf_g));
+}
+
+// glimt_render_gpu/src/kernels/product.rs:298
+fn Product_density(this_29: Product, brdf_pdf_sr: f32, product_pdf_sr: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/product.rs:299
+    let _e7 = multi_sample_density(this_29.brdf_samples, brdf_pdf_sr, this_29.env_samples, product_pdf_sr);
+    return _e7;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:92
+fn Environment_radiance(size_9: vec2<u32>, rotation_2: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:93
+    let _e11 = env_texels[((texel_3.y * size_9.x) + texel_3.x)];
+    return _e11.xyz;
+}
+
+// glimt_render_gpu/src/kernels/estimator.rs:76
+fn LightSample_new(point_2: ShadingPoint, direction_8: vec3<f32>, wi_3: vec3<f32>, radiance: vec3<f32>, density: f32) -> LightSample {
+
+    // glimt_render_gpu/src/kernels/estimator.rs:83
+    let in_front = ((wi_3.z > 0f) && (dot(point_2.geometric_normal, direction_8) > 0f));
+    // glimt_render_gpu/src/kernels/estimator.rs:84
+    if (!(in_front) || !((density > 0.000000000000000000000000000000000000011754944f))) {
+        // glimt_render_gpu/src/kernels/estimator.rs:85
+        return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
+    }
+    // glimt_render_gpu/src/kernels/estimator.rs:88
+    let _e32 = BlinnPhong_eval(point_2.brdf, point_2.wo, wi_3);
+    let weight_1 = (_e32 * (wi_3.z / density));
+    // glimt_render_gpu/src/kernels/estimator.rs:89
+    return LightSample(direction_8, (radiance * weight_1));
+}
+
+// glimt_render_gpu/src/kernels/product.rs:308
+fn Product_brdf_sample(this_30: Product, sample_2: u32, total_2: f32, lobe_2: CellLobe, point_3: ShadingPoint, pattern_1: PixelPattern, env_size_8: vec2<u32>, env_rotation_8: vec2<f32>) -> LightSample {
+
+    // glimt_render_gpu/src/kernels/product.rs:317
+    let _e12 = PixelPattern_triple(pattern_1, 2u, sample_2, this_30.brdf_samples);
+    // glimt_render_gpu/src/kernels/product.rs:318
+    let _e18 = unit_vec2_(_e12.xy);
+    let _e19 = BlinnPhong_sample(point_3.brdf, point_3.wo, _e12.z, _e18);
+    // glimt_render_gpu/src/kernels/product.rs:319
+    if !((_e19.pdf_sr > 0f)) {
+        // glimt_render_gpu/src/kernels/product.rs:320
+        return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
+    }
+    // glimt_render_gpu/src/kernels/product.rs:322
+    let _e36 = ShadingFrame_to_world(point_3.frame, _e19.wi);
+    // glimt_render_gpu/src/kernels/product.rs:323
+    let _e38 = Environment_texel(env_size_8, env_rotation_8, _e36);
+    // glimt_render_gpu/src/kernels/product.rs:324
+    let _e41 = Product_pdf_sr(this_30, _e38, total_2, lobe_2, env_size_8, env_rotation_8);
+    let _e42 = Product_density(this_30, _e19.pdf_sr, _e41);
+    // glimt_render_gpu/src/kernels/product.rs:325
+    let _e45 = Environment_radiance(env_size_8, env_rotation_8, _e38);
+    let _e46 = LightSample_new(point_3, _e36, _e19.wi, _e45, _e42);
+    return _e46;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:65
+fn any_hit(ray_9: Ray, t_max_2: f32) -> bool {
+    var t_1: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:66
+    t_1 = t_max_2;
+    // glimt_render_gpu/src/kernels/bvh.rs:67
+    let _e7 = traverse(ray_9, (&t_1), true);
+    return (_e7 != 4294967295u);
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:110
+fn Scene_is_lit(point_4: ShadingPoint, direction_9: vec3<f32>) -> bool {
+
+    // glimt_render_gpu/src/kernels/scene.rs:111
+    let _e5 = Ray_new(point_4.origin, direction_9);
+    // glimt_render_gpu/src/kernels/scene.rs:112
+    let _e8 = any_hit(_e5, 0x1.fffffep+127f);
+    return !(_e8);
+}
+
+// glimt_render_gpu/src/kernels/estimator.rs:98
+fn LightSample_traced(this_31: LightSample, point_5: ShadingPoint) -> Reflected {
+    var chosen_19: Reflected;
+
+    // glimt_render_gpu/src/kernels/estimator.rs:99
+    if !((max(max(this_31.contribution.x, this_31.contribution.y), this_31.contribution.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/estimator.rs:100
+        return Reflected(vec3(0f), vec3(0f));
+    }
+    // glimt_render_gpu/src/kernels/estimator.rs:102
+    let _e22 = Scene_is_lit(point_5, this_31.direction);
+    if _e22 {
+        // glimt_render_gpu/src/kernels/estimator.rs:103
+        chosen_19 = Reflected(this_31.contribution, vec3(0f));
+    } else {
+        // glimt_render_gpu/src/kernels/estimator.rs:108
+        chosen_19 = Reflected(vec3(0f), this_31.contribution);
+    }
+    let _e33 = chosen_19;
+    return _e33;
+}
+
+// glimt_render_gpu/src/kernels/estimator.rs:37
+fn Reflected_gather(this_32: ptr<function, Reflected>, light: Reflected) {
+
+    // glimt_render_gpu/src/kernels/estimator.rs:38
+    let _e6 = (*this_32).lit;
+    (*this_32).lit = (_e6 + light.lit);
+    // glimt_render_gpu/src/kernels/estimator.rs:39
+    let _e11 = (*this_32).blocked;
+    (*this_32).blocked = (_e11 + light.blocked);
+    return;
+}
+
+// glimt_render_gpu/src/kernels/product.rs:162
+fn multiply_high(a_3: u32, b_3: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/product.rs:163
+    let _e8 = Tuple_u32_u32_((a_3 >> 16u), (a_3 & 65535u));
+    let a_high = _e8.fa;
+    let a_low = _e8.fb;
+    // glimt_render_gpu/src/kernels/product.rs:164
+    let _e16 = Tuple_u32_u32_((b_3 >> 16u), (b_3 & 65535u));
+    let b_high = _e16.fa;
+    let b_low = _e16.fb;
+    // glimt_render_gpu/src/kernels/product.rs:165
+    let middle_1 = ((a_high * b_low) + ((a_low * b_low) >> 16u));
+    // glimt_render_gpu/src/kernels/product.rs:166
+    let other = ((a_low * b_high) + (middle_1 & 65535u));
+    // glimt_render_gpu/src/kernels/product.rs:167
+    return (((a_high * b_high) + (middle_1 >> 16u)) + (other >> 16u));
+}
+
+// glimt_render_gpu/src/kernels/product.rs:181
+fn sample_in_cell(cell_2: u32, u_7: vec2<u32>, env_size_9: vec2<u32>, env_rotation_9: vec2<f32>) -> TexelDraw {
+
+    // glimt_render_gpu/src/kernels/product.rs:182
+    let _e10 = Tuple_u32_u32_((cell_2 % 32u), (cell_2 / 32u));
+    let column_5 = _e10.fa;
+    let row_7 = _e10.fb;
+    // glimt_render_gpu/src/kernels/product.rs:183
+    let _e14 = texel_rows(row_7, env_size_9, env_rotation_9);
+    // glimt_render_gpu/src/kernels/product.rs:184
+    let _e16 = first_word(env_size_9);
+    let _e19 = first_edge(column_5, row_7, _e14.x, env_size_9.y);
+    let edges_2 = (_e16 + _e19);
+    // glimt_render_gpu/src/kernels/product.rs:185
+    let _e28 = find_bin(edges_2, (_e14.y - _e14.x), (u_7.y >> 1u));
+    // glimt_render_gpu/src/kernels/product.rs:191
+    let y_5 = (_e14.x + _e28.index);
+    // glimt_render_gpu/src/kernels/product.rs:192
+    let _e35 = first_column(column_5, env_size_9.x);
+    let _e39 = first_column((column_5 + 1u), env_size_9.x);
+    let columns_3 = vec2<u32>(_e35, _e39);
+    // glimt_render_gpu/src/kernels/product.rs:196
+    let _e42 = column_units(y_5, columns_3, env_size_9, env_rotation_9);
+    // glimt_render_gpu/src/kernels/product.rs:197
+    let _e44 = marginal_words(env_size_9);
+    let start_3 = ((_e44 + (y_5 * (env_size_9.x + 1u))) + columns_3.x);
+    // glimt_render_gpu/src/kernels/product.rs:198
+    let _e56 = multiply_high(u_7.x, _e42.y);
+    let within = (_e42.x + _e56);
+    // glimt_render_gpu/src/kernels/product.rs:199
+    let _e62 = find_bin(start_3, (columns_3.y - columns_3.x), within);
+    // glimt_render_gpu/src/kernels/product.rs:205
+    let _e69 = pmf(_e28, _e62, _e42.y);
+    return TexelDraw(vec2<u32>((columns_3.x + _e62.index), y_5), _e69);
+}
+
+// glimt_render_gpu/src/kernels/product.rs:274
+fn Product_sample(this_33: Product, u_8: vec3<u32>, total_3: f32, lobe_3: CellLobe, env_size_10: vec2<u32>, env_rotation_10: vec2<f32>) -> TexelDraw {
+    var sum_2: f32;
+    var cell_3: u32;
+    var weight: f32;
+    var next: u32;
+
+    // glimt_render_gpu/src/kernels/product.rs:275
+    let _e8 = unit_f32_(u_8.z);
+    let target_ = (_e8 * total_3);
+    // glimt_render_gpu/src/kernels/product.rs:276
+    sum_2 = 0f;
+    // glimt_render_gpu/src/kernels/product.rs:277
+    cell_3 = 0u;
+    // glimt_render_gpu/src/kernels/product.rs:278
+    weight = 0f;
+    // glimt_render_gpu/src/kernels/product.rs:279
+    next = 0u;
+    // glimt_render_gpu/src/kernels/product.rs:281
+    loop {
+        let _e23 = next;
+        let _e26 = sum_2;
+        if ((_e23 < 512u) && !((_e26 > target_))) {
+            // glimt_render_gpu/src/kernels/product.rs:282
+            let _e31 = next;
+            let _e32 = CellLobe_weight(lobe_3, _e31, env_size_10, env_rotation_10);
+            // glimt_render_gpu/src/kernels/product.rs:283
+            if (_e32 > 0f) {
+                // glimt_render_gpu/src/kernels/product.rs:284
+                let _e37 = next;
+                cell_3 = _e37;
+                // glimt_render_gpu/src/kernels/product.rs:285
+                weight = _e32;
+                // glimt_render_gpu/src/kernels/product.rs:286
+                let _e40 = sum_2;
+                sum_2 = (_e40 + _e32);
+            }
+            // glimt_render_gpu/src/kernels/product.rs:288
+            let _e44 = next;
+            next = (_e44 + 1u);
+        } else {
+            break;
+        }
+    }
+    // glimt_render_gpu/src/kernels/product.rs:290
+    let _e47 = cell_3;
+    let _e51 = sample_in_cell(_e47, vec2<u32>(u_8.x, u_8.y), env_size_10, env_rotation_10);
+    // glimt_render_gpu/src/kernels/product.rs:291
+    let _e55 = weight;
+    return TexelDraw(_e51.texel, (_e51.pmf * (_e55 / total_3)));
+}
+
+// glimt_probe/src/latlong.rs:142
+fn direction_in_texel(texel_4: vec2<u32>, size_10: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+    var chosen_20: u32;
+    var chosen_21: u32;
+    var chosen_22: f32;
+
+    // glimt_probe/src/latlong.rs:143
+    let size_14 = max(size_10, vec2(1u));
+    // glimt_probe/src/latlong.rs:144
+    let row_8 = min(texel_4.y, (size_14.y - 1u));
+    // glimt_probe/src/latlong.rs:146
+    let southern = ((2u * row_8) >= size_14.y);
+    // glimt_probe/src/latlong.rs:147
+    if southern {
+        chosen_20 = (size_14.y - row_8);
+    } else {
+        chosen_20 = row_8;
+    }
+    let upper_1 = chosen_20;
+    // glimt_probe/src/latlong.rs:148
+    if southern {
+        chosen_21 = ((size_14.y - row_8) - 1u);
+    } else {
+        chosen_21 = (row_8 + 1u);
+    }
+    let lower_1 = chosen_21;
+    // glimt_probe/src/latlong.rs:149
+    let half_1 = (0.5f / f32(size_14.y));
+    // glimt_probe/src/latlong.rs:150
+    let _e41 = cos_sin_pi((f32(upper_1) * half_1));
+    let sin_upper = _e41.y;
+    // glimt_probe/src/latlong.rs:151
+    let _e46 = cos_sin_pi((f32(lower_1) * half_1));
+    let sin_lower = _e46.y;
+    // glimt_probe/src/latlong.rs:152
+    let s_upper = (sin_upper * sin_upper);
+    // glimt_probe/src/latlong.rs:153
+    let s_2 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
+    // glimt_probe/src/latlong.rs:154
+    let sin_theta_1 = (2f * sqrt(max((s_2 * (1f - s_2)), 0f)));
+    // glimt_probe/src/latlong.rs:155
+    if southern {
+        // glimt_probe/src/latlong.rs:156
+        chosen_22 = ((2f * s_2) - 1f);
+    } else {
+        // glimt_probe/src/latlong.rs:158
+        chosen_22 = (1f - (2f * s_2));
+    }
+    let cos_theta_1 = chosen_22;
+    // glimt_probe/src/latlong.rs:160
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_14.x))));
+    // glimt_probe/src/latlong.rs:161
+    return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
+}
+
+// glimt_render_gpu/src/kernels/product.rs:329
+fn Product_product_sample(this_34: Product, sample_3: u32, total_4: f32, lobe_4: CellLobe, point_6: ShadingPoint, pattern_2: PixelPattern, env_size_11: vec2<u32>, env_rotation_11: vec2<f32>) -> LightSample {
+
+    // glimt_render_gpu/src/kernels/product.rs:338
+    let _e12 = PixelPattern_triple(pattern_2, 3u, sample_3, this_34.env_samples);
+    // glimt_render_gpu/src/kernels/product.rs:339
+    let _e14 = Product_sample(this_34, _e12, total_4, lobe_4, env_size_11, env_rotation_11);
+    // glimt_render_gpu/src/kernels/product.rs:340
+    if !((_e14.pmf > 0f)) {
+        // glimt_render_gpu/src/kernels/product.rs:341
+        return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
+    }
+    // glimt_render_gpu/src/kernels/product.rs:343
+    let _e31 = hash2_(_e12.x, _e12.y);
+    // glimt_render_gpu/src/kernels/product.rs:344
+    let place_2 = vec2<u32>((_e31 << 16u), (_e31 & 4294901760u));
+    // glimt_render_gpu/src/kernels/product.rs:345
+    let _e40 = unit_vec2_(place_2);
+    let _e41 = direction_in_texel(_e14.texel, env_size_11, _e40);
+    // glimt_render_gpu/src/kernels/product.rs:346
+    let _e43 = rotate_z(_e41, env_rotation_11);
+    // glimt_render_gpu/src/kernels/product.rs:347
+    let _e46 = ShadingFrame_to_local(point_6.frame, _e43);
+    // glimt_render_gpu/src/kernels/product.rs:348
+    let _e51 = texel_solid_angle_sr(_e14.texel.y, env_size_11);
+    let pdf_sr = (_e14.pmf / _e51);
+    // glimt_render_gpu/src/kernels/product.rs:349
+    let _e56 = BlinnPhong_pdf_sr(point_6.brdf, point_6.wo, _e46);
+    let _e57 = Product_density(this_34, _e56, pdf_sr);
+    // glimt_render_gpu/src/kernels/product.rs:350
+    let _e60 = Environment_radiance(env_size_11, env_rotation_11, _e14.texel);
+    let _e61 = LightSample_new(point_6, _e43, _e46, _e60, _e57);
+    return _e61;
+}
+
+// glimt_render_gpu/src/kernels/product.rs:356
+fn Product_reflected(this_35: Product, point_7: ShadingPoint, pattern_3: PixelPattern, env_size_12: vec2<u32>, env_rotation_12: vec2<f32>) -> Reflected {
+    var sum_3: Reflected;
+    var counter_3: u32;
+    var counter_4: u32;
+
+    // glimt_render_gpu/src/kernels/product.rs:363
+    let _e7 = CellLobe_new(point_7, env_size_12, env_rotation_12);
+    // glimt_render_gpu/src/kernels/product.rs:364
+    let _e9 = Product_total(this_35, _e7, env_size_12, env_rotation_12);
+    // glimt_render_gpu/src/kernels/product.rs:365
+    sum_3 = Reflected(vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/product.rs:366
+    counter_3 = 0u;
+    loop {
+        let i_1 = counter_3;
+        if (i_1 >= this_35.brdf_samples) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/product.rs:367
+        let _e24 = Product_brdf_sample(this_35, i_1, _e9, _e7, point_7, pattern_3, env_size_12, env_rotation_12);
+        // glimt_render_gpu/src/kernels/product.rs:368
+        let _e26 = LightSample_traced(_e24, point_7);
+        Reflected_gather((&sum_3), _e26);
+        continuing {
+            let _e27 = counter_3;
+            counter_3 = (_e27 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/product.rs:370
+    if (_e9 > 0f) {
+        // glimt_render_gpu/src/kernels/product.rs:371
+        counter_4 = 0u;
+        loop {
+            let i_2 = counter_4;
+            if (i_2 >= this_35.env_samples) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/product.rs:372
+            let _e40 = Product_product_sample(this_35, i_2, _e9, _e7, point_7, pattern_3, env_size_12, env_rotation_12);
+            // glimt_render_gpu/src/kernels/product.rs:373
+            let _e42 = LightSample_traced(_e40, point_7);
+            Reflected_gather((&sum_3), _e42);
+            continuing {
+                let _e43 = counter_4;
+                counter_4 = (_e43 + 1u);
+            }
+        }
+    }
+    // glimt_render_gpu/src/kernels/product.rs:376
+    let _e47 = sum_3;
+    return _e47;
+}
+
+// glimt_render_gpu/src/kernels/layers.rs:39
+fn LayerSample_of(light_1: Reflected, is_catcher: bool) -> LayerSample {
+
+    // glimt_render_gpu/src/kernels/layers.rs:40
+    if is_catcher {
+        // glimt_render_gpu/src/kernels/layers.rs:41
+        return LayerSample(light_1.lit, 0f, light_1.blocked, 1f);
+    }
+    // glimt_render_gpu/src/kernels/layers.rs:48
+    return LayerSample(light_1.lit, 1f, vec3(0f), 0f);
+}
+
+// glimt_render_gpu/src/kernels/shade.rs:41
+fn LayerSample_of_surface(light_2: Reflected, is_catcher_1: bool) -> LayerSample {
+
+    // glimt_render_gpu/src/kernels/shade.rs:42
+    let _e4 = LayerSample_of(light_2, is_catcher_1);
+    return _e4;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:56
+fn Environment_map(size_11: vec2<u32>, rotation_3: vec2<f32>) -> Returned_Environment_map {
+
+    // glimt_render_gpu/src/kernels/environment.rs:57
+    return Returned_Environment_map(size_11, rotation_3);
+}
+
+// glimt_render_gpu/src/kernels/shade.rs:46
+fn LayerSample_of_background(_ray: Ray, _frame: FrameParams, _map_size: vec2<u32>, _map_rotation: vec2<f32>) -> LayerSample {
+
+    // glimt_render_gpu/src/kernels/shade.rs:47
+    return LayerSample(vec3(0f), 0f, vec3(0f), 0f);
+}
+
+// glimt_render_gpu/src/kernels/shade.rs:53
+fn shade(ray_10: u32, frame_2: FrameParams, estimator: Product, env_size_13: vec2<u32>, env_rotation_13: vec2<f32>) -> LayerSample {
+
+    // glimt_render_gpu/src/kernels/shade.rs:60
+    let _e7 = FrameParams_pattern_of(frame_2, ray_10);
+    // glimt_render_gpu/src/kernels/shade.rs:61
+    let _e9 = FrameParams_camera_ray(frame_2, _e7);
+    // glimt_render_gpu/src/kernels/shade.rs:62
+    let _e11 = Scene_closest_hit(_e9);
+    let hit_1 = _e11.value;
+    if _e11.is_some {
+        // glimt_render_gpu/src/kernels/shade.rs:63
+        let _e15 = Scene_shading_point(_e9, hit_1);
+        // glimt_render_gpu/src/kernels/shade.rs:64
+        let _e17 = Product_reflected(estimator, _e15, _e7, env_size_13, env_rotation_13);
+        // glimt_render_gpu/src/kernels/shade.rs:65
+        let _e22 = scene_triangles[hit_1.triangle];
+        let _e23 = Triangle_is_catcher(_e22);
+        // glimt_render_gpu/src/kernels/shade.rs:66
+        let _e25 = LayerSample_of_surface(_e17, _e23);
+        return _e25;
+    }
+    // glimt_render_gpu/src/kernels/shade.rs:68
+    let _e27 = Environment_map(env_size_13, env_rotation_13);
+    let _e30 = LayerSample_of_background(_e9, frame_2, _e27.value_size, _e27.value_rotation);
+    return _e30;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn shade_product_layers(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e19 = params.estimator;
+    let _e21 = params.env_size;
+    let _e23 = params.env_rotation;
+    let _e24 = shade((_e14 + local), _e17, _e19, _e21, _e23);
+    out[local] = _e24;
+}
