@@ -13,7 +13,7 @@ use glimt_render_gpu::host::scene::{
     Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
 };
 use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::methods::Mis;
+use glimt_render_gpu::methods::{Mis, Product};
 use glimt_tests::gpu::adapter_or_skip;
 
 /// A texture-mapped plane, and a glossy ball of 40 × 20 faces on it.
@@ -231,6 +231,14 @@ fn frames_are_the_cpus() {
             }
             .into(),
             tonemap: Tonemap::Reinhard,
+            ..base
+        },
+        RenderSettings {
+            method: Product {
+                brdf_samples: 1,
+                env_samples: 2,
+            }
+            .into(),
             ..base
         },
     ];
