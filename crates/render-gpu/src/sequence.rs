@@ -16,8 +16,8 @@ pub struct Prefetch<T> {
 impl<T: Send + 'static> Prefetch<T> {
     /// Prepares `prepare(key)` for each key, at most `ahead` finished items (at least one) before they are asked for.
     ///
-    /// An error is an item like any other, as in `Prefetch<Result<Env, ReadError>>`; whoever meets one decides
-    /// whether to go on.
+    /// An error is an item like any other, as in `Prefetch<Result<Env, ReadError>>`; the consumer decides whether to
+    /// continue.
     ///
     /// # Errors
     /// The operating system's, when it starts no more threads.
@@ -56,7 +56,7 @@ impl<T: Send + 'static> Prefetch<T> {
 impl<T> Iterator for Prefetch<T> {
     type Item = T;
 
-    /// The next item, waiting for it where it is not ready. A panic of the preparing closure goes on here.
+    /// The next item, waiting for it where it is not ready. A panic of the preparing closure continues here.
     fn next(&mut self) -> Option<T> {
         if let Ok(item) = self.items.recv() {
             return Some(item);

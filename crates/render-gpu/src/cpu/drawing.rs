@@ -69,7 +69,7 @@ impl Renderer for CpuDrawing {
         let job = Job::new(whole, env, scene, plate, settings);
         let mut image = Image::new(settings).map_err(RenderError::device)?;
         let (map, view) = (env.view().map(), scene.view());
-        // On a GPU triangles are drawn instead, so this is no pass.
+        // A GPU draws triangles instead, so this is not a pass.
         let done = job.render(
             tiles::PIXELS,
             None,

@@ -130,7 +130,7 @@ impl GpuLight {
         Ok(())
     }
 
-    /// The next frame starts anew, and goes by nothing that was recorded and perhaps never handed over.
+    /// The filter over time restarts with the next frame, which uses nothing that was recorded and perhaps never submitted.
     pub fn forget(&mut self) {
         self.before = None;
         for level in &mut self.levels {

@@ -2,7 +2,7 @@
 //! composite without a wait.
 //!
 //! All passes of a frame go into one command encoder: light map → pyramid → projection → its reduction → filter over time →
-//! light at the vertices → triangles drawn → layers → composite. Only who wants the image waits, and only for the image.
+//! light at the vertices → triangles drawn → layers → composite. Reading the image is the only wait.
 
 use std::f32::consts::PI;
 use std::time::{Duration, Instant};
@@ -96,7 +96,7 @@ impl GpuPrt {
         })
     }
 
-    /// The filter over time starts anew.
+    /// The filter over time restarts.
     pub fn forget(&mut self) {
         self.light.forget();
     }
@@ -110,7 +110,7 @@ impl GpuPrt {
     /// Draws a frame, over a plate of the same size or the background of the settings, and waits for nothing. `uploaded` is the
     /// scene.
     ///
-    /// Frames that nobody waits for pile up: whoever draws many calls [`GpuContext::finish`] now and then.
+    /// Frames that nobody waits for pile up: a caller that draws many must call [`GpuContext::finish`] now and then.
     ///
     /// With one ray a pixel, or all of them through its centre, pixels have one sample, at their centre; else four. What is behind
     /// objects is one value a pixel. Layers have 16 bits: of light that is mirrored, what is brighter than 10⁷ times the light's mean is
@@ -414,7 +414,7 @@ struct Canvas {
     band: u32,
     /// A band's drawn layers.
     drawn: [GpuVec<UVec2>; LAYERS],
-    /// The whole image's, but for the layers where those are not kept.
+    /// The whole image's, without the layers where those are not kept.
     pixels: Pixels<Gpu>,
     /// Of one pixel where there is none.
     plate: GpuVec<PlatePixel>,

@@ -41,7 +41,7 @@ impl GpuScene {
     }
 
     /// Makes it another scene. Of the same scene in another pose, materials and textures stay; so do buffers whose size
-    /// does. Where that fails, what it holds is no scene: make a new one.
+    /// does. Where that fails, it does not hold a scene: make a new one.
     ///
     /// # Errors
     ///

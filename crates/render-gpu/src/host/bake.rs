@@ -109,7 +109,7 @@ impl BakeSettings {
         }
     }
 
-    /// As the kernel takes them, in parts of up to `directions` directions, but for rows that have more.
+    /// As the kernel takes them, in parts of up to `directions` directions. A row that has more is one part.
     pub(crate) fn parts(&self, directions: u32) -> impl Iterator<Item = TransferParams> + use<> {
         let whole = self.params();
         let columns = self.directions.div_ceil(whole.rows.max(1));
@@ -173,7 +173,7 @@ pub(crate) fn room(vertices: usize, bands: u32) -> Result<Transfer, BakeError> {
     })
 }
 
-/// Computes the transfer at all vertices of a scene where its objects stand now, on all of rayon's threads. `progress` is told the
+/// Computes the transfer at all vertices of a scene where its objects stand now, on all of rayon's threads. `progress` gets the
 /// share that is done.
 ///
 /// Each vertex has directions of its own, keyed by the seed and its number; threads change no bit.

@@ -127,7 +127,7 @@ impl Geometry {
         self.bodies[object].mesh.positions.len()
     }
 
-    /// Faces of an object's mesh, but for those dropped, of which there is a sorted list.
+    /// Faces of an object's mesh without those dropped, of which there is a sorted list.
     pub(super) fn faces<'a>(
         &'a self,
         object: usize,

@@ -6,7 +6,7 @@ use glimt_sh::{
 };
 use rayon::prelude::*;
 
-/// Rows that one thread takes at a time. The sum hangs on it, and so it hangs on nothing else: threads change no bit.
+/// Rows that one thread takes at a time. The sum depends on this number and on nothing else, so threads change no bit.
 const ROWS: usize = 16;
 
 /// What projects the maps of a sequence: the table for their width, made once.

@@ -92,8 +92,8 @@ pub trait Renderer {
     /// What it is, for messages: the processor's or adapter's name.
     fn name(&self) -> String;
 
-    /// Renders one frame over a plate of the same size, or over the background of the settings. `progress` is told, from any
-    /// thread, the fraction that is done.
+    /// Renders one frame over a plate of the same size, or over the background of the settings. `progress` gets the
+    /// fraction that is done, from any thread.
     ///
     /// # Errors
     /// A [`RenderError`].

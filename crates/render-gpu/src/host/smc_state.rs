@@ -26,7 +26,7 @@ pub struct SmcKey {
     pub objects: u32,
 }
 
-/// The frame before, but for its rays.
+/// The frame before, without its rays.
 #[derive(Clone, Debug)]
 pub struct PastFrame {
     /// What the next frame must have in common with it.
@@ -45,7 +45,7 @@ pub struct PastFrame {
     pub light_mean: f32,
 }
 
-/// All that the sampler needs of a frame to go on from it.
+/// All that the sampler needs to continue from a frame.
 #[derive(Clone, Debug)]
 pub struct SmcState {
     /// The frame.

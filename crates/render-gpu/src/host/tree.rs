@@ -78,7 +78,7 @@ fn leaf(triangles: &[Triangle], first: usize) -> BvhNode {
     }
 }
 
-/// Gives every box of a tree anew the size of what is in it, from the leaves up.
+/// Fits every box of a tree to what is in it again, from the leaves up.
 ///
 /// Children stand behind their parents.
 pub(super) fn refit(nodes: &mut [BvhNode], triangles: &[Triangle]) {

@@ -71,7 +71,7 @@ pub fn any_hit(nodes: &[BvhNode], triangles: &[Triangle], ray: &Ray, t_max: f32)
 const NONE: u32 = u32::MAX;
 
 /// Visits the nodes that the ray meets within `reach`, nearer children first. Returns the triangle that is hit first,
-/// with its distance in `reach`; or, where `any` is set, the first one found that is no catcher.
+/// with its distance in `reach`; or, where `any` is set, the first one found that is not a catcher.
 #[inline(always)]
 #[allow(clippy::manual_swap)]
 fn traverse(

@@ -1,4 +1,4 @@
-//! Shared file: kernels that lay bare one stage of [`shade`](super::shade) each, so that tests can compare processors
+//! Shared file: kernels that return one stage of [`shade`](super::shade) each, so that tests can compare processors
 //! stage by stage. One element is one ray, and each stage is fed by the shipped functions.
 
 use glam::{UVec2, UVec4, Vec2, Vec3, Vec4};

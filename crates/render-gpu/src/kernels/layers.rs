@@ -1,8 +1,8 @@
 //! Shared file: a frame in layers: the objects, and the light that they take from what is in the footage already.
 //!
 //! A *catcher* stands for a part of the footage. Differential rendering (Debevec 1998, § 5.2) shades it with and without the
-//! objects and hands the change on to the plate; here one set of samples tells both, so that their noise is the same and
-//! there is no change where nothing is blocked.
+//! objects and adds the change to the plate; here one set of samples gives both, so that their noise is the same and
+//! the change is zero where nothing is blocked.
 
 use glam::{Vec3, Vec4};
 

@@ -13,7 +13,7 @@ pub const STAGE_SPHERE: u32 = 1;
 /// [`StageParams::shape`]: the map lies on a box.
 pub const STAGE_BOX: u32 = 2;
 
-/// A distance that nothing has: there is no hit.
+/// The distance that means no hit.
 pub const NO_HIT: f32 = 1e30;
 
 /// The numbers of a stage. 64 bytes.
