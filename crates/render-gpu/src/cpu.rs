@@ -21,6 +21,7 @@ use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::PixelLayers;
 use crate::kernels::past::PastView;
 use crate::kernels::prt::{self, Surface, shade_prt, shade_prt_layers};
+use crate::kernels::smc_point::SmcPoint;
 use crate::methods::smc::{Following, Own, Reading};
 use crate::methods::{Inputs, TileMethod};
 
@@ -225,12 +226,23 @@ struct Part<'a> {
 /// What a thread computes its tiles in.
 struct Scratch {
     samples: Samples<Host>,
+    /// Of the sequential sampler; empty for other methods.
+    points: Vec<SmcPoint>,
     pixels: Pixels<Host>,
 }
 
 impl Scratch {
-    fn new(pixels: usize, rays: usize, in_layers: bool) -> Result<Self, HostError> {
+    fn new(
+        pixels: usize,
+        rays: usize,
+        in_layers: bool,
+        is_sequential: bool,
+    ) -> Result<Self, HostError> {
         Ok(Self {
+            points: match is_sequential {
+                true => Cpu.zeroed("points", rays)?,
+                false => Vec::new(),
+            },
             samples: match in_layers {
                 false => Samples::Flat(Cpu.zeroed("samples", rays)?),
                 true => Samples::Layered(Cpu.zeroed("samples", rays)?),
@@ -291,7 +303,8 @@ impl Job<'_> {
             })
             .collect();
         let done = AtomicUsize::new(0);
-        let scratch = || Scratch::new(tile_pixels, tile_rays, self.in_layers);
+        let is_sequential = matches!(self.method, JobMethod::Smc);
+        let scratch = || Scratch::new(tile_pixels, tile_rays, self.in_layers, is_sequential);
         parts
             .into_par_iter()
             .try_for_each_init(scratch, |scratch, part| {
@@ -317,7 +330,11 @@ impl Job<'_> {
         let frame = &frame;
         let (count, executor) = (part.linear.len(), &mut Serial);
         let rays = count as u32 * frame.rays_per_pixel;
-        let Scratch { samples, pixels } = scratch;
+        let Scratch {
+            samples,
+            points,
+            pixels,
+        } = scratch;
         let (env, scene) = (self.env.shorten(), self.scene.shorten());
         let method = match (&self.method, past, part.own) {
             (JobMethod::Prt(surface), ..) => {
@@ -326,7 +343,9 @@ impl Job<'_> {
             }
             (JobMethod::Smc, Some((reading, view)), Some(own)) => {
                 let own = own.shorten();
-                Some(TileMethod::Smc(reading.tile(view, count as u32, own)))
+                let points = Chunks::new(points, 1);
+                let tile = reading.tile(view, count as u32, points, own);
+                Some(TileMethod::Smc(tile))
             }
             (JobMethod::Bis(bis), ..) => Some(TileMethod::Bis(*bis)),
             _ => Some(TileMethod::Mis),

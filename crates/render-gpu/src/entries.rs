@@ -28,10 +28,15 @@ pub const ENTRIES: &[EntrySpec] = &[
         "shade_bis_layers",
         "glimt_render_gpu::kernels::shade::shade_bis_layers",
     ),
-    entry("shade_smc", "glimt_render_gpu::kernels::smc::shade_smc"),
+    entry("find_smc", "glimt_render_gpu::kernels::smc_point::find_smc"),
+    entry("advance_smc", "glimt_render_gpu::kernels::smc::advance_smc"),
     entry(
-        "shade_smc_layers",
-        "glimt_render_gpu::kernels::smc::shade_smc_layers",
+        "gather_smc",
+        "glimt_render_gpu::kernels::smc_gather::gather_smc",
+    ),
+    entry(
+        "gather_smc_layers",
+        "glimt_render_gpu::kernels::smc_gather::gather_smc_layers",
     ),
     entry(
         "diagnose_smc",

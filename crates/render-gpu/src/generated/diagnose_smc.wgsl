@@ -52,45 +52,45 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/smc.rs:371
+// glimt_render_gpu/src/kernels/smc.rs:269
 fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> vec4<f32> {
     var sum: vec4<f32>;
     var hits: f32;
     var counter: u32;
     var chosen: f32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:377
+    // glimt_render_gpu/src/kernels/smc.rs:275
     let first = (pixel * frame.rays_per_pixel);
-    // glimt_render_gpu/src/kernels/smc.rs:378
+    // glimt_render_gpu/src/kernels/smc.rs:276
     sum = vec4(0f);
-    // glimt_render_gpu/src/kernels/smc.rs:379
+    // glimt_render_gpu/src/kernels/smc.rs:277
     hits = 0f;
-    // glimt_render_gpu/src/kernels/smc.rs:380
+    // glimt_render_gpu/src/kernels/smc.rs:278
     counter = first;
     loop {
         let ray = counter;
         if (ray >= (first + frame.rays_per_pixel)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:381
+        // glimt_render_gpu/src/kernels/smc.rs:279
         let state = states[ray];
-        // glimt_render_gpu/src/kernels/smc.rs:382
+        // glimt_render_gpu/src/kernels/smc.rs:280
         if (state.depth > 0f) {
-            // glimt_render_gpu/src/kernels/smc.rs:383
+            // glimt_render_gpu/src/kernels/smc.rs:281
             if (state.started == 0u) {
-                // glimt_render_gpu/src/kernels/smc.rs:384
+                // glimt_render_gpu/src/kernels/smc.rs:282
                 chosen = 0f;
             } else {
-                // glimt_render_gpu/src/kernels/smc.rs:386
+                // glimt_render_gpu/src/kernels/smc.rs:284
                 chosen = 1f;
             }
             let started = chosen;
-            // glimt_render_gpu/src/kernels/smc.rs:389
+            // glimt_render_gpu/src/kernels/smc.rs:287
             let ratio = clamp(state.log_ratio, -100f, 100f);
-            // glimt_render_gpu/src/kernels/smc.rs:390
+            // glimt_render_gpu/src/kernels/smc.rs:288
             let _e48 = sum;
             sum = (_e48 + vec4<f32>(state.ess, ratio, f32(state.age), started));
-            // glimt_render_gpu/src/kernels/smc.rs:391
+            // glimt_render_gpu/src/kernels/smc.rs:289
             let _e52 = hits;
             hits = (_e52 + 1f);
         }
@@ -99,13 +99,13 @@ fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> vec
             counter = (_e54 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:394
+    // glimt_render_gpu/src/kernels/smc.rs:292
     let n = f32(particles_per_ray);
-    // glimt_render_gpu/src/kernels/smc.rs:395
+    // glimt_render_gpu/src/kernels/smc.rs:293
     let _e60 = sum;
     let _e61 = hits;
     let mean = (_e60 / vec4(max(_e61, 1f)));
-    // glimt_render_gpu/src/kernels/smc.rs:396
+    // glimt_render_gpu/src/kernels/smc.rs:294
     return vec4<f32>((mean.x / n), mean.y, mean.z, mean.w);
 }
 

@@ -14,8 +14,8 @@ use super::prt::{DrawTimes, GpuPrt};
 use super::upload::{GpuEnv, GpuScene};
 use crate::film::{Pixels, Samples};
 use crate::generated::entries::{
-    RECONSTRUCT, SHADE_BIS, SHADE_BIS_LAYERS, SHADE_MIS, SHADE_MIS_LAYERS, SHADE_SMC,
-    SHADE_SMC_LAYERS, TONEMAP,
+    ADVANCE_SMC, FIND_SMC, GATHER_SMC, GATHER_SMC_LAYERS, RECONSTRUCT, SHADE_BIS, SHADE_BIS_LAYERS,
+    SHADE_MIS, SHADE_MIS_LAYERS, TONEMAP,
 };
 use crate::host::env::PreparedEnv;
 use crate::host::plate::Plate;
@@ -29,7 +29,8 @@ use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
 use crate::kernels::past::RayState;
-use crate::methods::smc::{Following, Own, TILE_GRANULE};
+use crate::kernels::smc_point::SmcPoint;
+use crate::methods::smc::{self, Following, Own, TILE_GRANULE};
 use crate::methods::{Inputs, TileMethod};
 
 /// Bytes of a tile's rays: enough to fill any GPU, few enough for any memory.
@@ -74,6 +75,8 @@ struct TileBuffers {
     count: u32,
     rays_per_pixel: u32,
     samples: Samples<Gpu>,
+    /// Of the sequential sampler alone.
+    points: Option<GpuVec<SmcPoint>>,
     pixels: Pixels<Gpu>,
     plate: GpuVec<PlatePixel>,
     diagnostics: GpuVec<Vec4>,
@@ -178,7 +181,9 @@ impl GpuRenderer {
         let (shade, counts) = shading(settings, in_layers, has_past).map_err(device)?;
         let cost = Some((scene.surface_id(), settings.method, counts));
         if self.cost != cost {
-            self.context.forget_pace(shade).map_err(device)?;
+            for entry in shade {
+                self.context.forget_pace(entry).map_err(device)?;
+            }
             self.cost = cost;
         }
         let (Some(uploaded), Some(tile)) = (&self.scene, &mut self.tile) else {
@@ -198,7 +203,11 @@ impl GpuRenderer {
             let count = tile.count.min(pixels - first);
             let rays = f64::from(pixels) * f64::from(whole.rays_per_pixel);
             let before = f64::from(first) * f64::from(whole.rays_per_pixel);
-            let tell = |done: u32| progress(((before + f64::from(done)) / rays) as f32);
+            let passes = match settings.method {
+                Method::Smc => f64::from(smc::PASSES),
+                _ => 1.0,
+            };
+            let tell = |done: u64| progress(((before + done as f64 / passes) / rays) as f32);
             let work = TileWork {
                 context: &self.context,
                 inputs: Inputs {
@@ -289,9 +298,11 @@ impl GpuRenderer {
     ) -> Result<(), GpuError> {
         let largest = self.largest_tile(frame, in_layers, settings);
         let pixels = frame.width * frame.height;
+        let is_sequential = settings.method == Method::Smc;
         let fits = |tile: &TileBuffers| {
             tile.rays_per_pixel == frame.rays_per_pixel
                 && matches!(tile.samples, Samples::Layered(_)) == in_layers
+                && tile.points.is_some() == is_sequential
                 && (tile.count == pixels || tile.count == largest)
         };
         if !self.tile.as_ref().is_some_and(fits) {
@@ -301,6 +312,7 @@ impl GpuRenderer {
                 largest,
                 frame.rays_per_pixel,
                 in_layers,
+                is_sequential,
             )?);
         }
         Ok(())
@@ -309,7 +321,11 @@ impl GpuRenderer {
     /// Pixels whose rays fit a binding, and no more than there are.
     fn largest_tile(&self, frame: &FrameParams, in_layers: bool, settings: &RenderSettings) -> u32 {
         let bytes = self.context.max_binding_bytes().min(SAMPLE_BYTES);
-        let pixel_bytes = sample_bytes(in_layers) * u64::from(frame.rays_per_pixel);
+        let ray_bytes = match settings.method {
+            Method::Smc => sample_bytes(in_layers).max(size_of::<SmcPoint>() as u64),
+            _ => sample_bytes(in_layers),
+        };
+        let pixel_bytes = ray_bytes * u64::from(frame.rays_per_pixel);
         let fitting = match in_layers {
             false => bytes / pixel_bytes,
             true => bytes / pixel_bytes.max(size_of::<PixelLayers>() as u64),
@@ -454,31 +470,35 @@ fn fitting_pixels(context: &GpuContext, settings: &RenderSettings) -> u64 {
     context.max_binding_bytes() / (ray * u64::from(settings.rays_per_pixel))
 }
 
-/// The entry of a frame's first pass, and the counts that its cost depends on.
+/// The entries that trace and shade a frame's rays, and the counts that their cost depends on.
 fn shading(
     settings: &RenderSettings,
     in_layers: bool,
     has_past: bool,
-) -> Result<(&'static Entry, [u32; 4]), GpuError> {
-    let (entries, counts) = match settings.method {
+) -> Result<(Vec<&'static Entry>, [u32; 4]), GpuError> {
+    let either = |flat: &'static Entry, layered: &'static Entry| match in_layers {
+        false => flat,
+        true => layered,
+    };
+    Ok(match settings.method {
         Method::Mis => {
             let counts = [settings.brdf_samples, settings.env_samples, 0, 0];
-            ([&SHADE_MIS, &SHADE_MIS_LAYERS], counts)
+            (vec![either(&SHADE_MIS, &SHADE_MIS_LAYERS)], counts)
         }
         Method::Bis => {
             let counts = [settings.bis.candidates, settings.bis.samples, 0, 0];
-            ([&SHADE_BIS, &SHADE_BIS_LAYERS], counts)
+            (vec![either(&SHADE_BIS, &SHADE_BIS_LAYERS)], counts)
         }
         Method::Smc => {
             let smc = &settings.smc;
             // The first frame of a sequence has nothing to continue from, and another cost.
             let steps = if has_past { smc.intermediate + 1 } else { 0 };
             let counts = [smc.particles, smc.candidates, steps, 0];
-            ([&SHADE_SMC, &SHADE_SMC_LAYERS], counts)
+            let gather = either(&GATHER_SMC, &GATHER_SMC_LAYERS);
+            (vec![&FIND_SMC, &ADVANCE_SMC, gather], counts)
         }
         Method::Prt => return Err(host_light()),
-    };
-    Ok((entries[usize::from(in_layers)], counts))
+    })
 }
 
 impl TileBuffers {
@@ -487,6 +507,7 @@ impl TileBuffers {
         count: u32,
         rays_per_pixel: u32,
         in_layers: bool,
+        is_sequential: bool,
     ) -> Result<Self, GpuError> {
         let (pixels, rays) = (count as usize, u64::from(count) * u64::from(rays_per_pixel));
         let layered = if in_layers { pixels } else { 1 };
@@ -496,6 +517,10 @@ impl TileBuffers {
             samples: match in_layers {
                 false => Samples::Flat(context.zeroed("samples", rays)?),
                 true => Samples::Layered(context.zeroed("samples", rays)?),
+            },
+            points: match is_sequential {
+                false => None,
+                true => Some(context.zeroed("points", rays)?),
             },
             pixels: Pixels::new(context, pixels, layered)?,
             diagnostics: context.zeroed("diagnostics", pixels as u64)?,
@@ -527,7 +552,7 @@ impl TileWork<'_> {
         bis: Option<Bis>,
         following: Option<(&mut Following<Gpu>, u64)>,
         tile: &mut TileBuffers,
-        progress: &dyn Fn(u32),
+        progress: &dyn Fn(u64),
         times: &mut FrameTimes,
     ) -> Result<(), GpuError> {
         let (frame, count) = (self.inputs.frame, self.count);
@@ -539,10 +564,10 @@ impl TileWork<'_> {
         }
         let mut executor = Direct::with_progress(self.context, progress);
         let out = tile.samples.out(rays);
-        match (bis, following) {
+        match (bis, following.zip(tile.points.as_mut())) {
             (Some(bis), _) => TileMethod::Bis(bis).shade(&mut executor, self.inputs, rays, out)?,
             (None, None) => TileMethod::Mis.shade(&mut executor, self.inputs, rays, out)?,
-            (None, Some((following, fitting))) => {
+            (None, Some(((following, fitting), points))) => {
                 let first = frame.first_pixel as usize * frame.rays_per_pixel as usize;
                 let own_rays = first..first + rays as usize;
                 let view = following.window(fitting, frame.first_pixel, count);
@@ -553,7 +578,8 @@ impl TileWork<'_> {
                     states: Gpu::chunks(&mut now.states, own_rays.clone(), 1),
                     particles: Gpu::chunks(&mut now.particles, sets, n),
                 };
-                let smc = reading.tile(&view, count, own);
+                let points = Gpu::chunks(points, 0..rays as usize, 1);
+                let smc = reading.tile(&view, count, points, own);
                 TileMethod::Smc(smc).shade(&mut executor, self.inputs, rays, out)?;
                 let mut film = Direct::new(self.context);
                 let out = Gpu::chunks(&mut tile.diagnostics, 0..count as usize, 1);
