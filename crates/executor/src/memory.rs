@@ -24,6 +24,13 @@ pub trait Memory: Copy + Sized + 'static {
     /// As [`Memory::shorten`], of what is written.
     fn shorten_chunks<'b, 'a: 'b, T: Element>(chunks: Self::Chunks<'a, T>) -> Self::Chunks<'b, T>;
 
+    /// The same chunks while they are borrowed: a pass writes them, and they can be used again after it.
+    fn reborrow<'b, 'a: 'b, T: Element>(chunks: &'b mut Self::Chunks<'a, T>)
+    -> Self::Chunks<'b, T>;
+
+    /// All values of the chunks, to be read by a pass that comes after the one that fills them.
+    fn filled<'b, 'a: 'b, T: Element>(chunks: &'b Self::Chunks<'a, T>) -> Self::Slice<'b, T>;
+
     /// Values `range` of a buffer, to be read.
     ///
     /// # Panics
@@ -140,6 +147,14 @@ impl Memory for Host {
     #[inline]
     fn shorten_chunks<'b, 'a: 'b, T: Element>(chunks: Self::Chunks<'a, T>) -> Self::Chunks<'b, T> {
         chunks
+    }
+
+    fn reborrow<'b, 'a: 'b, T: Element>(chunks: &'b mut Chunks<'a, T>) -> Chunks<'b, T> {
+        Chunks::new(chunks.values, chunks.per_element)
+    }
+
+    fn filled<'b, 'a: 'b, T: Element>(chunks: &'b Chunks<'a, T>) -> &'b [T] {
+        chunks.values
     }
 
     fn slice<T: Element>(buffer: &Vec<T>, range: Range<usize>) -> &[T] {

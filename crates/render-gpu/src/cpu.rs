@@ -97,7 +97,8 @@ impl Renderer for CpuRenderer {
                 let (frame, rays) = (&tile.frame, tile.rays);
                 let smc = match (&reading, &view, tile.own) {
                     (Some(reading), Some(view), Some(own)) => {
-                        Some(reading.tile(view, tile.pixels, own.shorten()))
+                        let points = Chunks::new(tile.points, 1);
+                        Some(reading.tile(view, tile.pixels, points, own.shorten()))
                     }
                     _ => None,
                 };

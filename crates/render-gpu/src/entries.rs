@@ -90,8 +90,13 @@ pub fn all() -> Vec<EntrySpec> {
 }
 
 const PIXELS: &[(&str, &str)] = &[
-    ("shade_smc", "smc::shade_smc"),
-    ("shade_smc_layers", "smc::shade_smc_layers"),
+    ("find_smc", "smc_point::find_smc"),
+    ("advance_smc", "smc::advance_smc"),
+    ("gather_smc", "smc_gather::gather_smc::<glam::Vec4>"),
+    (
+        "gather_smc_layers",
+        "smc_gather::gather_smc::<glimt_render_gpu::kernels::layers::LayerSample>",
+    ),
     ("diagnose_smc", "smc::diagnose_smc"),
     ("reconstruct", "film::reconstruct"),
     ("tonemap", "film::tonemap"),

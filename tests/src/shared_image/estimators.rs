@@ -5,7 +5,8 @@ use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::Arg;
 use glimt_render_gpu::host::render::{Pattern, RenderSettings, Renderer, Tonemap};
 use glimt_render_gpu::kernels::past::{Past, RayState};
-use glimt_render_gpu::kernels::{bis, product, shade, smc};
+use glimt_render_gpu::kernels::smc_point::{self, SmcPoint};
+use glimt_render_gpu::kernels::{bis, product, shade, smc, smc_gather};
 use glimt_render_gpu::methods::{CandidateSource, MethodMemory, Smc};
 
 use super::frame::{RAYS, SIZE, Stage, environment, settings};
@@ -110,25 +111,23 @@ impl Stage<'_> {
         let past = Past {
             motions: &motions,
             states: &state.rays,
-            particles: &state.particles,
         };
+        let (env, scene) = (self.env.view(), self.scene.view());
+        let points: Vec<SmcPoint> = (0..rays)
+            .map(|ray| smc_point::find_smc(ray, &frame, &view, scene, past))
+            .collect();
         let chunks = states.chunks_mut(1).zip(sets.chunks_mut(n));
+        for (ray, (own, set)) in (0..rays).zip(chunks) {
+            let (before, particles) = (state.light(), &state.particles);
+            smc::advance_smc(
+                ray, &frame, &params, env, before, &points, particles, own, set,
+            );
+        }
+        let floor = params.floor;
         let cpu: Vec<Vec4> = (0..rays)
-            .zip(chunks)
-            .map(|(ray, (own, set))| {
-                let (env, scene) = (self.env.view(), self.scene.view());
-                smc::shade_smc(
-                    ray,
-                    &frame,
-                    &params,
-                    &view,
-                    env,
-                    state.light(),
-                    scene,
-                    past,
-                    own,
-                    set,
-                )
+            .map(|ray| {
+                let (n, states, sets) = (n as u32, &states, &sets);
+                smc_gather::gather_smc(ray, &frame, floor, n, env, scene, &points, states, sets)
             })
             .collect();
 
@@ -142,21 +141,35 @@ impl Stage<'_> {
         let old_sets = upload("sets", bytemuck::cast_slice(&state.particles));
         let new_states = Output::new::<RayState>(self.context, rays);
         let new_sets = upload("new sets", bytemuck::cast_slice(&state.particles));
+        let found = Output::new::<SmcPoint>(self.context, rays);
         let out = Output::new::<Vec4>(self.context, rays);
         let light = state.light();
-        let more = [
+        let given = [
             ("smc", value(&params)),
             ("view", value(&view)),
+            ("floor", value(&floor)),
+            ("particles_per_ray", value(&of_smc.particles)),
             ("before.size", value(&light.size)),
             ("before.rotation", value(&light.rotation)),
             ("before.texels", Arg::Buffer(&texels)),
             ("past.motions", Arg::Buffer(&motions)),
             ("past.states", Arg::Buffer(&old_states)),
-            ("past.particles", Arg::Buffer(&old_sets)),
+            ("past_particles", Arg::Buffer(&old_sets)),
+            ("points", Arg::Buffer(&found.buffer)),
+        ];
+        let written = [
             ("state", Arg::Chunk(&new_states.buffer, 1)),
             ("particles", Arg::Chunk(&new_sets, n as u32)),
         ];
-        self.shade_with("smc::shade_smc", &frame, &more, &out, rays);
+        let read = [
+            ("states", Arg::Buffer(&new_states.buffer)),
+            ("particles", Arg::Buffer(&new_sets)),
+        ];
+        self.shade_with("smc_point::find_smc", &frame, &given, &found, rays);
+        let more = [&given[..], &written].concat();
+        self.shade_with("smc::advance_smc", &frame, &more, &out, rays);
+        let more = [&given[..], &read].concat();
+        self.shade_with("smc_gather::gather_smc::<glam::Vec4>", &frame, &more, &out, rays);
         Pair {
             name: "followed".to_owned(),
             cpu: [words(&cpu), words(&states)].concat(),

@@ -53,8 +53,8 @@ pub fn program() -> Program {
     golden::program(&sources).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Runs a kernel for elements `0..count` by a shader made of its text, and keeps what it returns in `out`. Arguments that
-/// the kernel does not have are left out.
+/// Runs a kernel for elements `0..count` by a shader made of its text, and keeps what it returns, if anything, in `out`. Arguments
+/// that the kernel does not have are left out.
 fn launch(
     context: &GpuContext,
     program: &Program,
@@ -74,8 +74,8 @@ fn launch(
         entry.params.iter().any(|param| param.path == path)
             || entry.buffers.iter().any(|slot| slot.path == path)
     };
-    let mut args: Vec<_> = args.iter().copied().filter(|arg| known(arg.0)).collect();
-    args.push(("out", Arg::Buffer(out)));
+    let all = args.iter().copied().chain([("out", Arg::Buffer(out))]);
+    let args: Vec<_> = all.filter(|arg| known(arg.0)).collect();
     let result = context.launch(&entry, &args, 0, count);
     result.unwrap_or_else(|error| panic!("{kernel}: {error}"));
 }

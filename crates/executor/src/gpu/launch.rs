@@ -299,7 +299,9 @@ impl GpuContext {
 /// Runs passes at once: each is cut into dispatches that stay short, and is done when the call returns.
 pub struct Direct<'a> {
     context: &'a GpuContext,
-    progress: Option<&'a dyn Fn(u32)>,
+    progress: Option<&'a dyn Fn(u64)>,
+    /// Elements of the passes so far.
+    done: u64,
     report: LaunchReport,
 }
 
@@ -310,13 +312,14 @@ impl<'a> Direct<'a> {
         Self {
             context,
             progress: None,
+            done: 0,
             report: LaunchReport::default(),
         }
     }
 
-    /// `progress` hears, after each dispatch, how many elements of a pass are done.
+    /// `progress` hears, after each dispatch, how many elements are done, of all passes together.
     #[must_use]
-    pub fn with_progress(context: &'a GpuContext, progress: &'a dyn Fn(u32)) -> Self {
+    pub fn with_progress(context: &'a GpuContext, progress: &'a dyn Fn(u64)) -> Self {
         Self {
             progress: Some(progress),
             ..Self::new(context)
@@ -336,10 +339,16 @@ impl Executor for Direct<'_> {
     fn run<P: Pass<Memory = Gpu>>(&mut self, pass: P, range: Range<u32>) -> Result<(), GpuError> {
         let count = range.len() as u32;
         let arguments = Arguments::of_pass(&pass, count)?;
-        let progress = self.progress.unwrap_or(&|_| ());
+        let before = self.done;
+        let progress = |done: u32| {
+            if let Some(progress) = self.progress {
+                progress(before + u64::from(done));
+            }
+        };
         self.report +=
             self.context
-                .launch_bound(P::entry(), arguments, range.start, count, progress)?;
+                .launch_bound(P::entry(), arguments, range.start, count, &progress)?;
+        self.done = before + u64::from(count);
         Ok(())
     }
 }

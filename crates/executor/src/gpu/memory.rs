@@ -84,6 +84,14 @@ impl Memory for Gpu {
         chunks
     }
 
+    fn reborrow<'b, 'a: 'b, T: Element>(chunks: &'b mut GpuChunks<'a, T>) -> GpuChunks<'b, T> {
+        chunks.values.written(chunks.per_element)
+    }
+
+    fn filled<'b, 'a: 'b, T: Element>(chunks: &'b GpuChunks<'a, T>) -> GpuSlice<'b, T> {
+        chunks.values
+    }
+
     fn slice<T: Element>(buffer: &GpuVec<T>, range: Range<usize>) -> GpuSlice<'_, T> {
         assert!(range.end as u64 <= buffer.count(), "a part beyond the end");
         buffer.part(range.start as u64, range.len() as u64)

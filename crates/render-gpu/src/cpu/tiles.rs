@@ -15,6 +15,7 @@ use crate::host::scene_build::SceneBuffers;
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::PixelLayers;
+use crate::kernels::smc_point::SmcPoint;
 use crate::methods::smc::Own;
 
 /// Pixels of a tile, where nothing else is asked for.
@@ -79,6 +80,8 @@ pub(super) struct Tile<'a> {
     pub(super) rays: u32,
     /// What they keep, by a method that keeps them.
     pub(super) own: Option<Own<'a, Host>>,
+    /// Where the passes of such a method meet, one for each ray; empty for others.
+    pub(super) points: &'a mut [SmcPoint],
 }
 
 /// What is written of a tile.
@@ -94,12 +97,23 @@ struct Part<'a> {
 /// What a thread computes its tiles in.
 struct Scratch {
     samples: Samples<Host>,
+    /// Empty where rays keep nothing.
+    points: Vec<SmcPoint>,
     pixels: Pixels<Host>,
 }
 
 impl Scratch {
-    fn new(pixels: usize, rays: usize, in_layers: bool) -> Result<Self, HostError> {
+    fn new(
+        pixels: usize,
+        rays: usize,
+        in_layers: bool,
+        keeps: bool,
+    ) -> Result<Self, HostError> {
         Ok(Self {
+            points: match keeps {
+                true => Cpu.zeroed("points", rays)?,
+                false => Vec::new(),
+            },
             samples: match in_layers {
                 false => Samples::Flat(Cpu.zeroed("samples", rays)?),
                 true => Samples::Layered(Cpu.zeroed("samples", rays)?),
@@ -144,9 +158,10 @@ impl<'a> Job<'a> {
         let most = u32::MAX as usize / rays_per_pixel;
         let tile_pixels = tile_pixels.clamp(1, most).min(pixels);
         let tile_rays = tile_pixels * rays_per_pixel;
+        let keeps = own.is_some();
         let parts = image.parts(tile_pixels, tile_rays, own.map(Own::shorten));
         let done = AtomicUsize::new(0);
-        let scratch = || Scratch::new(tile_pixels, tile_rays, self.in_layers);
+        let scratch = || Scratch::new(tile_pixels, tile_rays, self.in_layers, keeps);
         parts
             .into_par_iter()
             .try_for_each_init(scratch, |scratch, part| {
@@ -170,12 +185,17 @@ impl<'a> Job<'a> {
             ..self.whole
         };
         let count = part.linear.len();
-        let Scratch { samples, pixels } = scratch;
+        let Scratch {
+            samples,
+            points,
+            pixels,
+        } = scratch;
         let tile = Tile {
             frame,
             pixels: count as u32,
             rays: count as u32 * frame.rays_per_pixel,
-            own: part.own,
+            own: part.own.map(Own::shorten),
+            points,
         };
         shade(tile, samples)?;
         let plate = self.plate.map(|plate| &plate[part.first..][..count]);

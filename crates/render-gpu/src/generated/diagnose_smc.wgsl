@@ -52,45 +52,45 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/smc.rs:343
+// glimt_render_gpu/src/kernels/smc.rs:239
 fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> vec4<f32> {
     var sum: vec4<f32>;
     var hits: f32;
     var counter: u32;
     var chosen: f32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:349
+    // glimt_render_gpu/src/kernels/smc.rs:245
     let first = (pixel * frame.rays_per_pixel);
-    // glimt_render_gpu/src/kernels/smc.rs:350
+    // glimt_render_gpu/src/kernels/smc.rs:246
     sum = vec4(0f);
-    // glimt_render_gpu/src/kernels/smc.rs:351
+    // glimt_render_gpu/src/kernels/smc.rs:247
     hits = 0f;
-    // glimt_render_gpu/src/kernels/smc.rs:352
+    // glimt_render_gpu/src/kernels/smc.rs:248
     counter = first;
     loop {
         let ray = counter;
         if (ray >= (first + frame.rays_per_pixel)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:353
+        // glimt_render_gpu/src/kernels/smc.rs:249
         let state = states[ray];
-        // glimt_render_gpu/src/kernels/smc.rs:354
+        // glimt_render_gpu/src/kernels/smc.rs:250
         if (state.depth > 0f) {
-            // glimt_render_gpu/src/kernels/smc.rs:355
+            // glimt_render_gpu/src/kernels/smc.rs:251
             if (state.started == 0u) {
-                // glimt_render_gpu/src/kernels/smc.rs:356
+                // glimt_render_gpu/src/kernels/smc.rs:252
                 chosen = 0f;
             } else {
-                // glimt_render_gpu/src/kernels/smc.rs:358
+                // glimt_render_gpu/src/kernels/smc.rs:254
                 chosen = 1f;
             }
             let started = chosen;
-            // glimt_render_gpu/src/kernels/smc.rs:361
+            // glimt_render_gpu/src/kernels/smc.rs:257
             let ratio = clamp(state.log_ratio, -100f, 100f);
-            // glimt_render_gpu/src/kernels/smc.rs:362
+            // glimt_render_gpu/src/kernels/smc.rs:258
             let _e48 = sum;
             sum = (_e48 + vec4<f32>(state.ess, ratio, f32(state.age), started));
-            // glimt_render_gpu/src/kernels/smc.rs:363
+            // glimt_render_gpu/src/kernels/smc.rs:259
             let _e52 = hits;
             hits = (_e52 + 1f);
         }
@@ -99,13 +99,13 @@ fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> vec
             counter = (_e54 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:366
+    // glimt_render_gpu/src/kernels/smc.rs:262
     let n = f32(particles_per_ray);
-    // glimt_render_gpu/src/kernels/smc.rs:367
+    // glimt_render_gpu/src/kernels/smc.rs:263
     let _e60 = sum;
     let _e61 = hits;
     let mean = (_e60 / vec4(max(_e61, 1f)));
-    // glimt_render_gpu/src/kernels/smc.rs:368
+    // glimt_render_gpu/src/kernels/smc.rs:264
     return vec4<f32>((mean.x / n), mean.y, mean.z, mean.w);
 }
 

@@ -168,51 +168,38 @@ pub static SHADE_PRODUCT_LAYERS: Entry = Entry {
     ]),
 };
 
-/// `smc::shade_smc` as a compute entry point.
-pub static SHADE_SMC: Entry = Entry {
-    name: Borrowed("shade_smc"),
-    kernel: Borrowed("glimt_render_gpu::kernels::smc::shade_smc"),
-    wgsl: Borrowed(include_str!("shade_smc.wgsl")),
+/// `smc_point::find_smc` as a compute entry point.
+pub static FIND_SMC: Entry = Entry {
+    name: Borrowed("find_smc"),
+    kernel: Borrowed("glimt_render_gpu::kernels::smc_point::find_smc"),
+    wgsl: Borrowed(include_str!("find_smc.wgsl")),
     workgroup_size: 64,
-    params_size: 288,
+    params_size: 192,
     params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
-        ParamField::new("state_len", 8, 4),
-        ParamField::new("particles_len", 12, 4),
         ParamField::new("frame", 16, 112),
-        ParamField::new("smc", 128, 64),
-        ParamField::new("view", 192, 64),
-        ParamField::new("env.size", 256, 8),
-        ParamField::new("env.rotation", 264, 8),
-        ParamField::new("before.size", 272, 8),
-        ParamField::new("before.rotation", 280, 8),
+        ParamField::new("view", 128, 64),
     ]),
     buffers: Borrowed(&[
-        BufferSlot::new("env.texels", 1, 16, false),
-        BufferSlot::new("env.tables", 2, 4, false),
-        BufferSlot::new("before.texels", 3, 16, false),
-        BufferSlot::new("scene.nodes", 4, 32, false),
-        BufferSlot::new("scene.triangles", 5, 48, false),
-        BufferSlot::new("scene.corners", 6, 32, false),
-        BufferSlot::new("scene.surface", 7, 4, false),
-        BufferSlot::new("past.motions", 8, 64, false),
-        BufferSlot::new("past.states", 9, 64, false),
-        BufferSlot::new("past.particles", 10, 16, false),
-        BufferSlot::new("state", 11, 64, true),
-        BufferSlot::new("particles", 12, 16, true),
-        BufferSlot::new("out", 13, 16, true),
+        BufferSlot::new("scene.nodes", 1, 32, false),
+        BufferSlot::new("scene.triangles", 2, 48, false),
+        BufferSlot::new("scene.corners", 3, 32, false),
+        BufferSlot::new("scene.surface", 4, 4, false),
+        BufferSlot::new("past.motions", 5, 64, false),
+        BufferSlot::new("past.states", 6, 64, false),
+        BufferSlot::new("out", 7, 160, true),
     ]),
 };
 
-/// `smc::shade_smc_layers` as a compute entry point.
-pub static SHADE_SMC_LAYERS: Entry = Entry {
-    name: Borrowed("shade_smc_layers"),
-    kernel: Borrowed("glimt_render_gpu::kernels::smc::shade_smc_layers"),
-    wgsl: Borrowed(include_str!("shade_smc_layers.wgsl")),
+/// `smc::advance_smc` as a compute entry point.
+pub static ADVANCE_SMC: Entry = Entry {
+    name: Borrowed("advance_smc"),
+    kernel: Borrowed("glimt_render_gpu::kernels::smc::advance_smc"),
+    wgsl: Borrowed(include_str!("advance_smc.wgsl")),
     workgroup_size: 64,
-    params_size: 288,
+    params_size: 224,
     params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
@@ -221,26 +208,75 @@ pub static SHADE_SMC_LAYERS: Entry = Entry {
         ParamField::new("particles_len", 12, 4),
         ParamField::new("frame", 16, 112),
         ParamField::new("smc", 128, 64),
-        ParamField::new("view", 192, 64),
-        ParamField::new("env.size", 256, 8),
-        ParamField::new("env.rotation", 264, 8),
-        ParamField::new("before.size", 272, 8),
-        ParamField::new("before.rotation", 280, 8),
+        ParamField::new("env.size", 192, 8),
+        ParamField::new("env.rotation", 200, 8),
+        ParamField::new("before.size", 208, 8),
+        ParamField::new("before.rotation", 216, 8),
     ]),
     buffers: Borrowed(&[
         BufferSlot::new("env.texels", 1, 16, false),
         BufferSlot::new("env.tables", 2, 4, false),
         BufferSlot::new("before.texels", 3, 16, false),
-        BufferSlot::new("scene.nodes", 4, 32, false),
-        BufferSlot::new("scene.triangles", 5, 48, false),
-        BufferSlot::new("scene.corners", 6, 32, false),
-        BufferSlot::new("scene.surface", 7, 4, false),
-        BufferSlot::new("past.motions", 8, 64, false),
-        BufferSlot::new("past.states", 9, 64, false),
-        BufferSlot::new("past.particles", 10, 16, false),
-        BufferSlot::new("state", 11, 64, true),
-        BufferSlot::new("particles", 12, 16, true),
-        BufferSlot::new("out", 13, 32, true),
+        BufferSlot::new("points", 4, 160, false),
+        BufferSlot::new("past_particles", 5, 16, false),
+        BufferSlot::new("state", 6, 64, true),
+        BufferSlot::new("particles", 7, 16, true),
+    ]),
+};
+
+/// `smc_gather::gather_smc::<glam::Vec4>` as a compute entry point.
+pub static GATHER_SMC: Entry = Entry {
+    name: Borrowed("gather_smc"),
+    kernel: Borrowed("glimt_render_gpu::kernels::smc_gather::gather_smc::<glam::Vec4>"),
+    wgsl: Borrowed(include_str!("gather_smc.wgsl")),
+    workgroup_size: 64,
+    params_size: 160,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("floor", 128, 4),
+        ParamField::new("particles_per_ray", 132, 4),
+        ParamField::new("env.size", 136, 8),
+        ParamField::new("env.rotation", 144, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("scene.nodes", 2, 32, false),
+        BufferSlot::new("scene.triangles", 3, 48, false),
+        BufferSlot::new("points", 4, 160, false),
+        BufferSlot::new("states", 5, 64, false),
+        BufferSlot::new("particles", 6, 16, false),
+        BufferSlot::new("out", 7, 16, true),
+    ]),
+};
+
+/// `smc_gather::gather_smc::<crate::kernels::layers::LayerSample>` as a compute entry point.
+pub static GATHER_SMC_LAYERS: Entry = Entry {
+    name: Borrowed("gather_smc_layers"),
+    kernel: Borrowed("glimt_render_gpu::kernels::smc_gather::gather_smc::<glimt_render_gpu::kernels::layers::LayerSample>"),
+    wgsl: Borrowed(include_str!("gather_smc_layers.wgsl")),
+    workgroup_size: 64,
+    params_size: 160,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 112),
+        ParamField::new("floor", 128, 4),
+        ParamField::new("particles_per_ray", 132, 4),
+        ParamField::new("env.size", 136, 8),
+        ParamField::new("env.rotation", 144, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("scene.nodes", 2, 32, false),
+        BufferSlot::new("scene.triangles", 3, 48, false),
+        BufferSlot::new("points", 4, 160, false),
+        BufferSlot::new("states", 5, 64, false),
+        BufferSlot::new("particles", 6, 16, false),
+        BufferSlot::new("out", 7, 32, true),
     ]),
 };
 

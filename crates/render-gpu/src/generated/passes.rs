@@ -112,6 +112,49 @@ impl<'a> From<crate::kernels::scene::Scene<'a>> for SceneArg<'a, Host> {
     }
 }
 
+/// [`crate::kernels::past::Past`] in some memory.
+#[derive(Clone, Copy)]
+pub struct PastArg<'a, M: Memory> {
+    /// Its `motions`.
+    pub motions: M::Slice<'a, glam::Mat4>,
+    /// Its `states`.
+    pub states: M::Slice<'a, crate::kernels::past::RayState>,
+}
+
+impl<'a, M: Memory> PastArg<'a, M> {
+    /// The same for a shorter time: [`Memory::shorten`].
+    #[must_use]
+    pub fn shorten<'b>(self) -> PastArg<'b, M>
+    where
+        'a: 'b,
+    {
+        PastArg {
+            motions: M::shorten(self.motions),
+            states: M::shorten(self.states),
+        }
+    }
+}
+
+impl<'a, M: HostMemory> PastArg<'a, M> {
+    /// What the kernel takes.
+    #[inline]
+    pub fn view(self) -> crate::kernels::past::Past<'a> {
+        crate::kernels::past::Past {
+            motions: M::values(self.motions),
+            states: M::values(self.states),
+        }
+    }
+}
+
+impl<'a> From<crate::kernels::past::Past<'a>> for PastArg<'a, Host> {
+    fn from(view: crate::kernels::past::Past<'a>) -> Self {
+        Self {
+            motions: view.motions,
+            states: view.states,
+        }
+    }
+}
+
 /// [`crate::kernels::environment::RadianceMap`] in some memory.
 #[derive(Clone, Copy)]
 pub struct RadianceMapArg<'a, M: Memory> {
@@ -156,54 +199,6 @@ impl<'a> From<crate::kernels::environment::RadianceMap<'a>> for RadianceMapArg<'
             texels: view.texels,
             size: view.size,
             rotation: view.rotation,
-        }
-    }
-}
-
-/// [`crate::kernels::past::Past`] in some memory.
-#[derive(Clone, Copy)]
-pub struct PastArg<'a, M: Memory> {
-    /// Its `motions`.
-    pub motions: M::Slice<'a, glam::Mat4>,
-    /// Its `states`.
-    pub states: M::Slice<'a, crate::kernels::past::RayState>,
-    /// Its `particles`.
-    pub particles: M::Slice<'a, glimt_smc::particle::Particle>,
-}
-
-impl<'a, M: Memory> PastArg<'a, M> {
-    /// The same for a shorter time: [`Memory::shorten`].
-    #[must_use]
-    pub fn shorten<'b>(self) -> PastArg<'b, M>
-    where
-        'a: 'b,
-    {
-        PastArg {
-            motions: M::shorten(self.motions),
-            states: M::shorten(self.states),
-            particles: M::shorten(self.particles),
-        }
-    }
-}
-
-impl<'a, M: HostMemory> PastArg<'a, M> {
-    /// What the kernel takes.
-    #[inline]
-    pub fn view(self) -> crate::kernels::past::Past<'a> {
-        crate::kernels::past::Past {
-            motions: M::values(self.motions),
-            states: M::values(self.states),
-            particles: M::values(self.particles),
-        }
-    }
-}
-
-impl<'a> From<crate::kernels::past::Past<'a>> for PastArg<'a, Host> {
-    fn from(view: crate::kernels::past::Past<'a>) -> Self {
-        Self {
-            motions: view.motions,
-            states: view.states,
-            particles: view.particles,
         }
     }
 }
@@ -684,77 +679,54 @@ impl<'a, M: Memory> Pass for ShadeProductLayers<'a, M> {
     }
 }
 
-/// `smc::shade_smc` with its arguments.
-pub struct ShadeSmc<'a, M: Memory> {
+/// `smc_point::find_smc` with its arguments.
+pub struct FindSmc<'a, M: Memory> {
     /// The kernel's `frame`.
     pub frame: &'a crate::kernels::frame::FrameParams,
-    /// The kernel's `smc`.
-    pub smc: &'a crate::kernels::smc::SmcParams,
     /// The kernel's `view`.
     pub view: &'a crate::kernels::past::PastView,
-    /// The kernel's `env`.
-    pub env: EnvironmentArg<'a, M>,
-    /// The kernel's `before`.
-    pub before: RadianceMapArg<'a, M>,
     /// The kernel's `scene`.
     pub scene: SceneArg<'a, M>,
     /// The kernel's `past`.
     pub past: PastArg<'a, M>,
-    /// The kernel's own `state`.
-    pub state: M::Chunks<'a, crate::kernels::past::RayState>,
-    /// The kernel's own `particles`.
-    pub particles: M::Chunks<'a, glimt_smc::particle::Particle>,
     /// What the kernel returns.
-    pub out: M::Chunks<'a, glam::Vec4>,
+    pub out: M::Chunks<'a, crate::kernels::smc_point::SmcPoint>,
 }
 
-impl<'a, M: Memory> Pass for ShadeSmc<'a, M> {
+impl<'a, M: Memory> Pass for FindSmc<'a, M> {
     type Memory = M;
 
     fn entry() -> &'static Entry {
-        &entries::SHADE_SMC
+        &entries::FIND_SMC
     }
 
     fn bind(&self, binder: &mut impl Binder<M>) {
-        binder.value(4, self.frame);
-        binder.value(5, self.smc);
-        binder.value(6, self.view);
-        binder.value(7, &self.env.size);
-        binder.value(8, &self.env.rotation);
-        binder.value(9, &self.before.size);
-        binder.value(10, &self.before.rotation);
-        binder.slice(0, self.env.texels);
-        binder.slice(1, self.env.tables);
-        binder.slice(2, self.before.texels);
-        binder.slice(3, self.scene.nodes);
-        binder.slice(4, self.scene.triangles);
-        binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.surface);
-        binder.slice(7, self.past.motions);
-        binder.slice(8, self.past.states);
-        binder.slice(9, self.past.particles);
-        binder.chunks(10, 2, &self.state);
-        binder.chunks(11, 3, &self.particles);
-        binder.out(12, &self.out);
+        binder.value(2, self.frame);
+        binder.value(3, self.view);
+        binder.slice(0, self.scene.nodes);
+        binder.slice(1, self.scene.triangles);
+        binder.slice(2, self.scene.corners);
+        binder.slice(3, self.scene.surface);
+        binder.slice(4, self.past.motions);
+        binder.slice(5, self.past.states);
+        binder.out(6, &self.out);
     }
 
     fn elements(&self) -> usize
     where
         M: HostMemory,
     {
-        M::count(&self.state).min(M::count(&self.particles)).min(M::count(&self.out))
+        M::count(&self.out)
     }
 
     fn split_at(self, at: usize) -> (Self, Self)
     where
         M: HostMemory,
     {
-        let (state, rest_of_state) = M::split_at(self.state, at);
-        let (particles, rest_of_particles) = M::split_at(self.particles, at);
         let (out, rest_of_out) = M::split_at(self.out, at);
         (
-            Self { frame: self.frame, smc: self.smc, view: self.view, env: self.env, before: self.before, scene: self.scene, past: self.past, state, particles, out },
-            Self { frame: self.frame, smc: self.smc, view: self.view, env: self.env, before: self.before, scene: self.scene, past: self.past, state: rest_of_state, particles: rest_of_particles, out: rest_of_out },
+            Self { frame: self.frame, view: self.view, scene: self.scene, past: self.past, out },
+            Self { frame: self.frame, view: self.view, scene: self.scene, past: self.past, out: rest_of_out },
         )
     }
 
@@ -762,75 +734,62 @@ impl<'a, M: Memory> Pass for ShadeSmc<'a, M> {
     where
         M: HostMemory,
     {
-        let env = self.env.view();
-        let before = self.before.view();
         let scene = self.scene.view();
         let past = self.past.view();
-        for (((id, state), particles), out) in (first..).zip(M::each(self.state)).zip(M::each(self.particles)).zip(M::each(self.out)) {
-            out[0] = crate::kernels::smc::shade_smc(id, self.frame, self.smc, self.view, env, before, scene, past, state, particles);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::smc_point::find_smc(id, self.frame, self.view, scene, past);
         }
     }
 }
 
-/// `smc::shade_smc_layers` with its arguments.
-pub struct ShadeSmcLayers<'a, M: Memory> {
+/// `smc::advance_smc` with its arguments.
+pub struct AdvanceSmc<'a, M: Memory> {
     /// The kernel's `frame`.
     pub frame: &'a crate::kernels::frame::FrameParams,
     /// The kernel's `smc`.
     pub smc: &'a crate::kernels::smc::SmcParams,
-    /// The kernel's `view`.
-    pub view: &'a crate::kernels::past::PastView,
     /// The kernel's `env`.
     pub env: EnvironmentArg<'a, M>,
     /// The kernel's `before`.
     pub before: RadianceMapArg<'a, M>,
-    /// The kernel's `scene`.
-    pub scene: SceneArg<'a, M>,
-    /// The kernel's `past`.
-    pub past: PastArg<'a, M>,
+    /// The kernel's `points`.
+    pub points: M::Slice<'a, crate::kernels::smc_point::SmcPoint>,
+    /// The kernel's `past_particles`.
+    pub past_particles: M::Slice<'a, glimt_smc::particle::Particle>,
     /// The kernel's own `state`.
     pub state: M::Chunks<'a, crate::kernels::past::RayState>,
     /// The kernel's own `particles`.
     pub particles: M::Chunks<'a, glimt_smc::particle::Particle>,
-    /// What the kernel returns.
-    pub out: M::Chunks<'a, crate::kernels::layers::LayerSample>,
 }
 
-impl<'a, M: Memory> Pass for ShadeSmcLayers<'a, M> {
+impl<'a, M: Memory> Pass for AdvanceSmc<'a, M> {
     type Memory = M;
 
     fn entry() -> &'static Entry {
-        &entries::SHADE_SMC_LAYERS
+        &entries::ADVANCE_SMC
     }
 
     fn bind(&self, binder: &mut impl Binder<M>) {
         binder.value(4, self.frame);
         binder.value(5, self.smc);
-        binder.value(6, self.view);
-        binder.value(7, &self.env.size);
-        binder.value(8, &self.env.rotation);
-        binder.value(9, &self.before.size);
-        binder.value(10, &self.before.rotation);
+        binder.value(6, &self.env.size);
+        binder.value(7, &self.env.rotation);
+        binder.value(8, &self.before.size);
+        binder.value(9, &self.before.rotation);
         binder.slice(0, self.env.texels);
         binder.slice(1, self.env.tables);
         binder.slice(2, self.before.texels);
-        binder.slice(3, self.scene.nodes);
-        binder.slice(4, self.scene.triangles);
-        binder.slice(5, self.scene.corners);
-        binder.slice(6, self.scene.surface);
-        binder.slice(7, self.past.motions);
-        binder.slice(8, self.past.states);
-        binder.slice(9, self.past.particles);
-        binder.chunks(10, 2, &self.state);
-        binder.chunks(11, 3, &self.particles);
-        binder.out(12, &self.out);
+        binder.slice(3, self.points);
+        binder.slice(4, self.past_particles);
+        binder.chunks(5, 2, &self.state);
+        binder.chunks(6, 3, &self.particles);
     }
 
     fn elements(&self) -> usize
     where
         M: HostMemory,
     {
-        M::count(&self.state).min(M::count(&self.particles)).min(M::count(&self.out))
+        M::count(&self.state).min(M::count(&self.particles))
     }
 
     fn split_at(self, at: usize) -> (Self, Self)
@@ -839,10 +798,9 @@ impl<'a, M: Memory> Pass for ShadeSmcLayers<'a, M> {
     {
         let (state, rest_of_state) = M::split_at(self.state, at);
         let (particles, rest_of_particles) = M::split_at(self.particles, at);
-        let (out, rest_of_out) = M::split_at(self.out, at);
         (
-            Self { frame: self.frame, smc: self.smc, view: self.view, env: self.env, before: self.before, scene: self.scene, past: self.past, state, particles, out },
-            Self { frame: self.frame, smc: self.smc, view: self.view, env: self.env, before: self.before, scene: self.scene, past: self.past, state: rest_of_state, particles: rest_of_particles, out: rest_of_out },
+            Self { frame: self.frame, smc: self.smc, env: self.env, before: self.before, points: self.points, past_particles: self.past_particles, state, particles },
+            Self { frame: self.frame, smc: self.smc, env: self.env, before: self.before, points: self.points, past_particles: self.past_particles, state: rest_of_state, particles: rest_of_particles },
         )
     }
 
@@ -852,10 +810,164 @@ impl<'a, M: Memory> Pass for ShadeSmcLayers<'a, M> {
     {
         let env = self.env.view();
         let before = self.before.view();
+        let points = M::values(self.points);
+        let past_particles = M::values(self.past_particles);
+        for ((id, state), particles) in (first..).zip(M::each(self.state)).zip(M::each(self.particles)) {
+            crate::kernels::smc::advance_smc(id, self.frame, self.smc, env, before, points, past_particles, state, particles);
+        }
+    }
+}
+
+/// `smc_gather::gather_smc::<glam::Vec4>` with its arguments.
+pub struct GatherSmc<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `floor`.
+    pub floor: f32,
+    /// The kernel's `particles_per_ray`.
+    pub particles_per_ray: u32,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// The kernel's `points`.
+    pub points: M::Slice<'a, crate::kernels::smc_point::SmcPoint>,
+    /// The kernel's `states`.
+    pub states: M::Slice<'a, crate::kernels::past::RayState>,
+    /// The kernel's `particles`.
+    pub particles: M::Slice<'a, glimt_smc::particle::Particle>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for GatherSmc<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::GATHER_SMC
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, &self.floor);
+        binder.value(4, &self.particles_per_ray);
+        binder.value(5, &self.env.size);
+        binder.value(6, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.scene.nodes);
+        binder.slice(2, self.scene.triangles);
+        binder.slice(3, self.points);
+        binder.slice(4, self.states);
+        binder.slice(5, self.particles);
+        binder.out(6, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, floor: self.floor, particles_per_ray: self.particles_per_ray, env: self.env, scene: self.scene, points: self.points, states: self.states, particles: self.particles, out },
+            Self { frame: self.frame, floor: self.floor, particles_per_ray: self.particles_per_ray, env: self.env, scene: self.scene, points: self.points, states: self.states, particles: self.particles, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
         let scene = self.scene.view();
-        let past = self.past.view();
-        for (((id, state), particles), out) in (first..).zip(M::each(self.state)).zip(M::each(self.particles)).zip(M::each(self.out)) {
-            out[0] = crate::kernels::smc::shade_smc_layers(id, self.frame, self.smc, self.view, env, before, scene, past, state, particles);
+        let points = M::values(self.points);
+        let states = M::values(self.states);
+        let particles = M::values(self.particles);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::smc_gather::gather_smc::<glam::Vec4>(id, self.frame, self.floor, self.particles_per_ray, env, scene, points, states, particles);
+        }
+    }
+}
+
+/// `smc_gather::gather_smc::<crate::kernels::layers::LayerSample>` with its arguments.
+pub struct GatherSmcLayers<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `floor`.
+    pub floor: f32,
+    /// The kernel's `particles_per_ray`.
+    pub particles_per_ray: u32,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// The kernel's `points`.
+    pub points: M::Slice<'a, crate::kernels::smc_point::SmcPoint>,
+    /// The kernel's `states`.
+    pub states: M::Slice<'a, crate::kernels::past::RayState>,
+    /// The kernel's `particles`.
+    pub particles: M::Slice<'a, glimt_smc::particle::Particle>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::layers::LayerSample>,
+}
+
+impl<'a, M: Memory> Pass for GatherSmcLayers<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::GATHER_SMC_LAYERS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, &self.floor);
+        binder.value(4, &self.particles_per_ray);
+        binder.value(5, &self.env.size);
+        binder.value(6, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.scene.nodes);
+        binder.slice(2, self.scene.triangles);
+        binder.slice(3, self.points);
+        binder.slice(4, self.states);
+        binder.slice(5, self.particles);
+        binder.out(6, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, floor: self.floor, particles_per_ray: self.particles_per_ray, env: self.env, scene: self.scene, points: self.points, states: self.states, particles: self.particles, out },
+            Self { frame: self.frame, floor: self.floor, particles_per_ray: self.particles_per_ray, env: self.env, scene: self.scene, points: self.points, states: self.states, particles: self.particles, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        let points = M::values(self.points);
+        let states = M::values(self.states);
+        let particles = M::values(self.particles);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::smc_gather::gather_smc::<crate::kernels::layers::LayerSample>(id, self.frame, self.floor, self.particles_per_ray, env, scene, points, states, particles);
         }
     }
 }

@@ -33,6 +33,8 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("kernels/sensor.rs", include_str!("../kernels/sensor.rs")),
     ("kernels/shade.rs", include_str!("../kernels/shade.rs")),
     ("kernels/smc.rs", include_str!("../kernels/smc.rs")),
+    ("kernels/smc_gather.rs", include_str!("../kernels/smc_gather.rs")),
+    ("kernels/smc_point.rs", include_str!("../kernels/smc_point.rs")),
     ("kernels/stage.rs", include_str!("../kernels/stage.rs")),
     ("kernels/texture.rs", include_str!("../kernels/texture.rs")),
     ("kernels/transfer.rs", include_str!("../kernels/transfer.rs")),

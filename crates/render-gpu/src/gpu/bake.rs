@@ -55,7 +55,7 @@ pub fn bake(
             false => PART,
         };
         for params in settings.parts(part) {
-            let tell = |done: u32| {
+            let tell = |done: u64| {
                 let rows = own.len() as f32 * params.first_row as f32
                     + done as f32 * (params.end_row - params.first_row) as f32;
                 progress((first as f32 + rows / params.rows as f32) / total as f32);

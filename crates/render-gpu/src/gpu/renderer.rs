@@ -22,7 +22,8 @@ use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
 use crate::kernels::past::RayState;
-use crate::methods::smc::{Following, Own, TILE_GRANULE};
+use crate::kernels::smc_point::SmcPoint;
+use crate::methods::smc::{self, Following, Own, TILE_GRANULE};
 use crate::methods::{Inputs, Method, MethodMemory};
 
 /// Bytes of a tile's rays: enough to fill any GPU, few enough for any memory.
@@ -63,6 +64,8 @@ struct TileBuffers {
     count: u32,
     rays_per_pixel: u32,
     samples: Samples<Gpu>,
+    /// Of the sequential sampler alone.
+    points: Option<GpuVec<SmcPoint>>,
     pixels: Pixels<Gpu>,
     plate: GpuVec<PlatePixel>,
     diagnostics: GpuVec<Vec4>,
@@ -186,7 +189,11 @@ impl GpuRenderer {
             let count = tile.count.min(pixels - first);
             let rays = f64::from(pixels) * f64::from(whole.rays_per_pixel);
             let before = f64::from(first) * f64::from(whole.rays_per_pixel);
-            let tell = |done: u32| progress(((before + f64::from(done)) / rays) as f32);
+            let passes = match settings.method {
+                Method::Smc(_) => f64::from(smc::PASSES),
+                _ => 1.0,
+            };
+            let tell = |done: u64| progress(((before + done as f64 / passes) / rays) as f32);
             let work = TileWork {
                 context: &self.context,
                 inputs: Inputs {
@@ -218,9 +225,11 @@ impl GpuRenderer {
     ) -> Result<(), GpuError> {
         let largest = self.largest_tile(frame, in_layers, settings);
         let pixels = frame.width * frame.height;
+        let is_sequential = settings.method.has_memory();
         let fits = |tile: &TileBuffers| {
             tile.rays_per_pixel == frame.rays_per_pixel
                 && matches!(tile.samples, Samples::Layered(_)) == in_layers
+                && tile.points.is_some() == is_sequential
                 && (tile.count == pixels || tile.count == largest)
         };
         if !self.tile.as_ref().is_some_and(fits) {
@@ -230,6 +239,7 @@ impl GpuRenderer {
                 largest,
                 frame.rays_per_pixel,
                 in_layers,
+                is_sequential,
             )?);
         }
         Ok(())
@@ -238,7 +248,11 @@ impl GpuRenderer {
     /// Pixels whose rays fit a binding, and no more than there are.
     fn largest_tile(&self, frame: &FrameParams, in_layers: bool, settings: &RenderSettings) -> u32 {
         let bytes = self.context.max_binding_bytes().min(SAMPLE_BYTES);
-        let pixel_bytes = sample_bytes(in_layers) * u64::from(frame.rays_per_pixel);
+        let ray_bytes = match settings.method {
+            Method::Smc(_) => sample_bytes(in_layers).max(size_of::<SmcPoint>() as u64),
+            _ => sample_bytes(in_layers),
+        };
+        let pixel_bytes = ray_bytes * u64::from(frame.rays_per_pixel);
         let fitting = match in_layers {
             false => bytes / pixel_bytes,
             true => bytes / pixel_bytes.max(size_of::<PixelLayers>() as u64),
@@ -376,6 +390,7 @@ impl TileBuffers {
         count: u32,
         rays_per_pixel: u32,
         in_layers: bool,
+        is_sequential: bool,
     ) -> Result<Self, GpuError> {
         let (pixels, rays) = (count as usize, u64::from(count) * u64::from(rays_per_pixel));
         let layered = if in_layers { pixels } else { 1 };
@@ -385,6 +400,10 @@ impl TileBuffers {
             samples: match in_layers {
                 false => Samples::Flat(context.zeroed("samples", rays)?),
                 true => Samples::Layered(context.zeroed("samples", rays)?),
+            },
+            points: match is_sequential {
+                false => None,
+                true => Some(context.zeroed("points", rays)?),
             },
             pixels: Pixels::new(context, pixels, layered)?,
             diagnostics: context.zeroed("diagnostics", pixels as u64)?,
@@ -416,7 +435,7 @@ impl TileWork<'_> {
         method: &Method,
         following: Option<(&mut Following<Gpu>, u64)>,
         tile: &mut TileBuffers,
-        progress: &dyn Fn(u32),
+        progress: &dyn Fn(u64),
         times: &mut FrameTimes,
     ) -> Result<(), GpuError> {
         let (frame, count) = (self.inputs.frame, self.count);
@@ -428,9 +447,9 @@ impl TileWork<'_> {
         }
         let mut executor = Direct::with_progress(self.context, progress);
         let out = tile.samples.out(rays);
-        match following {
+        match following.zip(tile.points.as_mut()) {
             None => method.shade(None, &mut executor, self.inputs, rays, out)?,
-            Some((following, fitting)) => {
+            Some(((following, fitting), points)) => {
                 let first = frame.first_pixel as usize * frame.rays_per_pixel as usize;
                 let own_rays = first..first + rays as usize;
                 let view = following.window(fitting, frame.first_pixel, count);
@@ -441,7 +460,8 @@ impl TileWork<'_> {
                     states: Gpu::chunks(&mut now.states, own_rays.clone(), 1),
                     particles: Gpu::chunks(&mut now.particles, sets, n),
                 };
-                let smc = reading.tile(&view, count, own);
+                let points = Gpu::chunks(points, 0..rays as usize, 1);
+                let smc = reading.tile(&view, count, points, own);
                 method.shade(Some(smc), &mut executor, self.inputs, rays, out)?;
                 let mut film = Direct::new(self.context);
                 let out = Gpu::chunks(&mut tile.diagnostics, 0..count as usize, 1);

@@ -33,6 +33,8 @@ pub mod scene;
 pub mod sensor;
 pub mod shade;
 pub mod smc;
+pub mod smc_gather;
+pub mod smc_point;
 pub mod stage;
 pub mod texture;
 pub mod transfer;

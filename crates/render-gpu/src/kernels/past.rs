@@ -1,7 +1,6 @@
 //! Shared file: what rays remember of the frame before, and where in it a point is found.
 
 use glam::{Mat4, Vec2, Vec3};
-use glimt_smc::Particle;
 
 use super::frame::FrameParams;
 use super::pattern::PixelPattern;
@@ -64,17 +63,17 @@ impl RayState {
     };
 }
 
-/// From where the frame before was seen, and which of its rays are at hand. 64 bytes.
+/// From where the frame before was seen, and which of its rays are available. 64 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct PastView {
     /// [`CameraView::eye`](super::camera::CameraView::eye).
     pub eye: Vec3,
-    /// Index in the image of the first pixel whose rays are at hand.
+    /// Index in the image of the first pixel whose rays are available.
     pub first_pixel: u32,
     /// [`CameraView::forward`](super::camera::CameraView::forward).
     pub forward: Vec3,
-    /// How many pixels' rays are at hand, one after the other; 0 where there is no frame before.
+    /// How many pixels' rays are available, one after the other; 0 where there is no frame before.
     pub pixels: u32,
     /// [`CameraView::right`](super::camera::CameraView::right).
     pub right: Vec3,
@@ -86,15 +85,13 @@ pub struct PastView {
     pub normal_cosine: f32,
 }
 
-/// The frame before.
+/// The frame before, without its particles.
 #[derive(Clone, Copy, Debug)]
 pub struct Past<'a> {
     /// For each object of the scene, the map from where it is to where it was.
     pub motions: &'a [Mat4],
-    /// Of each ray at hand.
+    /// Of each ray that is available.
     pub states: &'a [RayState],
-    /// N of each ray at hand.
-    pub particles: &'a [Particle],
 }
 
 /// How far beyond its own pixel, in pixels, a point may be found and still count as standing still: rounding must not send the
@@ -118,8 +115,8 @@ impl PastView {
         Some(place.extend(v.length()))
     }
 
-    /// The ray, counted from the first at hand, that saw a point of an object in the frame before: the ray of the same number in the
-    /// pixel where the point was. `None` where it was out of sight: beyond the image or what is at hand, or where that
+    /// The ray, counted from the first that is available, that saw a point of an object in the frame before: the ray of the same number in the
+    /// pixel where the point was. `None` where it was out of sight: beyond the image or what is available, or where that
     /// ray saw another surface, or one turned another way.
     #[inline]
     #[must_use]

@@ -1,5 +1,9 @@
 //! Shared file: sequential Monte Carlo sampling of reflected light over frames (Kronander 2014, § 6). One element is one ray,
 //! with a set of particles of its own.
+//!
+//! A frame has three passes: [`find_smc`](super::smc_point::find_smc) finds the point that a ray sees and the ray that saw it in
+//! the frame before, [`advance_smc`] leads the particles, and [`gather_smc`](super::smc_gather::gather_smc) traces shadow rays
+//! to them. None of them needs more buffers than WebGPU promises.
 
 use glimt_sampling::resample::Scheme;
 use glimt_sampling::ris::{RisPicks, RisSum};
@@ -8,20 +12,17 @@ use glimt_smc::{
     Bridge, CapMove, Independent, LOG_ZERO, Mixture, Particle, Path, Report, Sampler, is_log_zero,
 };
 
-use glam::{Vec3, Vec4};
+use glam::Vec4;
 use glimt_sampling::math::luminance;
 
 use super::candidates::{CandidateSource, Candidates};
 use super::environment::{Environment, RadianceMap};
-use super::estimator::{LightSample, Reflected};
-use super::frame::{Background, FrameParams};
-use super::layers::LayerSample;
+use super::frame::FrameParams;
 use super::light_target::{BrdfDraw, LightDraw, LightLobe, LightTarget};
-use super::past::{
-    Past, PastView, RayState, STARTED_BY_AGE, STARTED_BY_RATIO, STARTED_NOT, STARTED_WITHOUT_PAST,
-};
+use super::past::{RayState, STARTED_BY_AGE, STARTED_BY_RATIO, STARTED_NOT, STARTED_WITHOUT_PAST};
 use super::pattern::{PARTICLES, PatternSource, PixelPattern, RESAMPLE};
-use super::scene::{Scene, ShadingPoint};
+use super::scene::ShadingPoint;
+use super::smc_point::{NO_PREDECESSOR, SmcPoint};
 
 /// How particles are led from frame to frame. 64 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::NoUninit)]
@@ -155,59 +156,33 @@ impl SmcParams {
     }
 }
 
-/// `L̂ = Z_t Σ Wⁱ L_t(ωⁱ) ρ V ⟨ωⁱ·n⟩ / γ_t(ωⁱ)` (Kronander 2014, Eq. 7).
-#[inline]
-fn estimate(
-    point: &ShadingPoint,
-    lobe: &LightLobe,
-    floor: f32,
-    log_normaliser: f32,
-    env: Environment<'_>,
-    scene: Scene<'_>,
-    particles: &[Particle],
-) -> Reflected {
-    let mut sum = Reflected::NONE;
-    for i in 0..particles.len() {
-        let particle = particles[i];
-        if !is_log_zero(particle.log_weight) {
-            let direction = particle.state;
-            let radiance = env.radiance(env.texel(direction));
-            let target = (luminance(radiance) + floor) * lobe.value(direction);
-            let density = target * libm::expf(-(log_normaliser + particle.log_weight));
-            let wi = point.frame.to_local(direction);
-            let sample = LightSample::new(point, direction, wi, radiance, density);
-            sum.gather(sample.traced(point, scene));
-        }
-    }
-    sum
-}
-
-/// Leads the particles of a ray's shading point into this frame, or starts them there, and estimates the light that it
-/// reflects.
-#[inline]
-fn follow(
-    point: &ShadingPoint,
-    depth: f32,
-    wo: Vec3,
-    object: u32,
+/// The second pass of the sequential sampler: leads the particles of the tile's ray `ray` into this frame, or starts them here.
+/// Fills the ray's state and particles for the last pass and for the next frame, from what the first pass found and from the
+/// particles of the frame before.
+pub fn advance_smc(
+    ray: u32,
     frame: &FrameParams,
     smc: &SmcParams,
-    view: &PastView,
-    pattern: &PixelPattern,
     env: Environment<'_>,
     before: RadianceMap<'_>,
-    scene: Scene<'_>,
-    past: Past<'_>,
+    points: &[SmcPoint],
+    past_particles: &[Particle],
     state: &mut [RayState],
     particles: &mut [Particle],
-) -> Reflected {
+) {
+    let seen = &points[ray as usize];
+    if !seen.is_hit() {
+        state[0] = RayState::NONE;
+        return;
+    }
+    let pattern = frame.pattern_of(ray);
+    let point = seen.shading_point();
     let n = particles.len();
-    let lobe = LightLobe::of_point(point);
     let mut now = RayState {
-        normal: point.frame.n,
+        normal: seen.normal,
         log_normaliser: LOG_ZERO,
-        wo,
-        depth,
+        wo: seen.wo,
+        depth: seen.depth,
         diffuse: luminance(point.brdf.diffuse),
         specular: luminance(point.brdf.specular),
         exponent: point.brdf.exponent,
@@ -217,11 +192,11 @@ fn follow(
         started: STARTED_WITHOUT_PAST,
         accepted: 0,
     };
-    if let Some(ray) = view.predecessor(point, object, frame, pattern, past) {
-        let old = past.states[ray as usize];
-        let first = ray as usize * n;
+    if seen.predecessor != NO_PREDECESSOR {
+        let old = seen.before;
+        let first = seen.predecessor as usize * n;
         for i in 0..n {
-            particles[i] = past.particles[first + i];
+            particles[i] = past_particles[first + i];
         }
         let target = LightTarget {
             previous_light: before,
@@ -229,10 +204,10 @@ fn follow(
             previous_lobe: LightLobe::of_state(&old),
             light: env,
             floor: smc.floor,
-            lobe,
+            lobe: LightLobe::of_point(&point),
         };
         let mut source = pattern.source(PARTICLES);
-        let report = smc.advance(&target, point, particles, &mut source);
+        let report = smc.advance(&target, &point, particles, &mut source);
         let dead = is_log_zero(report.log_ratio) || is_log_zero(old.log_normaliser);
         now.log_ratio = report.log_ratio;
         now.ess = report.ess;
@@ -253,88 +228,9 @@ fn follow(
     }
     if now.started != STARTED_NOT {
         now.age = 0;
-        now.log_normaliser = smc.start(point, pattern, env, particles);
+        now.log_normaliser = smc.start(&point, &pattern, env, particles);
     }
-    let light = if is_log_zero(now.log_normaliser) {
-        Reflected::NONE
-    } else {
-        estimate(
-            point,
-            &lobe,
-            smc.floor,
-            now.log_normaliser,
-            env,
-            scene,
-            particles,
-        )
-    };
     state[0] = now;
-    light
-}
-
-/// Radiance along the tile's ray `ray`, with alpha, by the sequential sampler. Fills the ray's state and particles for the next frame
-/// from those of the frame before.
-#[must_use]
-pub fn shade_smc(
-    ray: u32,
-    frame: &FrameParams,
-    smc: &SmcParams,
-    view: &PastView,
-    env: Environment<'_>,
-    before: RadianceMap<'_>,
-    scene: Scene<'_>,
-    past: Past<'_>,
-    state: &mut [RayState],
-    particles: &mut [Particle],
-) -> Vec4 {
-    let pattern = frame.pattern_of(ray);
-    let camera_ray = frame.camera_ray(&pattern);
-    if let Some(hit) = scene.closest_hit(&camera_ray) {
-        let point = scene.shading_point(&camera_ray, &hit);
-        let object = scene.triangles[hit.triangle as usize].object_index();
-        let wo = -camera_ray.direction;
-        let light = follow(
-            &point, hit.t, wo, object, frame, smc, view, &pattern, env, before, scene, past, state,
-            particles,
-        );
-        return light.lit.extend(1.0);
-    }
-    state[0] = RayState::NONE;
-    if frame.background == Background::Environment {
-        return env.background(camera_ray.direction).extend(1.0);
-    }
-    Vec4::ZERO
-}
-
-/// What the tile's ray `ray` shows in a scene with catchers, by the sequential sampler; as [`shade_smc`].
-#[must_use]
-pub fn shade_smc_layers(
-    ray: u32,
-    frame: &FrameParams,
-    smc: &SmcParams,
-    view: &PastView,
-    env: Environment<'_>,
-    before: RadianceMap<'_>,
-    scene: Scene<'_>,
-    past: Past<'_>,
-    state: &mut [RayState],
-    particles: &mut [Particle],
-) -> LayerSample {
-    let pattern = frame.pattern_of(ray);
-    let camera_ray = frame.camera_ray(&pattern);
-    if let Some(hit) = scene.closest_hit(&camera_ray) {
-        let point = scene.shading_point(&camera_ray, &hit);
-        let triangle = &scene.triangles[hit.triangle as usize];
-        let object = triangle.object_index();
-        let wo = -camera_ray.direction;
-        let light = follow(
-            &point, hit.t, wo, object, frame, smc, view, &pattern, env, before, scene, past, state,
-            particles,
-        );
-        return LayerSample::of(&light, triangle.is_catcher());
-    }
-    state[0] = RayState::NONE;
-    LayerSample::NOTHING
 }
 
 /// How the particles of the tile's pixel `pixel` fare: means over its rays that hit something of the effective sample size as a

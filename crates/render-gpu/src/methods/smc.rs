@@ -11,7 +11,9 @@ use glimt_smc::{Particle, Path};
 
 use super::{CandidateSource, Inputs};
 use crate::film::SamplesOut;
-use crate::generated::passes::{DiagnoseSmc, PastArg, RadianceMapArg, ShadeSmc, ShadeSmcLayers};
+use crate::generated::passes::{
+    AdvanceSmc, DiagnoseSmc, FindSmc, GatherSmc, GatherSmcLayers, PastArg, RadianceMapArg,
+};
 use crate::host::env::PreparedEnv;
 use crate::host::render::{RenderError, RenderSettings};
 use crate::host::scene_build::SceneBuffers;
@@ -20,6 +22,7 @@ use crate::kernels::camera::CameraView;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::past::{PastView, RayState};
 use crate::kernels::smc::SmcParams;
+use crate::kernels::smc_point::SmcPoint;
 use crate::settings::{any, at_most, between, settings};
 
 settings! {
@@ -133,12 +136,20 @@ impl Smc {
 
 /// The entries of the first passes.
 pub(super) fn entries() -> Vec<&'static Entry> {
-    vec![ShadeSmc::<Gpu>::entry(), ShadeSmcLayers::<Gpu>::entry()]
+    vec![
+        FindSmc::<Gpu>::entry(),
+        AdvanceSmc::<Gpu>::entry(),
+        GatherSmc::<Gpu>::entry(),
+        GatherSmcLayers::<Gpu>::entry(),
+    ]
 }
 
 /// Tiles begin at multiples of so many pixels: then what their rays keep begins at multiples of 256 bytes, the most that an
 /// adapter asks for.
 pub(crate) const TILE_GRANULE: u32 = 16;
+
+/// Passes of a tile.
+pub(crate) const PASSES: u32 = 3;
 
 /// What the rays of a frame keep.
 pub(crate) struct Rays<M: Memory> {
@@ -171,6 +182,10 @@ pub(crate) struct Tile<'a, M: Memory> {
     view: &'a PastView,
     before: RadianceMapArg<'a, M>,
     past: PastArg<'a, M>,
+    past_particles: M::Slice<'a, Particle>,
+    particles_per_ray: u32,
+    /// What goes from pass to pass.
+    points: M::Chunks<'a, SmcPoint>,
     own: Own<'a, M>,
 }
 
@@ -189,44 +204,63 @@ impl<M: Memory> std::fmt::Debug for Following<M> {
 }
 
 impl<M: Memory> Tile<'_, M> {
+    /// All passes of the tile, [`PASSES`] of them.
     pub(super) fn shade<E: Executor<Memory = M>>(
-        self,
+        mut self,
         executor: &mut E,
         inputs: Inputs<'_, M>,
         rays: u32,
         out: SamplesOut<'_, M>,
     ) -> Result<(), E::Error> {
-        let Inputs { frame, env, scene } = inputs.shorten();
-        let (smc, view) = (self.params, self.view);
-        let (before, past) = (self.before.shorten(), self.past.shorten());
-        let state = M::shorten_chunks(self.own.states);
-        let particles = M::shorten_chunks(self.own.particles);
+        let Inputs { frame, env, scene } = inputs;
+        let pass = FindSmc {
+            frame,
+            view: self.view,
+            scene: scene.shorten(),
+            past: self.past.shorten(),
+            out: M::reborrow(&mut self.points),
+        };
+        executor.run(pass, 0..rays)?;
+        let pass = AdvanceSmc {
+            frame,
+            smc: self.params,
+            env: env.shorten(),
+            before: self.before.shorten(),
+            points: M::filled(&self.points),
+            past_particles: M::shorten(self.past_particles),
+            state: M::reborrow(&mut self.own.states),
+            particles: M::reborrow(&mut self.own.particles),
+        };
+        executor.run(pass, 0..rays)?;
+        let (floor, particles_per_ray) = (self.params.floor, self.particles_per_ray);
+        let (env, scene) = (env.shorten(), scene.shorten());
+        let points = M::filled(&self.points);
+        let states = M::filled(&self.own.states);
+        let particles = M::filled(&self.own.particles);
         match out {
             SamplesOut::Flat(out) => executor.run(
-                ShadeSmc {
+                GatherSmc {
                     frame,
-                    smc,
-                    view,
+                    floor,
+                    particles_per_ray,
                     env,
-                    before,
                     scene,
-                    past,
-                    state,
+                    points,
+                    states,
                     particles,
                     out: M::shorten_chunks(out),
                 },
                 0..rays,
             ),
             SamplesOut::Layered(out) => executor.run(
-                ShadeSmcLayers {
+                GatherSmcLayers {
                     frame,
-                    smc,
-                    view,
+                    floor,
+                    particles_per_ray,
                     env,
-                    before,
                     scene,
-                    past,
-                    state,
+                    points,
+                    states,
                     particles,
                     out: M::shorten_chunks(out),
                 },
@@ -437,8 +471,15 @@ pub(crate) struct Reading<'a, M: Memory> {
 }
 
 impl<'a, M: Memory> Reading<'a, M> {
-    /// For a tile of `count` pixels that sees the frame before through `view`, and keeps `own`.
-    pub(crate) fn tile<'b>(&self, view: &'b PastView, count: u32, own: Own<'b, M>) -> Tile<'b, M>
+    /// For a tile of `count` pixels that sees the frame before through `view`, and keeps `own`. Its passes meet in `points`, one
+    /// for each ray.
+    pub(crate) fn tile<'b>(
+        &self,
+        view: &'b PastView,
+        count: u32,
+        points: M::Chunks<'b, SmcPoint>,
+        own: Own<'b, M>,
+    ) -> Tile<'b, M>
     where
         'a: 'b,
     {
@@ -453,8 +494,10 @@ impl<'a, M: Memory> Reading<'a, M> {
             past: PastArg {
                 motions: M::shorten(self.motions),
                 states: M::slice(&self.before.states, first..first + bound),
-                particles: M::slice(&self.before.particles, first * n..(first + bound) * n),
             },
+            past_particles: M::slice(&self.before.particles, first * n..(first + bound) * n),
+            particles_per_ray: self.key.particles,
+            points,
             own,
         }
     }

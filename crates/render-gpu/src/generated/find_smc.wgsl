@@ -1,0 +1,1752 @@
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
+
+struct BvhNode {
+    min: vec3<f32>,
+    count: u32,
+    max: vec3<f32>,
+    first: u32,
+}
+
+struct Triangle {
+    v0_: vec3<f32>,
+    material: u32,
+    v1_: vec3<f32>,
+    object: u32,
+    v2_: vec3<f32>,
+    ray_offset: f32,
+}
+
+struct Corner {
+    normal: vec3<f32>,
+    u: f32,
+    tangent: vec3<f32>,
+    v: f32,
+}
+
+struct RayState {
+    normal: vec3<f32>,
+    log_normaliser: f32,
+    wo: vec3<f32>,
+    depth: f32,
+    diffuse: f32,
+    specular: f32,
+    exponent: f32,
+    age: u32,
+    ess: f32,
+    log_ratio: f32,
+    started: u32,
+    accepted: u32,
+}
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    shadow: u32,
+    film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+}
+
+struct PastView {
+    eye: vec3<f32>,
+    first_pixel: u32,
+    forward: vec3<f32>,
+    pixels: u32,
+    right: vec3<f32>,
+    depth_tolerance: f32,
+    up: vec3<f32>,
+    normal_cosine: f32,
+}
+
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
+}
+
+struct OwenSobol {
+    seed: u32,
+    index: u32,
+    dimension: u32,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+struct CameraView {
+    eye: vec3<f32>,
+    forward: vec3<f32>,
+    right: vec3<f32>,
+    up: vec3<f32>,
+}
+
+struct Ray {
+    origin: vec3<f32>,
+    direction: vec3<f32>,
+    inverse_direction: vec3<f32>,
+}
+
+struct Hit {
+    triangle: u32,
+    t: f32,
+    barycentrics: vec2<f32>,
+}
+
+struct Option_Hit {
+    is_some: bool,
+    value: Hit,
+}
+
+struct SmcPoint {
+    origin: vec3<f32>,
+    depth: f32,
+    geometric_normal: vec3<f32>,
+    catcher: u32,
+    normal: vec3<f32>,
+    exponent: f32,
+    wo: vec3<f32>,
+    predecessor: u32,
+    diffuse: vec3<f32>,
+    unused_a: u32,
+    specular: vec3<f32>,
+    unused_b: u32,
+    before: RayState,
+}
+
+struct Tuple_f32_f32_ {
+    fa: f32,
+    fb: f32,
+}
+
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
+struct ShadingFrame {
+    t: vec3<f32>,
+    b: vec3<f32>,
+    n: vec3<f32>,
+}
+
+struct BlinnPhong {
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    exponent: f32,
+}
+
+struct ShadingPoint {
+    origin: vec3<f32>,
+    geometric_normal: vec3<f32>,
+    frame: ShadingFrame,
+    wo: vec3<f32>,
+    brdf: BlinnPhong,
+}
+
+struct Option_u32_ {
+    is_some: bool,
+    value: u32,
+}
+
+struct Option_Vec3_ {
+    is_some: bool,
+    value: vec3<f32>,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    frame: FrameParams,
+    view: PastView,
+}
+
+@group(0) @binding(1) 
+var<storage> scene_nodes: array<BvhNode>;
+@group(0) @binding(2) 
+var<storage> scene_triangles: array<Triangle>;
+@group(0) @binding(3) 
+var<storage> scene_corners: array<Corner>;
+@group(0) @binding(4) 
+var<storage> scene_surface: array<u32>;
+@group(0) @binding(5) 
+var<storage> past_motions: array<mat4x4<f32>>;
+@group(0) @binding(6) 
+var<storage> past_states: array<RayState>;
+@group(0) @binding(7) 
+var<storage, read_write> out: array<SmcPoint>;
+@group(0) @binding(0) 
+var<uniform> params: Params;
+
+// glimt_render_gpu/src/kernels/frame.rs:115
+fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:116
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x;
+    let _e10 = x;
+    x = (_e10 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e13 = x;
+    x = (_e13 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e17 = x;
+    let _e20 = x;
+    x = (_e20 ^ (_e17 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e23 = x;
+    x = (_e23 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e27 = x;
+    let _e28 = x;
+    return (_e27 ^ (_e28 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:171
+fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+
+    // glimt_sampling/src/sobol.rs:172
+    let _e6 = hash3_(seed, frame, pixel);
+    let _e9 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e9, (sample_index & 65535u), 0u);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:96
+fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:97
+    let _e6 = hash2_(this_1.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
+    return _e9;
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+    var x_1: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_1 = (n_1 ^ (n_1 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_1;
+    x_1 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_1;
+    x_1 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e19 = x_1;
+    let _e22 = x_1;
+    x_1 = (_e22 ^ (_e19 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e25 = x_1;
+    let _e26 = x_1;
+    return (_e25 ^ (_e26 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index_1: u32, seed_1: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_1 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_2: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_2 = index_2;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_2;
+    let _e10 = x_2;
+    x_2 = (_e10 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e13 = x_2;
+    let _e18 = x_2;
+    x_2 = (_e18 ^ ((_e13 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e21 = x_2;
+    let _e26 = x_2;
+    x_2 = (_e26 ^ ((_e21 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e29 = x_2;
+    let _e30 = x_2;
+    return (_e29 ^ ((_e30 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_3: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_3;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum;
+        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e37 = v1_;
+        v0_ = _e37;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e40 = bits;
+        bits = (_e40 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e44 = sum;
+    return _e44;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_4: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_4;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_1;
+        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e40 = v1_1;
+        v0_1 = _e40;
+        // glimt_sampling/src/sobol.rs:93
+        let _e42 = v2_;
+        v1_1 = _e42;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e45 = bits_1;
+        bits_1 = (_e45 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e49 = sum_1;
+    return _e49;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
+    var chosen: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_12 = (index_5 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen = index_12;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_12);
+            chosen = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_12);
+                chosen = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_12);
+                chosen = _e22;
+            }
+        }
+    }
+    let _e23 = chosen;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_1 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_1 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_1 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_1 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_1;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_2).dimension;
+    let dimension_2 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_2).dimension = (dimension_2 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_2).seed;
+    let _e18 = hash2_(_e15, (dimension_2 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e21 = (*this_2).index;
+    let _e22 = shuffle(_e21, _e18);
+    // glimt_sampling/src/sobol.rs:195
+    let _e24 = sobol_reversed(_e22, dimension_2);
+    let _e25 = scramble_1(_e24, dimension_2, _e18);
+    let _e28 = sobol_reversed(_e22, (dimension_2 + 1u));
+    let _e31 = scramble_1(_e28, (dimension_2 + 1u), _e18);
+    return vec2<u32>(_e25, _e31);
+}
+
+// glimt_sampling/src/hash.rs:50
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:51
+    let _e4 = hash_u32_(v.x);
+    x_3 = ((_e4 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:54
+    let _e12 = hash_u32_(v.y);
+    y = ((_e12 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:57
+    let _e20 = hash_u32_(v.z);
+    z = ((_e20 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:60
+    let _e28 = hash_u32_(v.w);
+    w = ((_e28 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:64
+    let _e35 = x_3;
+    let _e36 = y;
+    let _e37 = w;
+    x_3 = (_e35 + (_e36 * _e37));
+    // glimt_sampling/src/hash.rs:65
+    let _e41 = y;
+    let _e42 = z;
+    let _e43 = x_3;
+    y = (_e41 + (_e42 * _e43));
+    // glimt_sampling/src/hash.rs:66
+    let _e47 = z;
+    let _e48 = x_3;
+    let _e49 = y;
+    z = (_e47 + (_e48 * _e49));
+    // glimt_sampling/src/hash.rs:67
+    let _e53 = w;
+    let _e54 = y;
+    let _e55 = z;
+    w = (_e53 + (_e54 * _e55));
+    // glimt_sampling/src/hash.rs:68
+    let _e59 = x_3;
+    let _e62 = x_3;
+    x_3 = (_e62 ^ (_e59 >> 16u));
+    // glimt_sampling/src/hash.rs:69
+    let _e65 = y;
+    let _e68 = y;
+    y = (_e68 ^ (_e65 >> 16u));
+    // glimt_sampling/src/hash.rs:70
+    let _e71 = z;
+    let _e74 = z;
+    z = (_e74 ^ (_e71 >> 16u));
+    // glimt_sampling/src/hash.rs:71
+    let _e77 = w;
+    let _e80 = w;
+    w = (_e80 ^ (_e77 >> 16u));
+    // glimt_sampling/src/hash.rs:72
+    let _e83 = x_3;
+    let _e84 = y;
+    let _e85 = w;
+    x_3 = (_e83 + (_e84 * _e85));
+    // glimt_sampling/src/hash.rs:73
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_3;
+    y = (_e89 + (_e90 * _e91));
+    // glimt_sampling/src/hash.rs:74
+    let _e95 = z;
+    let _e96 = x_3;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
+    // glimt_sampling/src/hash.rs:75
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
+    // glimt_sampling/src/hash.rs:76
+    let _e107 = x_3;
+    let _e108 = x_3;
+    let _e112 = y;
+    let _e113 = y;
+    let _e117 = z;
+    let _e118 = z;
+    let _e122 = w;
+    let _e123 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e112 ^ (_e113 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e122 ^ (_e123 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_1 = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_1 == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:101
+fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:102
+    let _e6 = hash3_(this_3.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
+    return _e9;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s = (*this_4).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s.x + s.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_1 = (s.z ^ s.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s.w ^ s.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:106
+fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:107
+    let _e5 = hash2_(this_6.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:181
+fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
+    var x_4: u32;
+    var round_key: u32;
+    var counter: i32;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:182
+    if (length_ <= 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:183
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:185
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
+    // glimt_render_gpu/src/kernels/pattern.rs:186
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:187
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:188
+    loop {
+        // glimt_render_gpu/src/kernels/pattern.rs:189
+        round_key = key;
+        // glimt_render_gpu/src/kernels/pattern.rs:190
+        counter = 0i;
+        loop {
+            let _e31 = counter;
+            if (_e31 >= 3i) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pattern.rs:191
+            let _e34 = round_key;
+            let _e35 = hash_u32_(_e34);
+            round_key = _e35;
+            // glimt_render_gpu/src/kernels/pattern.rs:193
+            let _e37 = x_4;
+            let _e38 = round_key;
+            x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:194
+            let _e44 = x_4;
+            let _e46 = (bits_2 / 2u);
+            let _e56 = x_4;
+            x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            continuing {
+                let _e58 = counter;
+                counter = (_e58 + 1i);
+            }
+        }
+        // glimt_render_gpu/src/kernels/pattern.rs:196
+        let _e62 = x_4;
+        if (_e62 < length_) {
+            // glimt_render_gpu/src/kernels/pattern.rs:197
+            let _e65 = x_4;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:172
+fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:173
+    return ((cell * (4294967295u / count)) + (jitter / count));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:152
+fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:153
+    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    // glimt_render_gpu/src/kernels/pattern.rs:154
+    let _e12 = (count_1 / columns);
+    let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    // glimt_render_gpu/src/kernels/pattern.rs:155
+    let _e21 = hash2_(key_1, 1u);
+    let _e22 = permute(index_8, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:156
+    let _e26 = hash2_(key_1, 2u);
+    let _e27 = permute((_e22 % columns), columns, _e26);
+    // glimt_render_gpu/src/kernels/pattern.rs:157
+    let _e31 = hash2_(key_1, 3u);
+    let _e32 = permute((_e22 / columns), rows, _e31);
+    // glimt_render_gpu/src/kernels/pattern.rs:158
+    let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
+    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    return vec2<u32>(_e38, _e40);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:51
+fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed: OwenSobol;
+    var borrowed_1: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:52
+    let index_13 = ((this_7.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:53
+    if (this_7.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:54
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_13);
+        borrowed = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed));
+        return _e16;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:56
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_13);
+    borrowed_1 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
+    // glimt_render_gpu/src/kernels/pattern.rs:57
+    if (this_7.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:58
+        return _e20;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:60
+    let _e29 = PixelPattern_key(this_7, purpose_3);
+    let _e30 = jittered_pair(index_13, (this_7.rays * samples), _e20, _e29);
+    return _e30;
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_sampling/src/uniform.rs:22
+fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+
+    // glimt_sampling/src/uniform.rs:23
+    let _e4 = unit_f32_(u_1.x);
+    let _e6 = unit_f32_(u_1.y);
+    return vec2<f32>(_e4, _e6);
+}
+
+// glimt_render_gpu/src/kernels/camera.rs:23
+fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/camera.rs:24
+    let x_7 = (((2f * p.x) / f32(size.x)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:25
+    let y_1 = (((2f * p.y) / f32(size.y)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:26
+    return normalize(((this_8.forward + (this_8.right * x_7)) - (this_8.up * y_1)));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:145
+fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/frame.rs:146
+    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:147
+    let view_1 = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:153
+    let _e22 = CameraView_direction(view_1, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    return _e22;
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:48
+fn inverse(x_5: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/ray.rs:49
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_5), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_5) & 2147483648u))));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:34
+fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
+
+    // glimt_render_gpu/src/kernels/ray.rs:35
+    let _e5 = inverse(direction.x);
+    let _e7 = inverse(direction.y);
+    let _e9 = inverse(direction.z);
+    return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:129
+fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
+    var chosen_2: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/frame.rs:130
+    if (this_10.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:131
+        chosen_2 = vec2(0.5f);
+    } else {
+        // glimt_render_gpu/src/kernels/frame.rs:133
+        let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+        // glimt_render_gpu/src/kernels/frame.rs:137
+        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e24 = unit_vec2_(_e23);
+        chosen_2 = _e24;
+    }
+    let place_1 = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:139
+    let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
+    let _e30 = Ray_new(this_10.eye, _e29);
+    return _e30;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:29
+fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
+    var chosen_3: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:30
+    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:31
+    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:32
+    let _e16 = min(to_min, to_max);
+    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
+    let _e23 = max(to_min, to_max);
+    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:34
+    if ((far_1 >= near_1) && (far_1 >= 0f)) {
+        // glimt_render_gpu/src/kernels/bvh.rs:35
+        chosen_3 = near_1;
+    } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:37
+        chosen_3 = 0x1.fffffep+127f;
+    }
+    let _e40 = chosen_3;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:75
+fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:76
+    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:88
+fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
+    var chosen_4: f32;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:89
+    let a_3 = (triangle.v0_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:90
+    let b_3 = (triangle.v1_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:91
+    let c_2 = (triangle.v2_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:92
+    let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:93
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:94
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:96
+    let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:97
+    let slope = dot(normal_1, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:98
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:99
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:101
+    let t_1 = (dot(a_3, normal_1) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:102
+    if ((t_1 > 0f) && (t_1 < t_max)) {
+        chosen_4 = t_1;
+    } else {
+        chosen_4 = 0x1.fffffep+127f;
+    }
+    let _e59 = chosen_4;
+    return _e59;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:38
+fn Triangle_is_catcher(this_11: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:39
+    return ((this_11.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:145
+fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
+    var nearest: u32;
+    var counter_1: u32;
+    var both: bool;
+    var both_1: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:153
+    nearest = best;
+    // glimt_render_gpu/src/kernels/bvh.rs:154
+    counter_1 = leaf.first;
+    loop {
+        let i = counter_1;
+        if (i >= (leaf.first + leaf.count)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:155
+        let _e19 = scene_triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_3, _e20);
+        // glimt_render_gpu/src/kernels/bvh.rs:157
+        let _e23 = (*reach);
+        let _e24 = (_e21 < _e23);
+        both = _e24;
+        if _e24 {
+            both_1 = no_catcher;
+            if no_catcher {
+                let _e29 = scene_triangles[i];
+                let _e30 = Triangle_is_catcher(_e29);
+                both_1 = _e30;
+            }
+            let _e31 = both_1;
+            both = !(_e31);
+        }
+        let _e33 = both;
+        if _e33 {
+            // glimt_render_gpu/src/kernels/bvh.rs:158
+            (*reach) = _e21;
+            // glimt_render_gpu/src/kernels/bvh.rs:159
+            nearest = i;
+        }
+        continuing {
+            let _e36 = counter_1;
+            counter_1 = (_e36 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:162
+    let _e40 = nearest;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:77
+fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+    var either: bool;
+    var best_1: u32;
+    var stack: array<u32, 64>;
+    var height: u32;
+    var pair: u32;
+    var near: BvhNode;
+    var far: BvhNode;
+    var t_near: f32;
+    var t_far: f32;
+    var into_near: bool;
+    var into_far: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:84
+    let _e8 = (arrayLength((&scene_nodes)) == 0u);
+    either = _e8;
+    if _e8 {
+    } else {
+        let _e13 = scene_nodes[0u];
+        let _e14 = box_distance(_e13, ray_4);
+        let _e15 = (*reach_1);
+        either = (_e14 >= _e15);
+    }
+    let _e17 = either;
+    if _e17 {
+        // glimt_render_gpu/src/kernels/bvh.rs:85
+        return 4294967295u;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:87
+    let root = scene_nodes[0u];
+    // glimt_render_gpu/src/kernels/bvh.rs:88
+    if (root.count > 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:89
+        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u, any_);
+        return _e31;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:91
+    best_1 = 4294967295u;
+    // glimt_render_gpu/src/kernels/bvh.rs:92
+    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:93
+    height = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:94
+    pair = root.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:95
+    loop {
+        // glimt_render_gpu/src/kernels/bvh.rs:96
+        let _e47 = pair;
+        let _e50 = scene_nodes[_e47];
+        near = _e50;
+        // glimt_render_gpu/src/kernels/bvh.rs:97
+        let _e53 = pair;
+        let _e58 = scene_nodes[(_e53 + 1u)];
+        far = _e58;
+        // glimt_render_gpu/src/kernels/bvh.rs:98
+        let _e61 = near;
+        let _e62 = box_distance(_e61, ray_4);
+        t_near = _e62;
+        // glimt_render_gpu/src/kernels/bvh.rs:99
+        let _e65 = far;
+        let _e66 = box_distance(_e65, ray_4);
+        t_far = _e66;
+        // glimt_render_gpu/src/kernels/bvh.rs:101
+        let _e69 = t_near;
+        let _e70 = t_far;
+        if (_e69 > _e70) {
+            // glimt_render_gpu/src/kernels/bvh.rs:102
+            let node_1 = near;
+            // glimt_render_gpu/src/kernels/bvh.rs:103
+            let _e75 = far;
+            near = _e75;
+            // glimt_render_gpu/src/kernels/bvh.rs:104
+            far = node_1;
+            // glimt_render_gpu/src/kernels/bvh.rs:105
+            let t_2 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:106
+            let _e80 = t_far;
+            t_near = _e80;
+            // glimt_render_gpu/src/kernels/bvh.rs:107
+            t_far = t_2;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:109
+        let _e83 = t_near;
+        let _e84 = (*reach_1);
+        into_near = (_e83 < _e84);
+        // glimt_render_gpu/src/kernels/bvh.rs:110
+        let _e88 = into_near;
+        let _e90 = near.count;
+        if (_e88 && (_e90 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:111
+            let _e95 = near;
+            let _e96 = best_1;
+            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96, any_);
+            best_1 = _e97;
+            // glimt_render_gpu/src/kernels/bvh.rs:112
+            let _e99 = best_1;
+            if (any_ && (_e99 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:113
+                let _e104 = best_1;
+                return _e104;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:115
+            into_near = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:117
+        let _e108 = t_far;
+        let _e109 = (*reach_1);
+        into_far = (_e108 < _e109);
+        // glimt_render_gpu/src/kernels/bvh.rs:118
+        let _e113 = into_far;
+        let _e115 = far.count;
+        if (_e113 && (_e115 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:119
+            let _e120 = far;
+            let _e121 = best_1;
+            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121, any_);
+            best_1 = _e122;
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let _e124 = best_1;
+            if (any_ && (_e124 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:121
+                let _e129 = best_1;
+                return _e129;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:123
+            into_far = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:125
+        let _e133 = into_near;
+        if _e133 {
+            // glimt_render_gpu/src/kernels/bvh.rs:126
+            let _e136 = near.first;
+            pair = _e136;
+            // glimt_render_gpu/src/kernels/bvh.rs:127
+            let _e138 = into_far;
+            if _e138 {
+                // glimt_render_gpu/src/kernels/bvh.rs:128
+                let _e141 = far.first;
+                let _e142 = height;
+                stack[_e142] = _e141;
+                // glimt_render_gpu/src/kernels/bvh.rs:129
+                let _e146 = height;
+                height = (_e146 + 1u);
+            }
+        } else {
+            let _e148 = into_far;
+            if _e148 {
+                // glimt_render_gpu/src/kernels/bvh.rs:132
+                let _e151 = far.first;
+                pair = _e151;
+            } else {
+                let _e152 = height;
+                if (_e152 > 0u) {
+                    // glimt_render_gpu/src/kernels/bvh.rs:134
+                    let _e157 = height;
+                    height = (_e157 - 1u);
+                    // glimt_render_gpu/src/kernels/bvh.rs:135
+                    let _e160 = height;
+                    let _e162 = stack[_e160];
+                    pair = _e162;
+                } else {
+                    // glimt_render_gpu/src/kernels/bvh.rs:137
+                    let _e164 = best_1;
+                    return _e164;
+                }
+            }
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:108
+fn barycentrics(triangle_1: Triangle, ray_5: Ray) -> vec2<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:109
+    let _e14 = edge_functions((triangle_1.v0_ - ray_5.origin), (triangle_1.v1_ - ray_5.origin), (triangle_1.v2_ - ray_5.origin), ray_5.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:115
+    let sum_2 = ((_e14.x + _e14.y) + _e14.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:116
+    if (sum_2 == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:118
+        return vec2((1f / 3f));
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:120
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_2));
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:45
+fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
+    var t: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:51
+    t = t_max_1;
+    // glimt_render_gpu/src/kernels/bvh.rs:52
+    let _e7 = traverse(ray_6, (&t), false);
+    // glimt_render_gpu/src/kernels/bvh.rs:53
+    if (_e7 == 4294967295u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:54
+        return Option_Hit();
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    let _e14 = t;
+    let _e17 = scene_triangles[_e7];
+    let _e18 = barycentrics(_e17, ray_6);
+    return Option_Hit(true, Hit(_e7, _e14, _e18));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:61
+fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
+
+    // glimt_render_gpu/src/kernels/scene.rs:62
+    let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
+    return _e4;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:118
+fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
+    var chosen_5: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:119
+    let length_squared = dot(v_1, v_1);
+    // glimt_render_gpu/src/kernels/scene.rs:120
+    if (length_squared > 0.000000000001f) {
+        // glimt_render_gpu/src/kernels/scene.rs:121
+        chosen_5 = (v_1 / vec3(sqrt(length_squared)));
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:123
+        chosen_5 = otherwise;
+    }
+    let _e14 = chosen_5;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:83
+fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:84
+    let first = (256u + (index_9 * 24u));
+    // glimt_render_gpu/src/kernels/material.rs:85
+    return Returned_MaterialView_new(first, ((first + 24u) - first));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:106
+fn MaterialView_texture(words_start: u32, words_len: u32, word: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:107
+    let _e7 = scene_surface[(words_start + word)];
+    let _e13 = scene_surface[(words_start + (word + 1u))];
+    let _e19 = scene_surface[(words_start + (word + 2u))];
+    let _e25 = scene_surface[(words_start + (word + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:40
+fn TextureView_exists(this_13: TextureView) -> bool {
+
+    // glimt_render_gpu/src/kernels/texture.rs:41
+    return (this_13.width > 0u);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:90
+fn wrap(x_6: f32, mode: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:91
+    if (mode == 2u) {
+        // glimt_render_gpu/src/kernels/texture.rs:92
+        return clamp(x_6, 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:94
+    if (mode == 1u) {
+        // glimt_render_gpu/src/kernels/texture.rs:95
+        let folded = (x_6 - (2f * floor((0.5f * x_6))));
+        // glimt_render_gpu/src/kernels/texture.rs:96
+        return clamp(min(folded, (2f - folded)), 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:98
+    return clamp((x_6 - floor(x_6)), 0f, 1f);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:103
+fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:104
+    let last = (i32(size_1) - 1i);
+    // glimt_render_gpu/src/kernels/texture.rs:105
+    if (mode_1 == 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:106
+        if (index_10 < 0i) {
+            // glimt_render_gpu/src/kernels/texture.rs:107
+            return u32(last);
+        }
+        // glimt_render_gpu/src/kernels/texture.rs:109
+        if (index_10 > last) {
+            // glimt_render_gpu/src/kernels/texture.rs:110
+            return 0u;
+        }
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:113
+    return u32(clamp(index_10, 0i, last));
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:69
+fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
+    var chosen_6: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/texture.rs:70
+    let word_3 = scene_surface[(this_14.first + index_11)];
+    // glimt_render_gpu/src/kernels/texture.rs:71
+    let r = (word_3 & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:72
+    let g = ((word_3 >> 8u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:73
+    let b_4 = ((word_3 >> 16u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:74
+    let alpha = (f32((word_3 >> 24u)) / 255f);
+    // glimt_render_gpu/src/kernels/texture.rs:75
+    if ((this_14.flags & 1u) != 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:76
+        let _e38 = scene_surface[r];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b_4];
+        chosen_6 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
+    } else {
+        // glimt_render_gpu/src/kernels/texture.rs:83
+        chosen_6 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha);
+    }
+    let _e60 = chosen_6;
+    return _e60;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:49
+fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/texture.rs:50
+    let wrap_u = ((this_15.flags >> 1u) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:51
+    let wrap_v = ((this_15.flags >> ((1u + 2u) & 31u)) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:52
+    let _e21 = wrap(uv.x, wrap_u);
+    let x_8 = ((_e21 * f32(this_15.width)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:53
+    let _e29 = wrap(uv.y, wrap_v);
+    let y_2 = ((_e29 * f32(this_15.height)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:54
+    let _e38 = Tuple_f32_f32_(floor(x_8), floor(y_2));
+    let left = _e38.fa;
+    let top = _e38.fb;
+    // glimt_render_gpu/src/kernels/texture.rs:55
+    let _e44 = neighbour(i32(left), this_15.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:56
+    let _e50 = neighbour((i32(left) + 1i), this_15.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:57
+    let _e54 = neighbour(i32(top), this_15.height, wrap_v);
+    let row0_ = (_e54 * this_15.width);
+    // glimt_render_gpu/src/kernels/texture.rs:58
+    let _e62 = neighbour((i32(top) + 1i), this_15.height, wrap_v);
+    let row1_ = (_e62 * this_15.width);
+    // glimt_render_gpu/src/kernels/texture.rs:59
+    let _e67 = TextureView_texel(this_15, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_15, (row0_ + _e50));
+    let _e70 = (x_8 - left);
+    let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
+    // glimt_render_gpu/src/kernels/texture.rs:62
+    let _e78 = TextureView_texel(this_15, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_15, (row1_ + _e50));
+    let _e81 = (x_8 - left);
+    let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
+    // glimt_render_gpu/src/kernels/texture.rs:65
+    let _e88 = (y_2 - top);
+    return ((upper * (1f - _e88)) + (lower * _e88));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:92
+fn MaterialView_number(words_start_1: u32, words_len_1: u32, word_1: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/material.rs:93
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:147
+fn MaterialView_bumped_normal(words_start_2: u32, words_len_2: u32, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:148
+    let _e9 = MaterialView_texture(words_start_2, words_len_2, 20u);
+    // glimt_render_gpu/src/kernels/material.rs:149
+    let across = (tangent - (normal * dot(normal, tangent)));
+    // glimt_render_gpu/src/kernels/material.rs:150
+    let _e15 = TextureView_exists(_e9);
+    if (!(_e15) || !((dot(across, across) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:151
+        return normal;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:153
+    let t_3 = normalize(across);
+    // glimt_render_gpu/src/kernels/material.rs:154
+    let b_5 = (cross(normal, t_3) * handedness);
+    // glimt_render_gpu/src/kernels/material.rs:155
+    let _e29 = TextureView_sample(_e9, uv_1);
+    let bump = ((_e29.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:156
+    let _e43 = MaterialView_number(words_start_2, words_len_2, 10u);
+    let tilt = (((t_3 * bump.x) + (b_5 * bump.y)) * _e43);
+    // glimt_render_gpu/src/kernels/material.rs:157
+    let _e49 = unit_or((tilt + (normal * bump.z)), normal);
+    return _e49;
+}
+
+// glimt_sampling/src/math.rs:45
+fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
+
+    // glimt_sampling/src/math.rs:46
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
+    // glimt_sampling/src/math.rs:47
+    let a_4 = (-1f / (sign_ + n_2.z));
+    // glimt_sampling/src/math.rs:48
+    let c_3 = ((n_2.x * n_2.y) * a_4);
+    // glimt_sampling/src/math.rs:49
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_4)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_4)), -(n_2.y)), n_2);
+}
+
+// glimt_sampling/src/math.rs:66
+fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:67
+    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:97
+fn MaterialView_vector(words_start_3: u32, words_len_3: u32, word_2: u32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:98
+    let _e5 = MaterialView_number(words_start_3, words_len_3, word_2);
+    let _e8 = MaterialView_number(words_start_3, words_len_3, (word_2 + 1u));
+    let _e11 = MaterialView_number(words_start_3, words_len_3, (word_2 + 2u));
+    return vec3<f32>(_e5, _e8, _e11);
+}
+
+// glimt_brdf/src/metallic_roughness.rs:31
+fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness: f32) -> BlinnPhong {
+
+    // glimt_brdf/src/metallic_roughness.rs:32
+    let base_1 = clamp(base, vec3(0f), vec3(1f));
+    // glimt_brdf/src/metallic_roughness.rs:33
+    let metallic_2 = clamp(metallic, 0f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:34
+    let roughness_2 = clamp(roughness, 0.12f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:35
+    let alpha_1 = (roughness_2 * roughness_2);
+    // glimt_brdf/src/metallic_roughness.rs:36
+    let dielectric = (1f - metallic_2);
+    // glimt_brdf/src/metallic_roughness.rs:37
+    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:118
+fn MaterialView_brdf(words_start_4: u32, words_len_4: u32, uv_2: vec2<f32>) -> BlinnPhong {
+    var color: vec3<f32>;
+    var metallic_1: f32;
+    var roughness_1: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:119
+    let _e6 = MaterialView_vector(words_start_4, words_len_4, 0u);
+    color = _e6;
+    // glimt_render_gpu/src/kernels/material.rs:120
+    let _e13 = scene_surface[(words_start_4 + 3u)];
+    if (_e13 == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:121
+        let _e17 = color;
+        let _e19 = MaterialView_vector(words_start_4, words_len_4, 4u);
+        let _e21 = MaterialView_number(words_start_4, words_len_4, 7u);
+        return BlinnPhong(_e17, _e19, _e21);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:127
+    let _e25 = MaterialView_texture(words_start_4, words_len_4, 12u);
+    // glimt_render_gpu/src/kernels/material.rs:128
+    let _e27 = TextureView_exists(_e25);
+    if _e27 {
+        // glimt_render_gpu/src/kernels/material.rs:129
+        let _e29 = TextureView_sample(_e25, uv_2);
+        let _e31 = color;
+        color = (_e31 * _e29.xyz);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e35 = MaterialView_number(words_start_4, words_len_4, 8u);
+    metallic_1 = _e35;
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e39 = MaterialView_number(words_start_4, words_len_4, 9u);
+    roughness_1 = _e39;
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let _e43 = MaterialView_texture(words_start_4, words_len_4, 16u);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    let _e45 = TextureView_exists(_e43);
+    if _e45 {
+        // glimt_render_gpu/src/kernels/material.rs:135
+        let _e47 = TextureView_sample(_e43, uv_2);
+        // glimt_render_gpu/src/kernels/material.rs:136
+        let _e50 = roughness_1;
+        roughness_1 = (_e50 * _e47.y);
+        // glimt_render_gpu/src/kernels/material.rs:137
+        let _e54 = metallic_1;
+        metallic_1 = (_e54 * _e47.z);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:139
+    let _e57 = color;
+    let _e58 = metallic_1;
+    let _e59 = roughness_1;
+    let _e60 = BlinnPhong_from_metallic_roughness(_e57, _e58, _e59);
+    return _e60;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:67
+fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
+    var chosen_7: vec3<f32>;
+    var chosen_8: f32;
+    var chosen_9: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:68
+    let triangle_2 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:69
+    let first_1 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let a_5 = scene_corners[first_1];
+    // glimt_render_gpu/src/kernels/scene.rs:71
+    let b_6 = scene_corners[(first_1 + 1u)];
+    // glimt_render_gpu/src/kernels/scene.rs:72
+    let c_4 = scene_corners[(first_1 + 2u)];
+    // glimt_render_gpu/src/kernels/scene.rs:73
+    let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
+    let u_2 = _e33.fa;
+    let v_3 = _e33.fb;
+    // glimt_render_gpu/src/kernels/scene.rs:74
+    let w_2 = ((1f - u_2) - v_3);
+    // glimt_render_gpu/src/kernels/scene.rs:76
+    let to_eye = -(ray_8.direction);
+    // glimt_render_gpu/src/kernels/scene.rs:77
+    let _e44 = Triangle_area_normal(triangle_2);
+    let face = normalize(_e44);
+    // glimt_render_gpu/src/kernels/scene.rs:78
+    if (dot(face, to_eye) < 0f) {
+        chosen_7 = -(face);
+    } else {
+        chosen_7 = face;
+    }
+    let geometric_normal = chosen_7;
+    // glimt_render_gpu/src/kernels/scene.rs:79
+    let _e62 = unit_or((((a_5.normal * w_2) + (b_6.normal * u_2)) + (c_4.normal * v_3)), face);
+    // glimt_render_gpu/src/kernels/scene.rs:81
+    let uv_3 = vec2<f32>((((a_5.u * w_2) + (b_6.u * u_2)) + (c_4.u * v_3)), (((a_5.v * w_2) + (b_6.v * u_2)) + (c_4.v * v_3)));
+    // glimt_render_gpu/src/kernels/scene.rs:82
+    let _e85 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/scene.rs:83
+    let tangent_1 = (((a_5.tangent * w_2) + (b_6.tangent * u_2)) + (c_4.tangent * v_3));
+    // glimt_render_gpu/src/kernels/scene.rs:84
+    if ((triangle_2.material & 2147483648u) != 0u) {
+        // glimt_render_gpu/src/kernels/scene.rs:85
+        chosen_8 = -1f;
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:87
+        chosen_8 = 1f;
+    }
+    let handedness_1 = chosen_8;
+    // glimt_render_gpu/src/kernels/scene.rs:89
+    let _e110 = MaterialView_bumped_normal(_e85.value_words_start, _e85.value_words_len, uv_3, _e62, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:90
+    if (dot(_e110, to_eye) < 0f) {
+        // glimt_render_gpu/src/kernels/scene.rs:91
+        chosen_9 = -(_e110);
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:93
+        chosen_9 = _e110;
+    }
+    let normal_2 = chosen_9;
+    // glimt_render_gpu/src/kernels/scene.rs:96
+    let _e121 = ShadingFrame_from_normal(normal_2);
+    // glimt_render_gpu/src/kernels/scene.rs:97
+    let edges = (((triangle_2.v1_ - triangle_2.v0_) * u_2) + ((triangle_2.v2_ - triangle_2.v0_) * v_3));
+    // glimt_render_gpu/src/kernels/scene.rs:98
+    let _e138 = ShadingFrame_to_local(_e121, to_eye);
+    let _e139 = MaterialView_brdf(_e85.value_words_start, _e85.value_words_len, uv_3);
+    return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:45
+fn Triangle_object_index(this_17: Triangle) -> u32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:46
+    return (this_17.object & 1073741823u);
+}
+
+// glimt_render_gpu/src/kernels/past.rs:106
+fn PastView_project(this_18: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
+
+    // glimt_render_gpu/src/kernels/past.rs:107
+    let v_4 = (was_at - this_18.eye);
+    // glimt_render_gpu/src/kernels/past.rs:108
+    let along = dot(v_4, this_18.forward);
+    // glimt_render_gpu/src/kernels/past.rs:109
+    if !((along > 0f)) {
+        // glimt_render_gpu/src/kernels/past.rs:110
+        return Option_Vec3_();
+    }
+    // glimt_render_gpu/src/kernels/past.rs:112
+    let x_9 = (dot(v_4, this_18.right) / (along * dot(this_18.right, this_18.right)));
+    // glimt_render_gpu/src/kernels/past.rs:113
+    let y_3 = (dot(v_4, this_18.up) / (along * dot(this_18.up, this_18.up)));
+    // glimt_render_gpu/src/kernels/past.rs:114
+    let place_2 = (vec2<f32>((0.5f + (0.5f * x_9)), (0.5f - (0.5f * y_3))) * size_2);
+    // glimt_render_gpu/src/kernels/past.rs:115
+    return Option_Vec3_(true, vec3<f32>(place_2, length(v_4)));
+}
+
+// glimt_render_gpu/src/kernels/past.rs:123
+fn PastView_predecessor(this_19: PastView, point: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
+    var chosen_10: vec3<f32>;
+    var chosen_11: u32;
+    var chosen_12: Option_u32_;
+
+    // glimt_render_gpu/src/kernels/past.rs:131
+    if (this_19.pixels == 0u) {
+        // glimt_render_gpu/src/kernels/past.rs:132
+        return Option_u32_();
+    }
+    // glimt_render_gpu/src/kernels/past.rs:134
+    let motion = past_motions[object];
+    // glimt_render_gpu/src/kernels/past.rs:135
+    let was_at_1 = (motion * vec4<f32>(point.origin, 1f)).xyz;
+    // glimt_render_gpu/src/kernels/past.rs:136
+    let size_3 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
+    // glimt_render_gpu/src/kernels/past.rs:137
+    let _e29 = PastView_project(this_19, was_at_1, size_3);
+    let value = _e29.value;
+    if _e29.is_some {
+        chosen_10 = value;
+    } else {
+        return Option_u32_();
+    }
+    let seen = chosen_10;
+    // glimt_render_gpu/src/kernels/past.rs:138
+    let own = vec2<f32>(f32((pattern_1.pixel % frame_2.width)), f32((pattern_1.pixel / frame_2.width)));
+    // glimt_render_gpu/src/kernels/past.rs:142
+    let off = (seen.xy - own);
+    // glimt_render_gpu/src/kernels/past.rs:143
+    let still = ((min(off.x, off.y) > -0.015625f) && (max(off.x, off.y) < (1f + 0.015625f)));
+    // glimt_render_gpu/src/kernels/past.rs:144
+    let in_image = ((((seen.x >= 0f) && (seen.y >= 0f)) && (seen.x < size_3.x)) && (seen.y < size_3.y));
+    // glimt_render_gpu/src/kernels/past.rs:145
+    if (!(still) && !(in_image)) {
+        // glimt_render_gpu/src/kernels/past.rs:146
+        return Option_u32_();
+    }
+    // glimt_render_gpu/src/kernels/past.rs:148
+    if still {
+        // glimt_render_gpu/src/kernels/past.rs:149
+        chosen_11 = pattern_1.pixel;
+    } else {
+        // glimt_render_gpu/src/kernels/past.rs:151
+        chosen_11 = ((u32(seen.y) * frame_2.width) + u32(seen.x));
+    }
+    let pixel_3 = chosen_11;
+    // glimt_render_gpu/src/kernels/past.rs:153
+    if ((pixel_3 < this_19.first_pixel) || ((pixel_3 - this_19.first_pixel) >= this_19.pixels)) {
+        // glimt_render_gpu/src/kernels/past.rs:154
+        return Option_u32_();
+    }
+    // glimt_render_gpu/src/kernels/past.rs:156
+    let ray_10 = (((pixel_3 - this_19.first_pixel) * pattern_1.rays) + pattern_1.ray);
+    // glimt_render_gpu/src/kernels/past.rs:157
+    let state_1 = past_states[ray_10];
+    // glimt_render_gpu/src/kernels/past.rs:158
+    let turned = normalize((motion * vec4<f32>(point.frame.n, 0f)).xyz);
+    // glimt_render_gpu/src/kernels/past.rs:160
+    let saw = (this_19.eye - (state_1.wo * state_1.depth));
+    // glimt_render_gpu/src/kernels/past.rs:161
+    let off_plane = abs(dot((was_at_1 - saw), state_1.normal));
+    // glimt_render_gpu/src/kernels/past.rs:162
+    let same_plane = (off_plane <= (this_19.depth_tolerance * seen.z));
+    // glimt_render_gpu/src/kernels/past.rs:163
+    if (((state_1.depth > 0f) && same_plane) && (dot(turned, state_1.normal) >= this_19.normal_cosine)) {
+        // glimt_render_gpu/src/kernels/past.rs:164
+        chosen_12 = Option_u32_(true, ray_10);
+    } else {
+        // glimt_render_gpu/src/kernels/past.rs:166
+        chosen_12 = Option_u32_();
+    }
+    let _e158 = chosen_12;
+    return _e158;
+}
+
+// glimt_render_gpu/src/kernels/smc_point.rs:92
+fn find_smc_1(ray_9: u32, frame_3: FrameParams, view: PastView) -> SmcPoint {
+    var predecessor: u32;
+    var before: RayState;
+    var chosen_13: u32;
+
+    // glimt_render_gpu/src/kernels/smc_point.rs:99
+    let _e5 = FrameParams_pattern_of(frame_3, ray_9);
+    // glimt_render_gpu/src/kernels/smc_point.rs:100
+    let _e7 = FrameParams_camera_ray(frame_3, _e5);
+    // glimt_render_gpu/src/kernels/smc_point.rs:101
+    let _e9 = Scene_closest_hit(_e7);
+    if !(_e9.is_some) {
+        // glimt_render_gpu/src/kernels/smc_point.rs:102
+        return SmcPoint(vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, RayState(vec3(0f), 0f, vec3(0f), 0f, 0f, 0f, 0f, 0u, 0f, 0f, 0u, 0u));
+    }
+    let hit_1 = _e9.value;
+    // glimt_render_gpu/src/kernels/smc_point.rs:104
+    let _e49 = Scene_shading_point(_e7, hit_1);
+    // glimt_render_gpu/src/kernels/smc_point.rs:105
+    let triangle_3 = scene_triangles[hit_1.triangle];
+    // glimt_render_gpu/src/kernels/smc_point.rs:106
+    predecessor = 4294967295u;
+    // glimt_render_gpu/src/kernels/smc_point.rs:107
+    before = RayState(vec3(0f), 0f, vec3(0f), 0f, 0f, 0f, 0f, 0u, 0f, 0f, 0u, 0u);
+    // glimt_render_gpu/src/kernels/smc_point.rs:108
+    let _e76 = Triangle_object_index(triangle_3);
+    let _e77 = PastView_predecessor(view, _e49, _e76, frame_3, _e5);
+    let found = _e77.value;
+    if _e77.is_some {
+        // glimt_render_gpu/src/kernels/smc_point.rs:109
+        predecessor = found;
+        // glimt_render_gpu/src/kernels/smc_point.rs:110
+        let _e84 = past_states[found];
+        before = _e84;
+    }
+    // glimt_render_gpu/src/kernels/smc_point.rs:112
+    let _e90 = Triangle_is_catcher(triangle_3);
+    if _e90 {
+        // glimt_render_gpu/src/kernels/smc_point.rs:116
+        chosen_13 = 1u;
+    } else {
+        chosen_13 = 0u;
+    }
+    let _e94 = chosen_13;
+    let _e101 = predecessor;
+    let _e108 = before;
+    return SmcPoint(_e49.origin, hit_1.t, _e49.geometric_normal, _e94, _e49.frame.n, _e49.brdf.exponent, -(_e7.direction), _e101, _e49.brdf.diffuse, 0u, _e49.brdf.specular, 0u, _e108);
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn find_smc(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e19 = params.view;
+    let _e20 = find_smc_1((_e14 + local), _e17, _e19);
+    out[local] = _e20;
+}
