@@ -201,3 +201,50 @@ impl HostMemory for Host {
         chunks.values.chunks_exact_mut(chunks.per_element)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chunks_of(chunks: Chunks<'_, u32>) -> Vec<Vec<u32>> {
+        Host::each(chunks).map(|chunk| chunk.to_vec()).collect()
+    }
+
+    #[test]
+    fn a_buffer_is_cut_by_ranges_of_values() {
+        let mut buffer: Vec<u32> = (0..10).collect();
+        assert_eq!(Host::slice(&buffer, 2..5), [2, 3, 4]);
+        assert!(Host::slice(&buffer, 10..10).is_empty());
+        let chunks = Host::chunks(&mut buffer, 3..9, 2);
+        assert_eq!(Host::count(&chunks), 3);
+        assert_eq!(chunks_of(chunks), [[3, 4], [5, 6], [7, 8]]);
+    }
+
+    #[test]
+    fn whole_chunks_alone_are_used() {
+        let mut values = [1, 2, 3, 4, 5];
+        let chunks = Chunks::new(&mut values, 2);
+        assert_eq!(Host::count(&chunks), 2);
+        assert_eq!(chunks_of(chunks), [[1, 2], [3, 4]]);
+        let chunks = Chunks::new(&mut values, 6);
+        assert_eq!(Host::count(&chunks), 0);
+        // Chunks of none would be without end.
+        let chunks = Chunks::new(&mut values, 0);
+        assert_eq!(Host::count(&chunks), 5);
+        assert_eq!(chunks_of(chunks), [[1], [2], [3], [4], [5]]);
+    }
+
+    #[test]
+    fn chunks_are_split_between_elements() {
+        for at in [0, 1, 2, 3, 4, usize::MAX] {
+            let mut values: Vec<u32> = (0..9).collect();
+            let (first, rest) = Host::split_at(Chunks::new(&mut values, 3), at);
+            let expected: Vec<Vec<u32>> = vec![vec![0, 1, 2], vec![3, 4, 5], vec![6, 7, 8]];
+            let (before, behind) = expected.split_at(at.min(3));
+            assert_eq!(Host::count(&first), before.len());
+            assert_eq!(Host::count(&rest), behind.len());
+            assert_eq!(chunks_of(first), before);
+            assert_eq!(chunks_of(rest), behind);
+        }
+    }
+}

@@ -65,6 +65,75 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Passes
+//!
+//! Each kernel that is launched has a *pass* in [`generated::passes`]: a struct of the kernel's own arguments. Any executor of
+//! `glimt-executor` runs it, on the CPU or on a GPU. Here the display image of a white pixel and of a black one:
+//!
+//! ```
+//! use glam::{UVec2, Vec3, Vec4};
+//! use glimt_executor::{Chunks, Executor, Host, Serial};
+//! use glimt_render_gpu::generated::passes::Tonemap;
+//! use glimt_render_gpu::host::render::RenderSettings;
+//! use glimt_render_gpu::host::scene::Camera;
+//!
+//! let camera = Camera { eye: Vec3::X, target: Vec3::ZERO, up: Vec3::Z, fov_x: 1.0 };
+//! let frame = RenderSettings::new(UVec2::new(2, 1), camera).frame_params()?;
+//! let linear = [Vec4::ONE, Vec4::W];
+//! let mut codes = [0; 2];
+//! let pass = Tonemap::<Host> {
+//!     frame: &frame,
+//!     linear: &linear,
+//!     out: Chunks::new(&mut codes, 1),
+//! };
+//! Serial.run(pass, 0..2)?;
+//! assert_eq!(codes, [0xffff_ffff, 0xff00_0000]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! An argument that is missing does not compile:
+//!
+//! ```compile_fail,E0063
+//! # use glam::{UVec2, Vec3, Vec4};
+//! # use glimt_executor::{Chunks, Executor, Host, Serial};
+//! # use glimt_render_gpu::generated::passes::Tonemap;
+//! # use glimt_render_gpu::host::render::RenderSettings;
+//! # use glimt_render_gpu::host::scene::Camera;
+//! # let camera = Camera { eye: Vec3::X, target: Vec3::ZERO, up: Vec3::Z, fov_x: 1.0 };
+//! # let frame = RenderSettings::new(UVec2::new(2, 1), camera).frame_params()?;
+//! let linear = [Vec4::ONE, Vec4::W];
+//! let mut codes = [0; 2];
+//! let pass = Tonemap::<Host> {
+//!     frame: &frame,
+//!     out: Chunks::new(&mut codes, 1),
+//! };
+//! # Serial.run(pass, 0..2)?;
+//! # assert_eq!(codes, [0xffff_ffff, 0xff00_0000]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Nor does an argument of another type, here pixels without alpha:
+//!
+//! ```compile_fail,E0308
+//! # use glam::{UVec2, Vec3, Vec4};
+//! # use glimt_executor::{Chunks, Executor, Host, Serial};
+//! # use glimt_render_gpu::generated::passes::Tonemap;
+//! # use glimt_render_gpu::host::render::RenderSettings;
+//! # use glimt_render_gpu::host::scene::Camera;
+//! # let camera = Camera { eye: Vec3::X, target: Vec3::ZERO, up: Vec3::Z, fov_x: 1.0 };
+//! # let frame = RenderSettings::new(UVec2::new(2, 1), camera).frame_params()?;
+//! let linear = [Vec3::ONE, Vec3::ZERO];
+//! let mut codes = [0; 2];
+//! let pass = Tonemap::<Host> {
+//!     frame: &frame,
+//!     linear: &linear,
+//!     out: Chunks::new(&mut codes, 1),
+//! };
+//! # Serial.run(pass, 0..2)?;
+//! # assert_eq!(codes, [0xffff_ffff, 0xff00_0000]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Bibliography
 //!
 //! - J. Kronander, J. Dahlin, D. Jönsson, M. Kok, T. B. Schön, J. Unger: *Real-time video based lighting using GPU
