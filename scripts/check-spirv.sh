@@ -11,7 +11,7 @@ if ! command -v spirv-val >/dev/null; then
 fi
 folder=${CARGO_TARGET_DIR:-target}/spirv
 rm -rf "$folder"
-cargo run --release --locked --quiet -p glimt-tests --bin write-spirv -- "$folder"
+cargo run --release --locked --quiet --bin write-spirv -- "$folder"
 
 failures=0
 # A file's folder is named by the environment that it is for.

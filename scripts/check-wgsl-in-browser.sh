@@ -10,4 +10,4 @@ if ! command -v "$browser" >/dev/null; then
     $sudo apt-get update -qq
     $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends chromium
 fi
-cargo run --release --locked --quiet -p glimt-tests --bin browser-shaders -- "$browser"
+cargo run --release --locked --quiet --bin browser-shaders -- "$browser"

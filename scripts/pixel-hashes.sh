@@ -19,7 +19,7 @@ else
     trap 'rm -rf "$work"' EXIT
 fi
 cd "$(dirname "$0")/.."
-cargo build --release --locked --quiet -p glimt-tests --bin pixel-hashes
+cargo build --release --locked --quiet --bin pixel-hashes
 hashes=$(realpath "${CARGO_TARGET_DIR:-target}")/release/pixel-hashes
 cp -r examples/shots "$work/shots"
 rm -rf "$work"/shots/film "$work"/shots/helicopter/light "$work"/shots/out "$work"/shots/helicopter/out

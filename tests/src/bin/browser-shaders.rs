@@ -1,5 +1,5 @@
 //! Host file: compiles every shader of the workspace in a browser, by its WebGPU:
-//! `cargo run --release -p glimt-tests --bin browser-shaders -- BROWSER`. `scripts/check-wgsl-in-browser.sh` installs one.
+//! `cargo run --release --bin browser-shaders -- BROWSER`. `scripts/check-wgsl-in-browser.sh` installs one.
 //!
 //! naga takes texts that Tint, the compiler of Chromium, refuses. This serves the texts and a page on localhost, starts the
 //! browser without a window, and prints what its compiler says. It fails where a shader has an error, where the browser does

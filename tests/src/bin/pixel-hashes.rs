@@ -1,5 +1,5 @@
 //! Host file: hashes of what image files decode to, to see that a change of the program changes no pixel:
-//! `cargo run --release -p glimt-tests --bin pixel-hashes -- FOLDER`. `scripts/pixel-hashes.sh` renders what it hashes.
+//! `cargo run --release --bin pixel-hashes -- FOLDER`. `scripts/pixel-hashes.sh` renders what it hashes.
 //!
 //! It prints a line for each channel of each EXR, for each PNG, and for the binary part of each `.glb` (the coefficients of a
 //! bake) below a folder: the path, what it is, its size and its hash. Lines are sorted, so `diff` compares two runs. What

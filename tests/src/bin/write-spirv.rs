@@ -1,5 +1,5 @@
 //! Host file: writes every shader of the workspace as SPIR-V, made by naga from its WGSL:
-//! `cargo run --release -p glimt-tests --bin write-spirv -- FOLDER`. `scripts/check-spirv.sh` validates them.
+//! `cargo run --release --bin write-spirv -- FOLDER`. `scripts/check-spirv.sh` validates them.
 //!
 //! A folder below `FOLDER` is named by the environment whose rules they keep: Vulkan's, or, for functions without an entry
 //! point, SPIR-V's own, since Vulkan has no libraries.
