@@ -7,15 +7,15 @@ use glimt::mesh;
 use glimt::notes::Notes;
 use glimt_benches::inputs::{TriangleMesh, data_dir, knot};
 use glimt_benches::{Contest, claim};
-use glimt_render_gpu::host::bake::{BakeSettings, bake, for_kernels};
-use glimt_render_gpu::host::scene::{Material, Mesh, Object, SceneDescription};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::bvh::any_hit;
 use glimt_render_gpu::kernels::ray::Ray;
 use glimt_render_gpu::kernels::transfer::{
     STATE, TransferParams, TransferVertex, direction_in_row, strata_of_row, transfer,
 };
 use glimt_render_gpu::kernels::triangle::{Triangle, intersect};
+use glimt_render_gpu::prepare::bake::{BakeSettings, bake, for_kernels};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_sampling::uniform::{UniformSource, unit_vec2};
 use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
 use obvhs::BvhBuildParams;

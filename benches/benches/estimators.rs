@@ -10,10 +10,10 @@ use glimt_benches::inputs::{bunny, light_maps};
 use glimt_benches::scene::{camera, on_a_plane};
 use glimt_benches::{Contest, claim};
 use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::host::env::PreparedEnv;
-use glimt_render_gpu::host::render::{Background, Filter, Pattern, RenderSettings, Renderer};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::methods::Mis;
+use glimt_render_gpu::prepare::env::PreparedEnv;
+use glimt_render_gpu::prepare::render::{Background, Filter, Pattern, RenderSettings, Renderer};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 
 const SIZE: UVec2 = UVec2::new(128, 96);
 /// Independent scramblings over which the error is averaged.

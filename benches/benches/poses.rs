@@ -7,11 +7,11 @@ use glimt_benches::inputs::{TriangleMesh, knot, light_maps, statue};
 use glimt_benches::scene::{camera, on_a_plane};
 use glimt_benches::{Contest, claim};
 use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::host::env::PreparedEnv;
-use glimt_render_gpu::host::render::{RenderSettings, Renderer};
-use glimt_render_gpu::host::scene::{Object, SceneDescription};
-use glimt_render_gpu::host::scene_build::{SceneBuffers, Tree};
 use glimt_render_gpu::kernels::bvh::BvhNode;
+use glimt_render_gpu::prepare::env::PreparedEnv;
+use glimt_render_gpu::prepare::render::{RenderSettings, Renderer};
+use glimt_render_gpu::prepare::scene::{Object, SceneDescription};
+use glimt_render_gpu::prepare::scene_build::{SceneBuffers, Tree};
 use std::cell::RefCell;
 
 const ROUNDS: usize = 5;

@@ -10,9 +10,9 @@ use glimt_benches::inputs::{bunny, light_maps};
 use glimt_benches::scene::{camera, on_a_plane};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::{AdapterPreference, GpuRenderer};
-use glimt_render_gpu::host::render::{RenderSettings, Renderer};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::methods::Mis;
+use glimt_render_gpu::prepare::render::{RenderSettings, Renderer};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 
 fn main() {
     let mut gpu = match GpuRenderer::new(AdapterPreference::Fastest) {

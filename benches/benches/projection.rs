@@ -8,7 +8,7 @@ use std::f32::consts::{PI, TAU};
 
 use glam::{UVec2, Vec3};
 use glimt_benches::{Contest, claim};
-use glimt_render_gpu::host::projection::Projector;
+use glimt_render_gpu::prepare::projection::Projector;
 use glimt_sh::separable::{meridian_index, ring_index};
 use glimt_sh::{
     LightCoefficients, Projection, RingTable, build_ring_table_into, coefficient_index,

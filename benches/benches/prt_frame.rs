@@ -14,12 +14,12 @@ use glimt_benches::scene::{camera, on_a_plane};
 use glimt_benches::{Contest, claim};
 use glimt_render_gpu::cpu::CpuDrawing;
 use glimt_render_gpu::gpu::{AdapterPreference, GpuContext, GpuDrawing, GpuLight};
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::light_sh::LightSh;
-use glimt_render_gpu::host::render::{Filter, RenderSettings, Renderer};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::host::transfer::Transfer;
 use glimt_render_gpu::methods::Prt;
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::light_sh::LightSh;
+use glimt_render_gpu::prepare::render::{Filter, RenderSettings, Renderer};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
+use glimt_render_gpu::prepare::transfer::Transfer;
 
 /// Bands, as many as there are.
 const BANDS: u32 = 6;

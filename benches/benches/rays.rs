@@ -5,11 +5,11 @@
 use glam::{Mat4, Vec2, Vec3, vec2, vec3};
 use glimt_benches::inputs::{TriangleMesh, statue};
 use glimt_benches::{Contest, claim};
-use glimt_render_gpu::host::scene::{Material, Mesh, Object, SceneDescription};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::bvh::{any_hit, closest_hit};
 use glimt_render_gpu::kernels::ray::Ray;
 use glimt_render_gpu::kernels::triangle::{Triangle, intersect};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_sampling::uniform::{UniformSource, unit_vec2};
 use glimt_sampling::warp::sample_cosine_hemisphere;
 use glimt_sampling::{ShadingFrame, Xoshiro128PlusPlus};

@@ -9,7 +9,7 @@ use glimt_benches::{Contest, claim};
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::Outline;
-use glimt_render_gpu::host::unwarp::{BallPose, Look, UnwarpGrid, UnwarpMap, UnwarpOptions};
+use glimt_render_gpu::prepare::unwarp::{BallPose, Look, UnwarpGrid, UnwarpMap, UnwarpOptions};
 use rayon::prelude::*;
 
 const PHOTO: UVec2 = UVec2::new(2400, 1700);

@@ -2,12 +2,12 @@
 
 use crate::inputs::bunny;
 use crate::scene::on_a_plane;
-use glimt_render_gpu::host::bake::{BakeError, BakeSettings, bake};
-use glimt_render_gpu::host::env::PreparedEnv;
-use glimt_render_gpu::host::light_sh::LightSh;
-use glimt_render_gpu::host::render::SettingsError;
-use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::methods::Prt;
+use glimt_render_gpu::prepare::bake::{BakeError, BakeSettings, bake};
+use glimt_render_gpu::prepare::env::PreparedEnv;
+use glimt_render_gpu::prepare::light_sh::LightSh;
+use glimt_render_gpu::prepare::render::SettingsError;
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 
 /// Bands of both.
 pub const BANDS: u32 = 5;

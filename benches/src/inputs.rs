@@ -4,7 +4,7 @@
 //! procedural stand-in takes its place, and the benchmark says so.
 
 use glam::{UVec2, Vec3, Vec4, vec3};
-use glimt_render_gpu::host::env::EnvMap;
+use glimt_render_gpu::prepare::env::EnvMap;
 use std::path::PathBuf;
 
 /// Where the real inputs are looked for.

@@ -2,7 +2,7 @@
 
 use crate::inputs::TriangleMesh;
 use glam::{Mat4, Vec3, vec3};
-use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
 
 /// A camera before the mesh of [`on_a_plane`].
 pub fn camera() -> Camera {

@@ -6,7 +6,7 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec3, Mat4, Vec3};
-use glimt_render_gpu::host::scene::{Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, SceneDescription};
 
 use crate::quadrature::{Integral, direction};
 

@@ -2,11 +2,11 @@
 
 use glam::{DVec3, UVec2, Vec3};
 use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::render::{Filter, FrameImage, Pattern, RenderSettings, Renderer};
-use glimt_render_gpu::host::scene::Camera;
-use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::methods::{Bis, Mis};
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::render::{Filter, FrameImage, Pattern, RenderSettings, Renderer};
+use glimt_render_gpu::prepare::scene::Camera;
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use rayon::prelude::*;
 
 use crate::analytic::{AnalyticMap, AnalyticScene};

@@ -16,7 +16,7 @@ use glimt_ball::find;
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
 use glimt_probe::unwarp::{Outline, Visibility};
-use glimt_render_gpu::host::unwarp::BallPose;
+use glimt_render_gpu::prepare::unwarp::BallPose;
 use glimt_sampling::luminance;
 use glimt_tests::data::data_or_skip;
 use rayon::prelude::*;

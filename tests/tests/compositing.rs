@@ -4,15 +4,15 @@
 use glam::{DVec3, Mat4, UVec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::{AdapterPreference, GpuOptions, GpuRenderer};
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::plate::{Plate, srgb_decode};
-use glimt_render_gpu::host::render::{
+use glimt_render_gpu::kernels::layers::PixelLayers;
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::plate::{Plate, srgb_decode};
+use glimt_render_gpu::prepare::render::{
     Background, Filter, FrameImage, RenderError, RenderSettings, Renderer, SettingsError, Shadow,
     Tonemap,
 };
-use glimt_render_gpu::host::scene::{Camera, SceneDescription};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::kernels::layers::PixelLayers;
+use glimt_render_gpu::prepare::scene::{Camera, SceneDescription};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_tests::analytic::{AnalyticMap, AnalyticScene};
 use glimt_tests::gpu::adapter_or_skip;
 use glimt_tests::quadrature::Integral;

@@ -8,7 +8,7 @@ use glimt_envmap_cdf::EnvCdf;
 use glimt_executor::{BufferSlot, Entry, ParamField, ParamsSpace};
 use glimt_probe::latlong;
 use glimt_render_gpu::gpu::{Arg, GpuContext};
-use glimt_render_gpu::host::env::EnvMap;
+use glimt_render_gpu::prepare::env::EnvMap;
 use glimt_sampling::resample::{Comb, Scheme};
 use glimt_sampling::ris::{RisPicks, RisSum};
 use glimt_sampling::{OwenSobol, UniformSource, Xoshiro128PlusPlus, unit_vec2};

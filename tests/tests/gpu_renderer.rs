@@ -5,15 +5,15 @@ use std::sync::Mutex;
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::{GpuEnv, GpuOptions, GpuRenderer};
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::render::{
+use glimt_render_gpu::methods::{Mis, Product};
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::render::{
     Background, FrameImage, Pattern, RenderSettings, Renderer, Tonemap,
 };
-use glimt_render_gpu::host::scene::{
+use glimt_render_gpu::prepare::scene::{
     Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
 };
-use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::methods::{Mis, Product};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_tests::gpu::adapter_or_skip;
 
 /// A texture-mapped plane, and a glossy ball of 40 × 20 faces on it.

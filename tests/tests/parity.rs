@@ -8,15 +8,15 @@ use glam::{Mat4, UVec2, UVec4, Vec3, Vec4};
 use glimt_executor::Entry;
 use glimt_render_gpu::generated;
 use glimt_render_gpu::gpu::{Arg, GpuContext, GpuEnv, GpuScene};
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::render::RenderSettings;
-use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::diagnose::{self, EnvRecord, HitRecord, SurfaceRecord};
 use glimt_render_gpu::kernels::frame::FrameParams;
 use glimt_render_gpu::kernels::layers::LayerSample;
 use glimt_render_gpu::kernels::mis::Mis;
 use glimt_render_gpu::kernels::shade::shade;
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::render::RenderSettings;
+use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_tests::gpu::adapter_or_skip;
 
 /// Directions and positions, relative to the largest.

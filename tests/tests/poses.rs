@@ -3,13 +3,13 @@
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::{AdapterPreference, GpuRenderer};
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::render::{FrameImage, RenderSettings, Renderer};
-use glimt_render_gpu::host::scene::{
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::render::{FrameImage, RenderSettings, Renderer};
+use glimt_render_gpu::prepare::scene::{
     Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
 };
-use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::host::scene_error::SceneError;
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
+use glimt_render_gpu::prepare::scene_error::SceneError;
 use glimt_tests::gpu::adapter_or_skip;
 
 /// A torus about z, of `2 · 48 · 24` triangles, without normals or tangents.

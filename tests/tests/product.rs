@@ -3,14 +3,14 @@
 
 use glam::{UVec2, UVec3, Vec3, Vec4};
 use glimt_brdf::BlinnPhong;
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::render::{Pattern, RenderSettings};
 use glimt_render_gpu::kernels::environment::Environment;
 use glimt_render_gpu::kernels::product::{
     CELLS, CellLobe, Product, cell_of, pmf_in_cell, sample_in_cell,
 };
 use glimt_render_gpu::kernels::scene::ShadingPoint;
 use glimt_render_gpu::methods;
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::render::{Pattern, RenderSettings};
 use glimt_sampling::math::ShadingFrame;
 use glimt_sampling::uniform::UniformSource;
 use glimt_sampling::xoshiro::Xoshiro128PlusPlus;

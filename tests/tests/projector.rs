@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{UVec2, Vec3, Vec4};
-use glimt_render_gpu::host::projection::Projector;
+use glimt_render_gpu::prepare::projection::Projector;
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_f32};
 use glimt_sh::LightCoefficients;
 use glimt_tests::harmonics::{harmonic, indices};

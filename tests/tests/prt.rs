@@ -5,17 +5,17 @@ use std::sync::Arc;
 
 use glam::{DVec3, Mat4, UVec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuDrawing;
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::light_sh::LightSh;
-use glimt_render_gpu::host::plate::Plate;
-use glimt_render_gpu::host::render::{
-    Background, Filter, FrameImage, RenderError, RenderSettings, Renderer, SettingsError,
-};
-use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer, TransferError};
 use glimt_render_gpu::kernels::prt::vertex_light;
 use glimt_render_gpu::methods::Prt;
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::light_sh::LightSh;
+use glimt_render_gpu::prepare::plate::Plate;
+use glimt_render_gpu::prepare::render::{
+    Background, Filter, FrameImage, RenderError, RenderSettings, Renderer, SettingsError,
+};
+use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
+use glimt_render_gpu::prepare::transfer::{SurfaceVertex, Transfer, TransferError};
 use glimt_sh::{ShError, basis, cosine_lobe};
 use glimt_tests::quadrature::integrate_sphere;
 use glimt_tests::worst::largest_share;

@@ -6,18 +6,18 @@ use std::time::Duration;
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuDrawing;
 use glimt_render_gpu::gpu::{GpuContext, GpuDrawing, GpuLight, GpuOptions};
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::light_sh::LightSh;
-use glimt_render_gpu::host::plate::Plate;
-use glimt_render_gpu::host::render::{
+use glimt_render_gpu::methods::Prt;
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::light_sh::LightSh;
+use glimt_render_gpu::prepare::plate::Plate;
+use glimt_render_gpu::prepare::render::{
     Background, Filter, FrameImage, RenderSettings, Renderer, Shadow, Tonemap,
 };
-use glimt_render_gpu::host::scene::{
+use glimt_render_gpu::prepare::scene::{
     Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
 };
-use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::host::transfer::{SurfaceVertex, Transfer};
-use glimt_render_gpu::methods::Prt;
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
+use glimt_render_gpu::prepare::transfer::{SurfaceVertex, Transfer};
 use glimt_tests::gpu::adapter_or_skip;
 use glimt_tests::light;
 use glimt_tests::worst::largest_share;

@@ -3,10 +3,10 @@
 use glam::{DVec3, UVec2, Vec3, Vec4};
 use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
 use glimt_probe::rotate::rotate_z;
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::light_sh::LightSh;
 use glimt_render_gpu::kernels::pyramid::{Taps, half_size, halve, taps};
 use glimt_render_gpu::methods::Prt;
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::light_sh::LightSh;
 use glimt_tests::light::noise;
 use glimt_tests::worst::largest_share;
 

@@ -2,13 +2,13 @@
 
 use glam::{DVec3, UVec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::render::{
+use glimt_render_gpu::methods::{Bis, CandidateSource, Mis};
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::render::{
     Background, FrameImage, Pattern, RenderSettings, Renderer, Tonemap,
 };
-use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::methods::{Bis, CandidateSource, Mis};
+use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_tests::analytic::AnalyticScene;
 use glimt_tests::quadrature::Integral;
 use glimt_tests::unbiased::{
@@ -292,7 +292,7 @@ fn extreme_light_makes_no_nan() {
         rays_per_pixel: 8,
         ..RenderSettings::new(UVec2::new(24, 16), camera())
     };
-    let largest = glimt_render_gpu::host::env::MAX_RADIANCE;
+    let largest = glimt_render_gpu::prepare::env::MAX_RADIANCE;
     for (size, texels) in [
         (UVec2::ONE, vec![Vec4::ZERO]),
         (UVec2::ONE, vec![Vec4::splat(largest)]),

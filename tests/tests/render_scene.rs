@@ -4,18 +4,18 @@ use std::time::Duration;
 
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec3A, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::host::env::{EnvError, EnvMap};
-use glimt_render_gpu::host::render::{Filter, RenderSettings, Renderer, SettingsError};
-use glimt_render_gpu::host::scene::{
-    Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
-};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::host::scene_error::SceneError;
 use glimt_render_gpu::kernels::bvh::{any_hit, closest_hit};
 use glimt_render_gpu::kernels::diagnose::surface;
 use glimt_render_gpu::kernels::ray::Ray;
 use glimt_render_gpu::kernels::triangle::{Triangle, intersect};
 use glimt_render_gpu::methods::Mis;
+use glimt_render_gpu::prepare::env::{EnvError, EnvMap};
+use glimt_render_gpu::prepare::render::{Filter, RenderSettings, Renderer, SettingsError};
+use glimt_render_gpu::prepare::scene::{
+    Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
+};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
+use glimt_render_gpu::prepare::scene_error::SceneError;
 use glimt_sampling::warp::sample_uniform_sphere;
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_f32, unit_vec2};
 use obvhs::ray::RayHit;

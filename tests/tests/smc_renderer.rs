@@ -3,13 +3,13 @@
 use glam::{DVec3, Mat4, UVec2, Vec3};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::{AdapterPreference, GpuOptions, GpuRenderer};
-use glimt_render_gpu::host::env::PreparedEnv;
-use glimt_render_gpu::host::render::{FrameImage, Pattern, RenderSettings, Renderer};
-use glimt_render_gpu::host::scene::Camera;
-use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::host::smc_state::SmcState;
 use glimt_render_gpu::kernels::past::{STARTED_NOT, STARTED_WITHOUT_PAST};
 use glimt_render_gpu::methods::{MethodMemory, Smc};
+use glimt_render_gpu::prepare::env::PreparedEnv;
+use glimt_render_gpu::prepare::render::{FrameImage, Pattern, RenderSettings, Renderer};
+use glimt_render_gpu::prepare::scene::Camera;
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
+use glimt_render_gpu::prepare::smc_state::SmcState;
 use glimt_sampling::resample::Scheme;
 use glimt_smc::Path;
 use glimt_tests::analytic::{AnalyticMap, AnalyticScene};

@@ -3,11 +3,11 @@
 use glam::{DVec3, Mat4, Vec3, vec3};
 use glimt_render_gpu::generated::entries::TRANSFER;
 use glimt_render_gpu::gpu::{self, Arg, GpuScene};
-use glimt_render_gpu::host::bake::{BakeSettings, bake, for_kernels};
-use glimt_render_gpu::host::scene::{Material, Mesh, Object, SceneDescription};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::host::transfer::Transfer;
 use glimt_render_gpu::kernels::transfer::{STATE, transfer};
+use glimt_render_gpu::prepare::bake::{BakeSettings, bake, for_kernels};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
+use glimt_render_gpu::prepare::transfer::Transfer;
 use glimt_sh::{basis, cosine_lobe};
 use glimt_tests::gpu::adapter_or_skip;
 use std::f64::consts::PI;

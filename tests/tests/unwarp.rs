@@ -6,7 +6,7 @@ use glimt_probe::latlong::{texel_direction, texel_solid_angle_sr};
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::{Outline, Visibility};
 use glimt_render_gpu::gpu::GpuUnwarp;
-use glimt_render_gpu::host::unwarp::{BallPose, Look, UnwarpGrid, UnwarpMap, UnwarpOptions};
+use glimt_render_gpu::prepare::unwarp::{BallPose, Look, UnwarpGrid, UnwarpMap, UnwarpOptions};
 use glimt_tests::ball::{photograph, rolled};
 use glimt_tests::gpu::adapter_or_skip;
 use glimt_tests::stats::within;

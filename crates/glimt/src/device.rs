@@ -8,7 +8,7 @@ use glimt_render_gpu::cpu::{CpuDrawing, CpuRenderer};
 use glimt_render_gpu::gpu::{
     self, AdapterPreference, GpuContext, GpuDrawing, GpuError, GpuRenderer,
 };
-use glimt_render_gpu::host::render::{RenderError, Renderer};
+use glimt_render_gpu::prepare::render::{RenderError, Renderer};
 use std::sync::Arc;
 
 /// What runs the kernels.

@@ -4,8 +4,8 @@ use crate::error::{Error, Kind, Result};
 use crate::output::{Stamp, aov, exr, png};
 use crate::setup::Setup;
 use crate::shot::digest;
-use glimt_render_gpu::host::render::FrameImage;
 use glimt_render_gpu::kernels::film::tonemap;
+use glimt_render_gpu::prepare::render::FrameImage;
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 

@@ -10,10 +10,10 @@ use crate::shot::digest::{self, Hash};
 use crate::shot::parse::Source;
 use crate::shot::{Shot, check};
 use glam::{Mat4, UVec2};
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::render::{RenderSettings, SettingsError, Shadow};
-use glimt_render_gpu::host::scene::{Camera, SceneDescription};
-use glimt_render_gpu::host::scene_error::SceneError;
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::render::{RenderSettings, SettingsError, Shadow};
+use glimt_render_gpu::prepare::scene::{Camera, SceneDescription};
+use glimt_render_gpu::prepare::scene_error::SceneError;
 use std::path::{Path, PathBuf};
 
 /// What stays the same in all frames of a shot.

@@ -16,7 +16,7 @@ use glam::Vec4;
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::unwarp::Visibility;
 use glimt_render_gpu::gpu::GpuUnwarp;
-use glimt_render_gpu::host::unwarp::{Look, UnwarpMap};
+use glimt_render_gpu::prepare::unwarp::{Look, UnwarpMap};
 use serde_json::json;
 use std::path::Path;
 use std::sync::Arc;

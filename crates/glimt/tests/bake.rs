@@ -10,9 +10,9 @@ use glimt::error::Result;
 use glimt::notes::Notes;
 use glimt::setup::Setup;
 use glimt::shot::{Shot, parse};
-use glimt_render_gpu::host::bake::BakeSettings;
-use glimt_render_gpu::host::scene_build::SceneBuffers;
-use glimt_render_gpu::host::transfer::Transfer;
+use glimt_render_gpu::prepare::bake::BakeSettings;
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
+use glimt_render_gpu::prepare::transfer::Transfer;
 use serde_json::Value;
 use std::path::Path;
 
@@ -62,7 +62,7 @@ fn a_transfer_comes_back_as_it_was_computed() {
         seed: 1,
     };
     let direct =
-        glimt_render_gpu::host::bake::bake(&scene, &settings, &|_| ()).expect("a transfer");
+        glimt_render_gpu::prepare::bake::bake(&scene, &settings, &|_| ()).expect("a transfer");
     assert_eq!(summary["rays"], direct.rays);
     let read = bake::load(&setup, &setup.shot, &scene, &file).expect("the transfer");
     assert_eq!(read, direct.transfer);

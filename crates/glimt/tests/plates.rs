@@ -4,7 +4,7 @@ mod common;
 
 use common::Scratch;
 use exr::prelude::{Compression, FlatSamples};
-use glimt_render_gpu::host::plate::srgb_decode;
+use glimt_render_gpu::prepare::plate::srgb_decode;
 use std::collections::HashMap;
 use std::fs;
 use std::path::Path;

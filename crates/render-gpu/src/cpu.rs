@@ -5,13 +5,13 @@ mod tiles;
 
 use glimt_executor::{Chunks, Cpu, Host, Rayon, Serial};
 
-use crate::host::env::PreparedEnv;
-use crate::host::plate::Plate;
-use crate::host::render::{FrameImage, RenderError, RenderSettings, Renderer};
-use crate::host::scene_build::SceneBuffers;
-use crate::host::smc_state::PastFrame;
 use crate::methods::smc::{Following, Own};
 use crate::methods::{Inputs, Method, MethodMemory};
+use crate::prepare::env::PreparedEnv;
+use crate::prepare::plate::Plate;
+use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer};
+use crate::prepare::scene_build::SceneBuffers;
+use crate::prepare::smc_state::PastFrame;
 
 pub use drawing::CpuDrawing;
 use tiles::{Image, Job};

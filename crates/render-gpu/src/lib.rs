@@ -7,10 +7,10 @@
 //! ```
 //! use glam::{Mat4, UVec2, Vec3, Vec4};
 //! use glimt_render_gpu::cpu::CpuRenderer;
-//! use glimt_render_gpu::host::env::EnvMap;
-//! use glimt_render_gpu::host::render::{RenderSettings, Renderer};
-//! use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
-//! use glimt_render_gpu::host::scene_build::SceneBuffers;
+//! use glimt_render_gpu::prepare::env::EnvMap;
+//! use glimt_render_gpu::prepare::render::{RenderSettings, Renderer};
+//! use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
+//! use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 //!
 //! // A grey triangle under a white sky reflects its albedo.
 //! let scene = SceneBuffers::build(&SceneDescription {
@@ -33,16 +33,16 @@
 //! ```
 //!
 //! Where objects stand still, light that arrives at their vertices may be computed once for any light, and frames by it alone
-//! (precomputed radiance transfer): [`host::bake`], then [`CpuDrawing`](cpu::CpuDrawing). The triangle of above again:
+//! (precomputed radiance transfer): [`prepare::bake`], then [`CpuDrawing`](cpu::CpuDrawing). The triangle of above again:
 //!
 //! ```
 //! # use glam::{Mat4, UVec2, Vec3, Vec4};
 //! # use glimt_render_gpu::cpu::CpuDrawing;
-//! # use glimt_render_gpu::host::env::EnvMap;
-//! # use glimt_render_gpu::host::render::{RenderSettings, Renderer};
-//! # use glimt_render_gpu::host::scene::{Camera, Material, Mesh, Object, SceneDescription};
-//! # use glimt_render_gpu::host::scene_build::SceneBuffers;
-//! use glimt_render_gpu::host::bake::{BakeSettings, bake};
+//! # use glimt_render_gpu::prepare::env::EnvMap;
+//! # use glimt_render_gpu::prepare::render::{RenderSettings, Renderer};
+//! # use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
+//! # use glimt_render_gpu::prepare::scene_build::SceneBuffers;
+//! use glimt_render_gpu::prepare::bake::{BakeSettings, bake};
 //! # let mut scene = SceneBuffers::build(&SceneDescription {
 //! #     meshes: vec![Mesh {
 //! #         positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
@@ -74,8 +74,8 @@
 //! use glam::{UVec2, Vec3, Vec4};
 //! use glimt_executor::{Chunks, Executor, Host, Serial};
 //! use glimt_render_gpu::generated::passes::Tonemap;
-//! use glimt_render_gpu::host::render::RenderSettings;
-//! use glimt_render_gpu::host::scene::Camera;
+//! use glimt_render_gpu::prepare::render::RenderSettings;
+//! use glimt_render_gpu::prepare::scene::Camera;
 //!
 //! let camera = Camera { eye: Vec3::X, target: Vec3::ZERO, up: Vec3::Z, fov_x: 1.0 };
 //! let frame = RenderSettings::new(UVec2::new(2, 1), camera).frame_params()?;
@@ -97,8 +97,8 @@
 //! # use glam::{UVec2, Vec3, Vec4};
 //! # use glimt_executor::{Chunks, Executor, Host, Serial};
 //! # use glimt_render_gpu::generated::passes::Tonemap;
-//! # use glimt_render_gpu::host::render::RenderSettings;
-//! # use glimt_render_gpu::host::scene::Camera;
+//! # use glimt_render_gpu::prepare::render::RenderSettings;
+//! # use glimt_render_gpu::prepare::scene::Camera;
 //! # let camera = Camera { eye: Vec3::X, target: Vec3::ZERO, up: Vec3::Z, fov_x: 1.0 };
 //! # let frame = RenderSettings::new(UVec2::new(2, 1), camera).frame_params()?;
 //! let linear = [Vec4::ONE, Vec4::W];
@@ -118,8 +118,8 @@
 //! # use glam::{UVec2, Vec3, Vec4};
 //! # use glimt_executor::{Chunks, Executor, Host, Serial};
 //! # use glimt_render_gpu::generated::passes::Tonemap;
-//! # use glimt_render_gpu::host::render::RenderSettings;
-//! # use glimt_render_gpu::host::scene::Camera;
+//! # use glimt_render_gpu::prepare::render::RenderSettings;
+//! # use glimt_render_gpu::prepare::scene::Camera;
 //! # let camera = Camera { eye: Vec3::X, target: Vec3::ZERO, up: Vec3::Z, fov_x: 1.0 };
 //! # let frame = RenderSettings::new(UVec2::new(2, 1), camera).frame_params()?;
 //! let linear = [Vec3::ONE, Vec3::ZERO];
@@ -155,9 +155,9 @@ mod film;
 #[rustfmt::skip]
 pub mod generated;
 pub mod gpu;
-pub mod host;
 pub mod kernels;
 pub mod methods;
+pub mod prepare;
 pub mod sequence;
 pub mod settings;
 pub mod words;

@@ -2,13 +2,13 @@
 
 use glam::{UVec2, Vec3, Vec4, vec3};
 use glimt_render_gpu::gpu::{Arg, GpuContext};
-use glimt_render_gpu::host::render::RenderSettings;
-use glimt_render_gpu::host::scene::Camera;
 use glimt_render_gpu::kernels::capture::{
     CaptureParams, LatLongParams, film_ball, film_latlong, film_plate,
 };
 use glimt_render_gpu::kernels::sensor::{SensorParams, expose};
 use glimt_render_gpu::kernels::stage::{STAGE_BOX, STAGE_SPHERE, Stage, StageParams};
+use glimt_render_gpu::prepare::render::RenderSettings;
+use glimt_render_gpu::prepare::scene::Camera;
 use naga_front_rust::Program;
 
 use super::{Output, Pair, launch, words};

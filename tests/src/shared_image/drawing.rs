@@ -6,13 +6,13 @@ use std::sync::Arc;
 use bytemuck::{NoUninit, bytes_of};
 use glam::{UVec2, Vec2, Vec4};
 use glimt_render_gpu::gpu::{Arg, GpuBuffer, GpuContext, GpuScene};
-use glimt_render_gpu::host::render::{Pattern, Tonemap};
-use glimt_render_gpu::host::transfer::Transfer;
 use glimt_render_gpu::kernels::layers::LayerSample;
 use glimt_render_gpu::kernels::light_sh::{LightParams, light_coefficient};
 use glimt_render_gpu::kernels::prt::{VertexLight, shade_prt, vertex_light};
 use glimt_render_gpu::kernels::pyramid::{Taps, half_size, halve, taps};
 use glimt_render_gpu::kernels::raster::{DrawnLayout, RasterParams, unpack_layers};
+use glimt_render_gpu::prepare::render::{Pattern, Tonemap};
+use glimt_render_gpu::prepare::transfer::Transfer;
 use naga_front_rust::Program;
 
 use super::frame::{RAYS, SIZE, environment, params, scene};

@@ -3,11 +3,11 @@
 use glam::{Mat4, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::Arg;
-use glimt_render_gpu::host::render::{Pattern, RenderSettings, Renderer, Tonemap};
 use glimt_render_gpu::kernels::past::{Past, RayState};
 use glimt_render_gpu::kernels::smc_point::{self, SmcPoint};
 use glimt_render_gpu::kernels::{bis, product, shade, smc, smc_gather};
 use glimt_render_gpu::methods::{CandidateSource, MethodMemory, Smc};
+use glimt_render_gpu::prepare::render::{Pattern, RenderSettings, Renderer, Tonemap};
 
 use super::frame::{RAYS, SIZE, Stage, environment, settings};
 use super::{Output, Pair, words};
@@ -169,7 +169,13 @@ impl Stage<'_> {
         let more = [&given[..], &written].concat();
         self.shade_with("smc::advance_smc", &frame, &more, &out, rays);
         let more = [&given[..], &read].concat();
-        self.shade_with("smc_gather::gather_smc::<glam::Vec4>", &frame, &more, &out, rays);
+        self.shade_with(
+            "smc_gather::gather_smc::<glam::Vec4>",
+            &frame,
+            &more,
+            &out,
+            rays,
+        );
         Pair {
             name: "followed".to_owned(),
             cpu: [words(&cpu), words(&states)].concat(),

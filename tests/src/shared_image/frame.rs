@@ -3,17 +3,17 @@
 use bytemuck::NoUninit;
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec4, vec2, vec3};
 use glimt_render_gpu::gpu::{Arg, GpuContext, GpuEnv, GpuScene};
-use glimt_render_gpu::host::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::host::render::{Pattern, RenderSettings, Tonemap};
-use glimt_render_gpu::host::scene::{
-    Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
-};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::environment::Environment;
 use glimt_render_gpu::kernels::frame::{Background, FrameParams, Shadow};
 use glimt_render_gpu::kernels::mis::Mis;
 use glimt_render_gpu::kernels::scene::Scene;
 use glimt_render_gpu::kernels::{diagnose, film, shade};
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::render::{Pattern, RenderSettings, Tonemap};
+use glimt_render_gpu::prepare::scene::{
+    Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
+};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use naga_front_rust::Program;
 
 use super::{Output, Pair, launch, words};

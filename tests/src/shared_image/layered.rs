@@ -2,11 +2,11 @@
 
 use glam::Vec4;
 use glimt_render_gpu::gpu::Arg;
-use glimt_render_gpu::host::plate::Plate;
 use glimt_render_gpu::kernels::composite;
 use glimt_render_gpu::kernels::frame::FrameParams;
 use glimt_render_gpu::kernels::layers::{LayerSample, PixelLayers, reconstruct_layers};
 use glimt_render_gpu::kernels::shade;
+use glimt_render_gpu::prepare::plate::Plate;
 
 use super::frame::{MIS, MIS_IN_LAYERS, RAYS, SIZE, Stage};
 use super::{Output, Pair, launch, words};

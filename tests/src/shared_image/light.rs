@@ -6,7 +6,7 @@ use glimt_probe::gather::{ColourMatrix, TexelTaps};
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::Outline;
 use glimt_render_gpu::gpu::{Arg, GpuContext};
-use glimt_render_gpu::host::unwarp::{BallPose, Look, UnwarpGrid, UnwarpOptions};
+use glimt_render_gpu::prepare::unwarp::{BallPose, Look, UnwarpGrid, UnwarpOptions};
 use naga_front_rust::Program;
 
 use super::{Output, Pair, launch, words};

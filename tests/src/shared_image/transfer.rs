@@ -2,10 +2,10 @@
 
 use glam::{Mat4, Vec3};
 use glimt_render_gpu::gpu::{Arg, GpuContext, GpuScene};
-use glimt_render_gpu::host::bake::{BakeSettings, for_kernels};
-use glimt_render_gpu::host::scene::{Material, Mesh, Object, SceneDescription};
-use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::transfer::{STATE, transfer};
+use glimt_render_gpu::prepare::bake::{BakeSettings, for_kernels};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use naga_front_rust::Program;
 
 use super::{Output, Pair, launch, words};

@@ -3,8 +3,8 @@
 use crate::shot::digest::{self, Hash};
 use glam::Vec3;
 use glimt_render_gpu::generated::digests;
-use glimt_render_gpu::host::bake::BakeSettings;
-use glimt_render_gpu::host::scene_build::SceneBuffers;
+use glimt_render_gpu::prepare::bake::BakeSettings;
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 

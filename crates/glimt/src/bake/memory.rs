@@ -1,8 +1,8 @@
 //! Host file: how much memory a bake takes, and whether there is so much.
 
 use crate::error::{Error, Result};
-use glimt_render_gpu::host::bake::required_bytes;
-use glimt_render_gpu::host::scene::SceneDescription;
+use glimt_render_gpu::prepare::bake::required_bytes;
+use glimt_render_gpu::prepare::scene::SceneDescription;
 use std::hint::black_box;
 
 /// Bytes at a vertex: of the meshes as they came, and of those that the scene has, with all attributes.
@@ -87,7 +87,7 @@ pub fn mebibytes(bytes: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glimt_render_gpu::host::scene::{Mesh, Object};
+    use glimt_render_gpu::prepare::scene::{Mesh, Object};
 
     #[test]
     fn each_place_of_a_mesh_counts() {

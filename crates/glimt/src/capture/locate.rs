@@ -12,7 +12,7 @@ use glimt_ball::{
     FindError, Look, Observation, Options, TrackError, Tracked, TrackedPose, look, stabilise,
 };
 use glimt_probe::unwarp::Outline;
-use glimt_render_gpu::host::unwarp::BallPose;
+use glimt_render_gpu::prepare::unwarp::BallPose;
 
 /// Finds the ball in all of these frames and steadies what was found; `progress` is called with how many frames are done, and of
 /// how many.

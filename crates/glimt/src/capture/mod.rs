@@ -8,7 +8,7 @@ use glam::{UVec2, Vec2, Vec3};
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::mirror_ball::MirrorBall;
 use glimt_probe::unwarp::Outline;
-use glimt_render_gpu::host::unwarp::{BallPose, Look, UnwarpGrid, UnwarpMap, UnwarpOptions};
+use glimt_render_gpu::prepare::unwarp::{BallPose, Look, UnwarpGrid, UnwarpMap, UnwarpOptions};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};

@@ -19,7 +19,7 @@ pub struct Lineage {
 }
 
 impl Lineage {
-    /// Of a frame's [diagnostics](glimt_render_gpu::host::render::FrameImage::diagnostics); `None` where nothing is seen.
+    /// Of a frame's [diagnostics](glimt_render_gpu::prepare::render::FrameImage::diagnostics); `None` where nothing is seen.
     #[must_use]
     pub fn of(diagnostics: &[Vec4]) -> Option<Self> {
         let seen: Vec<&Vec4> = diagnostics.iter().filter(|d| d.x > 0.0).collect();

@@ -12,10 +12,10 @@ use crate::report::Reporter;
 use crate::setup::Setup;
 use crate::shot::{self, Shot};
 use glam::{UVec2, Vec3, Vec4};
-use glimt_render_gpu::host::env::PreparedEnv;
-use glimt_render_gpu::host::render::RenderSettings;
-use glimt_render_gpu::host::scene_build::SceneBuffers;
 use glimt_render_gpu::kernels::film::tonemap;
+use glimt_render_gpu::prepare::env::PreparedEnv;
+use glimt_render_gpu::prepare::render::RenderSettings;
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use std::sync::Arc;
 use std::time::Instant;
 

@@ -11,7 +11,7 @@ use crate::output::png;
 use ::exr::prelude::read_first_flat_layer_from_file;
 use glam::{UVec2, Vec3};
 use glimt_ball::find;
-use glimt_render_gpu::host::plate::linear_to_srgb8;
+use glimt_render_gpu::prepare::plate::linear_to_srgb8;
 use rayon::prelude::*;
 use std::path::Path;
 

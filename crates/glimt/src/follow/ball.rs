@@ -7,7 +7,7 @@ use crate::notes::Notes;
 use crate::shot;
 use glimt_ball::levels::Levels;
 use glimt_ball::{Circle, State, Tracker, TrackerOptions};
-use glimt_render_gpu::host::unwarp::BallPose;
+use glimt_render_gpu::prepare::unwarp::BallPose;
 use std::path::Path;
 
 /// Frames further apart than this are not compared: the light itself may have changed, as when the sun has moved on.

@@ -11,7 +11,7 @@ use crate::shot::Shot;
 use crate::shot::digest::{Hash, of_file};
 use crate::shot::parse::Source;
 use glam::UVec2;
-use glimt_render_gpu::host::plate::Plate;
+use glimt_render_gpu::prepare::plate::Plate;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::sleep;

@@ -7,7 +7,7 @@ use crate::mesh::node::names;
 use crate::notes::Notes;
 use crate::report::shown;
 use glam::{Mat4, Vec3};
-use glimt_render_gpu::host::scene::Material;
+use glimt_render_gpu::prepare::scene::Material;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -76,7 +76,7 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
     Ok((value, lines.join("\n")))
 }
 
-fn share(model: &Model, has: fn(&glimt_render_gpu::host::scene::Mesh) -> bool) -> String {
+fn share(model: &Model, has: fn(&glimt_render_gpu::prepare::scene::Mesh) -> bool) -> String {
     match model.meshes.iter().filter(|m| has(m)).count() {
         0 => "none".to_owned(),
         n if n == model.meshes.len() => "all meshes".to_owned(),

@@ -1,7 +1,7 @@
 //! Host file: texels of a light that are not radiance, counted by what is wrong with them.
 
 use glam::Vec4;
-use glimt_render_gpu::host::env::MAX_RADIANCE;
+use glimt_render_gpu::prepare::env::MAX_RADIANCE;
 
 /// Texels that are not radiance, by what is wrong with them. A texel counts once, for the first of these.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]

@@ -9,7 +9,7 @@ use crate::shot::digest::{Hash, of_file};
 use crate::shot::parse::Source;
 use crate::shot::{Fit, Shot};
 use glam::{UVec2, Vec3};
-use glimt_render_gpu::host::plate::Plate;
+use glimt_render_gpu::prepare::plate::Plate;
 use rayon::prelude::*;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};

@@ -4,7 +4,7 @@ use super::{BadTexels, HdrImage, is_display, plate, read_header, read_image};
 use crate::error::Result;
 use crate::notes::Notes;
 use glam::{UVec2, Vec3, Vec4};
-use glimt_render_gpu::host::env::EnvMap;
+use glimt_render_gpu::prepare::env::EnvMap;
 use rayon::prelude::*;
 use std::path::Path;
 

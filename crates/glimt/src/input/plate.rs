@@ -4,7 +4,7 @@ use super::{BadTexels, read_header, read_image, start_of};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use glam::{UVec2, Vec3};
-use glimt_render_gpu::host::plate::{srgb_decode, srgb8_to_linear};
+use glimt_render_gpu::prepare::plate::{srgb_decode, srgb8_to_linear};
 use image::{ColorType, DynamicImage, ImageDecoder, ImageError, ImageReader};
 use rayon::prelude::*;
 use std::fs::File;
@@ -117,7 +117,7 @@ fn read_linear(file: &Path, notes: &mut Notes) -> Result<PlateImage> {
     }
     for colour in &mut colours {
         // Far below zero is as bad as far above, but nothing writes such values.
-        if !(colour.abs().max_element() <= glimt_render_gpu::host::env::MAX_RADIANCE)
+        if !(colour.abs().max_element() <= glimt_render_gpu::prepare::env::MAX_RADIANCE)
             || colour.is_nan()
         {
             *colour = Vec3::ZERO;

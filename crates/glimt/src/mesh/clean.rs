@@ -4,7 +4,7 @@ use super::model::Model;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use glam::{DVec3, Vec3};
-use glimt_render_gpu::host::scene::{Material, Mesh};
+use glimt_render_gpu::prepare::scene::{Material, Mesh};
 use std::path::Path;
 
 /// Checks and mends a model: indices must be in range and coordinates finite; triangles without area are dropped, normals

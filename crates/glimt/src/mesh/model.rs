@@ -5,7 +5,7 @@ use super::node::{self, Node};
 use crate::error::Result;
 use crate::shot::digest::{self, Hash};
 use glam::{Mat4, Vec3};
-use glimt_render_gpu::host::scene::{Material, Mesh, Texture};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Texture};
 use std::path::PathBuf;
 
 /// What a mesh file holds. Indices are into its own lists.

@@ -5,7 +5,7 @@ use super::node::Node;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use glam::{Vec2, Vec3};
-use glimt_render_gpu::host::scene::{Material, Mesh, Texture, Wrap};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Texture, Wrap};
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::fs::File;

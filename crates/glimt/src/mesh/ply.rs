@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use crate::notes::Notes;
 use flate2::bufread::MultiGzDecoder;
 use glam::{Vec2, Vec3};
-use glimt_render_gpu::host::scene::Mesh;
+use glimt_render_gpu::prepare::scene::Mesh;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Header, PropertyAccess, PropertyAccessResult};
 use std::fs::File;

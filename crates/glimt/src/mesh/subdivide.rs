@@ -2,7 +2,7 @@
 
 use super::model::Model;
 use glam::Vec3;
-use glimt_render_gpu::host::scene::Mesh;
+use glimt_render_gpu::prepare::scene::Mesh;
 use std::collections::HashMap;
 
 /// The most triangles that a model is cut into.

@@ -2,8 +2,8 @@
 
 use crate::shot::{Aov, Shadow};
 use glam::Vec3;
-use glimt_render_gpu::host::render::{FrameImage, RenderSettings};
 use glimt_render_gpu::kernels::layers::PixelLayers;
+use glimt_render_gpu::prepare::render::{FrameImage, RenderSettings};
 
 /// Key of the formula in the EXR.
 pub const FORMULA_KEY: &str = "glimtComposite";

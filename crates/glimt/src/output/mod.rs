@@ -9,7 +9,7 @@ pub mod video;
 
 use crate::error::Result;
 use atomic::Pending;
-use glimt_render_gpu::host::render::FrameImage;
+use glimt_render_gpu::prepare::render::FrameImage;
 use std::io::Write;
 use std::path::Path;
 

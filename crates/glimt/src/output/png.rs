@@ -6,7 +6,7 @@ use ::png::{
     BitDepth, ColorType, Compression, Decoder, Encoder, EncodingError, SrgbRenderingIntent,
 };
 use glam::UVec2;
-use glimt_render_gpu::host::render::FrameImage;
+use glimt_render_gpu::prepare::render::FrameImage;
 use std::io::Cursor;
 use std::path::Path;
 

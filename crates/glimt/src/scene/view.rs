@@ -5,7 +5,7 @@ use crate::mesh::animation::hermite;
 use crate::shot::parse::Source;
 use crate::shot::{self, Interpolation, Shot};
 use glam::{Mat3, Mat4, Vec3};
-use glimt_render_gpu::host::scene::Camera;
+use glimt_render_gpu::prepare::scene::Camera;
 
 /// The direction from which objects are looked at when a shot does not say: along +x, the middle of a lat-long map, from
 /// a little to the side and above.

@@ -10,7 +10,7 @@ use crate::notes::Notes;
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, check, parse, range};
 use glam::Mat3;
-use glimt_render_gpu::host::env::EnvMap;
+use glimt_render_gpu::prepare::env::EnvMap;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 

@@ -1,10 +1,12 @@
 //! Host file: what a shot must fulfil beyond being well-formed.
 
 use super::parse::Source;
-use super::{Ball, Camera, Colour, Mapping, Method, Prt, Shot, range};
+use super::{
+    Backplate, Ball, Camera, Colour, Image, Mapping, Method, Output, Probe, Prt, Shot, range,
+};
 use crate::error::{Error, Result};
-use glimt_render_gpu::host::bake;
-use glimt_render_gpu::host::scene_build::MAX_COORDINATE;
+use glimt_render_gpu::prepare::bake;
+use glimt_render_gpu::prepare::scene_build::MAX_COORDINATE;
 use glimt_render_gpu::settings::SettingError;
 
 /// Largest width or height of an image.
@@ -21,9 +23,22 @@ const MAX_EXPOSURE_EV: f32 = 100.0;
 /// # Errors
 /// The first value that cannot be rendered, with its key, its place and what would do.
 pub fn check(shot: &Shot, source: &Source) -> Result<()> {
-    let bad = |key: &str, what: &str, fix: &str| Err(source.error(key, what).fix(fix));
+    check_image(&shot.image, source)?;
+    check_camera(shot, source)?;
+    check_probe(&shot.probe, source)?;
+    if let Some(plate) = &shot.backplate {
+        check_plate(plate, source)?;
+    }
+    if let Some(colour) = &shot.probe.colour {
+        check_colour(colour, source)?;
+    }
+    check_objects(shot, source)?;
+    check_render(shot, source)?;
+    check_output(&shot.output, source)
+}
 
-    let image = &shot.image;
+fn check_image(image: &Image, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| Err(source.error(key, what).fix(fix));
     if image.size.iter().any(|&n| n == 0 || n > MAX_SIDE) {
         return bad("image.size", "a side is 0 or above 32768", "as [1280, 720]");
     }
@@ -49,10 +64,11 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
             "0 leaves the image as it is, 1 doubles its brightness",
         );
     }
+    Ok(())
+}
 
-    check_camera(shot, source)?;
-
-    let probe = &shot.probe;
+fn check_probe(probe: &Probe, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| Err(source.error(key, what).fix(fix));
     if probe.frames.is_empty() {
         return bad(
             "probe.frames",
@@ -80,34 +96,36 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
             "remove it",
         );
     }
-    if let Some(plate) = &shot.backplate {
-        if plate.frames.is_empty() {
-            return bad(
-                "backplate",
-                "it names no footage",
-                "as frames = \"plate.####.png\"; without the table the light is the background",
-            );
-        }
-        if plate.fps.is_some_and(|fps| !(fps >= 0.1 && fps <= 1000.0)) {
-            return bad(
-                "backplate.fps",
-                "it is not between 0.1 and 1000",
-                "leave it out where the footage runs at probe.fps",
-            );
-        }
-    }
+    Ok(())
+}
 
-    if let Some(colour) = &probe.colour {
-        check_colour(colour, source)?;
+fn check_plate(plate: &Backplate, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| Err(source.error(key, what).fix(fix));
+    if plate.frames.is_empty() {
+        return bad(
+            "backplate",
+            "it names no footage",
+            "as frames = \"plate.####.png\"; without the table the light is the background",
+        );
     }
-    check_objects(shot, source)?;
+    if plate.fps.is_some_and(|fps| !(fps >= 0.1 && fps <= 1000.0)) {
+        return bad(
+            "backplate.fps",
+            "it is not between 0.1 and 1000",
+            "leave it out where the footage runs at probe.fps",
+        );
+    }
+    Ok(())
+}
 
+fn check_render(shot: &Shot, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| Err(source.error(key, what).fix(fix));
     let render = &shot.render;
     render.check().map_err(|e| refused(source, &e))?;
     check_prt(&render.prt, source)?;
     let estimator = render.estimator();
     let samples = estimator.map_or(1, |estimator| estimator.samples_per_ray());
-    if u64::from(samples) * u64::from(image.rays_per_pixel) > u64::from(u32::MAX) {
+    if u64::from(samples) * u64::from(shot.image.rays_per_pixel) > u64::from(u32::MAX) {
         return bad(
             "image.rays_per_pixel",
             &format!("with {samples} samples on each ray a pixel takes 2^32 of them"),
@@ -127,8 +145,11 @@ pub fn check(shot: &Shot, source: &Source) -> Result<()> {
             error.fix(e.fix.unwrap_or_default())
         })?;
     }
+    Ok(())
+}
 
-    let output = &shot.output;
+fn check_output(output: &Output, source: &Source) -> Result<()> {
+    let bad = |key: &str, what: &str, fix: &str| Err(source.error(key, what).fix(fix));
     if output.dir.is_empty() {
         return bad("output.dir", "it is empty", "\".\" is the shot's folder");
     }

@@ -6,7 +6,7 @@ pub mod parse;
 pub mod range;
 mod render;
 
-pub use glimt_render_gpu::host::render::{Background, Filter, Pattern, Shadow, Tonemap};
+pub use glimt_render_gpu::prepare::render::{Background, Filter, Pattern, Shadow, Tonemap};
 pub use render::{Method, Prt, Render};
 use serde::{Deserialize, Serialize};
 

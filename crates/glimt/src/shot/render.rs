@@ -1,8 +1,8 @@
 //! Host file: keys of how a shot is rendered. Those of an estimator are the renderer's own settings.
 
 use super::{Pattern, Preset, words};
-use glimt_render_gpu::host::bake::BakeSettings;
 use glimt_render_gpu::methods::{self, Smc};
+use glimt_render_gpu::prepare::bake::BakeSettings;
 use glimt_render_gpu::settings::SettingError;
 use serde::{Deserialize, Serialize};
 

@@ -9,12 +9,12 @@ use glam::{UVec2, Vec3, Vec4};
 use glimt_executor::gpu::Direct;
 use glimt_executor::{Cpu, Device, Executor, Memory, Pass, Rayon};
 use glimt_render_gpu::generated::passes::{Expose, FilmBall, FilmLatlong, FilmPlate, StageArg};
-use glimt_render_gpu::host::render::{FrameImage, RenderError, RenderSettings};
 use glimt_render_gpu::kernels::capture::{CaptureParams, LatLongParams};
 use glimt_render_gpu::kernels::film::tonemap;
 use glimt_render_gpu::kernels::frame::FrameParams;
 use glimt_render_gpu::kernels::sensor::SensorParams;
 use glimt_render_gpu::kernels::stage::Stage;
+use glimt_render_gpu::prepare::render::{FrameImage, RenderError, RenderSettings};
 use rayon::prelude::*;
 use std::sync::OnceLock;
 

@@ -3,8 +3,8 @@
 use super::settings::Synth;
 use glam::{DMat3, DVec2, DVec3, UVec2, Vec3, dvec2};
 use glimt_probe::mirror_ball::MirrorBall;
-use glimt_render_gpu::host::scene::Camera;
 use glimt_render_gpu::kernels::capture::CaptureParams;
+use glimt_render_gpu::prepare::scene::Camera;
 use glimt_sampling::hash::hash2;
 use glimt_sampling::uniform::UniformSource;
 use glimt_sampling::xoshiro::Xoshiro128PlusPlus;

@@ -6,13 +6,13 @@ use glimt_executor::{Chunks, Cpu, Device, Executor, Host, Rayon};
 use super::tiles::{self, Image, Job};
 use crate::film::Samples;
 use crate::generated::passes::VertexLight;
-use crate::host::env::PreparedEnv;
-use crate::host::light_sh::LightSh;
-use crate::host::plate::Plate;
-use crate::host::render::{FrameImage, RenderError, RenderSettings, Renderer, SettingsError};
-use crate::host::scene_build::SceneBuffers;
 use crate::kernels::prt::{self, shade_prt};
 use crate::methods::MethodMemory;
+use crate::prepare::env::PreparedEnv;
+use crate::prepare::light_sh::LightSh;
+use crate::prepare::plate::Plate;
+use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer, SettingsError};
+use crate::prepare::scene_build::SceneBuffers;
 
 /// Draws scenes that have a transfer, on all of rayon's threads.
 #[derive(Clone, Debug, Default)]

@@ -8,15 +8,15 @@ use rayon::prelude::*;
 
 use crate::film::{Pixels, Samples};
 use crate::generated::passes::{EnvironmentArg, SceneArg};
-use crate::host::env::PreparedEnv;
-use crate::host::plate::Plate;
-use crate::host::render::{FrameImage, RenderSettings};
-use crate::host::scene_build::SceneBuffers;
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::PixelLayers;
 use crate::kernels::smc_point::SmcPoint;
 use crate::methods::smc::Own;
+use crate::prepare::env::PreparedEnv;
+use crate::prepare::plate::Plate;
+use crate::prepare::render::{FrameImage, RenderSettings};
+use crate::prepare::scene_build::SceneBuffers;
 
 /// Pixels of a tile, where nothing else is asked for.
 pub(super) const PIXELS: usize = 128;
@@ -103,12 +103,7 @@ struct Scratch {
 }
 
 impl Scratch {
-    fn new(
-        pixels: usize,
-        rays: usize,
-        in_layers: bool,
-        keeps: bool,
-    ) -> Result<Self, HostError> {
+    fn new(pixels: usize, rays: usize, in_layers: bool, keeps: bool) -> Result<Self, HostError> {
         Ok(Self {
             points: match keeps {
                 true => Cpu.zeroed("points", rays)?,

@@ -6,9 +6,9 @@ use glimt_executor::gpu::{Direct, GpuContext, GpuError};
 use super::upload::GpuScene;
 use crate::generated::entries::TRANSFER;
 use crate::generated::passes::Transfer;
-use crate::host::bake::{BLOCK, BakeError, BakeSettings, Baked, for_kernels, room};
-use crate::host::scene_build::SceneBuffers;
 use crate::kernels::transfer::{STATE, TransferVertex};
+use crate::prepare::bake::{BLOCK, BakeError, BakeSettings, Baked, for_kernels, room};
+use crate::prepare::scene_build::SceneBuffers;
 
 /// Vertices in the first dispatch: each has hundreds of rays, and a GPU's pace is not known before.
 const FIRST: usize = 64;
@@ -18,7 +18,7 @@ const PART: u32 = 1024;
 /// ray takes hundreds.
 const SOFTWARE_PART: u32 = 32;
 
-/// As [`bake`](crate::host::bake::bake), on the GPU: a block of vertices at a time, so that buffers stay small, and a part of their
+/// As [`bake`](crate::prepare::bake::bake), on the GPU: a block of vertices at a time, so that buffers stay small, and a part of their
 /// directions, so that dispatches stay short.
 ///
 /// # Errors

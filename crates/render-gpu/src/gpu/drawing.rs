@@ -8,11 +8,11 @@ use glimt_executor::gpu::{GpuContext, GpuError};
 use super::prt::{DrawTimes, GpuPrt};
 use super::renderer::device;
 use super::upload::KeptScene;
-use crate::host::env::PreparedEnv;
-use crate::host::plate::Plate;
-use crate::host::render::{FrameImage, RenderError, RenderSettings, Renderer, SettingsError};
-use crate::host::scene_build::SceneBuffers;
 use crate::methods::MethodMemory;
+use crate::prepare::env::PreparedEnv;
+use crate::prepare::plate::Plate;
+use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer, SettingsError};
+use crate::prepare::scene_build::SceneBuffers;
 
 /// Draws scenes that have a transfer on a GPU.
 pub struct GpuDrawing {

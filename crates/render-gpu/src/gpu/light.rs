@@ -11,11 +11,11 @@ use glimt_executor::{BufferSlot, Entry, Executor, ParamField, ParamsSpace};
 
 use crate::generated::entries::{HALVE, LIGHT_COEFFICIENT, TAPS};
 use crate::generated::passes::{Halve, LightCoefficient, Taps};
-use crate::host::env::{Brightness, PreparedEnv};
-use crate::host::light_sh::{level_sizes, light_params};
-use crate::host::render::SettingsError;
 use crate::kernels::pyramid;
 use crate::methods::Prt;
+use crate::prepare::env::{Brightness, PreparedEnv};
+use crate::prepare::light_sh::{level_sizes, light_params};
+use crate::prepare::render::SettingsError;
 
 /// Rows and columns of texels that a workgroup of `projection.wgsl` projects.
 const GROUP: UVec2 = UVec2::new(256, 16);
@@ -55,7 +55,7 @@ static PROJECT: Entry = by_hand("project");
 static SUM_PARTS: Entry = by_hand("sum_parts");
 
 /// A light map on the GPU without tables, and the coefficients that are made of it, frame after frame: what
-/// [`LightSh`](crate::host::light_sh::LightSh) is on the CPU.
+/// [`LightSh`](crate::prepare::light_sh::LightSh) is on the CPU.
 #[derive(Debug)]
 pub struct GpuLight {
     pub(super) map: GpuVec<Vec4>,

@@ -21,16 +21,16 @@ use super::upload::GpuScene;
 use crate::film::Pixels;
 use crate::generated::entries::{UNPACK_LAYERS, VERTEX_LIGHT};
 use crate::generated::passes::{UnpackLayers, VertexLight};
-use crate::host::env::PreparedEnv;
-use crate::host::plate::Plate;
-use crate::host::render::{Filter, FrameImage, RenderError, RenderSettings, SettingsError};
-use crate::host::scene_build::SceneBuffers;
-use crate::host::transfer::{SceneTransfer, Transfer};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::PixelLayers;
 use crate::kernels::prt;
 use crate::kernels::raster::{DrawnLayout, HALF_MAX, RasterParams};
+use crate::prepare::env::PreparedEnv;
+use crate::prepare::plate::Plate;
+use crate::prepare::render::{Filter, FrameImage, RenderError, RenderSettings, SettingsError};
+use crate::prepare::scene_build::SceneBuffers;
+use crate::prepare::transfer::{SceneTransfer, Transfer};
 
 /// Samples of a pixel where there are several: what every adapter has.
 const SAMPLES: u32 = 4;

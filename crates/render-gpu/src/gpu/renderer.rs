@@ -13,11 +13,6 @@ use glimt_smc::Particle;
 use super::upload::{GpuEnv, KeptScene};
 use crate::film::{Pixels, Samples};
 use crate::generated::entries::{RECONSTRUCT, SHADE_MIS, TONEMAP};
-use crate::host::env::PreparedEnv;
-use crate::host::plate::Plate;
-use crate::host::render::{FrameImage, RenderError, RenderSettings, Renderer, SettingsError};
-use crate::host::scene_build::SceneBuffers;
-use crate::host::smc_state::PastFrame;
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
@@ -25,6 +20,11 @@ use crate::kernels::past::RayState;
 use crate::kernels::smc_point::SmcPoint;
 use crate::methods::smc::{self, Following, Own, TILE_GRANULE};
 use crate::methods::{Inputs, Method, MethodMemory};
+use crate::prepare::env::PreparedEnv;
+use crate::prepare::plate::Plate;
+use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer, SettingsError};
+use crate::prepare::scene_build::SceneBuffers;
+use crate::prepare::smc_state::PastFrame;
 
 /// Bytes of a tile's rays: enough to fill any GPU, few enough for any memory.
 const SAMPLE_BYTES: u64 = 64 << 20;

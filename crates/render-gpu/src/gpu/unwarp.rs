@@ -6,7 +6,7 @@ use glimt_executor::gpu::{Direct, GpuContext, GpuError, GpuVec, LaunchReport};
 use glimt_probe::gather::TexelTaps;
 
 use crate::generated::passes::{GatherMapArg, Unwarp};
-use crate::host::unwarp::{Look, UnwarpMap};
+use crate::prepare::unwarp::{Look, UnwarpMap};
 
 /// An [`UnwarpMap`] on the GPU, with room for one photograph and its light map.
 #[derive(Debug)]

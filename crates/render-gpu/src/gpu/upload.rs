@@ -5,11 +5,11 @@ use glimt_executor::Element;
 use glimt_executor::gpu::{Arg, Gpu, GpuContext, GpuError, GpuSlice, GpuVec};
 
 use crate::generated::passes::{EnvironmentArg, SceneArg};
-use crate::host::env::PreparedEnv;
-use crate::host::scene_build::SceneBuffers;
 use crate::kernels::bvh::BvhNode;
 use crate::kernels::scene::Corner;
 use crate::kernels::triangle::Triangle;
+use crate::prepare::env::PreparedEnv;
+use crate::prepare::scene_build::SceneBuffers;
 
 /// A scene's buffers.
 #[derive(Debug)]

@@ -76,8 +76,8 @@ pub fn corner_weights(corner: u32) -> Vec2 {
 ///
 /// ```
 /// use glam::{UVec2, Vec3};
-/// use glimt_render_gpu::host::render::RenderSettings;
-/// use glimt_render_gpu::host::scene::Camera;
+/// use glimt_render_gpu::prepare::render::RenderSettings;
+/// use glimt_render_gpu::prepare::scene::Camera;
 /// use glimt_render_gpu::kernels::raster::clip_position;
 /// let camera = Camera { eye: Vec3::ZERO, target: Vec3::X, up: Vec3::Z, fov_x: 1.570_796_3 };
 /// let frame = RenderSettings::new(UVec2::new(200, 100), camera).frame_params()?;

@@ -13,8 +13,8 @@ use glimt_executor::{Entry, Executor, Memory, Pass};
 
 use crate::film::SamplesOut;
 use crate::generated::passes::{self, EnvironmentArg, SceneArg};
-use crate::host::smc_state::SmcState;
 use crate::kernels::frame::FrameParams;
+use crate::prepare::smc_state::SmcState;
 use crate::settings::SettingError;
 
 pub use crate::kernels::candidates::CandidateSource;

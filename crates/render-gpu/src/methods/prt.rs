@@ -5,7 +5,7 @@ use crate::settings::{any, at_most, between, settings};
 
 settings! {
     /// Precomputed radiance transfer: light and transfer as spherical harmonics. The scene must have a
-    /// [`Transfer`](crate::host::transfer::Transfer).
+    /// [`Transfer`](crate::prepare::transfer::Transfer).
     Prt in "prt" {
         /// How often the light map is halved before it is projected.
         level: u32 = 0, at_most(15), "0 projects the light map as it is, 1 after halving it once";

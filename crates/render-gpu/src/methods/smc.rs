@@ -14,15 +14,15 @@ use crate::film::SamplesOut;
 use crate::generated::passes::{
     AdvanceSmc, DiagnoseSmc, FindSmc, GatherSmc, GatherSmcLayers, PastArg, RadianceMapArg,
 };
-use crate::host::env::PreparedEnv;
-use crate::host::render::{RenderError, RenderSettings};
-use crate::host::scene_build::SceneBuffers;
-use crate::host::smc_state::{PastFrame, SmcKey, SmcState};
 use crate::kernels::camera::CameraView;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::past::{PastView, RayState};
 use crate::kernels::smc::SmcParams;
 use crate::kernels::smc_point::SmcPoint;
+use crate::prepare::env::PreparedEnv;
+use crate::prepare::render::{RenderError, RenderSettings};
+use crate::prepare::scene_build::SceneBuffers;
+use crate::prepare::smc_state::{PastFrame, SmcKey, SmcState};
 use crate::settings::{any, at_most, between, settings};
 
 settings! {

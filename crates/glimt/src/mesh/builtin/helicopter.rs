@@ -7,7 +7,7 @@ use super::solid::{Placement, Ring, Solid};
 use crate::mesh::model::{Model, Part};
 use crate::mesh::node::{Node, Trs};
 use glam::{DMat3, DVec2, DVec3, Quat, UVec2, Vec3, dvec2, dvec3, uvec2, vec3};
-use glimt_render_gpu::host::scene::Material;
+use glimt_render_gpu::prepare::scene::Material;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 // Indices into the model's materials.

@@ -6,7 +6,7 @@ mod solid;
 
 use super::model::Model;
 use glam::{Vec2, Vec3};
-use glimt_render_gpu::host::scene::Mesh;
+use glimt_render_gpu::prepare::scene::Mesh;
 use std::f32::consts::PI;
 
 /// Rings and sectors of the sphere: its silhouette is off by 1/3000 of its radius at most.

@@ -1,7 +1,7 @@
 //! Host file: triangle meshes of smooth parametric patches: turned solids, rings, rods.
 
 use glam::{DMat3, DVec2, DVec3, UVec2, dvec2, dvec3};
-use glimt_render_gpu::host::scene::Mesh;
+use glimt_render_gpu::prepare::scene::Mesh;
 use std::f64::consts::TAU;
 
 /// A mesh under construction.

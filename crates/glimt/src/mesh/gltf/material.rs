@@ -6,7 +6,7 @@ use ::gltf::image::{Data, Format, Source};
 use ::gltf::material::AlphaMode;
 use ::gltf::texture::WrappingMode;
 use glam::{UVec2, Vec3};
-use glimt_render_gpu::host::scene::{Material, Texture, Wrap};
+use glimt_render_gpu::prepare::scene::{Material, Texture, Wrap};
 
 /// The set of texture coordinates that a material's base colour is looked up by, or else its other textures.
 pub(super) fn texture_set(material: &::gltf::Material<'_>) -> u32 {

@@ -12,7 +12,7 @@ use ::gltf::buffer::{Data, Source};
 use ::gltf::mesh::{Mode, Primitive};
 use ::gltf::{Document, Gltf, Semantic};
 use glam::{Mat4, Quat};
-use glimt_render_gpu::host::scene::Mesh;
+use glimt_render_gpu::prepare::scene::Mesh;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::path::{Path, PathBuf};

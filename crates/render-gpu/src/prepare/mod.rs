@@ -1,4 +1,4 @@
-//! Host file: what is prepared outside the kernels: scene descriptions, light maps, settings.
+//! Host file: the buffers and parameters that kernels read: scenes, light tables, plates, settings.
 
 mod attributes;
 pub mod bake;

@@ -126,7 +126,7 @@ impl BakeSettings {
 /// Bytes that the transfer of so many vertices takes in memory while it is computed; more than 2⁶⁴ count as that.
 ///
 /// ```
-/// use glimt_render_gpu::host::bake::required_bytes;
+/// use glimt_render_gpu::prepare::bake::required_bytes;
 /// // Two lists of 25 floats, and twice the vertex while the objects' are put together.
 /// assert_eq!(required_bytes(1, 5), 200 + 2 * 52);
 /// assert_eq!(required_bytes(10_000_000, 6), 3_920_000_000);
