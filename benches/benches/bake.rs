@@ -255,7 +255,7 @@ fn unbounded(ray: &Ray) -> ObvhsRay {
     ObvhsRay::new(ray.origin.into(), ray.direction.into(), 0.0, f32::MAX)
 }
 
-/// The mesh of that name with about so many vertices; a knot where its file is not at hand.
+/// The mesh of that name with about so many vertices; a knot where its file is not available.
 fn object(name: &str, vertices: usize) -> TriangleMesh {
     let file = match name {
         "sphere" => return ball(vertices),

@@ -1,4 +1,4 @@
-//! Host file: the claim that a pose whose tree is refitted, until rays would cost a tenth more, and built anew beyond, is no
+//! Host file: the claim that a pose whose tree is refitted, until rays would cost a tenth more, and rebuilt beyond, is no
 //! slower in total (pose and frame) than either alone. Statues that turn and
 //! fall, and a block of small knots that change places, both threads.
 

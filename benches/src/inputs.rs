@@ -48,12 +48,12 @@ pub struct TriangleMesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// The scanned statue `happy_buddha_100k.obj` where it is at hand, else a knotted tube of as many triangles.
+/// The scanned statue `happy_buddha_100k.obj` where it is available, else a knotted tube of as many triangles.
 pub fn statue() -> TriangleMesh {
     load("happy_buddha_100k.obj").unwrap_or_else(|| knot(500, 100))
 }
 
-/// The scanned rabbit `stanford-bunny.obj` where it is at hand, else a knotted tube.
+/// The scanned rabbit `stanford-bunny.obj` where it is available, else a knotted tube.
 pub fn bunny() -> TriangleMesh {
     load("stanford-bunny.obj").unwrap_or_else(|| knot(350, 100))
 }
@@ -89,7 +89,7 @@ fn load(name: &str) -> Option<TriangleMesh> {
     Some(mesh)
 }
 
-/// Three photographed light maps where they are at hand, else the procedural one.
+/// Three photographed light maps where they are available, else the procedural one.
 pub fn light_maps() -> Vec<(String, EnvMap)> {
     let names = [
         "studio_small_03_1k",

@@ -395,10 +395,10 @@ fn light_of_earlier_frames_fades() {
         assert!((got - expected).abs() < 4e-3, "frame {frame}: {got}");
     }
     renderer.forget();
-    let anew = renderer
+    let again = renderer
         .render_frame(&scene, &grey(5.0), &settings, &|_| ())
         .unwrap();
-    assert!((anew.linear[40].x / ALBEDO.x - 5.0).abs() < 4e-3);
+    assert!((again.linear[40].x / ALBEDO.x - 5.0).abs() < 4e-3);
 }
 
 #[test]

@@ -213,7 +213,7 @@ fn window_turn_and_filter_over_time() {
         let off = difference(&wide(&found), &expected);
         assert!(off < 3e-6, "frame {frame}: {off:e}");
     }
-    // Another number of bands starts anew.
+    // Another number of bands resets the filter.
     let env = prepared(size, noise(size, 9), 0.0);
     let settings = Prt {
         temporal: 0.5,

@@ -201,7 +201,7 @@ fn without_new_starts_frames_1_and_10_are_the_integral() {
     }
 }
 
-/// Starting anew because of the normaliser biases; how much is said here, not judged but to be within reason.
+/// Re-initialising because of the normaliser biases; how much is said here, not judged but to be within reason.
 #[test]
 fn with_new_starts_the_bias_is_known() {
     let lights: Vec<AnalyticMap> = (0..=10).map(light).collect();
@@ -224,7 +224,7 @@ fn with_new_starts_the_bias_is_known() {
             }
         }
         let (bias, error) = (100.0 * sum / total, 100.0 * variance.sqrt() / total);
-        println!("starting anew beyond a factor of {band}: bias {bias:.2} ± {error:.2} %");
+        println!("re-initialised beyond a factor of {band}: bias {bias:.2} ± {error:.2} %");
         assert!(bias.abs() < 20.0);
     }
 }
@@ -341,7 +341,7 @@ fn over_twenty_frames_means_agree_on_both_processors_and_ages_grow() {
     assert!(old > 0.7 && kept > 0.9);
 }
 
-/// Tiles that see only a part of the frame before start what comes from beyond anew, and nothing else.
+/// Tiles that see only a part of the frame before re-initialise what comes from beyond, and nothing else.
 #[test]
 fn small_bindings_change_only_what_comes_from_afar() {
     let Some((_, mut whole)) = two_renderers("smc_renderer", GpuOptions::default()) else {

@@ -1,4 +1,4 @@
-//! Host file: makes Figures 4 to 8 of Hajisharif 2012 anew, and measures how far precomputed transfer is from path tracing.
+//! Host file: makes Figures 4 to 8 of Hajisharif 2012 again, and measures how far precomputed transfer is from path tracing.
 //!
 //! `cargo run --release --bin figures -- --out figures` renders by the program's own commands. Without names it makes all; with
 //! some (`4 5 6 7 8 window agreement convergence`) those. The dragon and the light maps come from the folder that `GLIMT_BENCH_DATA` names;

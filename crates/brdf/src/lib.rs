@@ -1,7 +1,7 @@
 //! Host file: reflection models: Lambert and normalised Blinn-Phong. `no_std`, no alloc; glam types.
 //!
 //! Each model can be evaluated, sampled, and asked for the density of its samples, so that the estimator
-//! `L = Σ ρ(wo, wi) L_i cos θ / pdf / N` is at hand:
+//! `L = Σ ρ(wo, wi) L_i cos θ / pdf / N` can be computed:
 //!
 //! ```
 //! use glam::{UVec2, Vec3};
@@ -36,7 +36,7 @@
 //! # Which file runs where
 //!
 //! All files but `material` (checked constructors) are *shared files*: plain Rust without heap or standard library that
-//! also lowers to WGSL; with the feature `shader-source` their text is at hand as `SHADER_SOURCE`.
+//! also lowers to WGSL; with the feature `shader-source` their text is available as `SHADER_SOURCE`.
 //!
 //! # Bibliography
 //!

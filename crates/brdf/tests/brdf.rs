@@ -337,7 +337,7 @@ fn chi_square_sees_wrong_densities_and_wrong_samples() {
                 "exponent, e = {exponent}"
             );
         }
-        // Impossible samples drawn anew instead of counted.
+        // Impossible samples drawn again instead of counted.
         let redrawn: Vec<_> = samples.iter().filter(|s| s.is_some()).copied().collect();
         if impossible > 0.01 {
             assert!(

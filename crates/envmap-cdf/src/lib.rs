@@ -53,7 +53,7 @@
 //! # Which file runs where
 //!
 //! `env_cdf`, `search` and `compensated` are *shared files*: plain Rust without heap or standard library that also
-//! lowers to WGSL; with the feature `shader-source` their text is at hand as `SHADER_SOURCE`. Building the tables
+//! lowers to WGSL; with the feature `shader-source` their text is available as `SHADER_SOURCE`. Building the tables
 //! ([`build_into`] and its parts) is the host's work, with sums in f64.
 //!
 //! # Bibliography

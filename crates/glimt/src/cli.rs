@@ -156,7 +156,7 @@ pub struct RenderFlags {
     #[arg(long, value_enum, default_value_t)]
     pub device: Device,
     /// How to estimate reflected light, instead of the shot's render.method
-    #[arg(long, value_name = "mis|bis|smc|prt")]
+    #[arg(long, value_name = crate::shot::METHODS)]
     pub method: Option<String>,
     /// Set any key of the shot, as image.rays_per_pixel=64 or object.0.scale=2
     #[arg(long = "set", value_name = "KEY=VALUE")]

@@ -59,7 +59,7 @@ fn a_saved_state_goes_on_bit_for_bit_and_is_known_again() {
     for frame in 1..=8 {
         assert!(same(&t, "whole", "parts", frame), "frame {frame}");
     }
-    // All of it is there, whichever way it came about; and a state that is there is not made anew.
+    // All of it is there, whichever way it came about; and a state that is there is not made again.
     t.run(&["render", "shot.toml", "--frames", "1-8", "--out", "parts"])
         .ok()
         .says(&["0 frames rendered", "8 there already"]);
@@ -158,7 +158,7 @@ fn states_that_do_not_fit_are_refused() {
     refused(
         &["--frames", "3-4", "--state-in", "text.state"],
         3,
-        &["text.state", "no state"],
+        &["text.state", "not a state"],
     );
     let flags = ["--preroll", "2", "--state-in", "two.state"];
     t.run(&[&["render", "shot.toml"], &flags[..]].concat())

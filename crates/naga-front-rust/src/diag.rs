@@ -30,7 +30,7 @@ impl Span {
     }
 }
 
-/// An error inside the front end, before the files' texts are at hand.
+/// An error inside the front end, before the files' texts are available.
 #[derive(Debug)]
 pub(crate) struct Error {
     pub(crate) message: String,

@@ -34,7 +34,7 @@
 //!
 //! All modules but [`unwarp`], which makes tables, are *shared files*: plain Rust without heap or standard library that
 //! also lowers to WGSL. With the
-//! feature `shader-source` their text is at hand as `SHADER_SOURCE`.
+//! feature `shader-source` their text is available as `SHADER_SOURCE`.
 //!
 //! # Bibliography
 //!

@@ -7,7 +7,7 @@ use glimt_sampling::warp::sample_uniform_sphere;
 /// equal height from +z to −z, each cut into `strata.y` from +x counter-clockwise. `u ∈ [0, 1)²` places it in its part.
 ///
 /// With uniform `u` it estimates integrals without bias: Hajisharif 2012 takes 10 × 10 to 50 × 50 for a transfer (Eq. 8).
-/// Numbers beyond the last start anew; no parts count as one.
+/// Numbers beyond the last begin again; no parts count as one.
 ///
 /// ```
 /// use glam::{UVec2, Vec2};

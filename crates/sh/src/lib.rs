@@ -51,7 +51,7 @@
 //! # One source, two processors
 //!
 //! [`mod@basis`], [`separable`], and the modules of [`stratified_direction`] and [`hann`] are *shared files*: plain
-//! Rust that also lowers to WGSL. With the feature `shader-source` their text is at hand as `SHADER_SOURCE`, and `WGSL`
+//! Rust that also lowers to WGSL. With the feature `shader-source` their text is available as `SHADER_SOURCE`, and `WGSL`
 //! holds their functions.
 //!
 //! With the feature `std`, which is off unless asked for, [`RingTable::row_sums`] looks at run time whether the processor has

@@ -59,14 +59,14 @@
 //!
 //! - Weights are kept as logarithms; a weight of 0 is [`LOG_ZERO`].
 //! - A step draws a fixed number of words whatever it decides, so that two processors' generators stay in step.
-//! - A set whose weights are all 0 stays so: it is the caller's to start it anew, with its normaliser. A set without particles is one.
+//! - A set whose weights are all 0 stays so: it is the caller's to re-initialise it, with its normaliser. A set without particles is one.
 //! - Densities have any unit as long as f32 holds them, and their products with proposals' densities.
-//! - The sampler is unbiased for a fixed plan. Starting a set anew *because of* its normaliser biases it.
+//! - The sampler is unbiased for a fixed plan. Re-initialising a set *because of* its normaliser biases it.
 //!
 //! # One source, two processors
 //!
 //! All modules but `pod` (bytes for uploads, behind the feature `bytemuck`) are *shared files*: plain Rust without heap or
-//! standard library that also lowers to WGSL. With the feature `shader-source` their text is at hand as `SHADER_SOURCE`, and `WGSL`
+//! standard library that also lowers to WGSL. With the feature `shader-source` their text is available as `SHADER_SOURCE`, and `WGSL`
 //! holds those functions that need neither a target nor a proposal of one's own.
 //!
 //! # Bibliography

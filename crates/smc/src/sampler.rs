@@ -19,7 +19,7 @@ use crate::weights::ess;
 pub struct Sampler {
     /// The targets between.
     pub bridge: Bridge,
-    /// How particles are picked anew.
+    /// How particles are resampled.
     pub scheme: Scheme,
     /// They are when the effective sample size falls below this share of N: 2/3 in the paper, 0 for never, above 1 for always.
     pub ess_threshold: f32,
@@ -80,7 +80,7 @@ impl Sampler {
     }
 
     /// All steps of a frame, from γ_{t−1} to γ_t: `ln Z_t = ln Z_{t−1} + log_ratio`, and
-    /// `Z_t Σ Wⁱ f(ωⁱ)/γ_t(ωⁱ)` estimates `∫ f` (Kronander 2014, Eq. 7), without bias where no set is started anew.
+    /// `Z_t Σ Wⁱ f(ωⁱ)/γ_t(ωⁱ)` estimates `∫ f` (Kronander 2014, Eq. 7), without bias where no set is re-initialised.
     #[inline]
     pub fn advance<T: Target, P: Proposal, U: UniformSource>(
         &self,

@@ -81,7 +81,7 @@ pub fn assignments(id: u32, ints: &[u32], _floats: &[f32]) -> [u32; 8] {
     ]
 }
 
-/// What is declared in a loop is made anew each time round.
+/// What is declared in a loop is made again each time round.
 pub fn fresh_in_loops(id: u32, ints: &[u32], _floats: &[f32]) -> [u32; 4] {
     let mut totals = [0u32; 4];
     for k in 0..5 {

@@ -305,7 +305,7 @@ impl Contestant {
         digest::join([&shot].into_iter().chain(&self.bake))
     }
 
-    /// Whether it goes on from the frame before.
+    /// Whether it continues from the frame before.
     #[must_use]
     pub fn is_stateful(&self) -> bool {
         self.shot.render.continues()

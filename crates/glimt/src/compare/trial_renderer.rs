@@ -184,7 +184,7 @@ impl<'a> TrialRenderer<'a> {
         })
     }
 
-    /// Forgets the last frame: a contestant that continues from frame to frame re-initialises in the next.
+    /// Forgets the last frame: a contestant that continues from frame to frame begins again in the next.
     pub fn forget_past(&mut self) {
         self.renderers.forget();
     }

@@ -7,7 +7,7 @@ pub mod range;
 mod render;
 
 pub use glimt_render_gpu::prepare::render::{Background, Filter, Pattern, Shadow, Tonemap};
-pub use render::{Method, Prt, Render};
+pub use render::{METHODS, Method, Prt, Render};
 use serde::{Deserialize, Serialize};
 
 /// A shot: what is rendered, from where, under which light, how, and where it goes.
@@ -212,7 +212,7 @@ pub struct Object {
     pub reflection: f32,
     /// Name of the animation of its file that plays, from the shot's first frame on; all of them if empty, none if `off`.
     pub animation: String,
-    /// Whether it begins anew after its last key, rather than to stay there.
+    /// Whether it begins again after its last key, rather than to stay there.
     pub animation_loop: bool,
     /// Time of the animation in the shot's first frame, in seconds.
     pub animation_offset_s: f32,
@@ -351,9 +351,9 @@ words! {
         Ess = "ess",
         /// Of the method "smc": the logarithm of the normaliser's ratio between this frame and the one before.
         ZRatio = "z-ratio",
-        /// Of the method "smc": frames since a ray was started anew.
+        /// Of the method "smc": frames since a ray was re-initialised.
         Age = "age",
-        /// Of the method "smc": the share of rays that were started anew in this frame.
+        /// Of the method "smc": the share of rays that were re-initialised in this frame.
         Started = "started",
     }
 }

@@ -25,6 +25,9 @@ macro_rules! keys {
             }
         }
 
+        /// The words of [`Method`], as help prints them.
+        pub const METHODS: &str = concat!($mis, $("|", $word,)* "|smc|prt");
+
         /// How it is rendered.
         #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
         #[serde(default, deny_unknown_fields)]

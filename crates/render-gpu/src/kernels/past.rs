@@ -28,7 +28,7 @@ pub struct RayState {
     pub age: u32,
     /// The least effective sample size on the way to this frame; N without a predecessor.
     pub ess: f32,
-    /// ln Z_t/Z_{t−1} as the sampler estimated it, also where the set was then started anew; 0 without a predecessor.
+    /// ln Z_t/Z_{t−1} as the sampler estimated it, also where the set was then re-initialised; 0 without a predecessor.
     pub log_ratio: f32,
     /// One of the `STARTED_…` constants.
     pub started: u32,

@@ -46,9 +46,9 @@ pub struct SmcParams {
     pub cap_share: f32,
     /// Of the independent draws, the share that comes from the light and not from the BRDF.
     pub light_share: f32,
-    /// A set starts anew where `|ln Z_t/Z_{t−1}|` exceeds this, or all weights are 0. 0 for never.
+    /// A set is re-initialised where `|ln Z_t/Z_{t−1}|` exceeds this, or all weights are 0. 0 for never.
     pub band: f32,
-    /// A set starts anew at this age; 0 for never.
+    /// A set is re-initialised at this age; 0 for never.
     pub max_age: u32,
     /// M, candidates of a start.
     pub candidates: u32,

@@ -19,7 +19,7 @@ use crate::kernels::triangle::Triangle;
 /// World coordinates must not exceed this, so that areas and volumes stay finite in f32.
 pub const MAX_COORDINATE: f32 = 1e9;
 
-/// A refitted tree whose rays are expected to cost this many times what they did in the reference pose is built anew instead.
+/// A refitted tree whose rays are expected to cost this many times what they did in the reference pose is rebuilt instead.
 /// Objects that turn and fall without taking each other's place stay within a hundredth; at 1.4, frames take up to thrice as
 /// long (`benches/RESULTS.md`).
 const REBUILD_COST: f64 = 1.1;
