@@ -51,7 +51,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     })?;
     let entry = glimt_executor::Entry::from(&shader);
     let context = match GpuContext::new(AdapterPreference::Fastest) {
-        Err(GpuError::NoAdapter) => return Ok(println!("There is no GPU to compare with.")),
+        Err(GpuError::NoAdapter) => {
+            println!("There is no GPU to compare with.");
+            return Ok(());
+        }
         opened => opened?,
     };
     // Two buffers take turns: each step reads one and writes the other. Arguments have the names that they have in the kernel.

@@ -237,12 +237,15 @@ mod tests {
     const PER_ELEMENT: usize = 3;
     const UNTOUCHED: [u32; 2] = [u32::MAX; 2];
 
+    /// The two outputs, and whether the pass ran.
+    type Outcome<E> = (Vec<[u32; 2]>, Vec<u32>, Result<(), E>);
+
     /// Runs the pass with room for so many chunks and so many values.
     fn squares<E: Executor<Memory = Host>>(
         mut executor: E,
         (chunks, values): (usize, usize),
         range: Range<u32>,
-    ) -> (Vec<[u32; 2]>, Vec<u32>, Result<(), E::Error>) {
+    ) -> Outcome<E::Error> {
         let mut parts = vec![UNTOUCHED; chunks * PER_ELEMENT];
         let mut out = vec![0; values];
         let pass = Squares {

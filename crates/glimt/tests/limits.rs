@@ -25,8 +25,8 @@ fn numbers_out_of_range_name_their_key() {
     refused(&["image.exposure_ev=-200"], &["not between"]);
     refused(&["image.exposure_ev=nan"], &["not between"]);
     refused(
-        &["render.env_samples=65536", "image.rays_per_pixel=65536"],
-        &["image.rays_per_pixel = 65536", "lower one"],
+        &["image.rays_per_pixel=65536", "render.env_samples=65536"],
+        &["65536 samples on each ray", "lower one"],
     );
     refused(&["object.0.scale=1e12"], &["not between 1e-9 and 1e9"]);
     refused(&["object.0.scale=-1e-12"], &["not between 1e-9 and 1e9"]);

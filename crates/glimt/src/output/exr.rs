@@ -168,7 +168,7 @@ const PREAMBLE: u64 = 8;
 /// further attributes in a hash map, whose order differs from run to run; the same image must make the same file.
 fn sort_attributes(header: &Header, file: &mut (impl Write + Seek)) -> UnitResult {
     let mut attributes: Vec<_> = header.all_named_attributes().collect();
-    attributes.sort_by(|(a, _), (b, _)| a.cmp(b));
+    attributes.sort_by_key(|&(name, _)| name);
     file.seek(SeekFrom::Start(PREAMBLE))?;
     for (name, value) in &attributes {
         attribute::write(name, value, file)?;

@@ -21,8 +21,10 @@ struct LightTable {
     /// How many words it has, for a map of this size.
     words: fn(UVec2) -> u32,
     /// Fills its own words, which are 0. Those of the tables before it that are wanted are filled.
-    build: fn(light: &mut Light<'_>, before: &[u32], own: &mut [u32]) -> Result<(), BuildError>,
+    build: Build,
 }
+
+type Build = fn(light: &mut Light<'_>, before: &[u32], own: &mut [u32]) -> Result<(), BuildError>;
 
 /// A light map, and what its tables find out on the way.
 pub(super) struct Light<'a> {

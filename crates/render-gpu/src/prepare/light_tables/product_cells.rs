@@ -78,7 +78,7 @@ fn sum_up(
         flux += of_row;
     }
     if left < right && top < bottom {
-        build_row_into(weights.into_iter(), &mut edges)?;
+        build_row_into(weights, &mut edges)?;
     }
     let corners = corners([left, right], [top, bottom], size);
     let middle: DVec3 = corners.iter().sum();
