@@ -1,7 +1,7 @@
 //! Host file: Monte Carlo rendering of objects lit by video environment maps.
 //!
 //! [`kernels`] (shared files) compute one ray or one pixel each. Two executors run them over an image, [`cpu`] by rayon
-//! and [`gpu`] by wgpu, the latter from the WGSL that the front end makes of the same files. [`host`] prepares what they
+//! and [`gpu`] by wgpu, the latter from the WGSL that the front end makes of the same files. [`prepare`] prepares what they
 //! read: buffers of a scene, tables of a light map, numbers of a frame.
 //!
 //! ```
