@@ -46,6 +46,10 @@ fn generated_files_are_up_to_date() {
 fn a_stale_file_is_found_out() {
     let files = glimt_generate::files().unwrap_or_else(|e| panic!("{e}"));
     for i in 0..files.len() {
+        // `kernels/mod.rs` stands among files that are written by hand.
+        if files[i].0.ends_with("kernels/mod.rs") {
+            continue;
+        }
         let mut others = files.clone();
         let (path, _) = others.remove(i);
         let stale = glimt_generate::stale(&others).unwrap_or_else(|e| panic!("{e}"));

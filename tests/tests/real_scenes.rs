@@ -267,6 +267,7 @@ fn gpu_rays(
         .unwrap();
     let mut args = vec![
         ("frame", Arg::Value(bytemuck::bytes_of(frame))),
+        ("estimator", Arg::Value(bytemuck::bytes_of(&MIS))),
         ("out", Arg::Buffer(&out)),
     ];
     args.extend(scene.args());
