@@ -69,7 +69,7 @@ impl Bound {
         let (path, offset) = (&entry.buffers[self.slot].path, self.offset);
         Err(refused(
             entry,
-            format!("'{path}' begins at byte {offset}, which is no multiple of {alignment}"),
+            format!("'{path}' begins at byte {offset}, which is not a multiple of {alignment}"),
         ))
     }
 }

@@ -75,7 +75,7 @@ impl GpuContext {
     /// # Errors
     ///
     /// [`GpuError::Limit`] when it is larger than the adapter allows, [`GpuError::OutOfMemory`], and
-    /// [`GpuError::Argument`] when its size is zero or no multiple of 4.
+    /// [`GpuError::Argument`] when its size is zero or not a multiple of 4.
     pub fn buffer(&self, label: &str, bytes: u64) -> Result<GpuBuffer, GpuError> {
         if bytes == 0 || !bytes.is_multiple_of(4) {
             let problem =

@@ -3,7 +3,7 @@
 //! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 /// SHA-256, in hexadecimal, of the shaders that the pixels of a rendered frame depend on.
-pub const PIXELS: &str = "314dc356b2b3713452040638c900352f4a4b713e3a00602bff59c4480c55a9d0";
+pub const PIXELS: &str = "cdd6651db25be6cac3a4d50081f5ced73fd5bc0f2ceb493da77aee5afd5b7676";
 
 /// SHA-256, in hexadecimal, of the shaders that precomputed transfer depend on.
 pub const BAKE: &str = "a17ab6959a051991cafa6d5193cd98756beacccdfaa49dc4d5671b74797d29d1";

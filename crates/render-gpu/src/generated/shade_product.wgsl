@@ -2217,18 +2217,18 @@ fn find_bin(start: u32, bins: u32, u_6: u32) -> Bin {
     return Bin((_e36 - start), first_2, (_e43 - first_2));
 }
 
-// glimt_render_gpu/src/kernels/product.rs:152
+// glimt_render_gpu/src/kernels/product.rs:158
 fn cell_of(texel: vec2<u32>, env_size_3: vec2<u32>, env_rotation_3: vec2<f32>) -> u32 {
 
-    // glimt_render_gpu/src/kernels/product.rs:153
+    // glimt_render_gpu/src/kernels/product.rs:159
     let _e4 = first_word(env_size_3);
-    // glimt_render_gpu/src/kernels/product.rs:154
+    // glimt_render_gpu/src/kernels/product.rs:160
     let _e8 = find_bin(_e4, 16u, texel.y);
     let row_4 = _e8.index;
-    // glimt_render_gpu/src/kernels/product.rs:155
-    let column_3 = (((32u * (texel.x + 1u)) - 1u) / env_size_3.x);
-    // glimt_render_gpu/src/kernels/product.rs:156
-    return ((row_4 * 32u) + column_3);
+    // glimt_render_gpu/src/kernels/product.rs:161
+    let column_4 = (((32u * (texel.x + 1u)) - 1u) / env_size_3.x);
+    // glimt_render_gpu/src/kernels/product.rs:162
+    return ((row_4 * 32u) + column_4);
 }
 
 // glimt_render_gpu/src/kernels/product.rs:144
@@ -2257,21 +2257,30 @@ fn first_column(column_1: u32, width: u32) -> u32 {
     return ((column_1 * width) / 32u);
 }
 
-// glimt_render_gpu/src/kernels/product.rs:172
+// glimt_render_gpu/src/kernels/product.rs:151
+fn texel_columns(column_2: u32, width_1: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/product.rs:152
+    let _e4 = first_column(column_2, width_1);
+    let _e7 = first_column((column_2 + 1u), width_1);
+    return vec2<u32>(_e4, _e7);
+}
+
+// glimt_render_gpu/src/kernels/product.rs:178
 fn column_units(y_1: u32, columns: vec2<u32>, env_size_5: vec2<u32>, env_rotation_5: vec2<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/product.rs:173
+    // glimt_render_gpu/src/kernels/product.rs:179
     let _e5 = marginal_words(env_size_5);
     let start_1 = (_e5 + (y_1 * (env_size_5.x + 1u)));
-    // glimt_render_gpu/src/kernels/product.rs:174
+    // glimt_render_gpu/src/kernels/product.rs:180
     let low = env_tables[(start_1 + columns.x)];
-    // glimt_render_gpu/src/kernels/product.rs:175
+    // glimt_render_gpu/src/kernels/product.rs:181
     let _e22 = env_tables[(start_1 + columns.y)];
     return vec2<u32>(low, (_e22 - low));
 }
 
 // glimt_render_gpu/src/kernels/product.rs:241
-fn pmf(row_2: Bin, column_2: Bin, all_: u32) -> f32 {
+fn pmf(row_2: Bin, column_3: Bin, all_: u32) -> f32 {
 
     // glimt_render_gpu/src/kernels/product.rs:242
     if (all_ == 0u) {
@@ -2279,46 +2288,44 @@ fn pmf(row_2: Bin, column_2: Bin, all_: u32) -> f32 {
         return 0f;
     }
     // glimt_render_gpu/src/kernels/product.rs:245
-    return ((f32(row_2.units) * (1f / 2147483600f)) * (f32(column_2.units) / f32(all_)));
+    return ((f32(row_2.units) * (1f / 2147483600f)) * (f32(column_3.units) / f32(all_)));
 }
 
-// glimt_render_gpu/src/kernels/product.rs:214
+// glimt_render_gpu/src/kernels/product.rs:217
 fn pmf_in_cell(texel_1: vec2<u32>, env_size_6: vec2<u32>, env_rotation_6: vec2<f32>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/product.rs:215
-    let _e5 = cell_of(texel_1, env_size_6, env_rotation_6);
-    // glimt_render_gpu/src/kernels/product.rs:216
-    let _e11 = Tuple_u32_u32_((_e5 % 32u), (_e5 / 32u));
-    let column_4 = _e11.fa;
-    let row_5 = _e11.fb;
-    // glimt_render_gpu/src/kernels/product.rs:217
-    let _e15 = texel_rows(row_5, env_size_6, env_rotation_6);
     // glimt_render_gpu/src/kernels/product.rs:218
-    let _e17 = first_word(env_size_6);
-    let _e20 = first_edge(column_4, row_5, _e15.x, env_size_6.y);
-    let edges_1 = (_e17 + _e20);
+    let _e5 = cell_of(texel_1, env_size_6, env_rotation_6);
     // glimt_render_gpu/src/kernels/product.rs:219
-    let at_3 = (edges_1 + (texel_1.y - _e15.x));
+    let _e11 = Tuple_u32_u32_((_e5 % 32u), (_e5 / 32u));
+    let column_5 = _e11.fa;
+    let row_5 = _e11.fb;
     // glimt_render_gpu/src/kernels/product.rs:220
+    let _e15 = texel_rows(row_5, env_size_6, env_rotation_6);
+    // glimt_render_gpu/src/kernels/product.rs:221
+    let _e17 = first_word(env_size_6);
+    let _e20 = first_edge(column_5, row_5, _e15.x, env_size_6.y);
+    let edges_1 = (_e17 + _e20);
+    // glimt_render_gpu/src/kernels/product.rs:222
+    let at_3 = (edges_1 + (texel_1.y - _e15.x));
+    // glimt_render_gpu/src/kernels/product.rs:223
     let _e34 = env_tables[(at_3 + 1u)];
     let _e37 = env_tables[at_3];
     let of_row = Bin(0u, 0u, (_e34 - _e37));
-    // glimt_render_gpu/src/kernels/product.rs:225
-    let _e42 = first_column(column_4, env_size_6.x);
-    let _e46 = first_column((column_4 + 1u), env_size_6.x);
-    let columns_2 = vec2<u32>(_e42, _e46);
+    // glimt_render_gpu/src/kernels/product.rs:228
+    let _e42 = texel_columns(column_5, env_size_6.x);
     // glimt_render_gpu/src/kernels/product.rs:229
-    let _e50 = column_units(texel_1.y, columns_2, env_size_6, env_rotation_6);
+    let _e45 = column_units(texel_1.y, _e42, env_size_6, env_rotation_6);
     // glimt_render_gpu/src/kernels/product.rs:230
-    let _e52 = marginal_words(env_size_6);
-    let start_2 = ((_e52 + (texel_1.y * (env_size_6.x + 1u))) + texel_1.x);
+    let _e47 = marginal_words(env_size_6);
+    let start_2 = ((_e47 + (texel_1.y * (env_size_6.x + 1u))) + texel_1.x);
     // glimt_render_gpu/src/kernels/product.rs:231
-    let _e68 = env_tables[(start_2 + 1u)];
-    let _e71 = env_tables[start_2];
-    let of_column = Bin(0u, 0u, (_e68 - _e71));
+    let _e63 = env_tables[(start_2 + 1u)];
+    let _e66 = env_tables[start_2];
+    let of_column = Bin(0u, 0u, (_e63 - _e66));
     // glimt_render_gpu/src/kernels/product.rs:236
-    let _e76 = pmf(of_row, of_column, _e50.y);
-    return _e76;
+    let _e71 = pmf(of_row, of_column, _e45.y);
+    return _e71;
 }
 
 // glimt_probe/src/trig.rs:25
@@ -2516,59 +2523,57 @@ fn Reflected_gather(this_32: ptr<function, Reflected>, light: Reflected) {
     return;
 }
 
-// glimt_render_gpu/src/kernels/product.rs:162
+// glimt_render_gpu/src/kernels/product.rs:168
 fn multiply_high(a_3: u32, b_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/product.rs:163
+    // glimt_render_gpu/src/kernels/product.rs:169
     let _e8 = Tuple_u32_u32_((a_3 >> 16u), (a_3 & 65535u));
     let a_high = _e8.fa;
     let a_low = _e8.fb;
-    // glimt_render_gpu/src/kernels/product.rs:164
+    // glimt_render_gpu/src/kernels/product.rs:170
     let _e16 = Tuple_u32_u32_((b_3 >> 16u), (b_3 & 65535u));
     let b_high = _e16.fa;
     let b_low = _e16.fb;
-    // glimt_render_gpu/src/kernels/product.rs:165
+    // glimt_render_gpu/src/kernels/product.rs:171
     let middle_1 = ((a_high * b_low) + ((a_low * b_low) >> 16u));
-    // glimt_render_gpu/src/kernels/product.rs:166
+    // glimt_render_gpu/src/kernels/product.rs:172
     let other = ((a_low * b_high) + (middle_1 & 65535u));
-    // glimt_render_gpu/src/kernels/product.rs:167
+    // glimt_render_gpu/src/kernels/product.rs:173
     return (((a_high * b_high) + (middle_1 >> 16u)) + (other >> 16u));
 }
 
-// glimt_render_gpu/src/kernels/product.rs:181
+// glimt_render_gpu/src/kernels/product.rs:187
 fn sample_in_cell(cell_2: u32, u_7: vec2<u32>, env_size_9: vec2<u32>, env_rotation_9: vec2<f32>) -> TexelDraw {
 
-    // glimt_render_gpu/src/kernels/product.rs:182
+    // glimt_render_gpu/src/kernels/product.rs:188
     let _e10 = Tuple_u32_u32_((cell_2 % 32u), (cell_2 / 32u));
-    let column_5 = _e10.fa;
+    let column_6 = _e10.fa;
     let row_7 = _e10.fb;
-    // glimt_render_gpu/src/kernels/product.rs:183
+    // glimt_render_gpu/src/kernels/product.rs:189
     let _e14 = texel_rows(row_7, env_size_9, env_rotation_9);
-    // glimt_render_gpu/src/kernels/product.rs:184
+    // glimt_render_gpu/src/kernels/product.rs:190
     let _e16 = first_word(env_size_9);
-    let _e19 = first_edge(column_5, row_7, _e14.x, env_size_9.y);
+    let _e19 = first_edge(column_6, row_7, _e14.x, env_size_9.y);
     let edges_2 = (_e16 + _e19);
-    // glimt_render_gpu/src/kernels/product.rs:185
-    let _e28 = find_bin(edges_2, (_e14.y - _e14.x), (u_7.y >> 1u));
     // glimt_render_gpu/src/kernels/product.rs:191
-    let y_5 = (_e14.x + _e28.index);
-    // glimt_render_gpu/src/kernels/product.rs:192
-    let _e35 = first_column(column_5, env_size_9.x);
-    let _e39 = first_column((column_5 + 1u), env_size_9.x);
-    let columns_3 = vec2<u32>(_e35, _e39);
-    // glimt_render_gpu/src/kernels/product.rs:196
-    let _e42 = column_units(y_5, columns_3, env_size_9, env_rotation_9);
+    let _e28 = find_bin(edges_2, (_e14.y - _e14.x), (u_7.y >> 1u));
     // glimt_render_gpu/src/kernels/product.rs:197
-    let _e44 = marginal_words(env_size_9);
-    let start_3 = ((_e44 + (y_5 * (env_size_9.x + 1u))) + columns_3.x);
+    let y_5 = (_e14.x + _e28.index);
     // glimt_render_gpu/src/kernels/product.rs:198
-    let _e56 = multiply_high(u_7.x, _e42.y);
-    let within = (_e42.x + _e56);
+    let _e35 = texel_columns(column_6, env_size_9.x);
     // glimt_render_gpu/src/kernels/product.rs:199
-    let _e62 = find_bin(start_3, (columns_3.y - columns_3.x), within);
-    // glimt_render_gpu/src/kernels/product.rs:205
-    let _e69 = pmf(_e28, _e62, _e42.y);
-    return TexelDraw(vec2<u32>((columns_3.x + _e62.index), y_5), _e69);
+    let _e37 = column_units(y_5, _e35, env_size_9, env_rotation_9);
+    // glimt_render_gpu/src/kernels/product.rs:200
+    let _e39 = marginal_words(env_size_9);
+    let start_3 = ((_e39 + (y_5 * (env_size_9.x + 1u))) + _e35.x);
+    // glimt_render_gpu/src/kernels/product.rs:201
+    let _e51 = multiply_high(u_7.x, _e37.y);
+    let within = (_e37.x + _e51);
+    // glimt_render_gpu/src/kernels/product.rs:202
+    let _e57 = find_bin(start_3, (_e35.y - _e35.x), within);
+    // glimt_render_gpu/src/kernels/product.rs:208
+    let _e64 = pmf(_e28, _e57, _e37.y);
+    return TexelDraw(vec2<u32>((_e35.x + _e57.index), y_5), _e64);
 }
 
 // glimt_render_gpu/src/kernels/product.rs:274

@@ -146,6 +146,12 @@ fn texel_rows(row: u32, env: Environment<'_>) -> UVec2 {
     UVec2::new(env.tables[at], env.tables[at + 1])
 }
 
+/// Texel columns `first .. end` of column `column` of cells.
+#[inline]
+fn texel_columns(column: u32, width: u32) -> UVec2 {
+    UVec2::new(first_column(column, width), first_column(column + 1, width))
+}
+
 /// The cell that a texel belongs to.
 #[inline]
 #[must_use]
@@ -189,10 +195,7 @@ pub fn sample_in_cell(cell: u32, u: UVec2, env: Environment<'_>) -> TexelDraw {
         u.y >> 1,
     );
     let y = rows.x + of_row.index;
-    let columns = UVec2::new(
-        first_column(column, env.size.x),
-        first_column(column + 1, env.size.x),
-    );
+    let columns = texel_columns(column, env.size.x);
     let units = column_units(y, columns, env);
     let start = marginal_words(env.size) + y * (env.size.x + 1) + columns.x;
     let within = units.x + multiply_high(u.x, units.y);
@@ -222,10 +225,7 @@ pub fn pmf_in_cell(texel: UVec2, env: Environment<'_>) -> f32 {
         first: 0,
         units: env.tables[at + 1] - env.tables[at],
     };
-    let columns = UVec2::new(
-        first_column(column, env.size.x),
-        first_column(column + 1, env.size.x),
-    );
+    let columns = texel_columns(column, env.size.x);
     let units = column_units(texel.y, columns, env);
     let start = (marginal_words(env.size) + texel.y * (env.size.x + 1) + texel.x) as usize;
     let of_column = Bin {
