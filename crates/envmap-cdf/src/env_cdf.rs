@@ -139,6 +139,7 @@ impl<'a> EnvCdf<'a> {
         )
     }
 
+    #[inline]
     fn row(&self, texel: UVec2) -> Bin {
         let y = texel.y as usize;
         Bin {
@@ -148,6 +149,7 @@ impl<'a> EnvCdf<'a> {
         }
     }
 
+    #[inline]
     fn column(&self, texel: UVec2) -> Bin {
         let x = (texel.y * (self.size.x + 1) + texel.x) as usize;
         Bin {
@@ -159,18 +161,21 @@ impl<'a> EnvCdf<'a> {
 }
 
 /// Density of a texel, from the units of its row and of its column in it.
+#[inline]
 fn density_sr(row_units: u32, column_units: u32, row: u32, size: UVec2) -> f32 {
     let pmf = (row_units as f32 * UNIT) * (column_units as f32 * UNIT);
     pmf / latlong::texel_solid_angle_sr(row, size)
 }
 
 /// Where in `[0, 1)` of its bin the number `u` (31 bits) lies, refined by 16 bits below the unit.
+#[inline]
 fn place_in_bin(bin: Bin, u: u32, fraction: u32) -> f32 {
     let below_unit = fraction as f32 * (1.0 / 65_536.0);
     (((u - bin.first) as f32 + below_unit) / bin.units as f32).min(BELOW_ONE)
 }
 
 /// The word whose top 31 bits lie at `place` (0 to 1) in the bin.
+#[inline]
 fn word_in_bin(bin: Bin, place: f32) -> u32 {
     let last = bin.units.max(1) - 1;
     let unit = ((place * bin.units as f32) as u32).min(last);
@@ -179,6 +184,7 @@ fn word_in_bin(bin: Bin, place: f32) -> u32 {
 }
 
 /// Share of the area of a row's band that lies above `v`, the distance from its upper edge in rows (0 to 1).
+#[inline]
 fn area_above(row: u32, height: u32, v: f32) -> f32 {
     // Differences of cosines as products of sines, from the nearer pole: precise there.
     let half = 0.5 / height as f32;

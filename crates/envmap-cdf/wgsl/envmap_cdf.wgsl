@@ -140,12 +140,12 @@ fn hash2_(a: u32, b: u32) -> u32 {
     return _e6;
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:168
+// glimt_envmap_cdf/src/env_cdf.rs:172
 fn place_in_bin(bin: Bin, u_2: u32, fraction: u32) -> f32 {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:169
+    // glimt_envmap_cdf/src/env_cdf.rs:173
     let below_unit = (f32(fraction) * (1f / 65536f));
-    // glimt_envmap_cdf/src/env_cdf.rs:170
+    // glimt_envmap_cdf/src/env_cdf.rs:174
     return min(((f32((u_2 - bin.first)) + below_unit) / f32(bin.units)), 0.99999994f);
 }
 
@@ -260,12 +260,12 @@ fn texel_solid_angle_sr(row: u32, size_2: vec2<u32>) -> f32 {
     return ((((4f * 3.1415927f) / f32(size_12.x)) * _e37.y) * _e40.y);
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:162
+// glimt_envmap_cdf/src/env_cdf.rs:165
 fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_3: vec2<u32>) -> f32 {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:163
+    // glimt_envmap_cdf/src/env_cdf.rs:166
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
-    // glimt_envmap_cdf/src/env_cdf.rs:164
+    // glimt_envmap_cdf/src/env_cdf.rs:167
     let _e14 = texel_solid_angle_sr(row_1, size_3);
     return (pmf / _e14);
 }
@@ -344,24 +344,24 @@ fn direction_to_texel(d_1: vec3<f32>, size_5: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_13 - vec2(1u)));
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:142
+// glimt_envmap_cdf/src/env_cdf.rs:143
 fn EnvCdf_row(size_6: vec2<u32>, texel_1: vec2<u32>) -> Bin {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:143
-    let y_1 = texel_1.y;
     // glimt_envmap_cdf/src/env_cdf.rs:144
+    let y_1 = texel_1.y;
+    // glimt_envmap_cdf/src/env_cdf.rs:145
     let _e8 = marginal[y_1];
     let _e13 = marginal[(y_1 + 1u)];
     let _e16 = marginal[y_1];
     return Bin(texel_1.y, _e8, (_e13 - _e16));
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:151
+// glimt_envmap_cdf/src/env_cdf.rs:153
 fn EnvCdf_column(size_7: vec2<u32>, texel_2: vec2<u32>) -> Bin {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:152
+    // glimt_envmap_cdf/src/env_cdf.rs:154
     let x_2 = ((texel_2.y * (size_7.x + 1u)) + texel_2.x);
-    // glimt_envmap_cdf/src/env_cdf.rs:153
+    // glimt_envmap_cdf/src/env_cdf.rs:155
     let _e15 = conditional[x_2];
     let _e20 = conditional[(x_2 + 1u)];
     let _e23 = conditional[x_2];
@@ -389,54 +389,54 @@ fn env_pdf_sr(size_9: vec2<u32>, d_2: vec3<f32>) -> f32 {
     return _e5;
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:174
+// glimt_envmap_cdf/src/env_cdf.rs:179
 fn word_in_bin(bin_1: Bin, place: f32) -> u32 {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:175
+    // glimt_envmap_cdf/src/env_cdf.rs:180
     let last = (max(bin_1.units, 1u) - 1u);
-    // glimt_envmap_cdf/src/env_cdf.rs:176
+    // glimt_envmap_cdf/src/env_cdf.rs:181
     let unit = min(u32((place * f32(bin_1.units))), last);
-    // glimt_envmap_cdf/src/env_cdf.rs:178
+    // glimt_envmap_cdf/src/env_cdf.rs:183
     return (min((bin_1.first + unit), 2147483647u) << 1u);
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:182
+// glimt_envmap_cdf/src/env_cdf.rs:188
 fn area_above(row_2: u32, height: u32, v: f32) -> f32 {
     var chosen_6: u32;
     var chosen_7: f32;
     var chosen_8: f32;
 
-    // glimt_envmap_cdf/src/env_cdf.rs:184
+    // glimt_envmap_cdf/src/env_cdf.rs:190
     let half_3 = (0.5f / f32(height));
-    // glimt_envmap_cdf/src/env_cdf.rs:185
+    // glimt_envmap_cdf/src/env_cdf.rs:191
     let southern_1 = ((2u * row_2) >= height);
-    // glimt_envmap_cdf/src/env_cdf.rs:186
+    // glimt_envmap_cdf/src/env_cdf.rs:192
     if southern_1 {
         chosen_6 = ((height - 1u) - row_2);
     } else {
         chosen_6 = row_2;
     }
     let from_pole_1 = chosen_6;
-    // glimt_envmap_cdf/src/env_cdf.rs:187
+    // glimt_envmap_cdf/src/env_cdf.rs:193
     if southern_1 {
         chosen_7 = (1f - v);
     } else {
         chosen_7 = v;
     }
     let f = chosen_7;
-    // glimt_envmap_cdf/src/env_cdf.rs:188
+    // glimt_envmap_cdf/src/env_cdf.rs:194
     let edge = f32((2u * from_pole_1));
-    // glimt_envmap_cdf/src/env_cdf.rs:189
+    // glimt_envmap_cdf/src/env_cdf.rs:195
     let _e30 = cos_sin_pi(((edge + f) * half_3));
     let _e33 = cos_sin_pi((f * half_3));
     let part = (_e30.y * _e33.y);
-    // glimt_envmap_cdf/src/env_cdf.rs:190
+    // glimt_envmap_cdf/src/env_cdf.rs:196
     let _e40 = cos_sin_pi(((edge + 1f) * half_3));
     let _e42 = cos_sin_pi(half_3);
     let band = (_e40.y * _e42.y);
-    // glimt_envmap_cdf/src/env_cdf.rs:191
+    // glimt_envmap_cdf/src/env_cdf.rs:197
     let share = (part / band);
-    // glimt_envmap_cdf/src/env_cdf.rs:192
+    // glimt_envmap_cdf/src/env_cdf.rs:198
     if southern_1 {
         chosen_8 = (1f - share);
     } else {

@@ -771,12 +771,12 @@ fn find_bin_1(edges_start: u32, edges_len: u32, start_1: u32, bins_1: u32, u_1: 
     return Bin((_e39 - start_1), first_1, (_e47 - first_1));
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:168
+// glimt_envmap_cdf/src/env_cdf.rs:172
 fn place_in_bin(bin: Bin, u_2: u32, fraction: u32) -> f32 {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:169
+    // glimt_envmap_cdf/src/env_cdf.rs:173
     let below_unit = (f32(fraction) * (1f / 65536f));
-    // glimt_envmap_cdf/src/env_cdf.rs:170
+    // glimt_envmap_cdf/src/env_cdf.rs:174
     return min(((f32((u_2 - bin.first)) + below_unit) / f32(bin.units)), 0.99999994f);
 }
 
@@ -891,12 +891,12 @@ fn texel_solid_angle_sr(row: u32, size_4: vec2<u32>) -> f32 {
     return ((((4f * 3.1415927f) / f32(size_12.x)) * _e37.y) * _e40.y);
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:162
+// glimt_envmap_cdf/src/env_cdf.rs:165
 fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_5: vec2<u32>) -> f32 {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:163
+    // glimt_envmap_cdf/src/env_cdf.rs:166
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
-    // glimt_envmap_cdf/src/env_cdf.rs:164
+    // glimt_envmap_cdf/src/env_cdf.rs:167
     let _e14 = texel_solid_angle_sr(row_1, size_5);
     return (pmf / _e14);
 }

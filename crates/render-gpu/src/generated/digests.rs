@@ -3,7 +3,7 @@
 //! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 /// SHA-256, in hexadecimal, of the shaders that the pixels of a rendered frame depend on.
-pub const PIXELS: &str = "cdd6651db25be6cac3a4d50081f5ced73fd5bc0f2ceb493da77aee5afd5b7676";
+pub const PIXELS: &str = "03390d6f005775d892dd476df77907e7c8c17ab8125a9eb14e3e83d0883ac031";
 
 /// SHA-256, in hexadecimal, of the shaders that precomputed transfer depend on.
 pub const BAKE: &str = "a17ab6959a051991cafa6d5193cd98756beacccdfaa49dc4d5671b74797d29d1";

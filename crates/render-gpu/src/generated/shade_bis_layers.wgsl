@@ -2144,24 +2144,24 @@ fn Environment_cdf(size_7: vec2<u32>, rotation_3: vec2<f32>) -> Returned_Environ
     return Returned_Environment_cdf(size_7, _e3, (arrayLength((&env_tables)) - _e3));
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:142
+// glimt_envmap_cdf/src/env_cdf.rs:143
 fn EnvCdf_row(size_8: vec2<u32>, conditional_start: u32, conditional_len: u32, texel_1: vec2<u32>) -> Bin {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:143
-    let y_3 = texel_1.y;
     // glimt_envmap_cdf/src/env_cdf.rs:144
+    let y_3 = texel_1.y;
+    // glimt_envmap_cdf/src/env_cdf.rs:145
     let _e8 = env_tables[y_3];
     let _e13 = env_tables[(y_3 + 1u)];
     let _e16 = env_tables[y_3];
     return Bin(texel_1.y, _e8, (_e13 - _e16));
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:151
+// glimt_envmap_cdf/src/env_cdf.rs:153
 fn EnvCdf_column(size_9: vec2<u32>, conditional_start_1: u32, conditional_len_1: u32, texel_2: vec2<u32>) -> Bin {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:152
+    // glimt_envmap_cdf/src/env_cdf.rs:154
     let x_10 = ((texel_2.y * (size_9.x + 1u)) + texel_2.x);
-    // glimt_envmap_cdf/src/env_cdf.rs:153
+    // glimt_envmap_cdf/src/env_cdf.rs:155
     let _e17 = env_tables[(conditional_start_1 + x_10)];
     let _e23 = env_tables[(conditional_start_1 + (x_10 + 1u))];
     let _e27 = env_tables[(conditional_start_1 + x_10)];
@@ -2224,12 +2224,12 @@ fn texel_solid_angle_sr(row: u32, size_10: vec2<u32>) -> f32 {
     return ((((4f * 3.1415927f) / f32(size_19.x)) * _e37.y) * _e40.y);
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:162
+// glimt_envmap_cdf/src/env_cdf.rs:165
 fn density_sr(row_units: u32, column_units: u32, row_1: u32, size_11: vec2<u32>) -> f32 {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:163
+    // glimt_envmap_cdf/src/env_cdf.rs:166
     let pmf = ((f32(row_units) * 0.0000000004656613f) * (f32(column_units) * 0.0000000004656613f));
-    // glimt_envmap_cdf/src/env_cdf.rs:164
+    // glimt_envmap_cdf/src/env_cdf.rs:167
     let _e14 = texel_solid_angle_sr(row_1, size_11);
     return (pmf / _e14);
 }
@@ -2334,12 +2334,12 @@ fn find_bin_1(edges_start: u32, edges_len: u32, start_1: u32, bins_1: u32, u_7: 
     return Bin((_e39 - start_1), first_3, (_e47 - first_3));
 }
 
-// glimt_envmap_cdf/src/env_cdf.rs:168
+// glimt_envmap_cdf/src/env_cdf.rs:172
 fn place_in_bin(bin: Bin, u_8: u32, fraction: u32) -> f32 {
 
-    // glimt_envmap_cdf/src/env_cdf.rs:169
+    // glimt_envmap_cdf/src/env_cdf.rs:173
     let below_unit = (f32(fraction) * (1f / 65536f));
-    // glimt_envmap_cdf/src/env_cdf.rs:170
+    // glimt_envmap_cdf/src/env_cdf.rs:174
     return min(((f32((u_8 - bin.first)) + below_unit) / f32(bin.units)), 0.99999994f);
 }
 

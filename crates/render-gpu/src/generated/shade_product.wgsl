@@ -1770,22 +1770,22 @@ fn CellLobe_weight(this_19: CellLobe, cell_1: u32, env_size_1: vec2<u32>, env_ro
     return (flux * (_e91.x * cosine));
 }
 
-// glimt_render_gpu/src/kernels/product.rs:252
+// glimt_render_gpu/src/kernels/product.rs:251
 fn Product_total(this_20: Product, lobe: CellLobe, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> f32 {
     var total: f32;
     var counter_2: u32;
 
-    // glimt_render_gpu/src/kernels/product.rs:253
+    // glimt_render_gpu/src/kernels/product.rs:252
     total = 0f;
-    // glimt_render_gpu/src/kernels/product.rs:254
+    // glimt_render_gpu/src/kernels/product.rs:253
     counter_2 = 0u;
     loop {
-        let cell_4 = counter_2;
-        if (cell_4 >= 512u) {
+        let cell_5 = counter_2;
+        if (cell_5 >= 512u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/product.rs:255
-        let _e14 = CellLobe_weight(lobe, cell_4, env_size_2, env_rotation_2);
+        // glimt_render_gpu/src/kernels/product.rs:254
+        let _e14 = CellLobe_weight(lobe, cell_5, env_size_2, env_rotation_2);
         let _e15 = total;
         total = (_e15 + _e14);
         continuing {
@@ -1793,7 +1793,7 @@ fn Product_total(this_20: Product, lobe: CellLobe, env_size_2: vec2<u32>, env_ro
             counter_2 = (_e17 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/product.rs:257
+    // glimt_render_gpu/src/kernels/product.rs:256
     let _e21 = total;
     return _e21;
 }
@@ -2279,53 +2279,51 @@ fn column_units(y_1: u32, columns: vec2<u32>, env_size_5: vec2<u32>, env_rotatio
     return vec2<u32>(low, (_e22 - low));
 }
 
-// glimt_render_gpu/src/kernels/product.rs:241
+// glimt_render_gpu/src/kernels/product.rs:240
 fn pmf(row_2: Bin, column_3: Bin, all_: u32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/product.rs:242
+    // glimt_render_gpu/src/kernels/product.rs:241
     if (all_ == 0u) {
-        // glimt_render_gpu/src/kernels/product.rs:243
+        // glimt_render_gpu/src/kernels/product.rs:242
         return 0f;
     }
-    // glimt_render_gpu/src/kernels/product.rs:245
+    // glimt_render_gpu/src/kernels/product.rs:244
     return ((f32(row_2.units) * (1f / 2147483600f)) * (f32(column_3.units) / f32(all_)));
 }
 
 // glimt_render_gpu/src/kernels/product.rs:217
-fn pmf_in_cell(texel_1: vec2<u32>, env_size_6: vec2<u32>, env_rotation_6: vec2<f32>) -> f32 {
+fn pmf_in_cell(texel_1: vec2<u32>, cell_2: u32, env_size_6: vec2<u32>, env_rotation_6: vec2<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/product.rs:218
-    let _e5 = cell_of(texel_1, env_size_6, env_rotation_6);
+    let _e10 = Tuple_u32_u32_((cell_2 % 32u), (cell_2 / 32u));
+    let column_5 = _e10.fa;
+    let row_5 = _e10.fb;
     // glimt_render_gpu/src/kernels/product.rs:219
-    let _e11 = Tuple_u32_u32_((_e5 % 32u), (_e5 / 32u));
-    let column_5 = _e11.fa;
-    let row_5 = _e11.fb;
+    let _e14 = texel_rows(row_5, env_size_6, env_rotation_6);
     // glimt_render_gpu/src/kernels/product.rs:220
-    let _e15 = texel_rows(row_5, env_size_6, env_rotation_6);
+    let _e16 = first_word(env_size_6);
+    let _e19 = first_edge(column_5, row_5, _e14.x, env_size_6.y);
+    let edges_1 = (_e16 + _e19);
     // glimt_render_gpu/src/kernels/product.rs:221
-    let _e17 = first_word(env_size_6);
-    let _e20 = first_edge(column_5, row_5, _e15.x, env_size_6.y);
-    let edges_1 = (_e17 + _e20);
+    let at_3 = (edges_1 + (texel_1.y - _e14.x));
     // glimt_render_gpu/src/kernels/product.rs:222
-    let at_3 = (edges_1 + (texel_1.y - _e15.x));
-    // glimt_render_gpu/src/kernels/product.rs:223
-    let _e34 = env_tables[(at_3 + 1u)];
-    let _e37 = env_tables[at_3];
-    let of_row = Bin(0u, 0u, (_e34 - _e37));
+    let _e33 = env_tables[(at_3 + 1u)];
+    let _e36 = env_tables[at_3];
+    let of_row = Bin(0u, 0u, (_e33 - _e36));
+    // glimt_render_gpu/src/kernels/product.rs:227
+    let _e41 = texel_columns(column_5, env_size_6.x);
     // glimt_render_gpu/src/kernels/product.rs:228
-    let _e42 = texel_columns(column_5, env_size_6.x);
+    let _e44 = column_units(texel_1.y, _e41, env_size_6, env_rotation_6);
     // glimt_render_gpu/src/kernels/product.rs:229
-    let _e45 = column_units(texel_1.y, _e42, env_size_6, env_rotation_6);
+    let _e46 = marginal_words(env_size_6);
+    let start_2 = ((_e46 + (texel_1.y * (env_size_6.x + 1u))) + texel_1.x);
     // glimt_render_gpu/src/kernels/product.rs:230
-    let _e47 = marginal_words(env_size_6);
-    let start_2 = ((_e47 + (texel_1.y * (env_size_6.x + 1u))) + texel_1.x);
-    // glimt_render_gpu/src/kernels/product.rs:231
-    let _e63 = env_tables[(start_2 + 1u)];
-    let _e66 = env_tables[start_2];
-    let of_column = Bin(0u, 0u, (_e63 - _e66));
-    // glimt_render_gpu/src/kernels/product.rs:236
-    let _e71 = pmf(of_row, of_column, _e45.y);
-    return _e71;
+    let _e62 = env_tables[(start_2 + 1u)];
+    let _e65 = env_tables[start_2];
+    let of_column = Bin(0u, 0u, (_e62 - _e65));
+    // glimt_render_gpu/src/kernels/product.rs:235
+    let _e70 = pmf(of_row, of_column, _e44.y);
+    return _e70;
 }
 
 // glimt_probe/src/trig.rs:25
@@ -2384,22 +2382,23 @@ fn texel_solid_angle_sr(row_3: u32, size_8: vec2<u32>) -> f32 {
     return ((((4f * 3.1415927f) / f32(size_15.x)) * _e37.y) * _e40.y);
 }
 
-// glimt_render_gpu/src/kernels/product.rs:263
+// glimt_render_gpu/src/kernels/product.rs:262
 fn Product_pdf_sr(this_28: Product, texel_2: vec2<u32>, total_1: f32, lobe_1: CellLobe, env_size_7: vec2<u32>, env_rotation_7: vec2<f32>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/product.rs:264
+    // glimt_render_gpu/src/kernels/product.rs:263
     if !((total_1 > 0f)) {
-        // glimt_render_gpu/src/kernels/product.rs:265
+        // glimt_render_gpu/src/kernels/product.rs:264
         return 0f;
     }
-    // glimt_render_gpu/src/kernels/product.rs:267
+    // glimt_render_gpu/src/kernels/product.rs:266
     let _e13 = cell_of(texel_2, env_size_7, env_rotation_7);
-    let _e14 = CellLobe_weight(lobe_1, _e13, env_size_7, env_rotation_7);
-    let cell_5 = (_e14 / total_1);
+    // glimt_render_gpu/src/kernels/product.rs:267
+    let _e15 = CellLobe_weight(lobe_1, _e13, env_size_7, env_rotation_7);
+    let _e17 = pmf_in_cell(texel_2, _e13, env_size_7, env_rotation_7);
+    let pmf_1 = ((_e15 / total_1) * _e17);
     // glimt_render_gpu/src/kernels/product.rs:268
-    let _e17 = pmf_in_cell(texel_2, env_size_7, env_rotation_7);
-    let _e20 = texel_solid_angle_sr(texel_2.y, env_size_7);
-    return ((cell_5 * _e17) / _e20);
+    let _e21 = texel_solid_angle_sr(texel_2.y, env_size_7);
+    return (pmf_1 / _e21);
 }
 
 // glimt_sampling/src/mis.rs:59
@@ -2543,10 +2542,10 @@ fn multiply_high(a_3: u32, b_3: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/product.rs:187
-fn sample_in_cell(cell_2: u32, u_7: vec2<u32>, env_size_9: vec2<u32>, env_rotation_9: vec2<f32>) -> TexelDraw {
+fn sample_in_cell(cell_3: u32, u_7: vec2<u32>, env_size_9: vec2<u32>, env_rotation_9: vec2<f32>) -> TexelDraw {
 
     // glimt_render_gpu/src/kernels/product.rs:188
-    let _e10 = Tuple_u32_u32_((cell_2 % 32u), (cell_2 / 32u));
+    let _e10 = Tuple_u32_u32_((cell_3 % 32u), (cell_3 / 32u));
     let column_6 = _e10.fa;
     let row_7 = _e10.fb;
     // glimt_render_gpu/src/kernels/product.rs:189
@@ -2579,7 +2578,7 @@ fn sample_in_cell(cell_2: u32, u_7: vec2<u32>, env_size_9: vec2<u32>, env_rotati
 // glimt_render_gpu/src/kernels/product.rs:274
 fn Product_sample(this_33: Product, u_8: vec3<u32>, total_3: f32, lobe_3: CellLobe, env_size_10: vec2<u32>, env_rotation_10: vec2<f32>) -> TexelDraw {
     var sum_2: f32;
-    var cell_3: u32;
+    var cell_4: u32;
     var weight: f32;
     var next: u32;
 
@@ -2589,7 +2588,7 @@ fn Product_sample(this_33: Product, u_8: vec3<u32>, total_3: f32, lobe_3: CellLo
     // glimt_render_gpu/src/kernels/product.rs:276
     sum_2 = 0f;
     // glimt_render_gpu/src/kernels/product.rs:277
-    cell_3 = 0u;
+    cell_4 = 0u;
     // glimt_render_gpu/src/kernels/product.rs:278
     weight = 0f;
     // glimt_render_gpu/src/kernels/product.rs:279
@@ -2606,7 +2605,7 @@ fn Product_sample(this_33: Product, u_8: vec3<u32>, total_3: f32, lobe_3: CellLo
             if (_e32 > 0f) {
                 // glimt_render_gpu/src/kernels/product.rs:284
                 let _e37 = next;
-                cell_3 = _e37;
+                cell_4 = _e37;
                 // glimt_render_gpu/src/kernels/product.rs:285
                 weight = _e32;
                 // glimt_render_gpu/src/kernels/product.rs:286
@@ -2621,7 +2620,7 @@ fn Product_sample(this_33: Product, u_8: vec3<u32>, total_3: f32, lobe_3: CellLo
         }
     }
     // glimt_render_gpu/src/kernels/product.rs:290
-    let _e47 = cell_3;
+    let _e47 = cell_4;
     let _e51 = sample_in_cell(_e47, vec2<u32>(u_8.x, u_8.y), env_size_10, env_rotation_10);
     // glimt_render_gpu/src/kernels/product.rs:291
     let _e55 = weight;

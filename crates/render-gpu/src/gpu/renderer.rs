@@ -8,7 +8,6 @@ use glimt_executor::gpu::{
     AdapterPreference, Direct, Gpu, GpuContext, GpuError, GpuOptions, GpuVec, LaunchReport,
 };
 use glimt_executor::{Device, Memory};
-use glimt_smc::Particle;
 
 use super::upload::{GpuEnv, KeptScene};
 use crate::film::{Pixels, Samples};
@@ -16,9 +15,8 @@ use crate::generated::entries::{RECONSTRUCT, SHADE_MIS, TONEMAP};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
-use crate::kernels::past::RayState;
 use crate::kernels::smc_point::SmcPoint;
-use crate::methods::smc::{self, Following, Own, TILE_GRANULE};
+use crate::methods::smc::{Following, Own, TILE_GRANULE};
 use crate::methods::{Inputs, Method, MethodMemory};
 use crate::prepare::env::PreparedEnv;
 use crate::prepare::plate::Plate;
@@ -189,10 +187,7 @@ impl GpuRenderer {
             let count = tile.count.min(pixels - first);
             let rays = f64::from(pixels) * f64::from(whole.rays_per_pixel);
             let before = f64::from(first) * f64::from(whole.rays_per_pixel);
-            let passes = match settings.method {
-                Method::Smc(_) => f64::from(smc::PASSES),
-                _ => 1.0,
-            };
+            let passes = f64::from(method.passes());
             let tell = |done: u64| progress(((before + done as f64 / passes) / rays) as f32);
             let work = TileWork {
                 context: &self.context,
@@ -248,10 +243,7 @@ impl GpuRenderer {
     /// Pixels whose rays fit a binding, and no more than there are.
     fn largest_tile(&self, frame: &FrameParams, in_layers: bool, settings: &RenderSettings) -> u32 {
         let bytes = self.context.max_binding_bytes().min(SAMPLE_BYTES);
-        let ray_bytes = match settings.method {
-            Method::Smc(_) => sample_bytes(in_layers).max(size_of::<SmcPoint>() as u64),
-            _ => sample_bytes(in_layers),
-        };
+        let ray_bytes = sample_bytes(in_layers).max(settings.method.bytes_between_passes());
         let pixel_bytes = ray_bytes * u64::from(frame.rays_per_pixel);
         let fitting = match in_layers {
             false => bytes / pixel_bytes,
@@ -373,15 +365,14 @@ pub(super) fn device(error: GpuError) -> RenderError {
     RenderError::Device(Box::new(error))
 }
 
-/// Pixels whose rays' particles and states a binding holds.
+/// Pixels for whose rays a binding holds what the method keeps.
 fn fitting_pixels(context: &GpuContext, settings: &RenderSettings) -> u64 {
-    let particles = match &settings.method {
-        Method::Smc(smc) => smc.particles,
-        _ => 0,
-    };
-    let set = u64::from(particles) * size_of::<Particle>() as u64;
-    let ray = set.max(size_of::<RayState>() as u64);
-    context.max_binding_bytes() / (ray * u64::from(settings.rays_per_pixel))
+    let ray = settings.method.bytes_kept();
+    let pixel = ray * u64::from(settings.rays_per_pixel);
+    context
+        .max_binding_bytes()
+        .checked_div(pixel)
+        .unwrap_or(u64::MAX)
 }
 
 impl TileBuffers {

@@ -211,11 +211,10 @@ pub fn sample_in_cell(cell: u32, u: UVec2, env: Environment<'_>) -> TexelDraw {
     }
 }
 
-/// Probability of a texel by [`sample_in_cell`]; 0 for a black one.
+/// Probability of a texel of a cell by [`sample_in_cell`]; 0 for a black one.
 #[inline]
 #[must_use]
-pub fn pmf_in_cell(texel: UVec2, env: Environment<'_>) -> f32 {
-    let cell = cell_of(texel, env);
+pub fn pmf_in_cell(texel: UVec2, cell: u32, env: Environment<'_>) -> f32 {
     let (column, row) = (cell % COLUMNS, cell / COLUMNS);
     let rows = texel_rows(row, env);
     let edges = (first_word(env.size) + first_edge(column, row, rows.x, env.size.y)) as usize;
@@ -264,8 +263,9 @@ impl Product {
         if !(total > 0.0) {
             return 0.0;
         }
-        let cell = lobe.weight(cell_of(texel, env), env) / total;
-        cell * pmf_in_cell(texel, env) / texel_solid_angle_sr(texel.y, env.size)
+        let cell = cell_of(texel, env);
+        let pmf = lobe.weight(cell, env) / total * pmf_in_cell(texel, cell, env);
+        pmf / texel_solid_angle_sr(texel.y, env.size)
     }
 
     /// Draws a texel for the product, where all weights sum to `total` above 0: the cell by `u.z`, the texel in it by the others.

@@ -14,6 +14,7 @@ use glimt_executor::{Entry, Executor, Memory, Pass};
 use crate::film::SamplesOut;
 use crate::generated::passes::{self, EnvironmentArg, SceneArg};
 use crate::kernels::frame::FrameParams;
+use crate::kernels::smc_point::SmcPoint;
 use crate::prepare::smc_state::SmcState;
 use crate::settings::SettingError;
 
@@ -209,6 +210,30 @@ macro_rules! methods {
             #[must_use]
             pub fn has_memory(&self) -> bool {
                 matches!(self, Self::Smc(_))
+            }
+
+            /// Passes that find what the rays of a tile show.
+            pub(crate) fn passes(&self) -> u32 {
+                match self {
+                    Self::Smc(_) => smc::PASSES,
+                    _ => 1,
+                }
+            }
+
+            /// Bytes of a ray that go from one of those passes to the next.
+            pub(crate) fn bytes_between_passes(&self) -> u64 {
+                match self {
+                    Self::Smc(_) => size_of::<SmcPoint>() as u64,
+                    _ => 0,
+                }
+            }
+
+            /// Bytes of a ray in the larger of the buffers that it keeps for the next frame.
+            pub(crate) fn bytes_kept(&self) -> u64 {
+                match self {
+                    Self::Smc(own) => own.bytes_kept(),
+                    _ => 0,
+                }
             }
 
             /// Counts that the cost of a ray depends on, in a frame that has one before it or not.

@@ -127,6 +127,12 @@ impl Smc {
         }
     }
 
+    /// Bytes of a ray in the larger of the buffers that are kept.
+    pub(super) fn bytes_kept(&self) -> u64 {
+        let particles = u64::from(self.particles) * size_of::<Particle>() as u64;
+        particles.max(size_of::<RayState>() as u64)
+    }
+
     /// Counts that the cost of a ray depends on: a first frame leads no particles.
     pub(super) fn cost(&self, has_past: bool) -> [u32; 3] {
         let steps = if has_past { self.intermediate + 1 } else { 0 };
@@ -149,7 +155,7 @@ pub(super) fn entries() -> Vec<&'static Entry> {
 pub(crate) const TILE_GRANULE: u32 = 16;
 
 /// Passes of a tile.
-pub(crate) const PASSES: u32 = 3;
+pub(super) const PASSES: u32 = 3;
 
 /// What the rays of a frame keep.
 pub(crate) struct Rays<M: Memory> {
