@@ -83,8 +83,7 @@ pub enum Command {
     ///
     /// Writes one binary glTF file, SHOT.prt.glb unless the shot's render.prt.bake or -o says otherwise, which other programs can
     /// open: geometry in the world, with the coefficients as attributes _SH_0 … and _SH_BLOCKED_0 …. One that is there already, of
-    /// the same geometry and settings, is left as it is; what is there and is something else is never written over. Nothing may move
-    /// but the camera and the light.
+    /// the same geometry and settings, is left as it is. Nothing may move but the camera and the light.
     #[command(after_help = BAKE_EXAMPLES)]
     Bake {
         /// The shot file (TOML)
@@ -146,6 +145,17 @@ pub enum Command {
     },
 }
 
+/// Flags of the commands that write into a folder: what they may do there.
+#[derive(Clone, Copy, Debug, Default, Args)]
+pub struct WriteFlags {
+    /// Replace outputs of the same name that glimt did not write; files that are read are never written over
+    #[arg(long)]
+    pub overwrite: bool,
+    /// Let other runs write to the same folder, if all are given this flag; their frames must be different
+    #[arg(long)]
+    pub share: bool,
+}
+
 /// Flags of the commands that render.
 #[derive(Clone, Debug, Default, Args)]
 pub struct RenderFlags {
@@ -170,6 +180,9 @@ pub struct RenderFlags {
     /// Refuse inputs with defects (texels that are not light, degenerate triangles) rather than work around them
     #[arg(long)]
     pub strict: bool,
+    /// What may be written.
+    #[command(flatten)]
+    pub write: WriteFlags,
     /// What the sequential sampler continues from: flags of `glimt render` alone.
     #[arg(skip)]
     pub past: PastFlags,
@@ -197,7 +210,7 @@ pub struct PastFlags {
 /// Flags of frames that are still to come.
 #[derive(Clone, Copy, Debug, Args)]
 pub struct FollowFlags {
-    /// Render frames as they appear in the folder of probe.frames, dropping the oldest when behind
+    /// Render frames as they appear in the folder of probe.frames, dropping some when more than --max-lag behind
     ///
     /// The first frame is the newest that is there, or the first of --frames or render.frames. Lag and drops are reported.
     #[arg(long)]
@@ -205,6 +218,9 @@ pub struct FollowFlags {
     /// With --follow: end when no frame has come for so long; a backplate is waited for half as long
     #[arg(long, value_name = "SECONDS", default_value = "10", requires = "follow", value_parser = seconds)]
     pub wait: Duration,
+    /// With --follow: a frame that has waited longer is dropped, and those up to the newest with it
+    #[arg(long, value_name = "SECONDS", default_value = "0.5", requires = "follow", value_parser = lag)]
+    pub max_lag: Duration,
 }
 
 /// Flags of `glimt compare`.
@@ -277,6 +293,9 @@ pub struct BakeFlags {
     /// Refuse meshes with defects rather than work around them
     #[arg(long)]
     pub strict: bool,
+    /// Replace a file of the same name that glimt did not write; files that are read are never written over
+    #[arg(long)]
+    pub overwrite: bool,
 }
 
 /// Flags of `glimt synth`.
@@ -300,6 +319,9 @@ pub struct SynthFlags {
     /// Refuse a light map with texels that are not light, rather than take them as 0
     #[arg(long)]
     pub strict: bool,
+    /// What may be written.
+    #[command(flatten)]
+    pub write: WriteFlags,
 }
 
 /// Flags of `glimt unwarp`.
@@ -329,6 +351,9 @@ pub struct UnwarpFlags {
     /// Refuse frames with pixels that are not light, rather than take them as 0
     #[arg(long)]
     pub strict: bool,
+    /// What may be written.
+    #[command(flatten)]
+    pub write: WriteFlags,
 }
 
 /// Flags of `glimt sh`.
@@ -364,6 +389,9 @@ pub struct ShFlags {
     /// Refuse maps with texels that are not light, rather than take them as 0
     #[arg(long)]
     pub strict: bool,
+    /// Replace a file of the same name that glimt did not write; files that are read are never written over
+    #[arg(long)]
+    pub overwrite: bool,
 }
 
 /// How coefficients are written.
@@ -447,6 +475,15 @@ fn seconds(text: &str) -> Result<Duration, String> {
         .ok_or_else(|| "a wait is between 0.2 and 1000000 seconds".to_owned())
 }
 
+/// Reads how far the picture may be behind.
+fn lag(text: &str) -> Result<Duration, String> {
+    let seconds: Option<f64> = text.parse().ok();
+    seconds
+        .filter(|seconds| (0.0..=1e6).contains(seconds))
+        .map(Duration::from_secs_f64)
+        .ok_or_else(|| "a lag is between 0 and 1000000 seconds".to_owned())
+}
+
 /// Reads a time of a frame.
 fn milliseconds(text: &str) -> Result<f64, String> {
     let value: Option<f64> = text.parse().ok();
@@ -489,6 +526,7 @@ Exit status:
   3  an input file is missing or broken
   4  an output cannot be written
   5  the device cannot render this
+  130, 143  SIGINT or SIGTERM came; what is there is whole, and the same command continues from there
 
 Start with `glimt demo`; `glimt help render` shows examples.";
 

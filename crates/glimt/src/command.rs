@@ -19,7 +19,7 @@ pub fn run(command: Command, reporter: &Reporter) -> Result<()> {
             flags,
             follow,
             ..
-        } if follow.follow => follow::render(&shot, &flags, follow.wait, reporter),
+        } if follow.follow => follow::render(&shot, &flags, &follow, reporter),
         Command::Render {
             shot, flags, past, ..
         } => {

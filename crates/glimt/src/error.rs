@@ -1,5 +1,6 @@
 //! Host file: errors that name a file, a place and a fix, and the exit status that each kind gives.
 
+use crate::printable::path_in_line;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -17,6 +18,18 @@ pub enum Kind {
     Output = 4,
     /// The device that renders.
     Device = 5,
+    /// SIGINT.
+    Interrupted = 130,
+    /// SIGTERM.
+    Terminated = 143,
+}
+
+impl Kind {
+    /// The program's exit status.
+    #[must_use]
+    pub fn status(self) -> i32 {
+        i32::from(self as u8)
+    }
 }
 
 /// Where in a file.
@@ -165,7 +178,7 @@ impl fmt::Display for Line<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let error = self.0;
         if let Some(file) = &error.file {
-            write!(f, "{}:", file.display())?;
+            write!(f, "{}:", path_in_line(file))?;
             if !matches!(error.place, Some(Place::LineColumn(..))) {
                 f.write_str(" ")?;
             }

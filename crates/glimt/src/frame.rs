@@ -35,19 +35,34 @@ impl<'a> Frames<'a> {
             && (!output.png || png_there().as_ref() == hash)
     }
 
+    /// Sees that the files of a frame may be written.
+    ///
+    /// # Errors
+    /// One is an input, or something else's.
+    pub fn may_write(self, frame: u32) -> Result<()> {
+        let output = &self.setup.shot.output;
+        for (extension, on) in [("exr", output.exr), ("png", output.png)] {
+            if on {
+                self.setup.guard.target(&self.file(frame, extension))?;
+            }
+        }
+        Ok(())
+    }
+
     /// Writes the files of a frame.
     ///
     /// # Errors
     /// One cannot be written.
     pub fn write(self, image: &FrameImage, stamp: &Stamp) -> Result<()> {
         let output = &self.setup.shot.output;
+        let target = |extension| self.setup.guard.target(&self.file(stamp.frame, extension));
         if output.exr {
-            let file = self.file(stamp.frame, "exr");
+            let file = target("exr")?;
             let layers = self.layers(image, stamp.frame)?;
             exr::write(&file, image.size, &image.linear, layers, stamp)?;
         }
         if output.png {
-            png::write(&self.file(stamp.frame, "png"), image, stamp)?;
+            png::write(&target("png")?, image, stamp)?;
         }
         Ok(())
     }

@@ -16,6 +16,7 @@ use crate::shot::{Method, Render, Shot, check, parse, range};
 use glam::UVec2;
 use glimt_render_gpu::prepare::env::PreparedEnv;
 use glimt_render_gpu::prepare::plate::Plate;
+use std::collections::HashMap;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -34,6 +35,8 @@ pub struct Job {
     pub state_out: Option<PathBuf>,
     /// Whether these are all frames of the shot.
     pub whole: bool,
+    /// Whether other runs may write to the same folder.
+    pub share: bool,
     probe: Probe,
     footage: Option<Footage>,
 }
@@ -63,7 +66,7 @@ impl Job {
         }
         let found = |done, all| reporter.stage("looking for the ball", done, all);
         let selection = Selection {
-            files,
+            files: files.clone(),
             frames: &frames,
             of_shot: of_shot.clone(),
         };
@@ -77,6 +80,15 @@ impl Job {
             notes,
         )?;
         let mut setup = Setup::load(shot, source, *of_shot.start(), flags, notes)?;
+        setup.guard.reads_sequence("the shot's light", &files);
+        if let Some(footage) = &footage {
+            setup
+                .guard
+                .reads_sequence("the shot's backplate", footage.files());
+        }
+        if let Some(file) = &flags.past.state_in {
+            setup.guard.reads("the state of --state-in", file);
+        }
         bake::expect(&mut setup)?;
         let state_in = match &flags.past.state_in {
             Some(file) => Some(read_state(file, &setup, frames[0], notes)?),
@@ -89,6 +101,7 @@ impl Job {
             preroll,
             state_in,
             state_out: flags.past.state_out.clone(),
+            share: flags.write.share,
             probe,
             footage,
         };
@@ -97,6 +110,18 @@ impl Job {
             job.setup.camera(frame)?;
         }
         Ok(job)
+    }
+
+    /// The most bytes that a state of the sequential sampler has.
+    pub fn state_bytes(&self) -> u64 {
+        let (setup, render) = (&self.setup, &self.setup.shot.render);
+        let pixels = u64::from(setup.shot.image.size[0]) * u64::from(setup.shot.image.size[1]);
+        let rays = pixels * u64::from(setup.shot.image.rays_per_pixel);
+        let map = self.probe.map_size();
+        let texels = u64::from(map.x) * u64::from(map.y);
+        let particles = render.estimator().map_or(0, |method| method.count());
+        let objects = setup.scene.objects.len() as u64;
+        state::bytes(texels, rays, u64::from(particles), objects)
     }
 
     /// Whether every frame has the same light.
@@ -112,18 +137,18 @@ impl Job {
         self.probe.load(frame, notes).map(drop)
     }
 
-    /// The light of a frame, with its tables.
+    /// The light of a frame, with its tables, and the hash of what it was made of.
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn light(&self, frame: u32, notes: &mut Notes) -> Result<PreparedEnv> {
+    pub fn light(&self, frame: u32, notes: &mut Notes) -> Result<(PreparedEnv, Hash)> {
         let began = Instant::now();
-        let map = self.probe.load(frame, notes)?;
+        let (map, hash) = self.probe.load(frame, notes)?;
         let read = began.elapsed();
         let prepared = self.setup.tables(map, Some(&self.probe.file(frame)));
         let tables = began.elapsed() - read;
         tracing::info!("light of frame {frame}: read in {read:.2?}, tables in {tables:.2?}");
-        prepared
+        Ok((prepared?, hash))
     }
 
     /// Whether every frame has the same footage, or none.
@@ -131,11 +156,11 @@ impl Job {
         self.footage.as_ref().is_none_or(Footage::is_still)
     }
 
-    /// The footage behind a frame, if there is any.
+    /// The footage behind a frame, if there is any, and the hash of its file.
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn plate(&self, frame: u32, notes: &mut Notes) -> Result<Option<Plate>> {
+    pub fn plate(&self, frame: u32, notes: &mut Notes) -> Result<Option<(Plate, Hash)>> {
         let Some(footage) = &self.footage else {
             return Ok(None);
         };
@@ -150,6 +175,23 @@ impl Job {
         self.setup.shot.render.continues()
     }
 
+    /// Hash of the light of each frame.
+    ///
+    /// # Errors
+    /// A file cannot be read.
+    pub fn light_hashes(&self) -> Result<HashMap<u32, Hash>> {
+        let hashes = self.probe.digests(&self.frames)?;
+        Ok(self.frames.iter().copied().zip(hashes).collect())
+    }
+
+    /// What a run's first frame continues from.
+    pub fn chain(&self) -> Chain {
+        Chain {
+            hash: self.state_in.as_ref().map_or([0; 32], |saved| saved.chain),
+            is_chain: self.is_chain(),
+        }
+    }
+
     /// The identity of each frame, in the order of [`Job::frames`], and the hash of all that the last one came from.
     ///
     /// # Errors
@@ -162,19 +204,30 @@ impl Job {
                 *input = digest::join([&*input, plate]);
             }
         }
-        let mut chain = self.state_in.as_ref().map_or([0; 32], |saved| saved.chain);
-        let mut identities = Vec::new();
-        for (input, &frame) in inputs.iter().zip(&self.frames) {
-            let own = match self.is_chain() {
-                true => {
-                    chain = digest::join([&chain, input, &digest::of_text(&frame.to_string())]);
-                    &chain
-                }
-                false => input,
-            };
-            identities.push(digest::of_frame(&self.setup.digest, own, frame));
+        let mut chain = self.chain();
+        let pairs = inputs.iter().zip(&self.frames);
+        let identities = pairs.map(|(input, &frame)| chain.next(&self.setup.digest, input, frame));
+        let identities = identities.collect();
+        Ok((identities, chain.hash))
+    }
+}
+
+/// What frames came from, one after another.
+#[derive(Clone, Copy, Debug)]
+pub struct Chain {
+    /// Hash of all inputs so far, where each frame continues from the one before it.
+    pub hash: Hash,
+    is_chain: bool,
+}
+
+impl Chain {
+    /// The identity of the next frame, of a setup and of inputs with these hashes.
+    pub fn next(&mut self, setup: &Hash, input: &Hash, frame: u32) -> String {
+        if !self.is_chain {
+            return digest::of_frame(setup, input, frame);
         }
-        Ok((identities, chain))
+        self.hash = digest::join([&self.hash, input, &digest::of_text(&frame.to_string())]);
+        digest::of_frame(setup, &self.hash, frame)
     }
 }
 

@@ -5,13 +5,17 @@ use crate::cli::Device;
 use crate::device::{self, Renderers};
 use crate::error::{Error, Kind, Result};
 use crate::frame::Frames;
-use crate::job::Job;
+use crate::interrupt;
+use crate::job::{Chain, Job};
 use crate::notes::{Note, Notes};
+use crate::output::atomic::{Folder, Pending};
 use crate::output::state::{self, Saved};
+use crate::output::target::Target;
 use crate::output::video::{self, Encoder, Video};
-use crate::output::{Stamp, atomic, rgb_over_black};
+use crate::output::{Stamp, rgb_over_black};
+use crate::printable::path_in_line;
 use crate::report::{FrameStatus, Reporter, count, shown};
-use crate::shot::digest::Hash;
+use crate::shot::digest::{self, Hash};
 use glimt_render_gpu::methods::MethodMemory;
 use glimt_render_gpu::prepare::env::PreparedEnv;
 use glimt_render_gpu::prepare::plate::Plate;
@@ -43,15 +47,15 @@ struct Plan<'a> {
     current: Vec<bool>,
     /// Whether each frame is computed: those that are not there, and those that they continue from.
     computed: Vec<bool>,
-    /// Hash of all that the last frame came from.
-    chain: Hash,
+    /// Where the state after the last frame is to be saved, if that is not there already.
+    state: Option<Target>,
     /// The video, where one is to be made.
     video: Option<VideoPlan>,
 }
 
 /// A video that is to be made.
 struct VideoPlan {
-    file: PathBuf,
+    file: Target,
     /// Its identity.
     hash: String,
     encoder: Encoder,
@@ -64,8 +68,9 @@ struct VideoPlan {
 pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -> Result<()> {
     let began = Instant::now();
     let job = Arc::new(job);
-    atomic::prepare_folder(&job.setup.out)?;
     let plan = Plan::new(&job, reporter)?;
+    let _folder = Folder::claim(&job.setup.out, job.share)?;
+    let mut state = plan.begin_state()?;
     check_current(&plan, &mut notes, reporter)?;
     let mut ready = match plan.computed.contains(&true) {
         true => Some(SceneRenderer::open(&job, device)?),
@@ -80,7 +85,7 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
     reporter.start(asked, &job.setup.out, &name, job.setup.triangles);
 
     let inputs = read_inputs(&job, &plan, notes)?;
-    let rendered = std::thread::scope(|scope| {
+    let (rendered, chain) = std::thread::scope(|scope| {
         let (finish, finished) = sync_channel(1);
         let writer = scope.spawn(|| write_frames(&plan, reporter, finished));
         let rendered = render_frames(&plan, ready.as_mut(), inputs, &finish, reporter);
@@ -89,25 +94,25 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
         let written = writer
             .join()
             .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        rendered.and_then(|count| written.map(|()| count))
+        rendered.and_then(|rendered| written.map(|()| rendered))
     })?;
 
-    if let Some(ready) = &mut ready {
-        ready.save(&plan)?;
+    if let (Some(ready), Some(state)) = (&mut ready, &mut state) {
+        ready.save(&plan, chain.hash, state)?;
     }
 
     let seconds = began.elapsed().as_secs_f64();
     let skipped = asked - rendered;
-    let video = plan.video.as_ref().map(|video| &video.file);
+    let video = plan.video.as_ref().map(|video| video.file.path());
     let summary = json!({
-        "rendered": rendered, "skipped": skipped, "seconds": seconds, "out": shown(&job.setup.out), "video": video.map(|v| shown(v)),
+        "rendered": rendered, "skipped": skipped, "seconds": seconds, "out": shown(&job.setup.out), "video": video.map(shown),
         "state": job.state_out.as_deref().map(shown),
     });
-    let also = video.map_or(String::new(), |v| format!(" and {}", v.display()));
+    let also = video.map_or(String::new(), |v| format!(" and {}", path_in_line(v)));
     let text = format!(
         "{} rendered, {skipped} there already, in {seconds:.1} s: {}{also}",
         count(rendered, "frame"),
-        job.setup.out.display()
+        path_in_line(&job.setup.out)
     );
     reporter.finish(summary, &text);
     Ok(())
@@ -135,16 +140,13 @@ impl SceneRenderer {
         Ok(opened)
     }
 
-    /// Saves what the next frame would continue from, where that is asked for.
-    fn save(&mut self, plan: &Plan<'_>) -> Result<()> {
-        let Some(file) = &plan.job.state_out else {
-            return Ok(());
-        };
+    /// Saves what the next frame would continue from.
+    fn save(&mut self, plan: &Plan<'_>, chain: Hash, file: &mut Pending) -> Result<()> {
         let renderer = self.renderers.of(&plan.job.setup.shot)?;
         if let Some(MethodMemory::Smc(state)) = renderer.memory().map_err(device::failure)? {
             let saved = Saved {
                 state,
-                chain: plan.chain,
+                chain,
                 setup: plan.job.setup.digest,
             };
             state::write(file, &saved)?;
@@ -166,21 +168,33 @@ impl<'a> Plan<'a> {
         let current: Vec<bool> = there
             .map(|(i, stamp)| i < job.preroll || files.are_there(stamp))
             .collect();
+        for (stamp, _) in stamps
+            .iter()
+            .zip(&current)
+            .filter(|(_, current)| !**current)
+        {
+            files.may_write(stamp.frame)?;
+        }
+        let hashes = Some([chain, job.setup.digest]);
+        let state_is_there = |file: &PathBuf| state::read_hashes(file) == hashes;
+        let state = job.state_out.as_ref().filter(|file| !state_is_there(file));
+        let state = state
+            .map(|file| state::target(&job.setup.guard, file))
+            .transpose()?;
         let mut plan = Self {
             job,
             stamps,
             current,
             computed: Vec::new(),
-            chain,
+            state,
             video: None,
         };
         plan.plan_video(reporter)?;
         plan.computed = plan.current.iter().map(|current| !current).collect();
         if job.is_chain() {
-            let state_is_there = |file| state::read_chain(file) == Some(chain);
-            let needed = match &job.state_out {
-                Some(file) if !state_is_there(file) => plan.computed.len(),
-                _ => plan.computed.iter().rposition(|c| *c).map_or(0, |i| i + 1),
+            let needed = match &plan.state {
+                Some(_) => plan.computed.len(),
+                None => plan.computed.iter().rposition(|c| *c).map_or(0, |i| i + 1),
             };
             plan.computed[..needed].fill(true);
         }
@@ -208,14 +222,24 @@ impl<'a> Plan<'a> {
             plan.current.fill(true);
             return Ok(());
         }
-        let size = job.setup.size();
-        let encoder = video::prepare(&file, size, output.codec)?;
+        let file = job.setup.guard.target(&file)?;
+        let encoder = video::prepare(&file, job.setup.size(), output.codec)?;
         plan.video = Some(VideoPlan {
             file,
             hash,
             encoder,
         });
         Ok(())
+    }
+
+    /// Begins the file of the state, and takes room for it: what cannot be saved is said before anything is rendered.
+    fn begin_state(&self) -> Result<Option<Pending>> {
+        let Some(target) = &self.state else {
+            return Ok(None);
+        };
+        let mut pending = Pending::create(target)?;
+        pending.reserve(self.job.state_bytes())?;
+        Ok(Some(pending))
     }
 }
 
@@ -241,9 +265,23 @@ fn check_current(plan: &Plan<'_>, notes: &mut Notes, reporter: &Reporter) -> Res
 }
 
 /// What a frame is rendered from.
+#[derive(Clone)]
 struct Inputs {
     light: Arc<PreparedEnv>,
     plate: Option<Arc<Plate>>,
+    /// Hashes of what they were made of.
+    of_light: Hash,
+    of_plate: Option<Hash>,
+}
+
+impl Inputs {
+    /// As [`Job::identities`] counts them.
+    fn hash(&self) -> Hash {
+        match &self.of_plate {
+            Some(plate) => digest::join([&self.of_light, plate]),
+            None => self.of_light,
+        }
+    }
 }
 
 /// The inputs of a frame, and what there is to say about them.
@@ -260,19 +298,28 @@ fn read_inputs(job: &Arc<Job>, plan: &Plan<'_>, mut notes: Notes) -> Result<Pref
     let job = Arc::clone(job);
     let mut last: Option<Inputs> = None;
     let mut inputs = move |frame, notes: &mut Notes| -> Result<Inputs> {
-        let light = match &last {
-            Some(last) if job.is_still() => Arc::clone(&last.light),
-            _ => Arc::new(job.light(frame, notes)?),
+        let (light, of_light) = match &last {
+            Some(last) if job.is_still() => (Arc::clone(&last.light), last.of_light),
+            _ => {
+                let (light, hash) = job.light(frame, notes)?;
+                (Arc::new(light), hash)
+            }
         };
-        let plate = match &last {
-            Some(last) if job.is_still_plate() => last.plate.clone(),
-            _ => job.plate(frame, notes)?.map(Arc::new),
+        let (plate, of_plate) = match &last {
+            Some(last) if job.is_still_plate() => (last.plate.clone(), last.of_plate),
+            _ => job
+                .plate(frame, notes)?
+                .map(|(plate, hash)| (Arc::new(plate), hash))
+                .unzip(),
         };
-        last = Some(Inputs {
-            light: Arc::clone(&light),
-            plate: plate.clone(),
-        });
-        Ok(Inputs { light, plate })
+        let read = Inputs {
+            light,
+            plate,
+            of_light,
+            of_plate,
+        };
+        last = Some(read.clone());
+        Ok(read)
     };
     let read = move |frame| {
         let inputs = inputs(frame, &mut notes);
@@ -281,26 +328,47 @@ fn read_inputs(job: &Arc<Job>, plan: &Plan<'_>, mut notes: Notes) -> Result<Pref
     Prefetch::new(missing, 1, read).map_err(|e| Error::new(Kind::Internal, e))
 }
 
-/// Renders what is not there and passes it on; says how many frames were rendered.
+/// Renders what is not there and passes it on; says how many frames were rendered, and what the last one came from.
 fn render_frames(
     plan: &Plan<'_>,
     mut ready: Option<&mut SceneRenderer>,
     mut inputs: Prefetch<Read>,
     finish: &SyncSender<Finished>,
     reporter: &Reporter,
-) -> Result<usize> {
+) -> Result<(usize, Chain)> {
     let mut rendered = 0;
+    let mut chain = plan.job.chain();
     let preroll = plan.job.preroll;
-    for (index, stamp) in plan.stamps.iter().enumerate() {
+    for (index, planned) in plan.stamps.iter().enumerate() {
+        interrupt::check(|| {
+            let frames = index.saturating_sub(preroll);
+            format!(
+                "{frames} of {} frames are there",
+                plan.stamps.len() - preroll
+            )
+        })?;
         let frame = match (&mut ready, plan.computed[index]) {
             (Some(ready), true) => {
                 let Some((read, notes)) = inputs.next() else {
                     break;
                 };
                 reporter.notes(notes);
-                let Inputs { light, plate } = read?;
+                let read = read?;
+                let hash = read.hash();
+                let Inputs { light, plate, .. } = read;
                 let began = Instant::now();
                 let setup = &plan.job.setup;
+                // Of what was read, whatever was there when the run began.
+                let stamp = Stamp {
+                    hash: chain.next(&setup.digest, &hash, planned.frame),
+                    frame: planned.frame,
+                };
+                if stamp != *planned {
+                    reporter.warn(&format!(
+                        "light or backplate of frame {} changed since the run began: the frame is of what they are now",
+                        stamp.frame
+                    ));
+                }
                 let pose = setup.pose(stamp.frame)?;
                 let refused = |e| setup.refused_scene(stamp.frame, &e);
                 ready.scene.pose(&pose.transforms).map_err(refused)?;
@@ -312,27 +380,27 @@ fn render_frames(
                     .map_err(device::failure)?;
                 match plan.current[index] {
                     // A later frame continues from it, no more.
-                    true => Finished::Skipped(stamp.frame),
+                    true => Finished::Skipped(planned.frame),
                     false => {
                         rendered += 1;
                         let seconds = began.elapsed().as_secs_f64();
-                        Finished::Rendered(stamp.clone(), image, seconds)
+                        Finished::Rendered(stamp, image, seconds)
                     }
                 }
             }
-            _ => Finished::Skipped(stamp.frame),
+            _ => Finished::Skipped(planned.frame),
         };
         if index < preroll {
             continue;
         }
         // A writer that has failed takes no more; its error is reported when it is joined.
         if finish.send(frame).is_err() {
-            return Ok(rendered);
+            return Ok((rendered, chain));
         }
     }
     // The same holds here.
     let _ = finish.send(Finished::End);
-    Ok(rendered)
+    Ok((rendered, chain))
 }
 
 /// Writes frames as they come; the video gets its name at the end alone.

@@ -1,13 +1,14 @@
 //! Host file: what the program says while it works: a bar on a terminal, lines elsewhere, JSON lines if asked for.
 
 use crate::cli::PrintFlags;
-use crate::error::Error;
+use crate::error::{Error, Result};
 use crate::notes::{Note, Severity};
+use crate::printable::{path_in_line, printable};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::{Value, json};
 use std::io::{IsTerminal, Write};
 use std::path::Path;
-use std::sync::Mutex;
+use std::sync::{Mutex, OnceLock};
 
 /// Steps of the bar for each frame.
 const STEPS: u64 = 1000;
@@ -17,6 +18,8 @@ const STEPS: u64 = 1000;
 pub struct Reporter {
     flags: PrintFlags,
     bar: Mutex<Option<ProgressBar>>,
+    /// The first error of writing to standard output.
+    failed: OnceLock<Error>,
 }
 
 /// `1 frame`, `2 frames`.
@@ -68,6 +71,30 @@ impl Reporter {
         Self {
             flags,
             bar: Mutex::new(None),
+            failed: OnceLock::new(),
+        }
+    }
+
+    /// Whether all that was meant for standard output was written there.
+    ///
+    /// # Errors
+    /// It was not: a disk is full, for example. A closed pipe (`glimt info | head`) is not an error.
+    pub fn check_output(&self) -> Result<()> {
+        match self.failed.get() {
+            Some(error) => Err(error.clone()),
+            None => Ok(()),
+        }
+    }
+
+    /// Writes a line to standard output.
+    fn print(&self, line: &str) {
+        let mut out = std::io::stdout().lock();
+        let written = writeln!(out, "{line}").and_then(|()| out.flush());
+        if let Err(error) = written
+            && error.kind() != std::io::ErrorKind::BrokenPipe
+        {
+            let error = Error::writing(Path::new("standard output"), &error);
+            let _ = self.failed.set(error);
         }
     }
 
@@ -97,7 +124,7 @@ impl Reporter {
         if self.flags.quiet || self.flags.json {
             return;
         }
-        self.line(&format!("{what}, on {device}, into {}", out.display()));
+        self.line(&format!("{what}, on {device}, into {}", path_in_line(out)));
         if std::io::stderr().is_terminal() {
             let style = ProgressStyle::with_template("{bar:32} {msg}, {elapsed} gone, {eta} to go")
                 .unwrap_or_else(|_| ProgressStyle::default_bar());
@@ -121,7 +148,7 @@ impl Reporter {
             "{} in {}, on {device}, into {}",
             count(contestants.len(), "contestant"),
             count(frames, "measured frame"),
-            out.display()
+            path_in_line(out)
         ));
         self.start_bar();
     }
@@ -167,8 +194,8 @@ impl Reporter {
         }));
         self.plain(&format!(
             "following {}, {triangles} triangles, on {device}, into {}",
-            files.display(),
-            out.display()
+            path_in_line(files),
+            path_in_line(out)
         ));
     }
 
@@ -195,7 +222,7 @@ impl Reporter {
             (true, false) => {
                 self.line(&format!(
                     "warning: frame {frame} is dropped: {reason} ({})",
-                    file.display()
+                    path_in_line(file)
                 ));
             }
             _ => self.plain(&format!("frame {frame}: dropped, {reason}")),
@@ -256,7 +283,11 @@ impl Reporter {
             self.event(&json!({"event": name, "file": shown(&note.file), "message": note.text}));
             let hidden = self.flags.quiet && note.severity == Severity::Note;
             if !hidden && !self.flags.json {
-                self.line(&format!("{name}: {}: {}", note.file.display(), note.text));
+                self.line(&format!(
+                    "{name}: {}: {}",
+                    path_in_line(&note.file),
+                    note.text
+                ));
             }
         }
     }
@@ -265,6 +296,14 @@ impl Reporter {
     pub fn remark(&self, text: &str) {
         self.event(&json!({"event": "note", "message": text}));
         self.plain(&format!("note: {text}"));
+    }
+
+    /// A warning about the run itself.
+    pub fn warn(&self, text: &str) {
+        self.event(&json!({"event": "warning", "message": text}));
+        if !self.flags.json {
+            self.line(&format!("warning: {text}"));
+        }
     }
 
     /// The work is done; `summary` holds its numbers, `text` says them in words.
@@ -295,13 +334,10 @@ impl Reporter {
 
     /// An answer on standard output: `text`, or `value` as JSON.
     pub fn answer(&self, value: &Value, text: &str) {
-        let mut out = std::io::stdout().lock();
-        // A closed pipe (`glimt info | head`) is not an error of ours.
-        let _ = if self.flags.json {
-            writeln!(out, "{value}")
-        } else {
-            writeln!(out, "{}", text.trim_end())
-        };
+        match self.flags.json {
+            true => self.print(&value.to_string()),
+            false => self.print(&printable(text.trim_end())),
+        }
     }
 
     /// A line of progress, which --quiet and --json leave out.
@@ -313,7 +349,7 @@ impl Reporter {
 
     fn line(&self, text: &str) {
         let print = || {
-            let _ = writeln!(std::io::stderr(), "{text}");
+            let _ = writeln!(std::io::stderr(), "{}", printable(text));
         };
         match self.lock().as_ref() {
             Some(bar) => bar.suspend(print),
@@ -323,7 +359,7 @@ impl Reporter {
 
     fn event(&self, value: &Value) {
         if self.flags.json {
-            let _ = writeln!(std::io::stdout().lock(), "{value}");
+            self.print(&value.to_string());
         }
     }
 

@@ -4,6 +4,7 @@ use crate::cli::RenderFlags;
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
 use crate::output::aov;
+use crate::output::target::Guard;
 use crate::scene::place::{self, Mover};
 use crate::scene::view::View;
 use crate::shot::digest::{self, Hash};
@@ -36,6 +37,8 @@ pub struct Setup {
     movers: Vec<Mover>,
     /// Which of the shot's objects each object of the scene is a part of.
     pub owners: Vec<usize>,
+    /// What may be written: nothing that is read.
+    pub guard: Guard,
     /// Whether all tables of the light are built, and not those alone that the shot's method reads.
     pub all_tables: bool,
 }
@@ -63,6 +66,17 @@ impl Setup {
         notes: &mut Notes,
     ) -> Result<Self> {
         let placed = place::place(&shot, &source, notes)?;
+        let mut guard = Guard::new(flags.write.overwrite);
+        guard.reads("the shot", &source.file);
+        for (object, files) in placed.files.iter().enumerate() {
+            for (i, file) in files.iter().enumerate() {
+                let what = match i {
+                    0 => format!("the mesh of object.{object}"),
+                    _ => format!("a part of the mesh of object.{object}"),
+                };
+                guard.reads(&what, file);
+            }
+        }
         let moves = placed.movers.iter().any(|m| m.motion.is_moving());
         let clock = match moves {
             true => digest::of_text(&format!("{first} {:?}", shot.probe.fps)),
@@ -77,6 +91,7 @@ impl Setup {
             out: out_folder(flags, source.folder().join(&shot.output.dir)),
             scene: placed.scene,
             owners: placed.owners,
+            guard,
             all_tables: false,
             source,
             shot,

@@ -6,13 +6,17 @@ use crate::device::{self, Processor};
 use crate::error::{Error, Kind, Result};
 use crate::input::frames::{FrameFiles, check_size};
 use crate::input::light_image::{LightImage, read_photo, read_photo_size};
+use crate::interrupt;
 use crate::notes::Notes;
-use crate::output::{Stamp, atomic, exr, png, write_text};
+use crate::output::atomic::Folder;
+use crate::output::target::{Guard, Target};
+use crate::output::{SOFTWARE, Stamp, exr, png, write_text};
+use crate::printable::path_in_line;
 use crate::report::{FrameStatus, Reporter, count, shown};
 use crate::shot::digest::{self, Hash};
 use crate::shot::{Ball, Shot, check, parse, range};
 use crate::synth::{MASK_HIDDEN, MASK_RIG, MASK_RIM, MASK_SEEN};
-use glam::Vec4;
+use glam::{UVec2, Vec4};
 use glimt_probe::gather::ColourMatrix;
 use glimt_probe::unwarp::Visibility;
 use glimt_render_gpu::gpu::GpuUnwarp;
@@ -33,14 +37,21 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
     let files = FrameFiles::new(Path::new(""), &frames.to_string_lossy())?;
     let numbers = frames_of(&files, flags)?;
     files.note_gaps(&numbers, "no map is made for what is not there", &mut notes);
-    atomic::prepare_folder(&flags.out)?;
+    let mut guard = Guard::new(flags.write.overwrite);
+    guard.reads_sequence("the film", &files);
+    for &frame in &numbers {
+        guard.target(&flags.out.join(name("latlong", frame, "exr")))?;
+        guard.target(&flags.out.join(name("mask", frame, "png")))?;
+    }
+    let track_file = guard.target(&flags.out.join("track.json"))?;
+    let _folder = Folder::claim(&flags.out, flags.write.share)?;
     let processor = device::open_processor(flags.device)?;
     reporter.start_filming(numbers.len(), &flags.out, &processor.name());
 
     reporter.notes(notes.take());
     let poses = match Poses::given(&ball) {
         Some(given) => {
-            write_track(flags, &given_track(&numbers, &given))?;
+            write_track(&track_file, given_track(&numbers, &given))?;
             given
         }
         None => {
@@ -54,7 +65,7 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
             reporter.notes(notes.take());
             let tracked = tracked?;
             let poses = locate::of_track(&tracked);
-            write_track(flags, &track(&tracked, &poses))?;
+            write_track(&track_file, track(&tracked, &poses))?;
             poses
         }
     };
@@ -66,11 +77,14 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
             processor,
             ready: None,
         },
-        mask: None,
+        files: &files,
+        guard,
+        last: None,
     };
     let mut written = 0;
     for (done, &frame) in (1..).zip(&numbers) {
-        let status = maps.write(frame, &files.path(frame), &mut notes);
+        interrupt::check(|| format!("{} of {} maps are there", done - 1, numbers.len()))?;
+        let status = maps.write(frame, &mut notes);
         reporter.notes(notes.take());
         let status = status?;
         written += usize::from(status != FrameStatus::Skipped);
@@ -87,7 +101,7 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
         count(written, "map"),
         size.x,
         size.y,
-        flags.out.display()
+        path_in_line(&flags.out)
     );
     reporter.finish(summary, &text);
     Ok(())
@@ -114,8 +128,9 @@ fn frames_of(files: &FrameFiles, flags: &UnwarpFlags) -> Result<Vec<u32>> {
     Ok(numbers)
 }
 
-fn write_track(flags: &UnwarpFlags, track: &serde_json::Value) -> Result<()> {
-    write_text(&flags.out.join("track.json"), &format!("{track:#}"))
+fn write_track(file: &Target, mut track: serde_json::Value) -> Result<()> {
+    track["software"] = SOFTWARE.into();
+    write_text(file, &format!("{track:#}"))
 }
 
 /// Makes and writes the maps, frame after frame.
@@ -124,38 +139,87 @@ struct Maps<'a> {
     ball: Ball,
     capture: Capture,
     unwarper: Unwarper,
-    /// The mask that was written last, empty where all frames so far were there already. `None` before the first frame.
+    files: &'a FrameFiles,
+    /// What may be written: nothing that is read.
+    guard: Guard,
+    /// The frame before.
+    last: Option<LastFrame>,
+}
+
+/// What is known of the frame before: one mask serves until it changes.
+struct LastFrame {
+    number: u32,
+    /// Size of its photograph.
+    photo: UVec2,
+    /// Its mask, if that was made.
     mask: Option<Vec<u8>>,
 }
 
 impl Maps<'_> {
-    /// Writes the map of a frame, unless it is there already.
-    fn write(&mut self, frame: u32, file: &Path, notes: &mut Notes) -> Result<FrameStatus> {
-        let stamp = stamp(file, frame, &self.ball, &self.capture)?;
-        let target = self.flags.out.join(name("latlong", frame, "exr"));
-        let mask_file = self.flags.out.join(name("mask", frame, "png"));
+    /// Writes the mask and then the map of a frame, unless they are there already.
+    fn write(&mut self, frame: u32, notes: &mut Notes) -> Result<FrameStatus> {
+        let file = &self.files.path(frame);
+        let there = stamp(&digest::of_file(file)?, frame, &self.ball, &self.capture)?;
+        let map_file = self.flags.out.join(name("latlong", frame, "exr"));
         let began = Instant::now();
-        let mask_is_there = self.mask.is_some() || mask_file.is_file();
-        let last_mask = self.mask.get_or_insert_default();
-        if exr::read_hash(&target, &[]).as_ref() == Some(&stamp.hash) && mask_is_there {
+        // The first frame has a mask in any case.
+        let mask_is_there =
+            || self.last.is_some() || self.flags.out.join(name("mask", frame, "png")).is_file();
+        if exr::read_hash(&map_file, &[]).as_ref() == Some(&there.hash) && mask_is_there() {
             // Frames whose ball was looked for were read already. What is there may have been made without --strict.
             if self.flags.strict && matches!(self.capture.poses(), Poses::Fixed(_)) {
                 read_photo(file, notes)?;
             }
+            self.last = Some(LastFrame {
+                number: frame,
+                photo: read_photo_size(file)?,
+                mask: None,
+            });
             return Ok(FrameStatus::Skipped);
         }
         let photo = read_photo(file, notes)?;
+        let stamp = stamp(&photo.hash, frame, &self.ball, &self.capture)?;
         let map = self.capture.map(frame, file, photo.size)?;
         let look = self.capture.look(&ColourMatrix::IDENTITY);
         let texels = self.unwarper.apply(&map, &photo, &look)?;
-        exr::write_rgb(&target, map.size(), &texels, &stamp, exr::Storage::Float)?;
         let mask = mask_of(&map);
-        // One mask serves until it changes.
-        if mask != *last_mask {
-            png::write_mask(&mask_file, map.size(), &mask)?;
-            *last_mask = mask;
-        }
+        // The map comes last: where it is there, the mask is as it should be.
+        self.write_mask(frame, &map, &mask)?;
+        let target = self.guard.target(&map_file)?;
+        exr::write_rgb(&target, map.size(), &texels, &stamp, exr::Storage::Float)?;
+        self.last = Some(LastFrame {
+            number: frame,
+            photo: photo.size,
+            mask: Some(mask),
+        });
         Ok(FrameStatus::Rendered(began.elapsed().as_secs_f64()))
+    }
+
+    /// Writes the mask of a frame where it differs from that of the frame before; else none is there.
+    fn write_mask(&self, frame: u32, map: &UnwarpMap, mask: &[u8]) -> Result<()> {
+        let target = self
+            .guard
+            .target(&self.flags.out.join(name("mask", frame, "png")))?;
+        let before = match &self.last {
+            None => None,
+            Some(LastFrame {
+                mask: Some(mask), ..
+            }) => Some(mask.clone()),
+            Some(last) => {
+                let file = self.files.path(last.number);
+                let map = self.capture.map(last.number, &file, last.photo)?;
+                Some(mask_of(&map))
+            }
+        };
+        if before.as_deref() != Some(mask) {
+            return png::write_mask(&target, map.size(), mask);
+        }
+        match std::fs::remove_file(target.path()) {
+            Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
+                Err(Error::writing(target.path(), &e))
+            }
+            _ => Ok(()),
+        }
     }
 }
 
@@ -193,15 +257,15 @@ fn name(what: &str, frame: u32, extension: &str) -> String {
     format!("{what}.{frame:04}.{extension}")
 }
 
-/// The identity of a frame's map.
-fn stamp(file: &Path, frame: u32, ball: &Ball, capture: &Capture) -> Result<Stamp> {
+/// The identity of the map of a frame whose file has this hash.
+fn stamp(file: &Hash, frame: u32, ball: &Ball, capture: &Capture) -> Result<Stamp> {
     let keys = serde_json::to_string(ball).map_err(|e| Error::new(Kind::Internal, e))?;
     let pose = format!(
         "glimt unwarp {} {keys} {:?}",
         digest::VERSION,
         capture.poses().of(frame)
     );
-    let parts: [Hash; 2] = [digest::of_file(file)?, digest::of_text(&pose)];
+    let parts = [*file, digest::of_text(&pose)];
     Ok(Stamp {
         hash: digest::hex(&digest::join(parts.iter())),
         frame,

@@ -319,16 +319,17 @@ fn what_others_made_stays() {
     for (name, what) in [
         ("model.glb", "the mesh of object.1"),
         ("folder/../model.glb", "the mesh of object.1"),
-        ("shot.toml", "the shot itself"),
-        ("light.0001.exr", "not a file of transfer"),
-        ("other.glb", "not a file of transfer"),
-        ("half.glb", "not a file of transfer"),
+        ("shot.toml", "the shot"),
+        ("light.0001.exr", "glimt did not write it"),
+        ("other.glb", "glimt did not write it"),
+        ("half.glb", "glimt did not write it"),
         ("folder", "a folder"),
     ] {
-        let words = [name, what, "another file", "--out", "render.prt.bake"];
-        baked(&scratch, &["-o", name]).fails(2, &words);
+        let words = [name, what, "--out"];
+        let status = if name == "folder" { 4 } else { 2 };
+        baked(&scratch, &["-o", name]).fails(status, &words);
         let set = format!("render.prt.bake={name}");
-        baked(&scratch, &["--set", &set]).fails(2, &words);
+        baked(&scratch, &["--set", &set]).fails(status, &words);
     }
     let render = [
         "render",

@@ -344,7 +344,7 @@ fn what_cannot_be_is_said() {
     t.run(&["sh", "light.exr", "-o", "no/folder/c.csv"])
         .fails(4, &["no/folder/c.csv"]);
     t.run(&["sh", "light.exr", "-o", "."])
-        .fails(2, &["this is a folder", "-o"]);
+        .fails(4, &["this is a folder", "--out"]);
     // Before the work: a file whose texels are missing is not even come to.
     let whole = fs::read(t.file("light.exr")).unwrap();
     t.put("cut.exr", &whole[..whole.len() / 2]);

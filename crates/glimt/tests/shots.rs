@@ -290,11 +290,15 @@ fn ffmpeg_is_used_where_it_is_found() {
             err: String::from_utf8_lossy(&output.stderr).into_owned(),
         }
     };
-    // Keeps what it is given; its last argument is the file to write.
-    install("#!/bin/sh\n[ \"$1\" = -version ] && exit 0\nfor last; do :; done\ncat > \"$last\"\n");
+    // Keeps the title and what else it is given; its last argument is the file to write.
+    install(
+        "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\nprintf '\\0\\0\\0\\030ftypisom' > start\n\
+         for last; do case \"$last\" in title=*) printf '%s' \"$last\" >> start;; esac; done\ncat start - > \"$last\"\n",
+    );
     run(&[]).ok();
     let bytes = fs::read(t.file("out/shot.mp4")).unwrap();
-    assert_eq!(bytes.len(), 3 * 20 * 18 * 3);
+    let start = fs::read(t.file("start")).unwrap();
+    assert_eq!(bytes.len(), start.len() + 3 * 20 * 18 * 3);
 
     install("#!/bin/sh\n[ \"$1\" = -version ] && exit 0\necho 'Unknown encoder' >&2\nexit 1\n");
     run(&["--seed", "2"]).fails(

@@ -7,11 +7,12 @@ use super::glb::{self, FLOAT, UNSIGNED_INT};
 use super::identity::Header;
 use crate::error::{Error, Result};
 use crate::output::atomic::Pending;
+use crate::output::target::Target;
 use glam::{Mat4, Vec3};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_render_gpu::prepare::transfer::{SurfaceVertex, Transfer};
 use serde_json::{Value, json};
-use std::io::{self, Read, Seek, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
 /// The names of the attributes, without their numbers.
@@ -138,19 +139,13 @@ impl FilePlan {
         self.head.len() as u64 + self.bytes
     }
 
-    /// Begins the file, and takes room on its disk for all of it. Zeros are written: a length alone takes none.
+    /// Begins the file, and takes room on its disk for all of it.
     ///
     /// # Errors
     /// Its folder cannot be written to, or the disk is full.
-    pub fn begin(&self, file: &Path) -> Result<Pending> {
+    pub fn begin(&self, file: &Target) -> Result<Pending> {
         let mut pending = Pending::create(file)?;
-        let mut take = || {
-            io::copy(&mut io::repeat(0).take(self.size()), &mut pending)?;
-            pending.flush()?;
-            pending.rewind()
-        };
-        let taken = take();
-        taken.map_err(|e| pending.error(&e))?;
+        pending.reserve(self.size())?;
         Ok(pending)
     }
 

@@ -5,12 +5,14 @@ pub mod glb;
 pub mod identity;
 pub mod memory;
 pub mod stored;
-mod target;
 
-use crate::cli::{BakeFlags, RenderFlags};
+use crate::cli::{BakeFlags, RenderFlags, WriteFlags};
 use crate::device::{self, Processor};
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
+use crate::output::atomic;
+use crate::output::target::is_ours;
+use crate::printable::path_in_line;
 use crate::report::{Reporter, count, shown};
 use crate::setup::Setup;
 use crate::shot::digest;
@@ -58,9 +60,9 @@ pub fn load(setup: &Setup, shot: &Shot, scene: &SceneBuffers, file: &Path) -> Re
     let command = bake_command(setup, shot);
     let stored = Stored::open(file).map_err(|e| {
         // What is something else is not written over.
-        match target::refuse_other(file, shot, &setup.source) {
-            Ok(()) => e.fix(&command),
-            Err(_) => e.fix(format!(
+        match is_ours(file) {
+            Ok(true) | Err(_) => e.fix(&command),
+            Ok(false) => e.fix(format!(
                 "remove it, or name another file by render.prt.bake; then {command}"
             )),
         }
@@ -108,6 +110,8 @@ pub fn expect(setup: &mut Setup) -> Result<()> {
     }
     refuse_motion(setup)?;
     let hash = hash_of(&setup.shot, &setup.source)?;
+    let file = file_of(&setup.shot, &setup.source);
+    setup.guard.reads("the shot's transfer", &file);
     setup.digest = digest::join([&setup.digest, &hash]);
     Ok(())
 }
@@ -207,7 +211,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     refuse_motion(&setup)?;
     let out = flags.out.clone();
     let out = out.unwrap_or_else(|| file_of(&setup.shot, &setup.source));
-    target::refuse_other(&out, &setup.shot, &setup.source)?;
+    let target = setup.guard.target(&out)?;
     let settings = settings_of(&setup.shot);
     let need = Need::of(&setup.scene, settings.bands);
     let (vertices, triangles, memory) = (need.vertices, need.triangles, need.bytes);
@@ -230,7 +234,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         });
         let text = format!(
             "there already, of this geometry and these settings: {}",
-            out.display()
+            path_in_line(&out)
         );
         reporter.finish(summary, &text);
         return Ok(());
@@ -238,7 +242,10 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     let plan = FilePlan::new(&out, &scene, &header)?;
     let processor = device::open_processor(flags.device)?;
     // What cannot be written is not computed.
-    let pending = plan.begin(&out)?;
+    if let Some(folder) = out.parent().filter(|folder| folder.is_dir()) {
+        atomic::prepare_folder(folder)?;
+    }
+    let pending = plan.begin(&target)?;
     reporter.step(&format!(
         "{} in {}, on {}",
         count(settings.directions as usize, "direction"),
@@ -265,7 +272,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         "{vertices} vertices, {rays} rays in {seconds:.1} s, {:.2} million a second; {}: {}",
         rate / 1e6,
         mebibytes(size),
-        out.display()
+        path_in_line(&out)
     );
     reporter.finish(summary, &text);
     Ok(())
@@ -295,7 +302,15 @@ fn read_shot(file: &Path, flags: &BakeFlags, notes: &mut Notes) -> Result<Setup>
         "" => 1,
         text => *range::parse(text)?.start(),
     };
-    Setup::load(shot, source, first, &RenderFlags::default(), notes)
+    let write = WriteFlags {
+        overwrite: flags.overwrite,
+        ..WriteFlags::default()
+    };
+    let flags = RenderFlags {
+        write,
+        ..RenderFlags::default()
+    };
+    Setup::load(shot, source, first, &flags, notes)
 }
 
 /// Transfer is of objects that stand still; cameras may move, those of mesh files among them.

@@ -54,6 +54,7 @@ impl<'a> Comparison<'a> {
                 .collect(),
             seeds: flags.seeds,
             folder: kept.to_owned(),
+            guard: job.setup.guard.clone(),
         };
         Ok(Self {
             field,

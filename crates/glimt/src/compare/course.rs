@@ -99,7 +99,7 @@ impl<'a> Course<'a> {
             .collect();
         let Comparison { plan, renderer, .. } = &self.comparison;
         let shot = renderer.job.setup.shot.clone();
-        let mut growing = Growing::open(&shot, &plan.folder, &frames, renderer.size());
+        let mut growing = Growing::open(&shot, plan, &frames, renderer.size());
         let limit = self.comparison.flags.reference_time;
         for attempt in 1.. {
             let of_needed: Vec<f64> = needed.iter().map(|f| self.target(*f, &targets)).collect();

@@ -27,7 +27,10 @@ pub use course::Findings;
 
 use crate::cli::{CompareFlags, RenderFlags};
 use crate::error::Result;
-use crate::output::{SOFTWARE, Stamp, atomic, exr};
+use crate::output::atomic::{self, Folder};
+use crate::output::target::Guard;
+use crate::output::{SOFTWARE, Stamp, exr};
+use crate::printable::path_in_line;
 use crate::report::{Reporter, shown};
 use comparison::{Comparison, common_filter, filter_name};
 use contestants::{Contestant, Field};
@@ -61,8 +64,13 @@ pub fn run(
     for remark in &remarks {
         reporter.remark(remark);
     }
+    let _folder = Folder::claim(&out, flags.write.share)?;
     let mut comparison = Comparison::open(&field, compare, &trials::cache(&out), reporter)?;
     comparison.check(&contestants)?;
+    for extension in report::EXTENSIONS {
+        let file = out.join(format!("compare.{extension}"));
+        comparison.plan.guard.target(&file)?;
+    }
     let names: Vec<String> = contestants.iter().map(|c| c.name.clone()).collect();
     let frames = comparison.plan.measured.clone();
     reporter.start_comparing(&names, frames.len(), &out, &comparison.renderer.device());
@@ -76,9 +84,14 @@ pub fn run(
     let about = about(&comparison, &contestants[0], remarks);
     let (findings, comparison) = Course::new(comparison, contestants, times, about).run()?;
 
-    let written = report::write(&out, &findings, &comparison.renderer)?;
+    let written = report::write(
+        &out,
+        &comparison.plan.guard,
+        &findings,
+        &comparison.renderer,
+    )?;
     if compare.keep {
-        keep(&out, &findings, &frames)?;
+        keep(&out, &comparison.plan.guard, &findings, &frames)?;
     }
     let outcome = &findings.outcome;
     let summary = json!({
@@ -86,7 +99,11 @@ pub fn run(
         "time_criterion": outcome.time_criterion, "out": shown(&out), "files": written.iter().map(|file| shown(file)).collect::<Vec<_>>(),
         "seconds": began.elapsed().as_secs_f64(),
     });
-    let text = format!("{}\n{}", report::text::table(outcome), written[0].display());
+    let text = format!(
+        "{}\n{}",
+        report::text::table(outcome),
+        path_in_line(&written[0])
+    );
     reporter.finish(summary, &text);
     Ok(())
 }
@@ -115,14 +132,14 @@ fn about(comparison: &Comparison<'_>, first: &Contestant, remarks: Vec<String>) 
 }
 
 /// Writes means and references as EXR.
-fn keep(out: &Path, findings: &Findings, frames: &[u32]) -> Result<()> {
+fn keep(out: &Path, guard: &Guard, findings: &Findings, frames: &[u32]) -> Result<()> {
     let write = |folder: PathBuf, frame: u32, moments: &moments::Moments| {
         atomic::prepare_folder(&folder)?;
         let stamp = Stamp {
             hash: String::new(),
             frame,
         };
-        let file = folder.join(format!("frame.{frame:04}.exr"));
+        let file = guard.target(&folder.join(format!("frame.{frame:04}.exr")))?;
         exr::write(
             &file,
             moments.size,

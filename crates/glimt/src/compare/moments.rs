@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::output::atomic::Pending;
+use crate::output::target::Target;
 use glam::{UVec2, Vec4};
 use glimt_sampling::luminance;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
@@ -106,7 +107,7 @@ impl<T: Serialize + DeserializeOwned> Kept<T> {
     ///
     /// # Errors
     /// It cannot be written.
-    pub fn write(&self, file: &Path, identity: &str) -> Result<()> {
+    pub fn write(&self, file: &Target, identity: &str) -> Result<()> {
         let header = Header {
             identity: identity.to_owned(),
             n: self.moments.n,
@@ -114,7 +115,7 @@ impl<T: Serialize + DeserializeOwned> Kept<T> {
             sample: self.sample.is_some(),
             about: &self.about,
         };
-        let header = serde_json::to_vec(&header).map_err(|e| Error::output(file, e))?;
+        let header = serde_json::to_vec(&header).map_err(|e| Error::output(file.path(), e))?;
         let mut pending = Pending::create(file)?;
         let words = [
             &MAGIC[..],
@@ -169,6 +170,7 @@ impl<T: Serialize + DeserializeOwned> Kept<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::output::target::Guard;
 
     fn images() -> Vec<Vec<Vec4>> {
         let value = |i: u32, p: u32| ((i * 7 + p * 5) % 11) as f32;
@@ -215,7 +217,8 @@ mod tests {
             sample: Some(images().swap_remove(0)),
             about: vec![1u32, 2],
         };
-        kept.write(&file, "me").unwrap();
+        let target = Guard::default().target(&file).unwrap();
+        kept.write(&target, "me").unwrap();
         let back = Kept::<Vec<u32>>::read(&file, "me", size).unwrap();
         assert_eq!(back.moments, kept.moments);
         assert_eq!(back.sample, kept.sample);

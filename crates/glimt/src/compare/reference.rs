@@ -3,8 +3,10 @@
 
 use super::moments::{Kept, Moments};
 use super::trial_renderer::{TrialRenderer, luminance_of};
+use super::trials::TrialPlan;
 use crate::error::{Error, Result};
 use crate::output::exr;
+use crate::output::target::Guard;
 use crate::shot::{Shot, digest};
 use glam::{UVec2, Vec4};
 use std::path::{Path, PathBuf};
@@ -111,6 +113,7 @@ fn seed(shot: &Shot, scrambling: u32) -> u32 {
 pub struct Growing {
     shot: Shot,
     folder: PathBuf,
+    guard: Guard,
     frames: Vec<Frame>,
     /// Seconds of rendering so far, in this run.
     pub seconds: f64,
@@ -126,16 +129,16 @@ struct Frame {
 }
 
 impl Growing {
-    /// Those that are in `folder` already, of these frames of a shot with [`keys`], and their identities.
+    /// Those that are in the plan's folder already, of these frames of a shot with [`keys`], and their identities.
     #[must_use]
-    pub fn open(shot: &Shot, folder: &Path, frames: &[(u32, String)], size: UVec2) -> Self {
+    pub fn open(shot: &Shot, plan: &TrialPlan, frames: &[(u32, String)], size: UVec2) -> Self {
         let open = |(number, identity): &(u32, String)| {
             let text = format!(
                 "reference 1 {identity} {}",
                 digest::hex(&digest::of_shot(shot))
             );
             let identity = digest::hex(&digest::of_text(&text));
-            let kept = Kept::<()>::read(&file(folder, *number), &identity, size);
+            let kept = Kept::<()>::read(&file(&plan.folder, *number), &identity, size);
             let moments = kept.map_or_else(|| Moments::new(size), |k| k.moments);
             Frame {
                 number: *number,
@@ -146,7 +149,8 @@ impl Growing {
         };
         Self {
             frames: frames.iter().map(open).collect(),
-            folder: folder.to_owned(),
+            folder: plan.folder.clone(),
+            guard: plan.guard.clone(),
             shot: shot.clone(),
             seconds: 0.0,
             pace: 0.0,
@@ -234,7 +238,8 @@ impl Growing {
                 sample: None,
                 about: (),
             };
-            kept.write(&file(&self.folder, frame.number), &frame.identity)?;
+            let target = self.guard.target(&file(&self.folder, frame.number))?;
+            kept.write(&target, &frame.identity)?;
             frame.saved = frame.moments.n;
         }
         Ok(())

@@ -6,7 +6,7 @@ use super::fit::{self, Budget, Clock, Fitted};
 use super::outcome::{Mode, Phase};
 use super::statistics::Quartiles;
 use crate::error::Result;
-use crate::output::write_text;
+use crate::output::{SOFTWARE, write_text};
 use crate::shot::digest;
 
 /// Counts and times of the contestants.
@@ -45,7 +45,7 @@ impl Times {
             shots.collect::<Vec<_>>(),
             identities.collect::<Vec<_>>()
         );
-        let identity = digest::hex(&digest::of_text(&identity));
+        let identity = format!("{SOFTWARE} {}", digest::hex(&digest::of_text(&identity)));
         let file = plan.folder.join("times.json");
         type Kept = (String, Vec<Fitted>, Vec<Vec<Phase>>, Option<f64>);
         let kept = std::fs::read(&file).ok();
@@ -58,6 +58,7 @@ impl Times {
                 mode,
             });
         }
+        let target = plan.guard.target(&file)?;
         let mut clock = FrameClock {
             contestants,
             current: contestants.to_vec(),
@@ -70,7 +71,7 @@ impl Times {
         let (fitted, budget) = fit::fit(&mut clock, &counts, budget, rounds)?;
         let phases: Vec<Vec<Phase>> = clock.phases.iter().map(|p| phases(p, rounds)).collect();
         let kept = (&identity, &fitted, &phases, budget);
-        write_text(&file, &serde_json::to_string(&kept).unwrap_or_default())?;
+        write_text(&target, &serde_json::to_string(&kept).unwrap_or_default())?;
         Ok(Self {
             fitted,
             phases,

@@ -10,12 +10,14 @@ use crate::job::Job;
 use crate::notes::Notes;
 use crate::report::Reporter;
 use crate::setup::Setup;
+use crate::shot::digest::Hash;
 use crate::shot::{self, Shot};
 use glam::{UVec2, Vec3, Vec4};
 use glimt_render_gpu::kernels::film::tonemap;
 use glimt_render_gpu::prepare::env::PreparedEnv;
 use glimt_render_gpu::prepare::render::RenderSettings;
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
+use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -72,6 +74,7 @@ impl<'a> TrialRenderer<'a> {
             transfer: None,
             lights: LightCache {
                 notes,
+                hashes: job.light_hashes()?,
                 kept: Vec::new(),
                 bytes: 0,
             },
@@ -207,6 +210,8 @@ impl<'a> TrialRenderer<'a> {
 /// Lights with their tables, those of the first frames that fit.
 struct LightCache {
     notes: Notes,
+    /// Of each frame's light, as the identities of what is kept count them.
+    hashes: HashMap<u32, Hash>,
     kept: Vec<(u32, Arc<PreparedEnv>)>,
     bytes: usize,
 }
@@ -217,7 +222,12 @@ impl LightCache {
         if let Some((_, light)) = self.kept.iter().find(|(f, _)| *f == key) {
             return Ok(Arc::clone(light));
         }
-        let light = Arc::new(job.light(frame, &mut self.notes)?);
+        let (light, hash) = job.light(frame, &mut self.notes)?;
+        if self.hashes.get(&frame).is_some_and(|known| *known != hash) {
+            let what = format!("the light of frame {frame} changed while it was compared");
+            return Err(Error::new(Kind::Input, what).fix("run it again"));
+        }
+        let light = Arc::new(light);
         // Frames are gone through in order, again and again: to drop the oldest for the newest would keep none.
         let size = light.view().size;
         let texels = size.x as usize * size.y as usize;

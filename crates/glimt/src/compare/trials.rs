@@ -8,6 +8,8 @@ use super::moments::{Kept, Moments};
 use super::reference::Reference;
 use super::trial_renderer::{Rendered, TrialRenderer, luminance_of};
 use crate::error::Result;
+use crate::output::target::Guard;
+use crate::output::{SOFTWARE, write_text};
 use crate::shot::digest;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -53,6 +55,8 @@ pub struct TrialPlan {
     pub seeds: u32,
     /// Where it is kept.
     pub folder: PathBuf,
+    /// What may be written there.
+    pub guard: Guard,
 }
 
 impl TrialPlan {
@@ -151,6 +155,7 @@ pub fn pilot(
 ) -> Result<Vec<f64>> {
     let last = plan.measured.last().copied().unwrap_or(0);
     let identity = plan.identity(contestant, last, &format!("pilot 1 {:?}", plan.measured));
+    let identity = format!("{SOFTWARE} {identity}");
     let hash = digest::hex(&digest::of_text(&contestant.name));
     let file = plan
         .folder
@@ -190,7 +195,7 @@ pub fn pilot(
     };
     let errors: Vec<f64> = moments.iter().map(error).collect();
     let text = serde_json::to_string(&(identity, &errors)).unwrap_or_default();
-    crate::output::write_text(&file, &text)?;
+    write_text(&plan.guard.target(&file)?, &text)?;
     Ok(errors)
 }
 
@@ -353,7 +358,8 @@ impl<'a> Trials<'a> {
     fn save(&self, contestant: &Contestant, trials: &[Trial]) -> Result<()> {
         for (trial, &frame) in trials.iter().zip(&self.plan.measured) {
             let file = self.plan.file(contestant, frame);
-            trial.write(&file, &self.identity(contestant, frame))?;
+            let target = self.plan.guard.target(&file)?;
+            trial.write(&target, &self.identity(contestant, frame))?;
         }
         Ok(())
     }
@@ -411,6 +417,7 @@ mod tests {
             measured: vec![3, 5, 10],
             seeds: 2,
             folder: PathBuf::new(),
+            guard: Guard::default(),
         }
     }
 

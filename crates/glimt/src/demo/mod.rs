@@ -10,7 +10,9 @@ use crate::cli::{RenderFlags, SynthFlags, UnwarpFlags};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::notes::Notes;
-use crate::output::{atomic, write_text};
+use crate::output::target::Guard;
+use crate::output::{atomic, write_editable};
+use crate::printable::path_in_line;
 use crate::report::Reporter;
 use crate::shot::range;
 use crate::{render, synth, unwarp};
@@ -42,10 +44,12 @@ pub fn run(flags: &RenderFlags, reporter: &Reporter) -> Result<()> {
     }
     let out = flags.out.clone().unwrap_or_else(|| PathBuf::from("out"));
     let film = out.join("film");
-    atomic::prepare_folder(&film)?;
     let (settings, shot) = (film.join("synth.toml"), out.join("shot.toml"));
-    write_text(&settings, SYNTH)?;
-    write_text(&shot, SHOT)?;
+    let guard = Guard::new(flags.write.overwrite);
+    let sheet = guard.target(&out.join("contact-sheet.png"))?;
+    atomic::prepare_folder(&film)?;
+    write_editable(&guard, &settings, SYNTH, reporter)?;
+    write_editable(&guard, &shot, SHOT, reporter)?;
     // The shot is read first: what is wrong with the flags is said before anything is filmed.
     crate::shot::parse::read::<crate::shot::Shot>(&shot, &crate::setup::overrides(flags))?;
 
@@ -57,6 +61,7 @@ pub fn run(flags: &RenderFlags, reporter: &Reporter) -> Result<()> {
         out: Some(film.clone()),
         seed: None,
         strict: flags.strict,
+        write: flags.write,
     };
     synth::run(Some(&settings), &filming, reporter)?;
 
@@ -73,6 +78,7 @@ pub fn run(flags: &RenderFlags, reporter: &Reporter) -> Result<()> {
             "rig_deg=9".to_owned(),
         ],
         strict: flags.strict,
+        write: flags.write,
     };
     unwarp::run(&film.join("capture/ball.####.exr"), &light, reporter)?;
 
@@ -89,11 +95,10 @@ pub fn run(flags: &RenderFlags, reporter: &Reporter) -> Result<()> {
     render::render(job, flags.device, notes, reporter)?;
 
     reporter.step("4 of 4: the contact sheet");
-    let file = out.join("contact-sheet.png");
-    sheet::write(&file, &out, &frames)?;
+    sheet::write(&sheet, &out, &frames)?;
     reporter.remark(&format!(
         "probe, unwarped map, render and composite side by side: {}",
-        file.display()
+        path_in_line(sheet.path())
     ));
     Ok(())
 }

@@ -8,6 +8,7 @@ use crate::input::read_image;
 use crate::input::resample::{Window, resample};
 use crate::notes::Notes;
 use crate::output::png;
+use crate::output::target::Target;
 use ::exr::prelude::read_first_flat_layer_from_file;
 use glam::{UVec2, Vec3};
 use glimt_ball::find;
@@ -48,7 +49,7 @@ impl Panel {
 ///
 /// # Errors
 /// A picture cannot be read, or the sheet not written.
-pub(super) fn write(file: &Path, out: &Path, frames: &[u32]) -> Result<()> {
+pub(super) fn write(file: &Target, out: &Path, frames: &[u32]) -> Result<()> {
     let rows = ROWS.min(frames.len());
     let chosen = (0..rows).map(|i| frames[i * (frames.len() - 1) / (rows - 1).max(1)]);
     let chosen: Vec<u32> = chosen.collect();

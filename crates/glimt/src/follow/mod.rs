@@ -10,22 +10,25 @@ mod tally;
 pub mod watch;
 
 use crate::bake;
-use crate::cli::{Device, RenderFlags};
+use crate::cli::{Device, FollowFlags, RenderFlags};
 use crate::device;
 use crate::error::{Error, Result};
 use crate::frame::Frames;
 use crate::input::frames::FrameFiles;
+use crate::interrupt;
 use crate::job::probe_files;
 use crate::notes::Notes;
+use crate::output::atomic::Folder;
+use crate::output::target::Target;
 use crate::output::video::{self, Encoder, Video};
-use crate::output::{Stamp, atomic, rgb_over_black};
+use crate::output::{Stamp, rgb_over_black};
 use crate::report::{FrameStatus, Reporter};
 use crate::setup::{self, Setup};
 use crate::shot::{Shot, check, parse, range};
 use glimt_render_gpu::prepare::render::{FrameImage, Renderer};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use plates::Plates;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::time::{Duration, Instant, SystemTime};
@@ -40,7 +43,11 @@ pub struct Follow<'a> {
     last: Option<u32>,
     /// How long nothing may happen.
     wait: Duration,
+    /// How long a frame may wait while the one before it is rendered.
+    max_lag: Duration,
     device: Device,
+    /// Whether other runs may write to the same folder.
+    share: bool,
     began: Instant,
     reporter: &'a Reporter,
 }
@@ -53,12 +60,18 @@ struct Finished {
     image: Option<(FrameImage, f64)>,
 }
 
-/// Renders the frames of a shot as they appear, until none has come for `wait` or the last one asked for is done.
+/// Renders the frames of a shot as they appear, until none has come for `live.wait` or the last one asked for is done.
 ///
 /// # Errors
 /// The shot is wrong, no frame could be rendered, or an output cannot be written. All frames written before stay, whole.
-pub fn render(file: &Path, flags: &RenderFlags, wait: Duration, reporter: &Reporter) -> Result<()> {
+pub fn render(
+    file: &Path,
+    flags: &RenderFlags,
+    live: &FollowFlags,
+    reporter: &Reporter,
+) -> Result<()> {
     let began = Instant::now();
+    let wait = live.wait;
     let mut notes = Notes::new(flags.strict);
     let (mut shot, source) = parse::read(file, &setup::overrides(flags))?;
     check::check(&shot, &source)?;
@@ -77,6 +90,7 @@ pub fn render(file: &Path, flags: &RenderFlags, wait: Duration, reporter: &Repor
         (None, text) => Some(range::parse(text)?),
     };
     // From here on frames count as new.
+    let light = files.clone();
     let mut watch = Watcher::new(files, range.as_ref().map(|range| *range.start()));
     watch.look();
     let mut plates = Plates::of(&shot, &source, wait / 2)?;
@@ -88,12 +102,22 @@ pub fn render(file: &Path, flags: &RenderFlags, wait: Duration, reporter: &Repor
     let setup = Setup::load(shot, source, first, flags, &mut notes);
     reporter.notes(notes.take());
     let mut setup = setup?;
+    setup.guard.reads_sequence("the shot's light", &light);
+    if let Some(plates) = &plates {
+        setup
+            .guard
+            .reads_sequence("the shot's backplate", plates.files());
+    }
     bake::expect(&mut setup)?;
+    // The frames that will come are not known, but their names are.
+    Frames::of(&setup).may_write(first)?;
     let follow = Follow {
         setup,
         last: range.map(|range| *range.end()),
         wait,
+        max_lag: live.max_lag,
         device: flags.device,
+        share: flags.write.share,
         began,
         reporter,
     };
@@ -120,16 +144,16 @@ fn first_frame(shot: &Shot, watch: &Watcher) -> Result<u32> {
 impl Follow<'_> {
     fn run(&self, watch: Watcher, plates: Option<Plates>, notes: Notes) -> Result<()> {
         let setup = &self.setup;
-        atomic::prepare_folder(&setup.out)?;
         let output = &setup.shot.output;
         let film = match output.video.as_str() {
             "" => None,
             name => {
-                let file = setup.out.join(name);
+                let file = setup.guard.target(&setup.out.join(name))?;
                 let encoder = video::prepare(&file, setup.size(), output.codec)?;
                 Some(Film { file, encoder })
             }
         };
+        let _folder = Folder::claim(&setup.out, self.share)?;
         let mut scene =
             SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
         bake::set_transfer(setup, &setup.shot, &mut scene)?;
@@ -165,16 +189,23 @@ impl Follow<'_> {
                 .and(written)
                 .and_then(|stamps| taken.map(|()| stamps))
         })?;
+        let signal = interrupt::requested();
         if tally.done() == 0 {
-            return Err(self.nothing(&files, &tally));
+            return Err(match signal {
+                Some(kind) => interrupt::ended(kind, "no frame had come"),
+                None => self.nothing(&files, &tally),
+            });
         }
         let video = match &film {
-            Some(film) if self.make_video(film, &stamps)? => Some(film.file.as_path()),
+            Some(film) if self.make_video(film, &stamps)? => Some(film.file.path()),
             _ => None,
         };
         let (summary, text) = tally.summary(self, video);
         self.reporter.finish(summary, &text);
-        Ok(())
+        match signal {
+            Some(kind) => Err(interrupt::ended(kind, "the frames that came are there")),
+            None => Ok(()),
+        }
     }
 
     /// Renders what is taken and passes it on.
@@ -251,6 +282,7 @@ impl Follow<'_> {
             tally.frame(stamp.frame, status, arrived);
             stamps.push(stamp);
         }
+        interrupt::finishing();
         match video {
             Some(video) if stamps.len() > 1 => video.finish()?,
             _ => {}
@@ -271,7 +303,7 @@ impl Follow<'_> {
         }
         let files = Frames::of(&self.setup);
         let hash = files.video_identity(stamps);
-        if video::is_current(&film.file, &hash) {
+        if video::is_current(film.file.path(), &hash) {
             return Ok(true);
         }
         let mut video = film.begin(self, &hash)?;
@@ -324,7 +356,7 @@ fn take_frames(
 
 /// A video that is to be made.
 struct Film {
-    file: PathBuf,
+    file: Target,
     encoder: Encoder,
 }
 

@@ -1,6 +1,6 @@
 //! Host file: the backplate of a frame while both are still being filmed: waited for a bounded time, else the one before.
 
-use super::watch::{POLL, Watcher};
+use super::watch::Watcher;
 use crate::error::{Error, Result};
 use crate::input::footage::{self, Footage};
 use crate::input::frames::FrameFiles;
@@ -8,7 +8,7 @@ use crate::input::plate;
 use crate::notes::Notes;
 use crate::setup::Setup;
 use crate::shot::Shot;
-use crate::shot::digest::{Hash, of_file};
+use crate::shot::digest::Hash;
 use crate::shot::parse::Source;
 use glam::UVec2;
 use glimt_render_gpu::prepare::plate::Plate;
@@ -57,6 +57,11 @@ impl Plates {
         Ok(files.map(plates))
     }
 
+    /// Their files.
+    pub(super) fn files(&self) -> &FrameFiles {
+        self.watch.files()
+    }
+
     /// Looks at the folder.
     pub(super) fn look(&mut self) {
         self.watch.look();
@@ -83,7 +88,7 @@ impl Plates {
                     "check backplate.frames, or give image.size and the frames are rendered when one comes",
                 ));
             }
-            sleep(POLL);
+            sleep(self.watch.pause());
         }
     }
 
@@ -130,7 +135,7 @@ impl Plates {
                 self.in_vain = Some(self.watch.highest());
                 break;
             }
-            sleep(POLL);
+            sleep(self.watch.pause());
         }
         let file = self.watch.files().path(wanted);
         let older = match self.last.clone() {
@@ -193,8 +198,8 @@ impl Plates {
         };
         let file = self.watch.files().path(number);
         let read = |notes: &mut Notes| footage.load_file(&file, setup.size(), notes);
-        let plate = match super::read_live(notes, read)? {
-            Ok(plate) => plate,
+        let (plate, hash) = match super::read_live(notes, read)? {
+            Ok(read) => read,
             Err(error) => {
                 self.watch.failed(number, error);
                 return Ok(None);
@@ -202,7 +207,7 @@ impl Plates {
         };
         let laid = PlateOfFrame {
             number,
-            hash: of_file(&file)?,
+            hash,
             file,
             plate: Arc::new(plate),
         };

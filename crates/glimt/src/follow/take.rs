@@ -3,11 +3,12 @@
 use super::ball::Ball;
 use super::plates::{PlateOfFrame, Plates};
 use super::tally::{DropReason, Tally};
-use super::watch::{POLL, State, Watcher, choose};
+use super::watch::{State, Waiting, Watcher, choose};
 use super::{Follow, read_live};
 use crate::error::{Error, Result};
 use crate::frame::Frames;
 use crate::input::light_image::LightImage;
+use crate::interrupt;
 use crate::light::{self, FirstImage, Probe, colour};
 use crate::notes::Notes;
 use crate::output::Stamp;
@@ -104,7 +105,7 @@ impl<'a> Taker<'a> {
     /// # Errors
     /// A defect of an input that `--strict` refuses, or an input that does not fit the shot.
     pub(super) fn next(&mut self, stop: &AtomicBool) -> Result<Option<Taken>> {
-        while !stop.load(Ordering::Relaxed) {
+        while !stop.load(Ordering::Relaxed) && interrupt::requested().is_none() {
             self.watch.look();
             if let Some(plates) = &mut self.plates {
                 plates.look();
@@ -117,11 +118,11 @@ impl<'a> Taker<'a> {
                     DropReason::Wrong(why),
                 );
             }
-            let waiting = self.watch.waiting(self.follow.last, self.follow.wait);
+            let waiting = self.waiting();
             let choice = choose(&waiting);
             for unwanted in choice.drop {
                 let why = match (unwanted.state, self.watch.failure(unwanted.frame)) {
-                    (State::Whole, _) => DropReason::Behind,
+                    (State::Whole | State::Late, _) => DropReason::Behind,
                     (_, Some(error)) => DropReason::Wrong(error.to_string()),
                     (_, None) => DropReason::Wrong("it is still being written".to_owned()),
                 };
@@ -136,16 +137,27 @@ impl<'a> Taker<'a> {
             } else if self.is_over() {
                 return Ok(None);
             } else {
-                sleep(POLL);
+                sleep(self.watch.pause());
             }
         }
         Ok(None)
     }
 
+    /// The frames that wait.
+    fn waiting(&self) -> Vec<Waiting> {
+        let Follow {
+            last,
+            wait,
+            max_lag,
+            ..
+        } = *self.follow;
+        self.watch.waiting(last, wait, max_lag)
+    }
+
     /// Whether no frame will come: the last one has passed, or nothing has happened for too long.
     fn is_over(&self) -> bool {
         let last = self.follow.last;
-        let waits = !self.watch.waiting(last, self.follow.wait).is_empty();
+        let waits = !self.waiting().is_empty();
         let passed = last.is_some_and(|last| {
             self.watch.highest() > Some(last) || self.watch.next_wanted() > last
         });
@@ -229,7 +241,7 @@ impl<'a> Taker<'a> {
         let Some(probe) = &self.probe else {
             return Err(NotTaken::Dropped("there is no light yet".to_owned()));
         };
-        let mut inputs = probe.digest_at(&digest::of_file(file)?, pose);
+        let mut inputs = probe.digest_at(&image.hash, pose);
         if let Some(plate) = &plate {
             inputs = digest::join([&inputs, &plate.hash]);
         }

@@ -1,6 +1,7 @@
 //! Host file: what became of the frames that came: rendered, there already, dropped, and how far behind.
 
 use super::Follow;
+use crate::printable::path_in_line;
 use crate::report::{FrameStatus, Reporter, count, shown};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -127,9 +128,9 @@ impl<'a> Tally<'a> {
         if let Some(fps) = fps {
             text += &format!("; {fps:.1} frames a second");
         }
-        text += &format!("; in {seconds:.1} s: {}", out.display());
+        text += &format!("; in {seconds:.1} s: {}", path_in_line(out));
         if let Some(video) = video {
-            text += &format!(" and {}", video.display());
+            text += &format!(" and {}", path_in_line(video));
         }
         (summary, text)
     }

@@ -5,13 +5,22 @@ use crate::input::frames::FrameFiles;
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::{Duration, Instant, SystemTime};
 
-/// Time between two looks at the folder.
-pub const POLL: Duration = Duration::from_millis(50);
+/// Time between two looks while frames come.
+const LOOK: Duration = Duration::from_millis(5);
 
-/// The most frames that wait whole before the older ones are dropped.
-pub const QUEUE: usize = 2;
+/// Time between two looks where none has come for a while.
+const IDLE_LOOK: Duration = Duration::from_millis(50);
 
-/// A file that could not be read is tried again after this time even if it does not seem to have changed: clocks of file
+/// How long frames count as coming after one has.
+const FLOW: Duration = Duration::from_secs(2);
+
+/// Files that are listed at every look; a folder of more is listed less often, and the next number is looked for by its name.
+const FEW: usize = 500;
+
+/// A file that appears and is older than the look before by this much was not written here: it was renamed when it was whole.
+const CLOCK: Duration = Duration::from_millis(20);
+
+/// A file that could not be read is tried again, first after [`LOOK`], then after twice the time before, up to this: clocks of file
 /// systems are coarse, and some programs write into files that have their size already.
 const RETRY: Duration = Duration::from_millis(500);
 
@@ -27,19 +36,35 @@ struct Seen {
     changed: Instant,
     /// Looks in which it was the same.
     looks: u32,
+    /// Whether it appeared when it had been written.
+    renamed: bool,
     /// The last attempt to read it, which failed.
-    failed: Option<(Instant, Error)>,
+    failed: Option<Failed>,
+}
+
+/// An attempt that failed.
+#[derive(Debug)]
+struct Failed {
+    /// When it may be tried again.
+    again: Instant,
+    /// The time until then.
+    pause: Duration,
+    error: Error,
 }
 
 impl Seen {
-    /// Not changed between two looks, and nothing says that it cannot be read.
+    /// Not changed between two looks, or renamed, and nothing says that it cannot be read.
     fn is_whole(&self) -> bool {
-        self.looks >= 2
+        self.is_settled()
             && self.length > 0
             && self
                 .failed
                 .as_ref()
-                .is_none_or(|(at, _)| at.elapsed() >= RETRY)
+                .is_none_or(|failed| Instant::now() >= failed.again)
+    }
+
+    fn is_settled(&self) -> bool {
+        self.looks >= 2 || self.renamed
     }
 }
 
@@ -56,6 +81,10 @@ pub struct Watcher {
     lowest: Option<u32>,
     highest: Option<u32>,
     looked: Option<Instant>,
+    /// When the folder was listed, and how many of its files are frames.
+    listed: Option<(Instant, usize)>,
+    /// The last look at which all that was there was seen.
+    seen_all: SystemTime,
     changed: Instant,
     missing: BTreeSet<u32>,
     late: Vec<u32>,
@@ -73,6 +102,8 @@ impl Watcher {
             lowest: None,
             highest: None,
             looked: None,
+            listed: None,
+            seen_all: SystemTime::UNIX_EPOCH,
             changed: Instant::now(),
             missing: BTreeSet::new(),
             late: Vec::new(),
@@ -84,14 +115,36 @@ impl Watcher {
         &self.files
     }
 
-    /// Looks at the folder, if the last look is not too recent. A folder that is not there is an empty one.
+    /// Time until the next look.
+    pub fn pause(&self) -> Duration {
+        match self.idle() < FLOW {
+            true => LOOK,
+            false => IDLE_LOOK,
+        }
+    }
+
+    /// Looks for frames, if the last look is not too recent. A folder that is not there is an empty one.
     pub fn look(&mut self) {
-        if self.looked.is_some_and(|at| at.elapsed() < POLL) {
+        if self.looked.is_some_and(|at| at.elapsed() < LOOK) {
             return;
         }
-        let first_look = self.looked.is_none();
         self.looked = Some(Instant::now());
+        let now = SystemTime::now();
+        let is_due = self
+            .listed
+            .is_none_or(|(at, count)| count <= FEW || at.elapsed() >= IDLE_LOOK);
+        match is_due {
+            true => self.list(),
+            false => self.look_for_next(),
+        }
+        self.seen_all = now;
+    }
+
+    /// Looks at all files of the folder.
+    fn list(&mut self) {
+        let first_look = self.listed.is_none();
         let listed = self.files.listed().unwrap_or_default();
+        self.listed = Some((Instant::now(), listed.len()));
         self.highest = listed.last().copied();
         if self.lowest.is_none() {
             self.lowest = listed.first().copied();
@@ -110,22 +163,39 @@ impl Watcher {
         }
     }
 
-    fn look_at(&mut self, number: u32) {
+    /// Looks at what is known, and for the frames behind the highest number.
+    fn look_for_next(&mut self) {
+        let known: Vec<u32> = self.seen.keys().copied().collect();
+        for number in known {
+            self.look_at(number);
+        }
+        while let Some(next) = self.highest.and_then(|highest| highest.checked_add(1)) {
+            if !self.look_at(next) {
+                break;
+            }
+            self.highest = Some(next);
+        }
+    }
+
+    /// Looks at a frame; says whether it is there.
+    fn look_at(&mut self, number: u32) -> bool {
         // What is whole is not looked at again, unless it turned out that it is not.
         let known = self.seen.get_mut(&number);
         if known
             .as_ref()
-            .is_some_and(|seen| seen.looks >= 2 && seen.failed.is_none())
+            .is_some_and(|seen| seen.is_settled() && seen.failed.is_none())
         {
-            return;
+            return true;
         }
         let Ok(data) = std::fs::metadata(self.files.path(number)) else {
-            return;
+            return false;
         };
         let (length, modified) = (data.len(), data.modified().ok());
         match known {
             Some(seen) if (seen.length, seen.modified) == (length, modified) => seen.looks += 1,
-            _ => {
+            known => {
+                // At the first look of all it may be of any age.
+                let appeared = known.is_none() && self.seen_all > SystemTime::UNIX_EPOCH;
                 let changed = Instant::now();
                 self.changed = changed;
                 let seen = Seen {
@@ -133,11 +203,14 @@ impl Watcher {
                     modified,
                     changed,
                     looks: 1,
+                    renamed: appeared
+                        && modified.is_some_and(|modified| modified + CLOCK < self.seen_all),
                     failed: None,
                 };
                 self.seen.insert(number, seen);
             }
         }
+        true
     }
 
     /// Whether a frame is there and seems to be whole.
@@ -156,14 +229,22 @@ impl Watcher {
         before.find(|(_, seen)| seen.is_whole()).map(|(n, _)| *n)
     }
 
-    /// The frames that wait, in order, up to `last`. One that has not been whole for `patience` is given up.
-    pub fn waiting(&self, last: Option<u32>, patience: Duration) -> Vec<Waiting> {
+    /// The frames that wait, in order, up to `last`. One that has not been whole for `patience` is given up; one that came longer ago
+    /// than `max_lag` is late.
+    pub fn waiting(
+        &self,
+        last: Option<u32>,
+        patience: Duration,
+        max_lag: Duration,
+    ) -> Vec<Waiting> {
         let wanted = self.seen.range(..=last.unwrap_or(u32::MAX));
         let waiting = |(&frame, seen): (&u32, &Seen)| {
             let given_up =
                 seen.changed.elapsed() > patience && (seen.failed.is_some() || !seen.is_whole());
+            let lag = self.arrival(frame).elapsed().unwrap_or_default();
             let state = match (given_up, seen.is_whole()) {
                 (true, _) => State::GivenUp,
+                (false, true) if lag > max_lag => State::Late,
                 (false, true) => State::Whole,
                 (false, false) => State::Growing,
             };
@@ -175,14 +256,19 @@ impl Watcher {
     /// A frame that seemed to be whole could not be read.
     pub fn failed(&mut self, number: u32, error: Error) {
         if let Some(seen) = self.seen.get_mut(&number) {
-            seen.failed = Some((Instant::now(), error));
+            let pause = seen.failed.as_ref().map_or(LOOK, |failed| failed.pause * 2);
+            let pause = pause.min(RETRY);
+            seen.failed = Some(Failed {
+                again: Instant::now() + pause,
+                pause,
+                error,
+            });
         }
     }
 
     /// Why a frame could not be read, if that was tried.
     pub fn failure(&self, number: u32) -> Option<&Error> {
-        let (_, error) = self.seen.get(&number)?.failed.as_ref()?;
-        Some(error)
+        Some(&self.seen.get(&number)?.failed.as_ref()?.error)
     }
 
     /// When a frame was written: by its file's time where that lies within this run, else when it was seen.
@@ -263,6 +349,8 @@ pub struct Waiting {
 pub enum State {
     /// It seems to be done.
     Whole,
+    /// It seems to be done, and has waited for too long.
+    Late,
     /// It is not done.
     Growing,
     /// It is not done and has not changed for too long.
@@ -278,25 +366,25 @@ pub struct Choice {
     pub take: Option<u32>,
 }
 
-/// The oldest whole frame; the newest, and none of those before it, where more than [`QUEUE`] are whole. An older one that is
-/// still growing holds up later ones until there are [`QUEUE`] of these, or it is given up.
+/// The oldest whole frame; where that is late, the newest whole one, and none of those before it. An older one that is still growing
+/// holds up later ones until these are late, or it is given up.
 pub fn choose(waiting: &[Waiting]) -> Choice {
-    let whole: Vec<u32> = waiting
+    let mut whole = waiting
         .iter()
-        .filter(|w| w.state == State::Whole)
-        .map(|w| w.frame)
-        .collect();
-    let taken = match whole[..] {
-        [.., newest] if whole.len() > QUEUE => Some(newest),
-        [oldest, ..] => Some(oldest),
-        [] => None,
+        .filter(|w| matches!(w.state, State::Whole | State::Late));
+    let oldest = whole.next();
+    let is_late = oldest.is_some_and(|oldest| oldest.state == State::Late);
+    let taken = match is_late {
+        true => whole.next_back().or(oldest),
+        false => oldest,
     };
+    let taken = taken.map(|w| w.frame);
     let before = waiting
         .iter()
         .take_while(|w| taken.is_none_or(|taken| w.frame < taken));
     let mut choice = Choice::default();
     for &older in before {
-        if older.state == State::Growing && whole.len() < QUEUE {
+        if older.state == State::Growing && !is_late {
             return choice;
         }
         choice.drop.push(older);
@@ -309,10 +397,11 @@ pub fn choose(waiting: &[Waiting]) -> Choice {
 mod tests {
     use super::*;
 
-    /// `w`, `g` and `x` are whole, growing and given up, of frames 1, 2, …
+    /// `w`, `l`, `g` and `x` are whole, late, growing and given up, of frames 1, 2, …
     fn chosen(states: &str) -> (Vec<u32>, Option<u32>) {
         let state = |c| match c {
             'w' => State::Whole,
+            'l' => State::Late,
             'g' => State::Growing,
             _ => State::GivenUp,
         };
@@ -325,22 +414,47 @@ mod tests {
     }
 
     #[test]
-    fn frames_are_taken_in_order_and_the_newest_when_behind() {
+    fn frames_are_taken_in_order_and_the_newest_when_late() {
         assert_eq!(chosen(""), (vec![], None));
         assert_eq!(chosen("w"), (vec![], Some(1)));
-        assert_eq!(chosen("ww"), (vec![], Some(1)));
-        assert_eq!(chosen("www"), (vec![1, 2], Some(3)));
-        assert_eq!(chosen("wwwg"), (vec![1, 2], Some(3)));
+        assert_eq!(chosen("wwwwww"), (vec![], Some(1)));
+        assert_eq!(chosen("l"), (vec![], Some(1)));
+        assert_eq!(chosen("lww"), (vec![1, 2], Some(3)));
+        assert_eq!(chosen("llwg"), (vec![1, 2], Some(3)));
     }
 
     #[test]
-    fn a_frame_that_does_not_become_whole_holds_up_few() {
+    fn a_frame_that_does_not_become_whole_holds_up_others_until_they_are_late() {
         assert_eq!(chosen("g"), (vec![], None));
-        assert_eq!(chosen("gw"), (vec![], None));
-        assert_eq!(chosen("gww"), (vec![1], Some(2)));
+        assert_eq!(chosen("gwww"), (vec![], None));
+        assert_eq!(chosen("glw"), (vec![1, 2], Some(3)));
         assert_eq!(chosen("xw"), (vec![1], Some(2)));
         assert_eq!(chosen("x"), (vec![1], None));
         assert_eq!(chosen("xgw"), (vec![1], None));
-        assert_eq!(chosen("gwgww"), (vec![1, 2, 3, 4], Some(5)));
+        assert_eq!(chosen("glgww"), (vec![1, 2, 3, 4], Some(5)));
+    }
+
+    #[test]
+    fn a_file_is_whole_at_the_second_look_or_at_the_first_if_it_was_renamed() {
+        let folder = std::env::temp_dir().join(format!("glimt-watch-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let files = FrameFiles::new(&folder, "f.##.exr").unwrap();
+        let mut watch = Watcher::new(files, Some(1));
+        let mut look = || {
+            watch.looked = None;
+            watch.look();
+            [1, 2].map(|frame| watch.is_whole(frame))
+        };
+        look();
+        std::fs::write(folder.join("f.01.exr"), b"written").unwrap();
+        let old = folder.join("old");
+        std::fs::write(&old, b"renamed").unwrap();
+        let file = std::fs::File::options().write(true).open(&old).unwrap();
+        file.set_modified(SystemTime::now() - Duration::from_secs(1))
+            .unwrap();
+        std::fs::rename(&old, folder.join("f.02.exr")).unwrap();
+        assert_eq!(look(), [false, true]);
+        assert_eq!(look(), [true, true]);
+        std::fs::remove_dir_all(&folder).unwrap();
     }
 }

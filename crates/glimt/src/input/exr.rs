@@ -4,6 +4,7 @@ use super::primaries::{is_rec_709, luminance_weights, to_rec_709};
 use super::{HdrImage, Header};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
+use crate::shot::digest;
 use ::exr::image::read::read;
 use ::exr::image::{AnyChannel, FlatSamples};
 use ::exr::math::Vec2;
@@ -13,6 +14,7 @@ use ::exr::meta::header::Header as Part;
 use ::exr::meta::{BlockDescription, MetaData};
 use ::exr::prelude::{ReadChannels, ReadLayers};
 use glam::{I64Vec2, IVec2, UVec2, Vec3, Vec4};
+use std::io::Cursor;
 use std::path::Path;
 
 /// The largest image that is taken, in texels: 4 GiB of them.
@@ -39,12 +41,12 @@ pub fn read_header(file: &Path) -> Result<Header> {
     header(file, &meta, part)
 }
 
-/// Reads the image: the first part and layer that holds a colour, converted to Rec. 709 primaries.
+/// Decodes the image that was read from `file`: the first part and layer that holds a colour, converted to Rec. 709 primaries.
 ///
 /// # Errors
 /// It is broken or truncated, or holds no colour that is understood.
-pub fn read_image(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
-    let meta = read_meta(file)?;
+pub fn decode(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<HdrImage> {
+    let meta = check_meta(file, MetaData::read_from_buffered(bytes, false))?;
     let (part, colour) = choose(file, &meta)?;
     let header = header(file, &meta, part)?;
     if meta.headers[part].own_attributes.environment_map == Some(EnvironmentMap::Cube) {
@@ -56,7 +58,7 @@ pub fn read_image(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
         .all_channels()
         .all_layers()
         .all_attributes()
-        .from_file(file)
+        .from_buffered(Cursor::new(bytes))
         .map_err(|e| broken(file, &e))?;
     let channels = &image.layer_data[part].channel_data.list;
 
@@ -96,7 +98,11 @@ pub fn read_image(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
             in_display_window(&header, &texels)
         }
     };
-    let mut image = HdrImage { header, texels };
+    let mut image = HdrImage {
+        header,
+        texels,
+        hash: digest::of_bytes(bytes),
+    };
     if let (Some(chromaticities), false) = (chromaticities, matches!(colour, Colour::Grey(_))) {
         to_rec_709(file, &mut image.texels, chromaticities, notes);
     }
@@ -175,7 +181,11 @@ impl<'a> Plane<'a> {
 }
 
 fn read_meta(file: &Path) -> Result<MetaData> {
-    let meta = MetaData::read_from_file(file, false).map_err(|e| broken(file, &e))?;
+    check_meta(file, MetaData::read_from_file(file, false))
+}
+
+fn check_meta(file: &Path, meta: ::exr::error::Result<MetaData>) -> Result<MetaData> {
+    let meta = meta.map_err(|e| broken(file, &e))?;
     if meta.headers.iter().all(|part| part.deep) {
         return Err(Error::input(file, "deep images are not supported").fix("flatten it first"));
     }

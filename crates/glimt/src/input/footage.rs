@@ -159,6 +159,11 @@ impl Footage {
         Ok(footage)
     }
 
+    /// Its files.
+    pub fn files(&self) -> &FrameFiles {
+        &self.files
+    }
+
     /// Whether every frame is the same image.
     pub fn is_still(&self) -> bool {
         self.files.is_still()
@@ -292,26 +297,31 @@ impl Footage {
         frames.par_iter().map(|&f| of_file(&self.file(f))).collect()
     }
 
-    /// Reads the footage of a frame of the shot and brings it to the image's size.
+    /// Reads the footage of a frame of the shot and brings it to the image's size. The hash is that of its file.
     ///
     /// # Errors
     /// The file cannot be read, is broken or of another size than the first; or it has defects and `notes` is strict.
-    pub fn load(&self, frame: u32, image: UVec2, notes: &mut Notes) -> Result<Plate> {
+    pub fn load(&self, frame: u32, image: UVec2, notes: &mut Notes) -> Result<(Plate, Hash)> {
         self.load_file(&self.file(frame), image, notes)
     }
 
-    /// Reads one of the footage's files and brings it to the image's size.
+    /// Reads one of the footage's files and brings it to the image's size. The hash is that of the file.
     ///
     /// # Errors
     /// The file cannot be read or is broken; or it has defects and `notes` is strict.
-    pub fn load_file(&self, file: &Path, image: UVec2, notes: &mut Notes) -> Result<Plate> {
-        let PlateImage { size, colours } = read(file, notes)?;
+    pub fn load_file(&self, file: &Path, image: UVec2, notes: &mut Notes) -> Result<(Plate, Hash)> {
+        let PlateImage {
+            size,
+            colours,
+            hash,
+        } = read(file, notes)?;
         let plate = match colours {
             Colours::Srgb8(codes) if size == image => Plate::from_srgb8(size, &codes),
             Colours::Linear(linear) if size == image => Plate::from_linear(size, &linear),
             other => Plate::from_linear(image, &self.fitted(size, &other.into_linear(), image)),
         };
-        plate.map_err(|e| Error::new(Kind::Internal, e).file(file))
+        let plate = plate.map_err(|e| Error::new(Kind::Internal, e).file(file))?;
+        Ok((plate, hash))
     }
 
     fn fitted(&self, size: UVec2, linear: &[Vec3], image: UVec2) -> Vec<Vec3> {

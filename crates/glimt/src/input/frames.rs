@@ -90,6 +90,19 @@ impl FrameFiles {
     /// # Errors
     /// The folder cannot be read.
     pub fn listed(&self) -> std::io::Result<Vec<u32>> {
+        if self.is_still() {
+            return Ok(vec![1]);
+        }
+        let mut frames: Vec<u32> = std::fs::read_dir(self.folder())?
+            .flatten()
+            .filter_map(|entry| self.number(&entry.file_name().to_string_lossy()))
+            .collect();
+        frames.sort_unstable();
+        Ok(frames)
+    }
+
+    /// The number in the name of a frame of a sequence.
+    fn number(&self, name: &str) -> Option<u32> {
         let Self::Sequence {
             prefix,
             digits,
@@ -97,22 +110,28 @@ impl FrameFiles {
             ..
         } = self
         else {
-            return Ok(vec![1]);
+            return None;
         };
-        let number = |name: &str| -> Option<u32> {
-            let text = name
-                .strip_prefix(prefix.as_str())?
-                .strip_suffix(suffix.as_str())?;
-            let plain = text.bytes().all(|b| b.is_ascii_digit());
-            let padded = text.len() == *digits || (text.len() > *digits && !text.starts_with('0'));
-            (plain && padded).then(|| text.parse().ok())?
+        let text = name
+            .strip_prefix(prefix.as_str())?
+            .strip_suffix(suffix.as_str())?;
+        let plain = text.bytes().all(|b| b.is_ascii_digit());
+        let padded = text.len() == *digits || (text.len() > *digits && !text.starts_with('0'));
+        (plain && padded).then(|| text.parse().ok())?
+    }
+
+    /// Whether a file is one of them, or would be if it were there.
+    pub fn holds(&self, file: &Path) -> bool {
+        let Self::Sequence { .. } = self else {
+            return false;
         };
-        let mut frames: Vec<u32> = std::fs::read_dir(self.folder())?
-            .flatten()
-            .filter_map(|entry| number(&entry.file_name().to_string_lossy()))
-            .collect();
-        frames.sort_unstable();
-        Ok(frames)
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        let folder = match file.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        let is_here = || Some(folder.canonicalize().ok()? == self.folder().canonicalize().ok()?);
+        self.number(&name).is_some() && is_here() == Some(true)
     }
 
     /// The folder that they are in.

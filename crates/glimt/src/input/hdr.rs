@@ -3,6 +3,7 @@
 use super::{HdrImage, Header};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
+use crate::shot::digest;
 use glam::{UVec2, Vec4};
 use image::ImageDecoder;
 use image::codecs::hdr::HdrDecoder;
@@ -22,7 +23,11 @@ struct Lines {
 /// # Errors
 /// It is broken, or of a kind that is not supported.
 pub fn read_header(file: &Path) -> Result<Header> {
-    let lines = read_lines(file)?;
+    let reader = File::open(file).map_err(|e| Error::reading(file, &e))?;
+    Ok(header(&read_lines(file, BufReader::new(reader))?))
+}
+
+fn header(lines: &Lines) -> Header {
     let mut remarks = Vec::new();
     if lines.exposure != 1.0 {
         remarks.push(format!("exposure {} (divided out)", lines.exposure));
@@ -30,7 +35,7 @@ pub fn read_header(file: &Path) -> Result<Header> {
     if let Some(primaries) = &lines.primaries {
         remarks.push(format!("primaries {primaries} (taken as Rec. 709)"));
     }
-    Ok(Header {
+    Header {
         format: "Radiance",
         size: lines.size,
         channels: ["R", "G", "B"]
@@ -42,31 +47,30 @@ pub fn read_header(file: &Path) -> Result<Header> {
         display_origin: [0, 0],
         layers: 1,
         remarks,
-    })
+    }
 }
 
-/// Reads the picture; the exposure of its header is divided out.
+/// Decodes the picture that was read from `file`; the exposure of its header is divided out.
 ///
 /// # Errors
 /// It is broken or truncated, or of a kind that is not supported.
-pub fn read(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
-    let lines = read_lines(file)?;
+pub fn decode(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<HdrImage> {
+    let lines = read_lines(file, bytes)?;
     if let Some(primaries) = &lines.primaries {
         notes.note(
             file,
             format!("its PRIMARIES ({primaries}) are taken as Rec. 709"),
         );
     }
-    let reader = File::open(file).map_err(|e| Error::reading(file, &e))?;
     let broken = |e: image::ImageError| match e {
         image::ImageError::IoError(e) => Error::reading(file, &e),
         e => Error::input(file, format!("it is broken: {e}")).fix("copy or export it again"),
     };
-    let decoder = HdrDecoder::new_nonstrict(BufReader::new(reader)).map_err(broken)?;
-    let mut bytes = vec![0; decoder.total_bytes() as usize];
-    decoder.read_image(&mut bytes).map_err(broken)?;
+    let decoder = HdrDecoder::new_nonstrict(bytes).map_err(broken)?;
+    let mut channels = vec![0; decoder.total_bytes() as usize];
+    decoder.read_image(&mut channels).map_err(broken)?;
     let gain = 1.0 / lines.exposure;
-    let texels = bytes
+    let texels = channels
         .as_chunks::<12>()
         .0
         .iter()
@@ -77,17 +81,17 @@ pub fn read(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
         })
         .collect();
     Ok(HdrImage {
-        header: read_header(file)?,
+        header: header(&lines),
         texels,
+        hash: digest::of_bytes(bytes),
     })
 }
 
-fn read_lines(file: &Path) -> Result<Lines> {
-    let reader = File::open(file).map_err(|e| Error::reading(file, &e))?;
+fn read_lines(file: &Path, reader: impl BufRead) -> Result<Lines> {
     let mut exposure = 1.0;
     let mut primaries = None;
     let mut in_header = true;
-    for line in BufReader::new(reader).split(b'\n').take(1000) {
+    for line in reader.split(b'\n').take(1000) {
         let line = line.map_err(|e| Error::reading(file, &e))?;
         let line = String::from_utf8_lossy(&line);
         let line = line.trim();

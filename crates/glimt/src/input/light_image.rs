@@ -1,8 +1,12 @@
 //! Host file: one image of light without its bad texels: a photograph of a mirror ball, or an image of all directions.
 
-use super::{BadTexels, HdrImage, is_display, plate, read_header, read_image};
+use super::{
+    BadTexels, HdrImage, decode_image, is_display, is_display_start, plate, read_bytes,
+    read_header, read_image,
+};
 use crate::error::Result;
 use crate::notes::Notes;
+use crate::shot::digest::Hash;
 use glam::{UVec2, Vec3, Vec4};
 use glimt_render_gpu::prepare::env::EnvMap;
 use rayon::prelude::*;
@@ -15,6 +19,8 @@ pub struct LightImage {
     pub size: UVec2,
     /// Its pixels, all of them finite and none negative.
     pub pixels: Vec<Vec4>,
+    /// Hash of the bytes that they were decoded from.
+    pub hash: Hash,
 }
 
 /// Width and height of a photograph (HDR, PNG or JPEG), by its header.
@@ -33,10 +39,15 @@ pub fn read_photo_size(file: &Path) -> Result<UVec2> {
 /// # Errors
 /// The file cannot be read or is broken; or has bad pixels and `notes` is strict.
 pub fn read_photo(file: &Path, notes: &mut Notes) -> Result<LightImage> {
-    if is_display(file)? {
-        return read_display(file, notes);
+    let bytes = read_bytes(file)?;
+    if is_display_start(&bytes) {
+        return decode_display(file, &bytes, notes);
     }
-    let HdrImage { header, mut texels } = read_image(file, notes)?;
+    let HdrImage {
+        header,
+        mut texels,
+        hash,
+    } = decode_image(file, &bytes, notes)?;
     let bad = BadTexels::count(&texels);
     // Sensors read a little below zero where it is dark; that is noise, not a defect.
     let worth_a_note = bad.total() - bad.negative;
@@ -53,6 +64,7 @@ pub fn read_photo(file: &Path, notes: &mut Notes) -> Result<LightImage> {
     Ok(LightImage {
         size: header.size,
         pixels: texels,
+        hash,
     })
 }
 
@@ -61,7 +73,11 @@ pub fn read_photo(file: &Path, notes: &mut Notes) -> Result<LightImage> {
 /// # Errors
 /// The file cannot be read or is broken; or it has bad texels and `notes` is strict.
 pub fn read_all_directions(file: &Path, notes: &mut Notes) -> Result<LightImage> {
-    let HdrImage { header, mut texels } = read_image(file, notes)?;
+    let HdrImage {
+        header,
+        mut texels,
+        hash,
+    } = read_image(file, notes)?;
     let bad = BadTexels::count(&texels);
     if bad.total() > 0 {
         let noun = if bad.total() == 1 {
@@ -80,12 +96,13 @@ pub fn read_all_directions(file: &Path, notes: &mut Notes) -> Result<LightImage>
     Ok(LightImage {
         size: header.size,
         pixels: texels,
+        hash,
     })
 }
 
-fn read_display(file: &Path, notes: &mut Notes) -> Result<LightImage> {
-    let image = plate::read(file, notes)?;
-    let size = image.size;
+fn decode_display(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<LightImage> {
+    let image = plate::decode(file, bytes, notes)?;
+    let (size, hash) = (image.size, image.hash);
     let linear = image.colours.into_linear();
     let pixels: Vec<Vec4> = linear
         .par_iter()
@@ -101,5 +118,5 @@ fn read_display(file: &Path, notes: &mut Notes) -> Result<LightImage> {
              light from it is too dim and too flat; film the ball in HDR"
         ),
     );
-    Ok(LightImage { size, pixels })
+    Ok(LightImage { size, pixels, hash })
 }

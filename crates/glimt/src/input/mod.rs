@@ -14,6 +14,7 @@ pub use bad_texels::BadTexels;
 
 use crate::error::{Error, Result};
 use crate::notes::Notes;
+use crate::shot::digest::Hash;
 use glam::{UVec2, Vec4};
 use serde::Serialize;
 use std::fs::File;
@@ -27,6 +28,8 @@ pub struct HdrImage {
     pub header: Header,
     /// Texels, rows from the top; w is 1.
     pub texels: Vec<Vec4>,
+    /// Hash of the bytes that they were decoded from.
+    pub hash: Hash,
 }
 
 /// What the header of an image says.
@@ -82,7 +85,11 @@ pub enum Format {
 /// # Errors
 /// The file cannot be read, or is not an HDR image.
 pub fn format_of(file: &Path) -> Result<Format> {
-    match start_of(file)?[..] {
+    format_by(file, &start_of(file)?)
+}
+
+fn format_by(file: &Path, start: &[u8]) -> Result<Format> {
+    match start[..] {
         [0x76, 0x2f, 0x31, 0x01, ..] => Ok(Format::Exr),
         [b'#', b'?', ..] => Ok(Format::Hdr),
         [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, ..] => Err(Error::input(
@@ -103,10 +110,23 @@ fn start_of(file: &Path) -> Result<Vec<u8>> {
     reader
         .read_to_end(&mut start)
         .map_err(|e| Error::reading(file, &e))?;
-    if start.is_empty() {
-        return Err(Error::input(file, "the file is empty").fix("copy or export it again"));
+    match start.is_empty() {
+        true => Err(empty(file)),
+        false => Ok(start),
     }
-    Ok(start)
+}
+
+/// All of a file's bytes, at least one. What is decoded of them and their hash belong together, even if the file is replaced.
+fn read_bytes(file: &Path) -> Result<Vec<u8>> {
+    let bytes = std::fs::read(file).map_err(|e| Error::reading(file, &e))?;
+    match bytes.is_empty() {
+        true => Err(empty(file)),
+        false => Ok(bytes),
+    }
+}
+
+fn empty(file: &Path) -> Error {
+    Error::input(file, "the file is empty").fix("copy or export it again")
 }
 
 /// Whether a file is a display image, PNG or JPEG, by its first bytes.
@@ -114,10 +134,11 @@ fn start_of(file: &Path) -> Result<Vec<u8>> {
 /// # Errors
 /// The file cannot be read, or is empty.
 pub fn is_display(file: &Path) -> Result<bool> {
-    Ok(matches!(
-        start_of(file)?[..],
-        [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, ..]
-    ))
+    Ok(is_display_start(&start_of(file)?))
+}
+
+fn is_display_start(start: &[u8]) -> bool {
+    matches!(start, [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, ..])
 }
 
 /// Reads the header of an HDR image.
@@ -136,8 +157,13 @@ pub fn read_header(file: &Path) -> Result<Header> {
 /// # Errors
 /// The file cannot be read, or is not an HDR image that is understood.
 pub fn read_image(file: &Path, notes: &mut Notes) -> Result<HdrImage> {
-    match format_of(file)? {
-        Format::Exr => exr::read_image(file, notes),
-        Format::Hdr => hdr::read(file, notes),
+    decode_image(file, &read_bytes(file)?, notes)
+}
+
+/// Decodes an HDR image that was read from `file`.
+fn decode_image(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<HdrImage> {
+    match format_by(file, bytes)? {
+        Format::Exr => exr::decode(file, bytes, notes),
+        Format::Hdr => hdr::decode(file, bytes, notes),
     }
 }

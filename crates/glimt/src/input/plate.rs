@@ -1,8 +1,9 @@
 //! Host file: one frame of footage: PNG and JPEG as they are, or OpenEXR and Radiance as linear colour.
 
-use super::{BadTexels, read_header, read_image, start_of};
+use super::{BadTexels, decode_image, read_bytes, read_header, start_of};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
+use crate::shot::digest::{self, Hash};
 use glam::{UVec2, Vec3};
 use glimt_render_gpu::prepare::plate::{srgb_decode, srgb8_to_linear};
 use image::{ColorType, DynamicImage, ImageDecoder, ImageError, ImageReader};
@@ -22,6 +23,8 @@ pub struct PlateImage {
     pub size: UVec2,
     /// Its colours.
     pub colours: Colours,
+    /// Hash of the bytes that they were decoded from.
+    pub hash: Hash,
 }
 
 /// Colours in the precision of their file.
@@ -55,8 +58,8 @@ enum Format {
     Linear,
 }
 
-fn format_of(file: &Path) -> Result<Format> {
-    match start_of(file)?[..] {
+fn format_by(file: &Path, start: &[u8]) -> Result<Format> {
+    match start[..] {
         [0x89, b'P', b'N', b'G', ..] => Ok(Format::Display(image::ImageFormat::Png)),
         [0xff, 0xd8, ..] => Ok(Format::Display(image::ImageFormat::Jpeg)),
         [0x76, 0x2f, 0x31, 0x01, ..] | [b'#', b'?', ..] => Ok(Format::Linear),
@@ -70,7 +73,7 @@ fn format_of(file: &Path) -> Result<Format> {
 /// # Errors
 /// The file cannot be read, or is not a plate.
 pub fn read_size(file: &Path) -> Result<UVec2> {
-    let Format::Display(format) = format_of(file)? else {
+    let Format::Display(format) = format_by(file, &start_of(file)?)? else {
         return Ok(read_header(file)?.size);
     };
     let reader = File::open(file).map_err(|e| Error::reading(file, &e))?;
@@ -93,14 +96,19 @@ pub fn read_size(file: &Path) -> Result<UVec2> {
 /// # Errors
 /// The file cannot be read, is broken or truncated; or has pixels that are not colours and `notes` is strict.
 pub fn read(file: &Path, notes: &mut Notes) -> Result<PlateImage> {
-    match format_of(file)? {
-        Format::Display(format) => read_display(file, format, notes),
-        Format::Linear => read_linear(file, notes),
+    decode(file, &read_bytes(file)?, notes)
+}
+
+/// Decodes a plate that was read from `file`.
+pub(super) fn decode(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<PlateImage> {
+    match format_by(file, bytes)? {
+        Format::Display(format) => decode_display(file, bytes, format, notes),
+        Format::Linear => decode_linear(file, bytes, notes),
     }
 }
 
-fn read_linear(file: &Path, notes: &mut Notes) -> Result<PlateImage> {
-    let image = read_image(file, notes)?;
+fn decode_linear(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<PlateImage> {
+    let image = decode_image(file, bytes, notes)?;
     // A colour outside the gamut is a colour; light that is negative is none.
     let bad = BadTexels {
         negative: 0,
@@ -126,16 +134,21 @@ fn read_linear(file: &Path, notes: &mut Notes) -> Result<PlateImage> {
     Ok(PlateImage {
         size: image.header.size,
         colours: Colours::Linear(colours),
+        hash: image.hash,
     })
 }
 
-fn read_display(file: &Path, format: image::ImageFormat, notes: &mut Notes) -> Result<PlateImage> {
-    let bytes = std::fs::read(file).map_err(|e| Error::reading(file, &e))?;
-    if format == image::ImageFormat::Jpeg && !jpeg_is_whole(&bytes) {
+fn decode_display(
+    file: &Path,
+    bytes: &[u8],
+    format: image::ImageFormat,
+    notes: &mut Notes,
+) -> Result<PlateImage> {
+    if format == image::ImageFormat::Jpeg && !jpeg_is_whole(bytes) {
         return Err(Error::input(file, "the file ends too early")
             .fix("it is probably truncated: copy or export it again"));
     }
-    let mut decoder = decoder(file, Cursor::new(&bytes), format)?;
+    let mut decoder = decoder(file, Cursor::new(bytes), format)?;
     let orientation = decoder.orientation().map_err(|e| broken(file, e))?;
     if let Ok(Some(profile)) = decoder.icc_profile()
         && !names_srgb(&profile)
@@ -169,7 +182,11 @@ fn read_display(file: &Path, format: image::ImageFormat, notes: &mut Notes) -> R
     } else {
         Colours::Srgb8(image.into_rgb8().into_raw().as_chunks::<3>().0.to_vec())
     };
-    Ok(PlateImage { size, colours })
+    Ok(PlateImage {
+        size,
+        colours,
+        hash: digest::of_bytes(bytes),
+    })
 }
 
 fn decoder<'a, R: BufRead + Seek + 'a>(

@@ -133,6 +133,15 @@ impl Probe {
         self.size
     }
 
+    /// Size of its lat-long maps.
+    pub fn map_size(&self) -> UVec2 {
+        match (&self.capture, self.mapping) {
+            (Some(capture), _) => capture.size(),
+            (None, Mapping::Angular) => UVec2::new(2 * self.size.x, self.size.x),
+            (None, _) => self.size,
+        }
+    }
+
     /// Whether every frame is the same image.
     pub fn is_still(&self) -> bool {
         self.files.is_still()
@@ -169,14 +178,17 @@ impl Probe {
         self.capture.as_ref()?.poses().of(frame)
     }
 
-    /// Reads the light of a frame.
+    /// Reads the light of a frame. The hash is that of its file and of where the ball is in it: as in [`Probe::digests`], unless the
+    /// file was replaced.
     ///
     /// # Errors
     /// The file cannot be read, is broken, or has bad texels and `notes` is strict.
-    pub fn load(&self, frame: u32, notes: &mut Notes) -> Result<EnvMap> {
+    pub fn load(&self, frame: u32, notes: &mut Notes) -> Result<(EnvMap, Hash)> {
         let file = self.files.path(frame);
+        let pose = self.pose(frame);
         let image = read_frame(self.mapping, &file, notes)?;
-        self.light_of(image, &file, self.pose(frame), notes)
+        let hash = self.digest_at(&image.hash, pose);
+        Ok((self.light_of(image, &file, pose, notes)?, hash))
     }
 
     /// The light of an image that was read from `file`, in which the ball is at `pose`.

@@ -1,18 +1,25 @@
 //! Host file: files that appear under their name when they are whole.
 
+use super::target::Target;
 use crate::error::{Error, Result};
-use std::ffi::OsString;
+use std::collections::BTreeSet;
+use std::ffi::{OsStr, OsString};
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::hash::{BuildHasher, RandomState};
+use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 /// A file that is being written beside its final name. Dropped before [`Pending::commit`], it is removed; killed, it
-/// leaves a hidden `.part` file that the next run clears away.
+/// leaves a hidden `.part` file that the next run into this folder clears away.
 #[derive(Debug)]
 pub struct Pending {
     target: PathBuf,
     part: PathBuf,
     writer: Option<BufWriter<File>>,
+    /// Whether it may be longer than what is written.
+    reserved: bool,
 }
 
 impl Pending {
@@ -20,14 +27,15 @@ impl Pending {
     ///
     /// # Errors
     /// The folder cannot be written to.
-    pub fn create(target: &Path) -> Result<Self> {
-        remove_stale(target);
-        let part = part_name(target, std::process::id());
-        let file = File::create(&part).map_err(|e| Error::writing(target, &e))?;
+    pub fn create(target: &Target) -> Result<Self> {
+        let target = target.path();
+        let (part, file) = create_part(target).map_err(|e| Error::writing(target, &e))?;
+        unfinished().insert(part.clone());
         Ok(Self {
             target: target.to_owned(),
             part,
             writer: Some(BufWriter::with_capacity(1 << 18, file)),
+            reserved: false,
         })
     }
 
@@ -39,6 +47,21 @@ impl Pending {
     /// The name while it is being written, for programs that write it themselves.
     pub fn part(&self) -> &Path {
         &self.part
+    }
+
+    /// Takes room on the disk for so many bytes, from the file's beginning. Zeros are written: a length alone takes none. What is not
+    /// written in the end is cut off.
+    ///
+    /// # Errors
+    /// The disk is full.
+    pub fn reserve(&mut self, bytes: u64) -> Result<()> {
+        self.reserved = true;
+        let mut take = || {
+            io::copy(&mut io::repeat(0).take(bytes), self)?;
+            self.flush()?;
+            self.rewind()
+        };
+        take().map_err(|e| self.error(&e))
     }
 
     /// Turns an error of writing into ours.
@@ -53,11 +76,17 @@ impl Pending {
     pub fn commit(&mut self) -> Result<()> {
         let finish = |writer: Option<BufWriter<File>>| -> io::Result<()> {
             if let Some(writer) = writer {
-                let file = writer
+                let mut file = writer
                     .into_inner()
                     .map_err(io::IntoInnerError::into_error)?;
+                if self.reserved {
+                    let length = file.stream_position()?;
+                    file.set_len(length)?;
+                }
                 file.sync_all()?;
             }
+            // Under this lock it is not removed for an end in between.
+            let _unfinished = unfinished();
             fs::rename(&self.part, &self.target)
         };
         finish(self.writer.take()).map_err(|e| Error::writing(&self.target, &e))
@@ -69,7 +98,24 @@ impl Drop for Pending {
         // After a commit the name is gone, and this finds nothing.
         drop(self.writer.take());
         let _ = fs::remove_file(&self.part);
+        unfinished().remove(&self.part);
     }
+}
+
+/// What is removed if the program ends early: parts, and the files by which folders are locked.
+static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes all that is not finished, for the program's end. Nothing can be begun or finished after that: who tries waits for ever.
+pub fn remove_unfinished() {
+    let unfinished = unfinished();
+    for file in unfinished.iter() {
+        let _ = fs::remove_file(file);
+    }
+    std::mem::forget(unfinished);
 }
 
 impl Write for Pending {
@@ -96,82 +142,297 @@ impl Pending {
     }
 }
 
-/// `.name.PID.part` in the same folder, so that it can be renamed and two programs do not share it.
-fn part_name(target: &Path, process: u32) -> PathBuf {
-    let mut name = OsString::from(".");
-    name.push(target.file_name().unwrap_or_default());
-    name.push(format!(".{process}.part"));
-    target.with_file_name(name)
+/// A new file beside `target`, `.name.RANDOM.part`, so that it can be renamed and no two programs share it. Nothing that has the
+/// name already is opened, neither a link nor a pipe. It is locked while it is open, which tells others that it is in use.
+fn create_part(target: &Path) -> io::Result<(PathBuf, File)> {
+    loop {
+        let random = RandomState::new().hash_one(0);
+        let mut name = OsString::from(".");
+        name.push(target.file_name().unwrap_or_default());
+        name.push(format!(".{random:016x}.part"));
+        let part = target.with_file_name(name);
+        match File::options().write(true).create_new(true).open(&part) {
+            Ok(file) => {
+                // Where the file system has no locks, the file's age must do.
+                let _ = file.try_lock();
+                return Ok((part, file));
+            }
+            Err(e) if e.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(e) => return Err(e),
+        }
+    }
 }
 
-/// Removes what killed runs left of this file. Where it cannot be told whether the other run is alive, all stay.
-fn remove_stale(target: &Path) {
-    let Some(folder) = target.parent() else {
-        return;
+/// Whether a file's name is one of [`create_part`].
+fn is_part(name: &OsStr) -> bool {
+    let middle = |name: &str| {
+        let name = name.strip_prefix('.')?.strip_suffix(".part")?;
+        let (_, random) = name.rsplit_once('.')?;
+        Some(random.len() == 16 && random.bytes().all(|b| b.is_ascii_hexdigit()))
     };
-    let start = format!(
-        ".{}.",
-        target.file_name().unwrap_or_default().to_string_lossy()
-    );
+    middle(&name.to_string_lossy()) == Some(true)
+}
+
+/// A part that is younger than this may not be locked yet.
+const YOUNG: Duration = Duration::from_secs(10);
+
+/// Removes what killed runs left in a folder: parts that no program holds. Where no other program writes to the folder, `alone`,
+/// that is any part.
+fn remove_parts(folder: &Path, alone: bool) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        let name = entry.file_name();
-        let process = name
-            .to_str()
-            .and_then(|n| n.strip_prefix(&start)?.strip_suffix(".part"))
-            .and_then(|n| n.parse::<u32>().ok());
-        if process.is_some_and(is_gone) {
+        if is_part(&entry.file_name()) && (alone || is_left(&entry)) {
             let _ = fs::remove_file(entry.path());
         }
     }
 }
 
-fn is_gone(process: u32) -> bool {
-    let processes = Path::new("/proc");
-    processes.join("self").exists() && !processes.join(process.to_string()).exists()
+/// Whether no program holds a part.
+fn is_left(part: &fs::DirEntry) -> bool {
+    let old = |data: fs::Metadata| {
+        let age = data.modified().ok().and_then(|time| time.elapsed().ok());
+        data.is_file() && age.is_some_and(|age| age >= YOUNG)
+    };
+    part.metadata().is_ok_and(old)
+        && File::options()
+            .write(true)
+            .open(part.path())
+            .is_ok_and(|file| file.try_lock().is_ok())
 }
 
-/// Whether two paths lead to one file that is there.
-#[must_use]
-pub fn is_same_file(a: &Path, b: &Path) -> bool {
-    b.canonicalize()
-        .is_ok_and(|b| a.canonicalize().is_ok_and(|a| a == b))
-}
-
-/// Makes a folder, and sees that it can be written to.
+/// Makes a folder, sees that it can be written to, and clears away what killed runs left in it.
 ///
 /// # Errors
 /// It cannot be made or written to.
 pub fn prepare_folder(folder: &Path) -> Result<()> {
-    fs::create_dir_all(folder).map_err(|e| Error::writing(folder, &e))?;
-    let probe = part_name(&folder.join("glimt"), std::process::id());
-    File::create(&probe).map_err(|e| Error::writing(folder, &e))?;
+    prepare(folder, false)
+}
+
+fn prepare(folder: &Path, alone: bool) -> Result<()> {
+    let failed = |e| Error::writing(folder, &e);
+    fs::create_dir_all(folder).map_err(failed)?;
+    let (probe, _) = create_part(&folder.join("glimt")).map_err(failed)?;
     let _ = fs::remove_file(probe);
+    remove_parts(folder, alone);
     Ok(())
+}
+
+/// Name of the file that is locked while a run writes to a folder.
+const LOCK: &str = ".glimt.lock";
+
+/// A folder that a run writes to, locked against other runs until this is dropped. Runs that share it, each with frames of its own,
+/// lock it together.
+#[derive(Debug)]
+pub struct Folder {
+    path: PathBuf,
+    /// Nothing where the file system has no locks.
+    lock: Option<File>,
+    shared: bool,
+}
+
+impl Folder {
+    /// Makes the folder and locks it.
+    ///
+    /// # Errors
+    /// It cannot be made or written to, or another run writes to it.
+    pub fn claim(path: &Path, shared: bool) -> Result<Self> {
+        prepare_folder(path)?;
+        let lock = lock(path, shared)?;
+        let folder = Self {
+            path: path.to_owned(),
+            lock,
+            shared,
+        };
+        remove_parts(path, folder.is_alone());
+        Ok(folder)
+    }
+
+    /// Makes a folder within this one.
+    ///
+    /// # Errors
+    /// It cannot be made or written to.
+    pub fn within(&self, name: &str) -> Result<PathBuf> {
+        let path = self.path.join(name);
+        prepare(&path, self.is_alone())?;
+        Ok(path)
+    }
+
+    fn is_alone(&self) -> bool {
+        self.lock.is_some() && !self.shared
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        if let Some(file) = self.lock.take() {
+            // The last of those that share it puts the file away.
+            if !self.shared || file.try_lock().is_ok() {
+                let path = self.path.join(LOCK);
+                let _ = fs::remove_file(&path);
+                unfinished().remove(&path);
+            }
+        }
+    }
+}
+
+/// Locks a folder by the file in it; `None` where the file system has no locks.
+fn lock(folder: &Path, shared: bool) -> Result<Option<File>> {
+    let path = folder.join(LOCK);
+    loop {
+        let file = open_lock(&path).map_err(|e| Error::writing(&path, &e))?;
+        let locked = match shared {
+            true => file.try_lock_shared(),
+            false => file.try_lock(),
+        };
+        match locked {
+            Ok(()) if is_at(&file, &path) => {
+                // Others hold a lock that is shared: they put the file away.
+                if !shared {
+                    unfinished().insert(path);
+                }
+                return Ok(Some(file));
+            }
+            // Another run put it away between the two: there is a new one, or none.
+            Ok(()) => {}
+            Err(fs::TryLockError::WouldBlock) => return Err(in_use(folder)),
+            Err(fs::TryLockError::Error(e)) => {
+                tracing::warn!("{} is not locked: {e}", folder.display());
+                return Ok(None);
+            }
+        }
+    }
+}
+
+fn in_use(folder: &Path) -> Error {
+    Error::output(folder, "another run of glimt writes to this folder").fix(
+        "wait for it, or choose another folder with --out; runs whose frames are different can share one: give --share to all of them",
+    )
+}
+
+/// Opens the file that is locked. It is a plain file or not there: a link or a pipe of its name is not opened.
+fn open_lock(path: &Path) -> io::Result<File> {
+    // Some file systems want both for both kinds of lock.
+    let both = || File::options().read(true).write(true).clone();
+    match both().create_new(true).open(path) {
+        Err(e) if e.kind() == io::ErrorKind::AlreadyExists => {}
+        created => return created,
+    }
+    match fs::symlink_metadata(path) {
+        Ok(data) if !data.is_file() => Err(io::Error::other("it is not a file; remove it")),
+        Err(e) if e.kind() == io::ErrorKind::NotFound => open_lock(path),
+        Err(e) => Err(e),
+        Ok(_) => match both().open(path) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => open_lock(path),
+            opened => opened,
+        },
+    }
+}
+
+/// Whether an open file is the one at a path.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let identity = |data: fs::Metadata| (data.dev(), data.ino());
+    let at = fs::metadata(path).map(identity);
+    file.metadata().map(identity).ok() == at.ok()
+}
+
+/// Elsewhere a file that is open is not removed.
+#[cfg(not(unix))]
+fn is_at(_file: &File, _path: &Path) -> bool {
+    true
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::target::Guard;
     use super::*;
+
+    fn folder(test: &str) -> PathBuf {
+        let name = format!("glimt-atomic-{test}-{}", std::process::id());
+        std::env::temp_dir().join(name)
+    }
+
+    fn names(folder: &Path) -> Vec<OsString> {
+        let entries = fs::read_dir(folder).unwrap();
+        entries.map(|entry| entry.unwrap().file_name()).collect()
+    }
 
     #[test]
     fn the_name_is_taken_at_the_end_only() {
-        let folder = std::env::temp_dir().join(format!("glimt-atomic-{}", std::process::id()));
+        let folder = folder("name");
         prepare_folder(&folder).unwrap();
-        let target = folder.join("a.bin");
-        let stale = part_name(&target, u32::MAX);
-        fs::write(&stale, b"old").unwrap();
+        let file = folder.join("a.bin");
+        let target = Guard::new(true).target(&file).unwrap();
 
         let mut pending = Pending::create(&target).unwrap();
         pending.write_all(b"new").unwrap();
-        assert!(!target.exists() && !stale.exists());
+        assert!(!file.exists());
         drop(pending);
-        assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
+        assert!(names(&folder).is_empty());
 
         let mut pending = Pending::create(&target).unwrap();
         pending.write_all(b"new").unwrap();
         pending.commit().unwrap();
-        assert_eq!(fs::read(&target).unwrap(), b"new");
-        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        assert_eq!(fs::read(&file).unwrap(), b"new");
+        assert_eq!(names(&folder), ["a.bin"]);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn parts_that_killed_runs_left_are_removed_and_others_are_not() {
+        let folder = folder("parts");
+        prepare_folder(&folder).unwrap();
+        let target = Guard::new(true).target(&folder.join("a.bin")).unwrap();
+        let mut living = Pending::create(&target).unwrap();
+        let left = folder.join(".b.bin.0123456789abcdef.part");
+        fs::write(&left, b"old").unwrap();
+        fs::write(folder.join(".c.part"), b"another program's").unwrap();
+        let long_ago = std::time::SystemTime::now() - 2 * YOUNG;
+        for file in [&left, living.part()] {
+            let file = File::options().write(true).open(file).unwrap();
+            file.set_modified(long_ago).unwrap();
+        }
+
+        drop(Folder::claim(&folder, true).unwrap());
+        assert!(!left.exists() && living.part().exists());
+        living.write_all(b"new").unwrap();
+        living.commit().unwrap();
+
+        fs::write(&left, b"young, and nobody else is here").unwrap();
+        drop(Folder::claim(&folder, false).unwrap());
+        let mut names = names(&folder);
+        names.sort();
+        assert_eq!(names, [".c.part", "a.bin"]);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn one_run_has_a_folder_or_several_share_it() {
+        let folder = folder("lock");
+        let first = Folder::claim(&folder, false).unwrap();
+        let refused = |shared| Folder::claim(&folder, shared).unwrap_err().to_string();
+        assert!(refused(false).contains("another run of glimt"));
+        assert!(refused(true).contains("another run of glimt"));
+        drop(first);
+        let both = [(); 2].map(|()| Folder::claim(&folder, true).unwrap());
+        assert!(refused(false).contains("--share"));
+        drop(both);
+        drop(Folder::claim(&folder, false).unwrap());
+        assert!(names(&folder).is_empty());
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_planted_link_is_not_followed() {
+        let folder = folder("link");
+        fs::create_dir_all(&folder).unwrap();
+        let precious = folder.join("precious");
+        fs::write(&precious, b"kept").unwrap();
+        std::os::unix::fs::symlink(&precious, folder.join(LOCK)).unwrap();
+        let refused = Folder::claim(&folder, false).unwrap_err().to_string();
+        assert!(refused.contains("it is not a file"), "{refused}");
+        assert_eq!(fs::read(&precious).unwrap(), b"kept");
         fs::remove_dir_all(&folder).unwrap();
     }
 }

@@ -2,7 +2,7 @@
 //! for; or RGB of 32 or 16 bits. Rec. 709 primaries, ZIP.
 
 use super::aov::{Channel, DISPLAY, FORMULA_KEY};
-use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending};
+use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending, target::Target};
 use crate::error::{Error, Result};
 use crate::input::primaries::REC_709;
 use ::exr::error::UnitResult;
@@ -36,7 +36,7 @@ pub struct Layers {
 /// # Errors
 /// The file cannot be written.
 pub fn write(
-    file: &Path,
+    file: &Target,
     size: UVec2,
     pixels: &[Vec4],
     layers: Layers,
@@ -77,7 +77,7 @@ pub enum Storage {
 /// # Errors
 /// The file cannot be written.
 pub fn write_rgb(
-    file: &Path,
+    file: &Target,
     size: UVec2,
     pixels: &[Vec4],
     stamp: &Stamp,
@@ -109,7 +109,7 @@ fn planes<'a>(
 }
 
 fn store(
-    file: &Path,
+    file: &Target,
     size: UVec2,
     channels: SmallVec<[AnyChannel<FlatSamples>; 4]>,
     compression: Compression,
@@ -155,8 +155,8 @@ fn store(
         .to_buffered(&mut pending)
         .and_then(|()| sort_attributes(&headers[0], &mut pending))
         .map_err(|e| match e {
-            ::exr::error::Error::Io(e) => Error::writing(file, &e),
-            e => Error::output(file, e),
+            ::exr::error::Error::Io(e) => Error::writing(file.path(), &e),
+            e => Error::output(file.path(), e),
         })?;
     pending.commit()
 }
@@ -245,6 +245,7 @@ pub fn read_display(file: &Path) -> Result<Vec<[u8; 4]>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::output::target::Guard;
     use crate::shot::Shadow;
 
     /// Each image is encoded with hash maps of its own, as in another run of the program.
@@ -271,7 +272,8 @@ mod tests {
                 channels: vec![channel("object.R"), channel("smc.age")],
                 formula: Some(super::super::aov::formula(Shadow::Add)),
             };
-            write(&file, size, &pixels, layers, &stamp).unwrap();
+            let target = Guard::default().target(&file).unwrap();
+            write(&target, size, &pixels, layers, &stamp).unwrap();
             std::fs::read(&file).unwrap()
         };
         let first = encoded();

@@ -1,6 +1,6 @@
 //! Host file: display frames as PNG, 8 bits, sRGB.
 
-use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending, display_bytes};
+use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending, display_bytes, target::Target};
 use crate::error::{Error, Result};
 use ::png::{
     BitDepth, ColorType, Compression, Decoder, Encoder, EncodingError, SrgbRenderingIntent,
@@ -14,11 +14,8 @@ use std::path::Path;
 ///
 /// # Errors
 /// The file cannot be written.
-pub fn write(file: &Path, image: &FrameImage, stamp: &Stamp) -> Result<()> {
-    let fail = |e: EncodingError| match e {
-        EncodingError::IoError(e) => Error::writing(file, &e),
-        e => Error::output(file, e),
-    };
+pub fn write(file: &Target, image: &FrameImage, stamp: &Stamp) -> Result<()> {
+    let fail = |e| refused(file, e);
     let (bytes, alpha) = display_bytes(image);
     let mut pending = Pending::create(file)?;
     let mut encoder = Encoder::new(&mut pending, image.size.x, image.size.y);
@@ -48,7 +45,7 @@ pub fn write(file: &Path, image: &FrameImage, stamp: &Stamp) -> Result<()> {
 ///
 /// # Errors
 /// The file cannot be written.
-pub fn write_mask(file: &Path, size: UVec2, values: &[u8]) -> Result<()> {
+pub fn write_mask(file: &Target, size: UVec2, values: &[u8]) -> Result<()> {
     write_plain(file, size, values, ColorType::Grayscale)
 }
 
@@ -56,23 +53,30 @@ pub fn write_mask(file: &Path, size: UVec2, values: &[u8]) -> Result<()> {
 ///
 /// # Errors
 /// The file cannot be written.
-pub fn write_rgb(file: &Path, size: UVec2, codes: &[u8]) -> Result<()> {
+pub fn write_rgb(file: &Target, size: UVec2, codes: &[u8]) -> Result<()> {
     write_plain(file, size, codes, ColorType::Rgb)
 }
 
-fn write_plain(file: &Path, size: UVec2, bytes: &[u8], colour: ColorType) -> Result<()> {
-    let fail = |e: EncodingError| match e {
-        EncodingError::IoError(e) => Error::writing(file, &e),
-        e => Error::output(file, e),
-    };
+fn write_plain(file: &Target, size: UVec2, bytes: &[u8], colour: ColorType) -> Result<()> {
+    let fail = |e| refused(file, e);
     let mut pending = Pending::create(file)?;
     let mut encoder = Encoder::new(&mut pending, size.x, size.y);
     encoder.set_color(colour);
     encoder.set_depth(BitDepth::Eight);
+    encoder
+        .add_text_chunk("Software".to_owned(), SOFTWARE.to_owned())
+        .map_err(fail)?;
     let mut writer = encoder.write_header().map_err(fail)?;
     writer.write_image_data(bytes).map_err(fail)?;
     writer.finish().map_err(fail)?;
     pending.commit()
+}
+
+fn refused(file: &Target, error: EncodingError) -> Error {
+    match error {
+        EncodingError::IoError(e) => Error::writing(file.path(), &e),
+        e => Error::output(file.path(), e),
+    }
 }
 
 /// The last chunk of every PNG: no data, its name, its checksum.

@@ -3,7 +3,8 @@
 //! A line of text that names the format, the length of a header, the header in JSON, then light map, rays and particles as they
 //! lie in memory (little-endian), and the SHA-256 of all of it.
 
-use super::atomic::Pending;
+use super::atomic::{Pending, prepare_folder};
+use super::target::{Guard, Target};
 use crate::error::{Error, Result};
 use crate::shot::digest::Hash;
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
@@ -18,6 +19,39 @@ use std::io::{Read, Write};
 use std::path::Path;
 
 const MAGIC: &[u8] = b"glimt sequential sampler 1\n";
+
+/// Where a state may be written: where nothing is, or another state.
+///
+/// # Errors
+/// Something else is there, or a state that is read.
+pub fn target(guard: &Guard, file: &Path) -> Result<Target> {
+    let is_there = std::fs::metadata(file).is_ok_and(|data| data.is_file() && data.len() > 0);
+    let is_state = || {
+        let mut start = [0; MAGIC.len()];
+        let mut reader = File::open(file).ok()?;
+        reader.read_exact(&mut start).ok()?;
+        Some(start == MAGIC)
+    };
+    if is_there && is_state() != Some(true) {
+        let what = "it is there already, and it is not a state of the sequential sampler";
+        return Err(Error::usage(what)
+            .file(file)
+            .fix("name another with --state-out"));
+    }
+    let target = guard.target(file)?;
+    if let Some(folder) = file.parent().filter(|folder| folder.is_dir()) {
+        prepare_folder(folder)?;
+    }
+    Ok(target)
+}
+
+/// The most bytes that a state has, of a light of so many texels, so many rays, particles of each, and objects.
+#[must_use]
+pub fn bytes(texels: u64, rays: u64, particles: u64, objects: u64) -> u64 {
+    let header = 4096 + 32 * 16 * objects;
+    let set = size_of::<RayState>() as u64 + particles * size_of::<Particle>() as u64;
+    header + texels * size_of::<Vec4>() as u64 + rays * set
+}
 
 /// A saved state.
 #[derive(Clone, Debug)]
@@ -48,11 +82,11 @@ struct Header {
     light_mean: f32,
 }
 
-/// Writes a state.
+/// Writes a state, and gives its file the name.
 ///
 /// # Errors
 /// The file cannot be written.
-pub fn write(file: &Path, saved: &Saved) -> Result<()> {
+pub fn write(pending: &mut Pending, saved: &Saved) -> Result<()> {
     let past = &saved.state.past;
     let header = Header {
         chain: saved.chain,
@@ -84,7 +118,6 @@ pub fn write(file: &Path, saved: &Saved) -> Result<()> {
         bytemuck::cast_slice(&saved.state.rays),
         bytemuck::cast_slice(&saved.state.particles),
     ];
-    let mut pending = Pending::create(file)?;
     let mut hasher = Sha256::new();
     for part in parts {
         hasher.update(part);
@@ -95,9 +128,9 @@ pub fn write(file: &Path, saved: &Saved) -> Result<()> {
     pending.commit()
 }
 
-/// The hash of everything that a state came from, of a file that need not be there; its arrays are not looked at.
+/// The hashes of everything that a state came from and of its shot, of a file that need not be there; its arrays are not looked at.
 #[must_use]
-pub fn read_chain(file: &Path) -> Option<Hash> {
+pub fn read_hashes(file: &Path) -> Option<[Hash; 2]> {
     let mut reader = File::open(file).ok()?;
     let mut bytes = vec![0; MAGIC.len() + 4];
     reader.read_exact(&mut bytes).ok()?;
@@ -107,7 +140,8 @@ pub fn read_chain(file: &Path) -> Option<Hash> {
     let length = *bytes.last_chunk::<4>()?;
     let most = u64::from(u32::from_le_bytes(length));
     reader.take(most).read_to_end(&mut bytes).ok()?;
-    Some(header(&bytes)?.0.chain)
+    let (header, _) = header(&bytes)?;
+    Some([header.chain, header.setup])
 }
 
 /// The header, and what follows it.

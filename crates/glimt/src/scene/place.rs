@@ -16,6 +16,7 @@ use glimt_render_gpu::prepare::scene_build::MAX_COORDINATE;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::f32::consts::FRAC_PI_2;
+use std::path::PathBuf;
 
 /// A scene, and what moves in it.
 #[derive(Clone, Debug)]
@@ -26,6 +27,8 @@ pub struct Placed {
     pub view: View,
     /// How it moves: each of the shot's objects.
     pub movers: Vec<Mover>,
+    /// Of each of the shot's objects its mesh file, and what that refers to; none of a built-in mesh.
+    pub files: Vec<Vec<PathBuf>>,
     /// Hash of the contents of all mesh files.
     pub digest: Hash,
     /// Triangles, counting each placing of a mesh.
@@ -106,6 +109,7 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
             })?;
         }
         placing.digests.push(entry.model.digest(name)?);
+        placing.files.push(entry.model.files.clone());
         placing.add(object, entry, mover, shot.probe.fps);
     }
     let bounds = placing.subject.or(placing.all);
@@ -114,6 +118,7 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
         view: View::new(shot, source, bounds, &placing.cameras)?,
         movers: placing.movers,
         scene: placing.scene,
+        files: placing.files,
         digest: join(&placing.digests),
         triangles: placing.triangles,
         owners: placing.owners,
@@ -128,6 +133,7 @@ struct Placing {
     /// Which of the shot's objects each object of the scene is a part of.
     owners: Vec<usize>,
     cameras: Vec<FileCamera>,
+    files: Vec<Vec<PathBuf>>,
     digests: Vec<Hash>,
     triangles: usize,
     /// Bounds of all objects.

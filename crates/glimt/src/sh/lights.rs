@@ -114,14 +114,9 @@ impl Found {
         })
     }
 
-    /// Whether this is a light's file: one that is asked for, or another frame of the same sequence.
-    pub(super) fn has(&self, same: impl Fn(&Path) -> bool) -> bool {
-        let mut sources = self.sources.iter();
-        sources.any(|(files, frames)| {
-            let there = files.listed().unwrap_or_default();
-            let mut all = there.iter().chain(frames);
-            all.any(|frame| same(&files.path(*frame)))
-        })
+    /// The files of the lights, also of those frames of a sequence that are not asked for.
+    pub(super) fn files(&self) -> impl Iterator<Item = &FrameFiles> {
+        self.sources.iter().map(|(files, _)| files)
     }
 
     /// Reads their headers; in film of a mirror ball, looks for the ball.
@@ -218,7 +213,8 @@ impl Lights {
     /// Reads one.
     pub(super) fn load(&self, i: usize, notes: &mut Notes) -> Result<EnvMap> {
         let LightOfProbe { frame, probe, .. } = self.frames[i];
-        self.probes[probe].load(frame, notes)
+        let (map, _) = self.probes[probe].load(frame, notes)?;
+        Ok(map)
     }
 
     /// How they are turned in the world.

@@ -5,8 +5,11 @@ mod text;
 
 use crate::cli::{ShConvention, ShFlags, ShFormat, Up};
 use crate::error::{Error, Kind, Result};
+use crate::interrupt;
 use crate::notes::Notes;
-use crate::output::atomic::{Pending, is_same_file};
+use crate::output::atomic::{self, Pending};
+use crate::output::target::Guard;
+use crate::printable::path_in_line;
 use crate::report::{FrameStatus, Reporter, count, shown};
 use glam::{Mat3, UVec2};
 use glimt_render_gpu::prepare::env::EnvMap;
@@ -47,7 +50,7 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
     let found = found?;
     // Before the work, so that it is not in vain.
     let mut pending = match &flags.out {
-        Some(out) => Some(begin(out, inputs, &found)?),
+        Some(out) => Some(begin(out, inputs, &found, flags.overwrite)?),
         None => None,
     };
     let looked = |done, all| reporter.stage("looking for the ball", done, all);
@@ -89,7 +92,7 @@ pub fn run(inputs: &[PathBuf], flags: &ShFlags, reporter: &Reporter) -> Result<(
     let text = format!(
         "{} in {seconds:.1} s: {}",
         count(projected.len(), "light"),
-        into.display()
+        path_in_line(into)
     );
     reporter.finish(summary, &text);
     Ok(())
@@ -111,6 +114,7 @@ impl Task<'_> {
         let mut projected: Vec<Projected> = Vec::new();
         let mut before: Option<LightCoefficients> = None;
         for i in 0..self.lights.len() {
+            interrupt::check(|| "no coefficients are written".to_owned())?;
             let started = Instant::now();
             let map = self.lights.load(i, notes);
             reporter.notes(notes.take());
@@ -172,21 +176,17 @@ fn project(kept: &mut Option<Projector>, map: &EnvMap, bands: u32) -> Result<Lig
 }
 
 /// Begins to write the file, which must be nothing that is read, nor another frame of a sequence of which a part is read.
-fn begin(out: &Path, inputs: &[PathBuf], found: &Found) -> Result<Pending> {
-    let refused = |what: &str| {
-        let error = Error::usage(what).file(out);
-        Err(error.fix("name another file with -o"))
-    };
-    if out.is_dir() {
-        return refused("this is a folder");
+fn begin(out: &Path, inputs: &[PathBuf], found: &Found, overwrite: bool) -> Result<Pending> {
+    let mut guard = Guard::new(overwrite);
+    for files in found.files() {
+        guard.reads_sequence("one of the lights", files);
     }
-    if found.has(|path| is_same_file(path, out)) {
-        return refused("this is one of the lights, and would be written over");
+    guard.reads_all("the shot", inputs.iter().cloned());
+    let target = guard.target(out)?;
+    if let Some(folder) = out.parent().filter(|folder| folder.is_dir()) {
+        atomic::prepare_folder(folder)?;
     }
-    if inputs.iter().any(|input| is_same_file(input, out)) {
-        return refused("this is the shot that is read, and would be written over");
-    }
-    Pending::create(out)
+    Pending::create(&target)
 }
 
 fn print(text: &str) -> Result<()> {

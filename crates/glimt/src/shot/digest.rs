@@ -32,6 +32,12 @@ pub fn of_file(file: &Path) -> Result<Hash> {
     }
 }
 
+/// Hash of a file's content that was read.
+#[must_use]
+pub fn of_bytes(bytes: &[u8]) -> Hash {
+    Sha256::digest(bytes).into()
+}
+
 /// Hash of the keys of a shot that its pixels depend on: neither paths (contents count), nor outputs, nor which frames.
 pub fn of_shot(shot: &Shot) -> Hash {
     let mut shot = shot.clone();

@@ -9,16 +9,20 @@ use super::world::World;
 use crate::cli::SynthFlags;
 use crate::device::{self, Processor};
 use crate::error::{Error, Result};
-use crate::input::light_image::read_all_directions;
+use crate::input::light_image::{LightImage, read_all_directions};
 use crate::input::plate;
+use crate::interrupt;
 use crate::light::check_shape;
 use crate::notes::Notes;
+use crate::output::atomic::Folder;
 use crate::output::exr::Storage;
-use crate::output::{Stamp, atomic, exr, png, write_text};
+use crate::output::target::Guard;
+use crate::output::{Stamp, exr, png, write_editable, write_text};
+use crate::printable::path_in_line;
 use crate::report::{FrameStatus, Reporter, count, shown};
 use crate::shot::digest::{self, Hash};
 use crate::shot::{Mapping, parse, range};
-use glam::{UVec2, Vec4};
+use glam::UVec2;
 use glimt_render_gpu::generated::digests;
 use rayon::prelude::*;
 use serde_json::json;
@@ -37,16 +41,18 @@ pub fn run(input: Option<&Path>, flags: &SynthFlags, reporter: &Reporter) -> Res
     reporter.notes(notes.take());
     let job = job?;
     let synth = job.filming.synth();
-    for (folder, on) in [
+    let current: Vec<bool> = job.frames.par_iter().map(|f| job.is_current(*f)).collect();
+    job.check_targets(&current)?;
+    let folder = Folder::claim(&job.out, flags.write.share)?;
+    for (name, on) in [
         ("capture", synth.capture.on),
         ("plate", synth.plate.on),
         ("truth", true),
     ] {
         if on {
-            atomic::prepare_folder(&job.out.join(folder))?;
+            folder.within(name)?;
         }
     }
-    let current: Vec<bool> = job.frames.par_iter().map(|f| job.is_current(*f)).collect();
     let processor = match current.iter().all(|c| *c) {
         true => None,
         false => Some(device::open_processor(flags.device)?),
@@ -56,9 +62,10 @@ pub fn run(input: Option<&Path>, flags: &SynthFlags, reporter: &Reporter) -> Res
         Some(processor) => processor.name(),
     };
     reporter.start_filming(job.frames.len(), &job.out, &name);
-    job.write_truth()?;
+    job.write_truth(reporter)?;
     let mut filmed = 0;
     for (done, (&frame, current)) in (1..).zip(job.frames.iter().zip(current)) {
+        interrupt::check(|| format!("{} of {} frames are there", done - 1, job.frames.len()))?;
         let status = match &processor {
             Some(processor) if !current => {
                 let began = Instant::now();
@@ -78,7 +85,7 @@ pub fn run(input: Option<&Path>, flags: &SynthFlags, reporter: &Reporter) -> Res
     let text = format!(
         "{} filmed, {skipped} there already, in {seconds:.1} s: {}",
         count(filmed, "frame"),
-        job.out.display()
+        path_in_line(&job.out)
     );
     reporter.finish(summary, &text);
     Ok(())
@@ -91,6 +98,8 @@ struct Job {
     digest: Hash,
     frames: Vec<u32>,
     out: PathBuf,
+    /// What may be written: nothing that is read.
+    guard: Guard,
 }
 
 impl Job {
@@ -143,20 +152,23 @@ impl Job {
         plain.plate.panorama.clear();
         plain.output = super::Output::default();
         hasher.update(serde_json::to_vec(&plain).expect("settings are plain data"));
-        for file in [&light, &panorama] {
-            hasher.update(match file {
-                Some(file) => digest::of_file(file)?,
-                None => [0; 32],
-            });
-        }
+        let mut guard = Guard::new(flags.write.overwrite);
+        guard.reads_all("the settings", settings.map(Path::to_owned));
+        guard.reads_all("the light map", light.clone());
+        guard.reads_all("the panorama", panorama.clone());
         let map = light.map(|file| read_light(&file, notes)).transpose()?;
         let panorama = panorama.map(|file| read_panorama(&file)).transpose()?;
+        for read in [&map, &panorama] {
+            hasher.update(read.as_ref().map_or([0; 32], |read| read.hash));
+        }
+        let [map, panorama] = [map, panorama].map(|read| read.map(|read| (read.size, read.pixels)));
         let out = flags.out.clone();
         Ok(Self {
             out: out.unwrap_or_else(|| base.join(&synth.output.dir)),
             filming: Filming::new(synth, map, panorama),
             digest: hasher.finalize().into(),
             frames,
+            guard,
         })
     }
 
@@ -197,18 +209,45 @@ impl Job {
             && (!plate.on || plate_there())
     }
 
+    /// Sees that what is to be written may be.
+    fn check_targets(&self, current: &[bool]) -> Result<()> {
+        let synth = self.filming.synth();
+        for name in ["truth/truth.json", "truth/mask.png"] {
+            self.guard.target(&self.out.join(name))?;
+        }
+        for (&frame, _) in self
+            .frames
+            .iter()
+            .zip(current)
+            .filter(|(_, current)| !**current)
+        {
+            for (file, on) in [
+                (self.ball_file(frame), synth.capture.on),
+                (self.plate_file(frame), synth.plate.on),
+                (self.map_file(frame), true),
+            ] {
+                if on {
+                    self.guard.target(&file)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// What does not depend on filming: the numbers of all frames, the mask, and the shot.
-    fn write_truth(&self) -> Result<()> {
+    fn write_truth(&self, reporter: &Reporter) -> Result<()> {
         let synth = self.filming.synth();
         let truth: Vec<FrameTruth> = (1..=synth.frames)
             .map(|frame| self.filming.truth_of(frame))
             .collect();
         let json = serde_json::to_string_pretty(&truth_json(synth, &truth))
             .expect("numbers are plain data");
-        write_text(&self.out.join("truth/truth.json"), &json)?;
-        write_text(&self.out.join("shot.toml"), &shot_toml(synth))?;
+        let target = |name: &str| self.guard.target(&self.out.join(name));
+        write_text(&target("truth/truth.json")?, &json)?;
+        let shot = self.out.join("shot.toml");
+        write_editable(&self.guard, &shot, &shot_toml(synth), reporter)?;
         let size = UVec2::from(synth.truth.size);
-        png::write_mask(&self.out.join("truth/mask.png"), size, &mask(synth, size))
+        png::write_mask(&target("truth/mask.png")?, size, &mask(synth, size))
     }
 
     fn film(&self, processor: &Processor, frame: u32) -> Result<()> {
@@ -222,15 +261,16 @@ impl Job {
                 (false, 0) => Storage::Float,
                 (false, _) => Storage::Noisy,
             };
-            let file = self.ball_file(frame);
+            let file = self.guard.target(&self.ball_file(frame))?;
             exr::write_rgb(&file, ball.size, &ball.pixels, &stamp, storage)?;
         }
         let size = UVec2::from(synth.truth.size);
         let map = filming.truth_map(processor, &world, frame, size)?;
-        exr::write_rgb(&self.map_file(frame), size, &map, &stamp, Storage::Float)?;
+        let file = self.guard.target(&self.map_file(frame))?;
+        exr::write_rgb(&file, size, &map, &stamp, Storage::Float)?;
         if synth.plate.on {
             let plate = filming.film_plate(processor, &world, frame)?;
-            let file = self.plate_file(frame);
+            let file = self.guard.target(&self.plate_file(frame))?;
             match synth.plate.format {
                 PlateFormat::Png => png::write(&file, &plate, &stamp)?,
                 PlateFormat::Exr => {
@@ -243,16 +283,19 @@ impl Job {
 }
 
 /// Reads a lat-long map of light.
-fn read_light(file: &Path, notes: &mut Notes) -> Result<(UVec2, Vec<Vec4>)> {
+fn read_light(file: &Path, notes: &mut Notes) -> Result<LightImage> {
     let image = read_all_directions(file, notes)?;
     check_shape(Mapping::LatLong, image.size, file, notes)?;
-    Ok((image.size, image.pixels))
+    Ok(image)
 }
 
 /// Reads a display-referred lat-long picture; its sRGB curve is undone.
-fn read_panorama(file: &Path) -> Result<(UVec2, Vec<Vec4>)> {
+fn read_panorama(file: &Path) -> Result<LightImage> {
     let image = plate::read(file, &mut Notes::default())?;
-    let size = image.size;
     let linear = image.colours.into_linear();
-    Ok((size, linear.iter().map(|c| c.extend(1.0)).collect()))
+    Ok(LightImage {
+        size: image.size,
+        pixels: linear.iter().map(|c| c.extend(1.0)).collect(),
+        hash: image.hash,
+    })
 }

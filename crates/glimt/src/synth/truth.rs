@@ -3,6 +3,7 @@
 
 use super::geometry::{FrameTruth, ball, capture_params, focal_px, plate_camera};
 use super::settings::{PlateFormat, Synth};
+use crate::output::SOFTWARE;
 use glam::{UVec2, Vec3};
 use glimt_probe::latlong::texel_direction;
 use glimt_render_gpu::kernels::stage::NO_HIT;
@@ -44,6 +45,7 @@ pub(super) fn mask(synth: &Synth, size: UVec2) -> Vec<u8> {
 pub(super) fn truth_json(synth: &Synth, frames: &[FrameTruth]) -> Value {
     let steady = ball(synth);
     json!({
+        "software": SOFTWARE,
         "capture": {
             "size": synth.capture.size,
             "focal_px": focal_px(synth),
@@ -115,7 +117,7 @@ pub(super) fn shot_toml(synth: &Synth) -> String {
         ),
     };
     format!(
-        "# A sphere where the mirror ball was, seen by the second camera. Written by glimt synth.\n\n\
+        "# A sphere where the mirror ball was, seen by the second camera.\n\n\
          [image]\nsize = [{width}, {height}]\nexposure_ev = {exposure:?}\n\n\
          [camera]\neye = {eye}\ntarget = {target}\nup = {up}\nfov_x_deg = {fov:?}\n\n\
          {probe}\

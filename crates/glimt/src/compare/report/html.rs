@@ -8,6 +8,7 @@ use crate::compare::flip;
 use crate::compare::measures::{DEFINITIONS, LocalBias, Score};
 use crate::compare::outcome::{Figures, Mode, Outcome, milliseconds, percent, plus_minus};
 use crate::compare::statistics::Estimate;
+use crate::output::SOFTWARE;
 
 const STYLE: &str = "\
 :root { color-scheme: light dark; --ground: #fff; --text: #1b1b1f; --faint: #5c5c66; --line: #d5d5dc; --mark: #f3f3f6; --bad: #a8200d; }
@@ -69,7 +70,7 @@ pub fn page(outcome: &Outcome, pictures: &[Pictures]) -> String {
     }
     body.push_str("</dl>\n");
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"generator\" content=\"{SOFTWARE}\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>glimt compare: {}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n{body}</body>\n</html>\n",
         escape(&about.shot)

@@ -13,6 +13,7 @@ use super::reference::Reference;
 use super::trial_renderer::TrialRenderer;
 use super::trials::Trial;
 use crate::error::{Error, Result};
+use crate::output::target::Guard;
 use crate::output::write_text;
 use picture::{Crop, Scale};
 use std::path::{Path, PathBuf};
@@ -37,12 +38,16 @@ pub struct Pictures {
     pub scale: Scale,
 }
 
+/// Of the files of a report, which are called compare.
+pub const EXTENSIONS: [&str; 3] = ["html", "json", "csv"];
+
 /// Writes compare.html, compare.json and compare.csv; says where they are.
 ///
 /// # Errors
 /// One cannot be written.
 pub fn write(
     out: &Path,
+    guard: &Guard,
     findings: &Findings,
     renderer: &TrialRenderer<'_>,
 ) -> Result<Vec<PathBuf>> {
@@ -61,11 +66,11 @@ pub fn write(
         let of_frame: Vec<&Trial> = trials.iter().map(|t| &t[i]).collect();
         pictures.push(draw(contestants, references[i], &of_frame, renderer)?);
     }
-    let [html, json, csv] = ["html", "json", "csv"].map(|e| out.join(format!("compare.{e}")));
+    let [html, json, csv] = EXTENSIONS.map(|e| out.join(format!("compare.{e}")));
     let value = serde_json::to_string_pretty(outcome).map_err(|e| Error::output(&json, e))?;
-    write_text(&json, &(value + "\n"))?;
-    write_text(&csv, &csv::table(outcome))?;
-    write_text(&html, &html::page(outcome, &pictures))?;
+    write_text(&guard.target(&json)?, &(value + "\n"))?;
+    write_text(&guard.target(&csv)?, &csv::table(outcome))?;
+    write_text(&guard.target(&html)?, &html::page(outcome, &pictures))?;
     Ok(vec![html, json, csv])
 }
 

@@ -49,6 +49,9 @@ impl Ffmpeg {
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .stderr(Stdio::piped());
+        // Signals of the terminal are for this program, which then ends the video or drops it.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let child = command.spawn().map_err(|e| {
             Error::output(pending.target(), format!("ffmpeg cannot be started: {e}"))
                 .fix("install it, or use the built-in encoder: --set output.codec=av1")

@@ -4,6 +4,7 @@ mod av1;
 mod ffmpeg;
 
 use super::atomic::{Pending, prepare_folder};
+use super::target::Target;
 use crate::error::{Error, Result};
 use crate::shot::Codec;
 use glam::UVec2;
@@ -23,10 +24,10 @@ pub enum Encoder {
 ///
 /// # Errors
 /// The frames are too small, the file cannot be written, or `ffmpeg` is asked for and not found.
-pub fn prepare(file: &Path, size: UVec2, codec: Codec) -> Result<Encoder> {
+pub fn prepare(file: &Target, size: UVec2, codec: Codec) -> Result<Encoder> {
     if size.min_element() < 16 {
         return Err(
-            Error::output(file, "a video cannot be smaller than 16 × 16 pixels")
+            Error::output(file.path(), "a video cannot be smaller than 16 × 16 pixels")
                 .fix("render larger frames, or leave the video out: --set output.video="),
         );
     }
@@ -35,15 +36,11 @@ pub fn prepare(file: &Path, size: UVec2, codec: Codec) -> Result<Encoder> {
         Codec::Auto | Codec::H264 if ffmpeg::is_found() => Encoder::H264,
         Codec::Auto => Encoder::Av1,
         Codec::H264 => {
-            return Err(Error::output(file, "ffmpeg cannot be started")
+            return Err(Error::output(file.path(), "ffmpeg cannot be started")
                 .fix("install it, or use the built-in encoder: --set output.codec=av1"));
         }
     };
-    if file.is_dir() {
-        return Err(Error::output(file, "a folder has the video's name")
-            .fix("remove it, or choose another name: --set output.video=NAME.mp4"));
-    }
-    if let Some(folder) = file.parent() {
+    if let Some(folder) = file.path().parent() {
         prepare_folder(folder)?;
     }
     Ok(encoder)
@@ -63,7 +60,7 @@ impl Video {
     /// # Errors
     /// The file cannot be written, or the encoder does not start.
     pub fn create(
-        file: &Path,
+        file: &Target,
         size: UVec2,
         fps: f32,
         encoder: Encoder,
