@@ -12,6 +12,7 @@ use crate::{bake, compare, demo, follow, info, render, sh, synth, unwarp};
 /// # Errors
 /// The first thing that fails.
 pub fn run(command: Command, reporter: &Reporter) -> Result<()> {
+    reporter.busy("reading what the command names");
     match command {
         Command::Demo { flags } => demo::run(&flags, reporter),
         Command::Render {

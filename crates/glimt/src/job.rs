@@ -57,6 +57,7 @@ impl Job {
         check::check(&shot, &source)?;
 
         let files = probe_files(&shot, &source)?;
+        reporter.busy("reading the headers of light and backplate");
         let footage = Footage::find(&shot, &source, &files, notes)?;
         let (asked, of_shot) = choose_frames(&shot, &files, footage.as_ref(), flags, notes)?;
         check_past(&flags.past, &shot.render)?;
@@ -79,6 +80,7 @@ impl Job {
             frames[0],
             notes,
         )?;
+        reporter.busy("reading the shot's meshes");
         let mut setup = Setup::load(shot, source, *of_shot.start(), flags, notes)?;
         setup.guard.reads_sequence("the shot's light", &files);
         if let Some(footage) = &footage {

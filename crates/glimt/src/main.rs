@@ -22,6 +22,9 @@ fn main() -> ExitCode {
     if let Err(error) = interrupt::listen(&reporter) {
         tracing::warn!("signals end the program at once: {error}");
     }
+    if let Err(error) = reporter.watch() {
+        tracing::warn!("long silences are not broken: {error}");
+    }
     let outcome = catch_unwind(AssertUnwindSafe(|| command::run(cli.command, &reporter)))
         .unwrap_or_else(|_| {
             Err(Error::new(

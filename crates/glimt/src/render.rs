@@ -68,12 +68,13 @@ struct VideoPlan {
 pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -> Result<()> {
     let began = Instant::now();
     let job = Arc::new(job);
+    reporter.busy("looking which frames are there already");
     let plan = Plan::new(&job, reporter)?;
     let _folder = Folder::claim(&job.setup.out, job.share)?;
     let mut state = plan.begin_state()?;
     check_current(&plan, &mut notes, reporter)?;
     let mut ready = match plan.computed.contains(&true) {
-        true => Some(SceneRenderer::open(&job, device)?),
+        true => Some(SceneRenderer::open(&job, device, reporter)?),
         false => None,
     };
     tracing::info!("scene and device are ready after {:.2?}", began.elapsed());
@@ -125,7 +126,8 @@ struct SceneRenderer {
 }
 
 impl SceneRenderer {
-    fn open(job: &Job, device: Device) -> Result<Self> {
+    fn open(job: &Job, device: Device, reporter: &Reporter) -> Result<Self> {
+        reporter.busy("building the tree of the triangles");
         let mut opened = Self {
             scene: SceneBuffers::build(&job.setup.scene)
                 .map_err(|e| job.setup.refused_scene(job.setup.first, &e))?,

@@ -8,7 +8,8 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::{Value, json};
 use std::io::{IsTerminal, Write};
 use std::path::Path;
-use std::sync::{Mutex, OnceLock};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::{Duration, Instant};
 
 /// Steps of the bar for each frame.
 const STEPS: u64 = 1000;
@@ -20,7 +21,24 @@ pub struct Reporter {
     bar: Mutex<Option<ProgressBar>>,
     /// The first error of writing to standard output.
     failed: OnceLock<Error>,
+    silence: Mutex<Silence>,
 }
+
+/// How long nothing has been said, and about what.
+#[derive(Debug)]
+struct Silence {
+    since: Instant,
+    /// What is done meanwhile; nothing where that says itself how far it is.
+    work: Option<&'static str>,
+    /// How long it may last before that is said.
+    patience: Duration,
+}
+
+/// How long nothing may be said at first.
+const FIRST_SILENCE: Duration = Duration::from_millis(350);
+
+/// How long nothing may be said about the same work again.
+const SILENCE: Duration = Duration::from_secs(5);
 
 /// `1 frame`, `2 frames`.
 pub fn count(n: usize, noun: &str) -> String {
@@ -72,7 +90,57 @@ impl Reporter {
             flags,
             bar: Mutex::new(None),
             failed: OnceLock::new(),
+            silence: Mutex::new(Silence {
+                since: Instant::now(),
+                work: None,
+                patience: FIRST_SILENCE,
+            }),
         }
+    }
+
+    /// Work begins that says nothing itself: what it is is said if it takes long.
+    pub fn busy(&self, work: &'static str) {
+        *self.silence() = Silence {
+            since: Instant::now(),
+            work: Some(work),
+            patience: FIRST_SILENCE,
+        };
+    }
+
+    /// Breaks silences that are too long, on a thread of its own.
+    ///
+    /// # Errors
+    /// The system has no thread for it.
+    pub fn watch(self: &Arc<Self>) -> std::io::Result<()> {
+        let reporter = Arc::clone(self);
+        let watch = move || {
+            loop {
+                std::thread::sleep(FIRST_SILENCE / 4);
+                reporter.break_silence();
+            }
+        };
+        std::thread::Builder::new()
+            .name("silence".to_owned())
+            .spawn(watch)
+            .map(drop)
+    }
+
+    fn break_silence(&self) {
+        let work = {
+            let mut silence = self.silence();
+            if silence.since.elapsed() < silence.patience {
+                return;
+            }
+            silence.patience = SILENCE;
+            silence.work
+        };
+        if let Some(work) = work.filter(|_| !self.draws()) {
+            self.step(work);
+        }
+    }
+
+    fn silence(&self) -> MutexGuard<'_, Silence> {
+        self.silence.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Whether all that was meant for standard output was written there.
@@ -103,6 +171,11 @@ impl Reporter {
         self.flags.json
     }
 
+    /// What comes says itself how far it is.
+    fn begun(&self) {
+        self.silence().work = None;
+    }
+
     /// Work on `frames` frames begins.
     pub fn start(&self, frames: usize, out: &Path, device: &str, triangles: usize) {
         self.event(&json!({
@@ -121,6 +194,7 @@ impl Reporter {
     }
 
     fn begin(&self, what: &str, frames: usize, out: &Path, device: &str) {
+        self.begun();
         if self.flags.quiet || self.flags.json {
             return;
         }
@@ -155,6 +229,7 @@ impl Reporter {
 
     /// A bar for [`progress`](Self::progress), on a terminal.
     pub fn start_bar(&self) {
+        self.begun();
         if self.flags.quiet || self.flags.json {
             return;
         }
@@ -189,6 +264,7 @@ impl Reporter {
 
     /// Frames are rendered as they appear.
     pub fn start_following(&self, files: &Path, out: &Path, device: &str, triangles: usize) {
+        self.begun();
         self.event(&json!({
             "event": "start", "follow": shown(files), "out": shown(out), "device": device, "triangles": triangles,
         }));
@@ -348,6 +424,7 @@ impl Reporter {
     }
 
     fn line(&self, text: &str) {
+        self.silence().since = Instant::now();
         let print = || {
             let _ = writeln!(std::io::stderr(), "{}", printable(text));
         };
@@ -359,13 +436,12 @@ impl Reporter {
 
     fn event(&self, value: &Value) {
         if self.flags.json {
+            self.silence().since = Instant::now();
             self.print(&value.to_string());
         }
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Option<ProgressBar>> {
-        self.bar
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner)
+    fn lock(&self) -> MutexGuard<'_, Option<ProgressBar>> {
+        self.bar.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -227,3 +227,48 @@ fn an_obj_with_a_picture() {
         .ok()
         .says(&["1 frame rendered"]);
 }
+
+/// A glTF file of `count` nodes, of which each names its children by `children`; the last has a triangle.
+fn nodes(count: usize, children: impl Fn(usize) -> String) -> Vec<u8> {
+    let nodes: Vec<String> = (0..count)
+        .map(|node| match node + 1 < count {
+            true => format!("{{\"children\":[{}]}}", children(node)),
+            false => "{\"mesh\":0}".to_owned(),
+        })
+        .collect();
+    let positions = [[0.0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let binary: Vec<u8> = positions
+        .as_flattened()
+        .iter()
+        .flat_map(|f| f.to_le_bytes())
+        .collect();
+    let json = format!(
+        r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],"buffers":[{{"byteLength":36}}],
+        "bufferViews":[{{"buffer":0,"byteLength":36}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}}]}}"#,
+        nodes.join(",")
+    );
+    common::glb(&json, &binary)
+}
+
+/// A node that is named twice at each of 40 levels would stand in 2³⁹ places.
+#[test]
+fn a_node_stands_in_one_place() {
+    let t = Scratch::new("nodes");
+    t.exr("light.exr", 8, 4, |_, _, _| 1.0);
+    let shot = |mesh: &[u8]| {
+        t.put("model.glb", mesh);
+        t.put(
+            "shot.toml",
+            "[image]\nsize = [8, 8]\nrays_per_pixel = 1\n[probe]\nframes = \"light.exr\"\n[[object]]\nmesh = \"model.glb\"\n",
+        );
+        t.run(&["render", "shot.toml"])
+    };
+    let bomb = nodes(40, |node| format!("{0},{0}", node + 1));
+    shot(&bomb).fails(3, &["model.glb", "node 39", "two places"]);
+    let circle = nodes(3, |node| (1 - node).to_string());
+    shot(&circle).fails(3, &["model.glb", "node 0"]);
+    // As deep as one likes is legal.
+    shot(&nodes(10_000, |node| (node + 1).to_string())).ok();
+}

@@ -302,7 +302,7 @@ fn nothing_is_written_over(t: &Scratch) {
     let before = |name: &str| fs::read(t.file(name)).unwrap();
     let (shot, third) = (before("shot.toml"), before("light.0003.exr"));
     t.run(&["sh", "shot.toml", "-o", "shot.toml"])
-        .fails(2, &["shot.toml", "the shot that is read"]);
+        .fails(2, &["shot.toml", "this is the shot"]);
     let sequence = ["sh", "light.####.exr", "--frames", "1-2", "-o"];
     for out in ["light.0003.exr", "./light.0003.exr"] {
         t.run(&[&sequence[..], &[out]].concat())

@@ -205,6 +205,7 @@ fn named(setup: &Setup, header: &Header, object: usize) -> String {
 /// The shot is wrong, something in it moves, there is not enough memory, or the file cannot be written.
 pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     let mut notes = Notes::new(flags.strict);
+    reporter.busy("reading the shot's meshes");
     let setup = read_shot(shot, flags, &mut notes);
     reporter.notes(notes.take());
     let setup = setup?;
@@ -225,6 +226,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
         return Err(file::too_long(&out, size));
     }
     need.check()?;
+    reporter.busy("building the tree of the triangles");
     let scene =
         SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
     let header = Header::new(&scene, &settings);

@@ -99,6 +99,7 @@ pub fn render(
         check::check(&shot, &source)?;
     }
     let first = first_frame(&shot, &watch)?;
+    reporter.busy("reading the shot's meshes");
     let setup = Setup::load(shot, source, first, flags, &mut notes);
     reporter.notes(notes.take());
     let mut setup = setup?;
@@ -154,6 +155,7 @@ impl Follow<'_> {
             }
         };
         let _folder = Folder::claim(&setup.out, self.share)?;
+        self.reporter.busy("building the tree of the triangles");
         let mut scene =
             SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
         bake::set_transfer(setup, &setup.shot, &mut scene)?;

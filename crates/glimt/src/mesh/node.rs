@@ -1,6 +1,7 @@
 //! Host file: the nodes of a mesh file: named places, each within another.
 
 use glam::{Mat4, Quat, Vec3};
+use std::collections::HashSet;
 
 /// A place in a file, at which meshes, cameras and other nodes stand.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,11 +71,9 @@ pub fn to_file(nodes: &[Node], local: impl Fn(usize, &Node) -> Mat4) -> Vec<Mat4
 
 /// The names of nodes, each once, in the order of the list.
 pub fn names(nodes: &[Node]) -> Vec<&str> {
-    let mut names: Vec<&str> = Vec::new();
-    for node in nodes {
-        if !node.name.is_empty() && !names.contains(&node.name.as_str()) {
-            names.push(&node.name);
-        }
-    }
+    let mut known = HashSet::new();
+    let names = nodes.iter().map(|node| node.name.as_str());
     names
+        .filter(|name| !name.is_empty() && known.insert(*name))
+        .collect()
 }

@@ -152,30 +152,15 @@ pub fn is_ours(file: &Path) -> io::Result<bool> {
     let length = reader.metadata()?.len();
     let mut bytes = Vec::new();
     (&mut reader).take(ENDS).read_to_end(&mut bytes)?;
-    if let [
-        b'g',
-        b'l',
-        b'T',
-        b'F',
-        _,
-        _,
-        _,
-        _,
-        _,
-        _,
-        _,
-        _,
-        a,
-        b,
-        c,
-        d,
-        ..,
-    ] = bytes[..]
-    {
-        // Its stamp is anywhere in the text that it begins with.
-        let text = u64::from(u32::from_le_bytes([a, b, c, d])).min(MOST_TEXT);
-        (&mut reader).take(text).read_to_end(&mut bytes)?;
-    }
+    // The stamp of a glTF file is anywhere in the text that it begins with, that of a video behind its tables.
+    let more = match (&bytes[..], bytes.get(12..16)) {
+        ([b'g', b'l', b'T', b'F', ..], Some(&[a, b, c, d])) => {
+            u64::from(u32::from_le_bytes([a, b, c, d])).min(MOST_TEXT)
+        }
+        ([_, _, _, _, b'f', b't', b'y', b'p', ..], _) => MOST_TABLES,
+        _ => 0,
+    };
+    (&mut reader).take(more).read_to_end(&mut bytes)?;
     let start = bytes.len();
     reader.seek(SeekFrom::Start(
         length.saturating_sub(ENDS).max(start as u64),
@@ -186,6 +171,8 @@ pub fn is_ours(file: &Path) -> io::Result<bool> {
 
 /// The longest text of a glTF file that is looked at.
 const MOST_TEXT: u64 = 1 << 28;
+/// The longest tables of a video that are looked at.
+const MOST_TABLES: u64 = 1 << 24;
 
 /// Whether the ends of a file have the stamp of their format.
 fn has_stamp(bytes: &[u8]) -> bool {

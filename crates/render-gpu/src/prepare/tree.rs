@@ -1,10 +1,12 @@
 //! Host file: the tree of boxes over a scene's triangles.
 
+use std::collections::HashMap;
 use std::time::Duration;
 
 use glam::Vec3;
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
+use rayon::prelude::*;
 
 use crate::kernels::bvh::{BvhNode, STACK_SIZE};
 use crate::kernels::triangle::Triangle;
@@ -12,9 +14,76 @@ use crate::kernels::triangle::Triangle;
 /// Most triangles in a leaf of a balanced tree.
 const LEAF: usize = 4;
 
+/// More triangles than this in one and the same box make one leaf. The builder merges such boxes one at a time, which takes time in
+/// proportion to the square of their number; and who meets one of them meets all.
+const MOST_ALIKE: usize = 16;
+
 /// The tree over the triangles (at least one), and the order in which its leaves want them. It is never deeper than the
 /// traversal's stack.
 pub(super) fn build_tree(triangles: &[Triangle]) -> (Vec<BvhNode>, Vec<u32>) {
+    match groups_alike(triangles) {
+        None => build_of_single(triangles),
+        Some(groups) => build_of_groups(triangles, &groups),
+    }
+}
+
+/// A triangle's box, to the bit.
+fn box_bits(t: &Triangle) -> [u32; 6] {
+    let (low, high) = (t.v0.min(t.v1).min(t.v2), t.v0.max(t.v1).max(t.v2));
+    [low.x, low.y, low.z, high.x, high.y, high.z].map(f32::to_bits)
+}
+
+/// The triangles of each box, in order; `None` where no box has more than [`MOST_ALIKE`].
+fn groups_alike(triangles: &[Triangle]) -> Option<Vec<Vec<u32>>> {
+    // Which boxes are alike shows in hashes, which are sorted faster.
+    let hash = |t: &Triangle| {
+        let mix = |hash: u64, word: u32| {
+            (hash ^ u64::from(word))
+                .wrapping_mul(0x9e37_79b9_7f4a_7c15)
+                .rotate_left(29)
+        };
+        box_bits(t).into_iter().fold(0, mix)
+    };
+    let mut hashes: Vec<u64> = triangles.par_iter().map(hash).collect();
+    hashes.par_sort_unstable();
+    if !hashes
+        .windows(MOST_ALIKE + 1)
+        .any(|w| w[0] == w[MOST_ALIKE])
+    {
+        return None;
+    }
+    let mut places = HashMap::new();
+    let mut groups: Vec<Vec<u32>> = Vec::new();
+    for (index, triangle) in (0..).zip(triangles) {
+        let place = *places.entry(box_bits(triangle)).or_insert(groups.len());
+        match groups.get_mut(place) {
+            Some(group) => group.push(index),
+            None => groups.push(vec![index]),
+        }
+    }
+    Some(groups)
+}
+
+/// A tree over the first triangle of each group, whose leaves hold all of it.
+fn build_of_groups(triangles: &[Triangle], groups: &[Vec<u32>]) -> (Vec<BvhNode>, Vec<u32>) {
+    let first = |group: &Vec<u32>| triangles[group[0] as usize];
+    let firsts: Vec<Triangle> = groups.iter().map(first).collect();
+    let (mut nodes, order) = build_of_single(&firsts);
+    let mut whole = Vec::with_capacity(triangles.len());
+    for leaf in nodes.iter_mut().filter(|node| node.count > 0) {
+        let start = whole.len();
+        let range = leaf.first as usize..(leaf.first + leaf.count) as usize;
+        for group in &order[range] {
+            whole.extend_from_slice(&groups[*group as usize]);
+        }
+        leaf.first = start as u32;
+        leaf.count = (whole.len() - start) as u32;
+    }
+    (nodes, whole)
+}
+
+/// A tree over triangles of which few are alike.
+fn build_of_single(triangles: &[Triangle]) -> (Vec<BvhNode>, Vec<u32>) {
     let boxed: Vec<_> = triangles
         .iter()
         .map(|t| obvhs::triangle::Triangle {
@@ -127,6 +196,31 @@ mod tests {
             }
         };
         (0..count).map(triangle).collect()
+    }
+
+    /// Quadratic builders take minutes for this.
+    #[test]
+    fn many_copies_of_a_triangle_are_one_leaf() {
+        let mut triangles = scattered(500);
+        let copies = 100_000;
+        triangles.extend(vec![scattered(77)[76]; copies]);
+        let (nodes, order) = build_tree(&triangles);
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        assert!(sorted.into_iter().eq(0..triangles.len() as u32));
+        let leaves: Vec<&BvhNode> = nodes.iter().filter(|node| node.count > 0).collect();
+        let largest = leaves.iter().max_by_key(|leaf| leaf.count).unwrap();
+        assert!(largest.count as usize > copies);
+        let mut next = vec![0; triangles.len()];
+        for node in leaves {
+            let range = node.first as usize..(node.first + node.count) as usize;
+            for &index in &order[range.clone()] {
+                next[index as usize] += 1;
+                let t = &triangles[index as usize];
+                assert!(t.v0.cmpge(node.min).all() && t.v0.cmple(node.max).all());
+            }
+        }
+        assert!(next.iter().all(|times| *times == 1));
     }
 
     #[test]

@@ -165,15 +165,17 @@ impl Reader<'_> {
         let mut meshes: HashMap<usize, Vec<usize>> = HashMap::new();
         let mut nodes: HashMap<usize, usize> = HashMap::new();
         let is_animated = self.document.animations().next().is_some();
-        let top = |node| (node, None, Mat4::IDENTITY, 0);
+        let top = |node| (node, None, Mat4::IDENTITY);
         let mut stack: Vec<_> = scene.nodes().map(top).collect();
-        while let Some((node, parent, to_file, depth)) = stack.pop() {
+        while let Some((node, parent, to_file)) = stack.pop() {
             let local = Mat4::from_cols_array_2d(&node.transform().matrix());
             let transform = to_file * local;
-            if depth > 1000 {
-                return Err(self.error("its nodes contain each other"));
-            }
             let own = self.model.nodes.len();
+            // A node in several places would be as many nodes as there are ways to it: exponentially many.
+            if nodes.insert(node.index(), own).is_some() {
+                let what = "it stands in two places, or in itself, which glTF does not allow";
+                return Err(self.error(what).at(format!("node {}", node.index())));
+            }
             let (translation, rotation, scale) = node.transform().decomposed();
             let mesh = node.mesh();
             let mesh_name = mesh.as_ref().and_then(::gltf::Mesh::name);
@@ -188,7 +190,6 @@ impl Reader<'_> {
                     scale: scale.into(),
                 },
             });
-            nodes.insert(node.index(), own);
             if let Some(mesh) = node.mesh() {
                 let list = match meshes.entry(mesh.index()) {
                     Entry::Occupied(known) => known.into_mut(),
@@ -207,7 +208,7 @@ impl Reader<'_> {
             if let Some(camera) = node.camera() {
                 self.read_camera(&node, &camera, own);
             }
-            let inner = |child| (child, Some(own), transform, depth + 1);
+            let inner = |child| (child, Some(own), transform);
             stack.extend(node.children().map(inner));
         }
         self.read_animations(&nodes)
