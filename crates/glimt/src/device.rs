@@ -2,13 +2,17 @@
 
 use crate::cli::Device;
 use crate::error::{Error, Kind, Result};
+use crate::memory;
 use crate::shot::Shot;
 use glimt_executor::HostError;
 use glimt_render_gpu::cpu::{CpuDrawing, CpuRenderer};
 use glimt_render_gpu::gpu::{
     self, AdapterPreference, GpuContext, GpuDrawing, GpuError, GpuRenderer,
 };
+use glimt_render_gpu::kernels::past::RayState;
+use glimt_render_gpu::methods::Method;
 use glimt_render_gpu::prepare::render::{RenderError, Renderer};
+use glimt_smc::Particle;
 use std::sync::Arc;
 
 /// What runs the kernels.
@@ -59,6 +63,46 @@ impl Renderers {
     /// What renders, for messages.
     pub fn name(&self) -> String {
         self.processor.name()
+    }
+
+    /// Sees that what a shot's method keeps from frame to frame has room.
+    ///
+    /// # Errors
+    /// It has not; the error says how many rays would.
+    pub fn require_memory(&self, shot: &Shot) -> Result<()> {
+        let Some(Method::Smc(smc)) = shot.render.estimator() else {
+            return Ok(());
+        };
+        let [width, height] = shot.image.size.map(u64::from);
+        let pixels = width * height;
+        let particles = u64::from(smc.particles) * size_of::<Particle>() as u64;
+        let state = size_of::<RayState>() as u64;
+        // Of this frame and of the one before.
+        let of_ray = 2 * (particles + state);
+        let rays = pixels * u64::from(shot.image.rays_per_pixel);
+        let needed = rays * of_ray;
+        let (most, whose) = match &self.processor {
+            Processor::Cpu => (
+                memory::available().unwrap_or(u64::MAX) / of_ray,
+                "of memory",
+            ),
+            Processor::Gpu(gpu) => {
+                let buffer = gpu.limits().max_buffer_size;
+                (buffer / particles.max(state), "on this GPU")
+            }
+        };
+        if rays <= most {
+            return Ok(());
+        }
+        let text = format!(
+            "what the sequential sampler keeps of {} rays a pixel takes {} {whose}, and that has no room",
+            shot.image.rays_per_pixel,
+            memory::in_words(needed)
+        );
+        Err(Error::device(text).fix(match most / pixels.max(1) {
+            0 => "lower image.size, or render.smc.particles".to_owned(),
+            fits => format!("--set image.rays_per_pixel={fits} fits"),
+        }))
     }
 
     /// Forgets the last frames of all.

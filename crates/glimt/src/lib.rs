@@ -18,6 +18,7 @@ pub mod input;
 pub mod interrupt;
 pub mod job;
 pub mod light;
+pub mod memory;
 pub mod mesh;
 pub mod notes;
 pub mod output;

@@ -129,10 +129,10 @@ impl SceneRenderer {
     fn open(job: &Job, device: Device, reporter: &Reporter) -> Result<Self> {
         reporter.busy("building the tree of the triangles");
         let mut opened = Self {
-            scene: SceneBuffers::build(&job.setup.scene)
-                .map_err(|e| job.setup.refused_scene(job.setup.first, &e))?,
+            scene: job.setup.build_scene()?,
             renderers: device::open(device)?,
         };
+        opened.renderers.require_memory(&job.setup.shot)?;
         bake::set_transfer(&job.setup, &job.setup.shot, &mut opened.scene)?;
         if let Some(saved) = &job.state_in {
             let memory = MethodMemory::Smc(saved.state.clone());

@@ -2,6 +2,7 @@
 
 use crate::cli::RenderFlags;
 use crate::error::{Error, Kind, Result};
+use crate::memory;
 use crate::notes::Notes;
 use crate::output::aov;
 use crate::output::target::Guard;
@@ -14,8 +15,12 @@ use glam::{Mat4, UVec2};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{RenderSettings, SettingsError, Shadow};
 use glimt_render_gpu::prepare::scene::{Camera, SceneDescription};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_render_gpu::prepare::scene_error::SceneError;
 use std::path::{Path, PathBuf};
+
+/// Bytes at a triangle while its tree is built.
+const TREE_BYTES: u64 = 500;
 
 /// What stays the same in all frames of a shot.
 pub struct Setup {
@@ -205,6 +210,17 @@ impl Setup {
             .frame_params()
             .map(drop)
             .map_err(refused)
+    }
+
+    /// Builds what rays are traced in: the triangles with their tree.
+    ///
+    /// # Errors
+    /// The renderer refuses the scene, or there is too little memory for it.
+    pub fn build_scene(&self) -> Result<SceneBuffers> {
+        let bytes = self.triangles as u64 * TREE_BYTES;
+        let what = format!("the tree of {} triangles", self.triangles);
+        memory::require(&what, bytes).map_err(|e| e.fix("take simpler meshes"))?;
+        SceneBuffers::build(&self.scene).map_err(|e| self.refused_scene(self.first, &e))
     }
 
     /// What the renderer says of the scene in a frame, with the object of the shot that it is about.

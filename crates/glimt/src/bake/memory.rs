@@ -1,6 +1,7 @@
 //! Host file: how much memory a bake takes, and whether there is so much.
 
 use crate::error::{Error, Result};
+use crate::memory::{in_words, require};
 use glimt_render_gpu::prepare::bake::required_bytes;
 use glimt_render_gpu::prepare::scene::SceneDescription;
 use std::hint::black_box;
@@ -55,6 +56,8 @@ impl Need {
     /// # Errors
     /// There is less.
     pub fn check(&self) -> Result<()> {
+        let fix = "lower render.prt.bands or object.N.subdivide";
+        require("transfer", self.bytes).map_err(|e| e.fix(fix))?;
         // Threads have heaps of their own, which begin with the first thing that each asks for.
         rayon::broadcast(|_| drop(black_box(Vec::<u8>::with_capacity(1))));
         let there = usize::try_from(self.bytes).is_ok_and(|bytes| {
@@ -70,17 +73,9 @@ impl Need {
         let (vertices, triangles) = (self.vertices, self.triangles);
         let what = format!(
             "transfer at {vertices} vertices of {triangles} triangles takes {} of memory, and there is less",
-            mebibytes(self.bytes)
+            in_words(self.bytes)
         );
-        Err(Error::device(what).fix("lower render.prt.bands or object.N.subdivide"))
-    }
-}
-
-/// Bytes in words.
-pub fn mebibytes(bytes: u64) -> String {
-    match bytes as f64 / (1u64 << 20) as f64 {
-        small if small < 1024.0 => format!("{small:.1} MiB"),
-        large => format!("{:.1} GiB", large / 1024.0),
+        Err(Error::device(what).fix(fix))
     }
 }
 
@@ -125,7 +120,7 @@ mod tests {
         assert!(need(1 << 20).check().is_ok());
         for bytes in [isize::MAX as u64 / 2, u64::MAX] {
             let error = need(bytes).check().expect_err("no such memory").to_string();
-            assert!(error.contains("3 vertices"), "{error}");
+            assert!(error.contains("transfer"), "{error}");
             assert!(error.contains("lower render.prt.bands"), "{error}");
         }
     }

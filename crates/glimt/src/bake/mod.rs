@@ -9,6 +9,7 @@ pub mod stored;
 use crate::cli::{BakeFlags, RenderFlags, WriteFlags};
 use crate::device::{self, Processor};
 use crate::error::{Error, Kind, Result};
+use crate::memory::in_words;
 use crate::notes::Notes;
 use crate::output::atomic;
 use crate::output::target::is_ours;
@@ -24,7 +25,7 @@ use glimt_render_gpu::prepare::bake::{self, BakeError, BakeSettings, Baked};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_render_gpu::prepare::transfer::{Transfer, TransferError};
 use identity::Header;
-use memory::{Need, mebibytes};
+use memory::Need;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -219,16 +220,15 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     let size = file::size(vertices, triangles, settings.bands);
     reporter.step(&format!(
         "{vertices} vertices of {triangles} triangles: {} of memory, a file of {}",
-        mebibytes(memory),
-        mebibytes(size),
+        in_words(memory),
+        in_words(size),
     ));
     if size > u64::from(u32::MAX) {
         return Err(file::too_long(&out, size));
     }
     need.check()?;
     reporter.busy("building the tree of the triangles");
-    let scene =
-        SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
+    let scene = setup.build_scene()?;
     let header = Header::new(&scene, &settings);
     if is_there(&out, &header) {
         let summary = json!({
@@ -273,7 +273,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     let text = format!(
         "{vertices} vertices, {rays} rays in {seconds:.1} s, {:.2} million a second; {}: {}",
         rate / 1e6,
-        mebibytes(size),
+        in_words(size),
         path_in_line(&out)
     );
     reporter.finish(summary, &text);

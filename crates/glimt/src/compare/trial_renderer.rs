@@ -66,8 +66,7 @@ impl<'a> TrialRenderer<'a> {
     ) -> Result<Self> {
         // Whatever the shot's own method, contestants have others.
         job.setup.all_tables = true;
-        let refused = |e| job.setup.refused_scene(job.setup.first, &e);
-        let scene = SceneBuffers::build(&job.setup.scene).map_err(refused)?;
+        let scene = job.setup.build_scene()?;
         Ok(Self {
             renderers: device::open(device)?,
             scene,

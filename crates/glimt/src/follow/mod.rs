@@ -156,10 +156,10 @@ impl Follow<'_> {
         };
         let _folder = Folder::claim(&setup.out, self.share)?;
         self.reporter.busy("building the tree of the triangles");
-        let mut scene =
-            SceneBuffers::build(&setup.scene).map_err(|e| setup.refused_scene(setup.first, &e))?;
+        let mut scene = setup.build_scene()?;
         bake::set_transfer(setup, &setup.shot, &mut scene)?;
         let mut renderers = device::open(self.device)?;
+        renderers.require_memory(&setup.shot)?;
         let files = watch.files().clone();
         self.reporter.start_following(
             &files.folder().join(files.pattern()),

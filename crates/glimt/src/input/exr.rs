@@ -1,7 +1,7 @@
 //! Host file: OpenEXR images of any channel layout, tiled or not, of which the largest level is read.
 
 use super::primaries::{is_rec_709, luminance_weights, to_rec_709};
-use super::{HdrImage, Header};
+use super::{HdrImage, Header, MAX_TEXELS, require_room};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest;
@@ -16,9 +16,6 @@ use ::exr::prelude::{ReadChannels, ReadLayers};
 use glam::{I64Vec2, IVec2, UVec2, Vec3, Vec4};
 use std::io::Cursor;
 use std::path::Path;
-
-/// The largest image that is taken, in texels: 4 GiB of them.
-const MAX_TEXELS: usize = 1 << 28;
 
 /// How the channels of a part make a colour.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,6 +49,8 @@ pub fn decode(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<HdrImage> 
     if meta.headers[part].own_attributes.environment_map == Some(EnvironmentMap::Cube) {
         return Err(Error::input(file, "it is a cube map").fix("convert it to a lat-long map"));
     }
+    require_room(file, header.size)?;
+    require_room(file, header.data_size)?;
     let image = read()
         .no_deep_data()
         .largest_resolution_level()
@@ -283,7 +282,7 @@ fn header(file: &Path, meta: &MetaData, index: usize) -> Result<Header> {
     let part = &meta.headers[index];
     let display = part.shared_attributes.display_window;
     let size = [display.size.x(), display.size.y()];
-    if size[0].saturating_mul(size[1]) > MAX_TEXELS || size.contains(&0) {
+    if size[0].saturating_mul(size[1]) as u64 > MAX_TEXELS || size.contains(&0) {
         let what = format!("its display window is {} × {} texels", size[0], size[1]);
         return Err(
             Error::input(file, what).fix("copy or export it again, with a sound display window")

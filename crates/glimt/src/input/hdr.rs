@@ -1,6 +1,6 @@
 //! Host file: Radiance pictures (RGBE).
 
-use super::{HdrImage, Header};
+use super::{HdrImage, Header, require_room};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest;
@@ -66,6 +66,11 @@ pub fn decode(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<HdrImage> 
         image::ImageError::IoError(e) => Error::reading(file, &e),
         e => Error::input(file, format!("it is broken: {e}")).fix("copy or export it again"),
     };
+    // However well a row is packed, it takes as many bytes as one texel.
+    if (bytes.len() as u64) < 4 * u64::from(lines.size.y) {
+        return Err(too_short(file));
+    }
+    require_room(file, lines.size)?;
     let decoder = HdrDecoder::new_nonstrict(bytes).map_err(broken)?;
     let mut channels = vec![0; decoder.total_bytes() as usize];
     decoder.read_image(&mut channels).map_err(broken)?;
@@ -85,6 +90,11 @@ pub fn decode(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<HdrImage> 
         texels,
         hash: digest::of_bytes(bytes),
     })
+}
+
+fn too_short(file: &Path) -> Error {
+    Error::input(file, "the file ends too early")
+        .fix("it is probably truncated: copy or export it again")
 }
 
 fn read_lines(file: &Path, reader: impl BufRead) -> Result<Lines> {
@@ -129,8 +139,7 @@ fn read_lines(file: &Path, reader: impl BufRead) -> Result<Lines> {
             _ => {}
         }
     }
-    Err(Error::input(file, "the header ends too early")
-        .fix("it is probably truncated: copy or export it again"))
+    Err(too_short(file))
 }
 
 /// Reads `-Y height +X width`.

@@ -13,6 +13,7 @@ pub mod resample;
 pub use bad_texels::BadTexels;
 
 use crate::error::{Error, Result};
+use crate::memory;
 use crate::notes::Notes;
 use crate::shot::digest::Hash;
 use glam::{UVec2, Vec4};
@@ -150,6 +151,24 @@ pub fn read_header(file: &Path) -> Result<Header> {
         Format::Exr => exr::read_header(file),
         Format::Hdr => hdr::read_header(file),
     }
+}
+
+/// The largest image that is taken, in texels: 4 GiB of them.
+const MAX_TEXELS: u64 = 1 << 28;
+
+/// Bytes at a texel while an image is decoded: of its channels, and of its texels.
+const DECODED_BYTES: u64 = 32;
+
+/// Sees that an image of this size can be decoded.
+fn require_room(file: &Path, size: UVec2) -> Result<()> {
+    let texels = u64::from(size.x) * u64::from(size.y);
+    if texels > MAX_TEXELS {
+        let what = format!("it has {} × {} texels", size.x, size.y);
+        return Err(Error::input(file, what).fix("2^28 are the most that are taken: scale it down"));
+    }
+    let what = format!("an image of {} × {} texels", size.x, size.y);
+    let room = memory::require(&what, texels * DECODED_BYTES);
+    room.map_err(|e| e.file(file).fix("scale it down"))
 }
 
 /// Reads an HDR image.

@@ -1,6 +1,6 @@
 //! Host file: one frame of footage: PNG and JPEG as they are, or OpenEXR and Radiance as linear colour.
 
-use super::{BadTexels, decode_image, read_bytes, read_header, start_of};
+use super::{BadTexels, decode_image, read_bytes, read_header, require_room, start_of};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest::{self, Hash};
@@ -149,6 +149,7 @@ fn decode_display(
             .fix("it is probably truncated: copy or export it again"));
     }
     let mut decoder = decoder(file, Cursor::new(bytes), format)?;
+    require_room(file, decoder.dimensions().into())?;
     let orientation = decoder.orientation().map_err(|e| broken(file, e))?;
     if let Ok(Some(profile)) = decoder.icc_profile()
         && !names_srgb(&profile)

@@ -11,10 +11,24 @@ pub mod ply;
 pub mod subdivide;
 
 use crate::error::{Error, Result};
+use crate::memory;
 use crate::notes::Notes;
 use model::Model;
 use std::path::Path;
 use std::time::Instant;
+
+/// Bytes that are taken for each byte of a mesh file while it is read; packed ones unfold.
+const READ_BYTES: u64 = 6;
+
+/// Sees that a mesh file can be read, by its length.
+fn require_room(file: &Path) -> Result<()> {
+    // What is not there is said by who reads it.
+    let length = std::fs::metadata(file).map_or(0, |data| data.len());
+    let packed = file.extension().is_some_and(|extension| extension == "gz");
+    let bytes = length * if packed { 4 * READ_BYTES } else { READ_BYTES };
+    let room = memory::require("reading this mesh", bytes);
+    room.map_err(|e| e.file(file).fix("take a simpler mesh"))
+}
 
 /// Loads a built-in mesh, as `sphere`, or a file by its extension; a relative path is relative to `base`.
 ///
@@ -26,6 +40,7 @@ pub fn load(base: &Path, name: &str, notes: &mut Notes) -> Result<Model> {
     }
     let began = Instant::now();
     let file = base.join(name);
+    require_room(&file)?;
     let lower = name.to_ascii_lowercase();
     let lower = lower.strip_suffix(".gz").unwrap_or(&lower);
     let mut model = match lower
