@@ -4,6 +4,7 @@
 use glam::{UVec2, Vec2, Vec3, Vec4};
 use glimt::input::light_image::read_photo;
 use glimt::notes::Notes;
+use glimt::output::target::Guard;
 use glimt::output::{Stamp, exr};
 use glimt_benches::{Contest, claim};
 use glimt_probe::gather::ColourMatrix;
@@ -124,7 +125,8 @@ fn decode(photo: &[Vec4]) {
     };
     let file = |name: &str, storage| {
         let file = folder.join(format!("glimt-bench-{name}-{}.exr", std::process::id()));
-        exr::write_rgb(&file, PHOTO, photo, &stamp, storage).expect("room for a photograph");
+        let target = Guard::new(true).target(&file).expect("a file of its own");
+        exr::write_rgb(&target, PHOTO, photo, &stamp, storage).expect("room for a photograph");
         file
     };
     let plain = file("plain", exr::Storage::Noisy);

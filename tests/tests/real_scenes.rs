@@ -108,7 +108,8 @@ fn shot(model: &str, map: &str, set: &[&str]) -> Shot {
         scene: SceneBuffers::build(&job.setup.scene).unwrap(),
         env: job
             .light(FRAME, &mut notes)
-            .unwrap_or_else(|e| panic!("{map}: {e}")),
+            .unwrap_or_else(|e| panic!("{map}: {e}"))
+            .0,
         settings,
     }
 }

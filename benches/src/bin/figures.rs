@@ -9,6 +9,7 @@ use glimt::cli::Cli;
 use glimt::command;
 use glimt::notes::Notes;
 use glimt::output::exr;
+use glimt::output::target::Guard;
 use glimt::report::Reporter;
 use glimt_benches::convergence::{halved, transfer_error};
 use glimt_benches::inputs::data_dir;
@@ -358,7 +359,8 @@ impl Studio {
             hash: String::new(),
             frame: 0,
         };
-        exr::write_rgb(&file, size, &texels, &stamp, exr::Storage::Float).map_err(told)?;
+        let target = Guard::new(true).target(&file).map_err(told)?;
+        exr::write_rgb(&target, size, &texels, &stamp, exr::Storage::Float).map_err(told)?;
         Ok(file)
     }
 }

@@ -49,6 +49,8 @@
 //! - The ball lies in the frame as a whole, and its radius is at least 20 pixels.
 //! - Work is done by rayon's threads; results do not depend on their number.
 
+#![deny(unsafe_code)]
+
 mod circle;
 mod coarse;
 mod edge;

@@ -47,6 +47,7 @@
 //!   EGSR 2007, § 5 (`e = 2/α² − 2`; the Jacobian `1/(4 wo·h)`, Eq. 14).
 //! - Khronos Group: *glTF 2.0 specification*, 2021, Appendix B (metallic-roughness materials).
 
+#![deny(unsafe_code)]
 #![no_std]
 
 mod blinn_phong;

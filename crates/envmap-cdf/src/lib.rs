@@ -65,6 +65,7 @@
 //! - J. Kronander, J. Dahlin, D. Jönsson, M. Kok, T. B. Schön, J. Unger: *Real-time video based lighting using GPU
 //!   raytracing*, EUSIPCO 2014, § 7 (tabulated row and column distributions on the GPU).
 
+#![deny(unsafe_code)]
 #![no_std]
 
 mod build;

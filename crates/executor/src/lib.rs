@@ -116,6 +116,8 @@
 //! A shader that a program makes while it runs has no such pass. With the feature `naga-front-rust`, `Entry::from(&shader)` describes
 //! it, and [`gpu::GpuContext::launch`] takes its arguments by their paths. They are checked at the launch.
 
+#![deny(unsafe_code)]
+
 mod entry;
 pub mod gpu;
 mod host;

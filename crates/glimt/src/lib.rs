@@ -3,6 +3,8 @@
 //! `glimt` turns a shot (a TOML file: light, objects, camera) into frames. See [`shot`] for its keys, [`input`] and
 //! [`mesh`] for what is read, [`output`] for what is written, and [`render`] for the pipeline between them.
 
+#![deny(unsafe_code)]
+
 pub mod bake;
 pub mod capture;
 pub mod cli;

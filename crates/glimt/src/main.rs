@@ -1,5 +1,7 @@
 //! Host file: the command line, from arguments to an exit status.
 
+#![deny(unsafe_code)]
+
 use clap::Parser;
 use glimt::cli::{Cli, PrintFlags};
 use glimt::command;

@@ -34,6 +34,8 @@
 //! writes `out[local]`; those at or beyond `count` do nothing. A chunk argument gets
 //! `chunk[local * len .. (local + 1) * len]`.
 
+#![deny(unsafe_code)]
+
 mod argument;
 mod builtins;
 mod check;

@@ -8,6 +8,9 @@ use std::time::{Duration, Instant, SystemTime};
 /// Time between two looks while frames come.
 const LOOK: Duration = Duration::from_millis(5);
 
+/// Time to the second look at a file that has just appeared.
+const SECOND_LOOK: Duration = Duration::from_millis(2);
+
 /// Time between two looks where none has come for a while.
 const IDLE_LOOK: Duration = Duration::from_millis(50);
 
@@ -118,14 +121,21 @@ impl Watcher {
     /// Time until the next look.
     pub fn pause(&self) -> Duration {
         match self.idle() < FLOW {
+            _ if self.has_new() => SECOND_LOOK,
             true => LOOK,
             false => IDLE_LOOK,
         }
     }
 
+    /// Whether a file waits for its second look.
+    fn has_new(&self) -> bool {
+        self.seen.values().any(|seen| !seen.is_settled())
+    }
+
     /// Looks for frames, if the last look is not too recent. A folder that is not there is an empty one.
     pub fn look(&mut self) {
-        if self.looked.is_some_and(|at| at.elapsed() < LOOK) {
+        let least = if self.has_new() { SECOND_LOOK } else { LOOK };
+        if self.looked.is_some_and(|at| at.elapsed() < least) {
             return;
         }
         self.looked = Some(Instant::now());

@@ -152,11 +152,13 @@ fn create_part(target: &Path) -> io::Result<(PathBuf, File)> {
         name.push(format!(".{random:016x}.part"));
         let part = target.with_file_name(name);
         match File::options().write(true).create_new(true).open(&part) {
-            Ok(file) => {
-                // Where the file system has no locks, the file's age must do.
-                let _ = file.try_lock();
-                return Ok((part, file));
-            }
+            Ok(file) => match file.try_lock() {
+                Ok(()) if is_at(&file, &part) => return Ok((part, file)),
+                // Another run took it for one that is left, before it was locked.
+                Ok(()) | Err(fs::TryLockError::WouldBlock) => {}
+                // The file system has no locks.
+                Err(fs::TryLockError::Error(_)) => return Ok((part, file)),
+            },
             Err(e) if e.kind() == io::ErrorKind::AlreadyExists => {}
             Err(e) => return Err(e),
         }
@@ -173,30 +175,40 @@ fn is_part(name: &OsStr) -> bool {
     middle(&name.to_string_lossy()) == Some(true)
 }
 
-/// A part that is younger than this may not be locked yet.
-const YOUNG: Duration = Duration::from_secs(10);
+/// A part of this age is not in use any more, where the file system has no locks to tell.
+const OLD: Duration = Duration::from_secs(24 * 3600);
 
-/// Removes what killed runs left in a folder: parts that no program holds. Where no other program writes to the folder, `alone`,
-/// that is any part.
-fn remove_parts(folder: &Path, alone: bool) {
+/// Removes what killed runs left in a folder: parts that no program holds.
+fn remove_parts(folder: &Path) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        if is_part(&entry.file_name()) && (alone || is_left(&entry)) {
-            let _ = fs::remove_file(entry.path());
+        if is_part(&entry.file_name()) {
+            // What cannot be removed is in nobody's way.
+            let _ = remove_left(&entry);
         }
     }
 }
 
-/// Whether no program holds a part.
-fn is_left(part: &fs::DirEntry) -> bool {
-    let old = |data: fs::Metadata| {
-        let age = data.modified().ok().and_then(|time| time.elapsed().ok());
-        data.is_file() && age.is_some_and(|age| age >= YOUNG)
+/// Removes a part, if no program holds it.
+fn remove_left(part: &fs::DirEntry) -> io::Result<()> {
+    let data = part.metadata()?;
+    // A link or a pipe is not opened.
+    if !data.is_file() {
+        return Ok(());
+    }
+    let file = File::options().write(true).open(part.path())?;
+    let is_left = match file.try_lock() {
+        Ok(()) => true,
+        Err(fs::TryLockError::WouldBlock) => false,
+        Err(fs::TryLockError::Error(_)) => {
+            let age = data.modified()?.elapsed();
+            age.is_ok_and(|age| age >= OLD)
+        }
     };
-    part.metadata().is_ok_and(old)
-        && File::options()
-            .write(true)
-            .open(part.path())
-            .is_ok_and(|file| file.try_lock().is_ok())
+    // It stays locked meanwhile, as far as there are locks: see who makes it.
+    match is_left {
+        true => fs::remove_file(part.path()),
+        false => Ok(()),
+    }
 }
 
 /// Makes a folder, sees that it can be written to, and clears away what killed runs left in it.
@@ -204,15 +216,11 @@ fn is_left(part: &fs::DirEntry) -> bool {
 /// # Errors
 /// It cannot be made or written to.
 pub fn prepare_folder(folder: &Path) -> Result<()> {
-    prepare(folder, false)
-}
-
-fn prepare(folder: &Path, alone: bool) -> Result<()> {
     let failed = |e| Error::writing(folder, &e);
     fs::create_dir_all(folder).map_err(failed)?;
     let (probe, _) = create_part(&folder.join("glimt")).map_err(failed)?;
     let _ = fs::remove_file(probe);
-    remove_parts(folder, alone);
+    remove_parts(folder);
     Ok(())
 }
 
@@ -236,14 +244,11 @@ impl Folder {
     /// It cannot be made or written to, or another run writes to it.
     pub fn claim(path: &Path, shared: bool) -> Result<Self> {
         prepare_folder(path)?;
-        let lock = lock(path, shared)?;
-        let folder = Self {
+        Ok(Self {
             path: path.to_owned(),
-            lock,
+            lock: lock(path, shared)?,
             shared,
-        };
-        remove_parts(path, folder.is_alone());
-        Ok(folder)
+        })
     }
 
     /// Makes a folder within this one.
@@ -252,12 +257,8 @@ impl Folder {
     /// It cannot be made or written to.
     pub fn within(&self, name: &str) -> Result<PathBuf> {
         let path = self.path.join(name);
-        prepare(&path, self.is_alone())?;
+        prepare_folder(&path)?;
         Ok(path)
-    }
-
-    fn is_alone(&self) -> bool {
-        self.lock.is_some() && !self.shared
     }
 }
 
@@ -387,18 +388,12 @@ mod tests {
         let left = folder.join(".b.bin.0123456789abcdef.part");
         fs::write(&left, b"old").unwrap();
         fs::write(folder.join(".c.part"), b"another program's").unwrap();
-        let long_ago = std::time::SystemTime::now() - 2 * YOUNG;
-        for file in [&left, living.part()] {
-            let file = File::options().write(true).open(file).unwrap();
-            file.set_modified(long_ago).unwrap();
-        }
-
         drop(Folder::claim(&folder, true).unwrap());
         assert!(!left.exists() && living.part().exists());
         living.write_all(b"new").unwrap();
         living.commit().unwrap();
 
-        fs::write(&left, b"young, and nobody else is here").unwrap();
+        fs::write(&left, b"again").unwrap();
         drop(Folder::claim(&folder, false).unwrap());
         let mut names = names(&folder);
         names.sort();

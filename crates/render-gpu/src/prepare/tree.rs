@@ -14,6 +14,9 @@ use crate::kernels::triangle::Triangle;
 /// Most triangles in a leaf of a balanced tree.
 const LEAF: usize = 4;
 
+/// Trees of more triangles than this are improved less: it takes most of the time of building them.
+const MANY: usize = 1 << 20;
+
 /// More triangles than this in one and the same box make one leaf. The builder merges such boxes one at a time, which takes time in
 /// proportion to the square of their number; and who meets one of them meets all.
 const MOST_ALIKE: usize = 16;
@@ -92,10 +95,18 @@ fn build_of_single(triangles: &[Triangle]) -> (Vec<BvhNode>, Vec<u32>) {
             v2: t.v2.into(),
         })
         .collect();
+    let slow = BvhBuildParams::slow_build();
     // Without spatial splits, so that every triangle is stored once.
-    let params = BvhBuildParams {
-        pre_split: false,
-        ..BvhBuildParams::slow_build()
+    let params = match triangles.len() <= MANY {
+        true => BvhBuildParams {
+            pre_split: false,
+            ..slow
+        },
+        false => BvhBuildParams {
+            pre_split: false,
+            reinsertion_batch_ratio: slow.reinsertion_batch_ratio * 0.2,
+            ..slow
+        },
     };
     let mut tree = build_bvh2_from_tris(&boxed, params, &mut Duration::default());
     tree.reorder_in_stack_traversal_order();
