@@ -126,6 +126,7 @@ impl Filmed {
         let photo = LightImage {
             size: self.frame.size,
             pixels: self.frame.pixels.clone(),
+            hash: [0; 32],
         };
         let file = Path::new("a frame");
         let map = capture.map(1, file, photo.size).expect("a whole ball");
