@@ -1,12 +1,14 @@
 //! Host file: the files of one frame: their names, whether they are there, and writing and reading them back.
 
 use crate::error::{Error, Kind, Result};
+use crate::input::frames::FrameFiles;
 use crate::output::{Stamp, aov, exr, png};
 use crate::setup::Setup;
 use crate::shot::digest;
 use glimt_render_gpu::kernels::film::tonemap;
 use glimt_render_gpu::prepare::render::FrameImage;
 use sha2::{Digest, Sha256};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// The files of the frames of a shot.
@@ -47,6 +49,18 @@ impl<'a> Frames<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Numbers of the frames of which there is a file.
+    pub fn listed(self) -> BTreeSet<u32> {
+        let listed = ["exr", "png"].map(|extension| {
+            let files = FrameFiles::new(&self.setup.out, &format!("frame.####.{extension}"));
+            files
+                .ok()
+                .and_then(|files| files.listed().ok())
+                .unwrap_or_default()
+        });
+        listed.into_iter().flatten().collect()
     }
 
     /// Writes the files of a frame.

@@ -45,7 +45,7 @@ fn main() -> ExitCode {
 
 /// Says what is wrong with the command line, or what it asks for: help, the version. Programs that read events get an event.
 fn refuse(error: &clap::Error) -> ExitCode {
-    let mut before_files = std::env::args().take_while(|arg| arg != "--");
+    let mut before_files = std::env::args_os().take_while(|arg| arg != "--");
     if error.use_stderr() && before_files.any(|arg| arg == "--json") {
         let text = error.to_string();
         let text = text.strip_prefix("error: ").unwrap_or(&text);

@@ -20,10 +20,16 @@ pub fn printable(text: &str) -> String {
     plain
 }
 
-/// A path for people: on one line, and without what moves a terminal's cursor.
+/// The same on one line.
+#[must_use]
+pub fn in_line(text: &str) -> String {
+    printable(text).replace('\n', "\\n")
+}
+
+/// A path for people.
 #[must_use]
 pub fn path_in_line(path: &Path) -> String {
-    printable(&path.display().to_string()).replace('\n', "\\n")
+    in_line(&path.display().to_string())
 }
 
 #[cfg(test)]

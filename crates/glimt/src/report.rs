@@ -3,7 +3,7 @@
 use crate::cli::PrintFlags;
 use crate::error::{Error, Result};
 use crate::notes::{Note, Severity};
-use crate::printable::{path_in_line, printable};
+use crate::printable::{in_line, path_in_line, printable};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::{Value, json};
 use std::io::{IsTerminal, Write};
@@ -389,7 +389,9 @@ impl Reporter {
         }
         summary["event"] = json!("summary");
         self.event(&summary);
-        self.plain(text);
+        if !self.flags.quiet && !self.flags.json {
+            text.lines().for_each(|line| self.line(line));
+        }
     }
 
     /// The program ends with an error.
@@ -426,7 +428,7 @@ impl Reporter {
     fn line(&self, text: &str) {
         self.silence().since = Instant::now();
         let print = || {
-            let _ = writeln!(std::io::stderr(), "{}", printable(text));
+            let _ = writeln!(std::io::stderr(), "{}", in_line(text));
         };
         match self.lock().as_ref() {
             Some(bar) => bar.suspend(print),

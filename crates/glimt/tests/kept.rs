@@ -99,6 +99,19 @@ fn files_of_other_programs_are_replaced_only_if_asked() {
         "--overwrite",
     ];
     refused(&t, &["render", "shot.toml"], &words);
+    // Following would come to it.
+    t.shot("light.####.exr", &no_video(""));
+    let follow = [
+        "render",
+        "shot.toml",
+        "--follow",
+        "--frames",
+        "2-9",
+        "--wait",
+        "0.3",
+    ];
+    refused(&t, &follow, &words);
+    t.shot("light.0001.exr", &no_video(""));
     t.run(&["render", "shot.toml", "--overwrite"]).ok();
     // What the program wrote itself it replaces, as before.
     t.run(&["render", "shot.toml", "--seed", "9"])

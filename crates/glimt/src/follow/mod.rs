@@ -110,8 +110,12 @@ pub fn render(
             .reads_sequence("the shot's backplate", plates.files());
     }
     bake::expect(&mut setup)?;
-    // The frames that will come are not known, but their names are.
-    Frames::of(&setup).may_write(first)?;
+    // The frames that will come are not known, but their names are, and what is there of them.
+    let outputs = Frames::of(&setup);
+    outputs.may_write(first)?;
+    for frame in outputs.listed() {
+        outputs.may_write(frame)?;
+    }
     let follow = Follow {
         setup,
         last: range.map(|range| *range.end()),

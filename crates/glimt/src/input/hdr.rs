@@ -68,7 +68,7 @@ pub fn decode(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<HdrImage> 
     };
     // However well a row is packed, it takes as many bytes as one texel.
     if (bytes.len() as u64) < 4 * u64::from(lines.size.y) {
-        return Err(too_short(file));
+        return Err(too_short(file, "file"));
     }
     require_room(file, lines.size)?;
     let decoder = HdrDecoder::new_nonstrict(bytes).map_err(broken)?;
@@ -92,8 +92,8 @@ pub fn decode(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<HdrImage> 
     })
 }
 
-fn too_short(file: &Path) -> Error {
-    Error::input(file, "the file ends too early")
+fn too_short(file: &Path, what: &str) -> Error {
+    Error::input(file, format!("the {what} ends too early"))
         .fix("it is probably truncated: copy or export it again")
 }
 
@@ -139,7 +139,7 @@ fn read_lines(file: &Path, reader: impl BufRead) -> Result<Lines> {
             _ => {}
         }
     }
-    Err(too_short(file))
+    Err(too_short(file, "header"))
 }
 
 /// Reads `-Y height +X width`.
