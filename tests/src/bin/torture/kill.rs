@@ -21,7 +21,7 @@ const RENDER: [&str; 3] = [
     "output.codec=\"av1\"",
 ];
 
-const JOBS: [Job; 8] = [
+const JOBS: [Job; 9] = [
     Job {
         name: "render",
         args: &[
@@ -62,6 +62,30 @@ const JOBS: [Job; 8] = [
             "output.aovs=[\"ess\",\"age\"]",
         ],
         out: "smc",
+        has_times: false,
+    },
+    Job {
+        name: "render --follow",
+        args: &[
+            "render",
+            "film/shot.toml",
+            "--device",
+            "cpu",
+            "--out",
+            "live",
+            "--follow",
+            "--frames",
+            "1-3",
+            "--wait",
+            "0.5",
+            "--max-lag",
+            "1000",
+            "--set",
+            RENDER[0],
+            "--set",
+            RENDER[2],
+        ],
+        out: "live",
         has_times: false,
     },
     Job {
