@@ -100,6 +100,9 @@ impl Error {
             E::PermissionDenied => {
                 Self::input(file, "it may not be read").fix("change its permissions")
             }
+            E::OutOfMemory => Self::device("there is not enough memory to read it")
+                .file(file)
+                .fix("free some, or raise its limit"),
             E::UnexpectedEof => Self::input(file, "the file ends too early")
                 .fix("it is probably truncated: copy or export it again"),
             _ => Self::input(file, format!("it cannot be read: {error}")),

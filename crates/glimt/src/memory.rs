@@ -5,14 +5,22 @@
 
 use crate::error::{Error, Result};
 use std::fs;
+use std::hint::black_box;
+use std::sync::Once;
 
-/// Sees that there is memory for `what`.
+/// What to do about a scene that does not fit.
+pub const FIX: &str = "free some, raise its limit, or take simpler meshes";
+
+/// Bytes for all that is not counted.
+const SPARE: u64 = 32 << 20;
+
+/// Sees that there is memory for `what`, and some to spare.
 ///
 /// # Errors
 /// There is less; the error says how much is needed and how much there is. The caller adds what to do.
 pub fn require(what: &str, bytes: u64) -> Result<()> {
     match available() {
-        Some(there) if bytes > there => {
+        Some(there) if bytes.saturating_add(SPARE) > there => {
             let (need, there) = (in_words(bytes), in_words(there));
             let text = format!("{what} takes {need} of memory, and there is room for {there}");
             Err(Error::device(text))
@@ -25,6 +33,11 @@ pub fn require(what: &str, bytes: u64) -> Result<()> {
 /// does not say.
 #[must_use]
 pub fn available() -> Option<u64> {
+    // Threads have heaps of their own, which begin with the first thing that each asks for.
+    static HEAPS: Once = Once::new();
+    HEAPS.call_once(|| {
+        rayon::broadcast(|_| drop(black_box(Vec::<u8>::with_capacity(1))));
+    });
     let limits = [of_machine(), of_group(), of_address_space()];
     limits.into_iter().flatten().min()
 }

@@ -219,7 +219,7 @@ impl Setup {
     pub fn build_scene(&self) -> Result<SceneBuffers> {
         let bytes = self.triangles as u64 * TREE_BYTES;
         let what = format!("the tree of {} triangles", self.triangles);
-        memory::require(&what, bytes).map_err(|e| e.fix("take simpler meshes"))?;
+        memory::require(&what, bytes).map_err(|e| e.fix(memory::FIX))?;
         SceneBuffers::build(&self.scene).map_err(|e| self.refused_scene(self.first, &e))
     }
 

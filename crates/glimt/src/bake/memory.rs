@@ -58,8 +58,6 @@ impl Need {
     pub fn check(&self) -> Result<()> {
         let fix = "lower render.prt.bands or object.N.subdivide";
         require("transfer", self.bytes).map_err(|e| e.fix(fix))?;
-        // Threads have heaps of their own, which begin with the first thing that each asks for.
-        rayon::broadcast(|_| drop(black_box(Vec::<u8>::with_capacity(1))));
         let there = usize::try_from(self.bytes).is_ok_and(|bytes| {
             let mut room: Vec<u8> = Vec::new();
             let there = room.try_reserve_exact(bytes).is_ok();

@@ -2,6 +2,7 @@
 
 use glam::Vec4;
 use glimt_render_gpu::prepare::env::MAX_RADIANCE;
+use rayon::prelude::*;
 
 /// Texels that are not radiance, by what is wrong with them. A texel counts once, for the first of these.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
@@ -19,20 +20,33 @@ pub struct BadTexels {
 impl BadTexels {
     /// Counts them.
     pub fn count(texels: &[Vec4]) -> Self {
-        let mut bad = Self::default();
-        for texel in texels {
-            let colour = texel.truncate();
-            if colour.is_nan() {
-                bad.nan += 1;
-            } else if !colour.is_finite() {
-                bad.infinite += 1;
-            } else if colour.max_element() > MAX_RADIANCE {
-                bad.huge += 1;
-            } else if colour.min_element() < 0.0 {
-                bad.negative += 1;
-            }
+        let parts = texels.par_chunks(1 << 16);
+        let counts = parts.map(|part| part.iter().fold(Self::default(), Self::and));
+        counts.reduce(Self::default, Self::plus)
+    }
+
+    /// With one texel more.
+    fn and(mut self, texel: &Vec4) -> Self {
+        let colour = texel.truncate();
+        if colour.is_nan() {
+            self.nan += 1;
+        } else if !colour.is_finite() {
+            self.infinite += 1;
+        } else if colour.max_element() > MAX_RADIANCE {
+            self.huge += 1;
+        } else if colour.min_element() < 0.0 {
+            self.negative += 1;
         }
-        bad
+        self
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self {
+            nan: self.nan + other.nan,
+            infinite: self.infinite + other.infinite,
+            huge: self.huge + other.huge,
+            negative: self.negative + other.negative,
+        }
     }
 
     /// All of them.

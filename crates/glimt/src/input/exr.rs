@@ -14,6 +14,7 @@ use ::exr::meta::header::Header as Part;
 use ::exr::meta::{BlockDescription, MetaData};
 use ::exr::prelude::{ReadChannels, ReadLayers};
 use glam::{I64Vec2, IVec2, UVec2, Vec3, Vec4};
+use rayon::prelude::*;
 use std::io::Cursor;
 use std::path::Path;
 
@@ -137,11 +138,15 @@ fn in_display_window(header: &Header, texels: &[Vec4]) -> Vec<Vec4> {
         .collect()
 }
 
-fn texels(size: UVec2, colour: impl Fn(u32, u32) -> Vec3) -> Vec<Vec4> {
-    (0..size.y)
-        .flat_map(|y| (0..size.x).map(move |x| (x, y)))
-        .map(|(x, y)| colour(x, y).extend(1.0))
-        .collect()
+fn texels(size: UVec2, colour: impl Fn(u32, u32) -> Vec3 + Sync) -> Vec<Vec4> {
+    let mut texels = vec![Vec4::W; size.x as usize * size.y as usize];
+    let rows = texels.par_chunks_mut(size.x.max(1) as usize);
+    rows.zip(0..size.y).for_each(|(row, y)| {
+        for (texel, x) in row.iter_mut().zip(0..) {
+            *texel = colour(x, y).extend(1.0);
+        }
+    });
+    texels
 }
 
 /// The samples of one channel, which may be stored for every nth texel only.

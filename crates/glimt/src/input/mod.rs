@@ -168,7 +168,10 @@ fn require_room(file: &Path, size: UVec2) -> Result<()> {
     }
     let what = format!("an image of {} × {} texels", size.x, size.y);
     let room = memory::require(&what, texels * DECODED_BYTES);
-    room.map_err(|e| e.file(file).fix("scale it down"))
+    room.map_err(|e| {
+        e.file(file)
+            .fix("free some, raise its limit, or scale the image down")
+    })
 }
 
 /// Reads an HDR image.

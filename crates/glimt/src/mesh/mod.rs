@@ -27,7 +27,7 @@ fn require_room(file: &Path) -> Result<()> {
     let packed = file.extension().is_some_and(|extension| extension == "gz");
     let bytes = length * if packed { 4 * READ_BYTES } else { READ_BYTES };
     let room = memory::require("reading this mesh", bytes);
-    room.map_err(|e| e.file(file).fix("take a simpler mesh"))
+    room.map_err(|e| e.file(file).fix(memory::FIX))
 }
 
 /// Loads a built-in mesh, as `sphere`, or a file by its extension; a relative path is relative to `base`.

@@ -70,7 +70,7 @@ impl EnvMap {
                 len: texels.len(),
             });
         }
-        if let Some(bad) = texels.iter().position(|t| !is_radiance(*t)) {
+        if let Some(bad) = texels.par_iter().position_first(|t| !is_radiance(*t)) {
             let bad = bad as u32;
             return Err(EnvError::Texel {
                 column: bad % size.x,
