@@ -1,6 +1,6 @@
 //! Host file: the renderer's stages on both processors, ray by ray: integers exactly, floats within what is said here.
 //!
-//! A decision that hangs on a float (which side of an edge, which texel a direction falls into) may differ where its margin is
+//! A decision that depends on a float (which side of an edge, which texel a direction falls into) may differ where its margin is
 //! below the float's tolerance: such rays are counted and bounded.
 
 use bytemuck::{AnyBitPattern, NoUninit};

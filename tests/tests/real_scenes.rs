@@ -2,7 +2,7 @@
 //! frames are the CPU's.
 //!
 //! What "are" means: the mean energies agree to 10⁻³, and so does every pixel, relative to the larger of the pixel and the
-//! image's mean, but for a few in which a decision that hangs on a float (the edge of a triangle, of a shadow, of a texel)
+//! image's mean, but for a few in which a decision that depends on a float (the edge of a triangle, of a shadow, of a texel)
 //! fell differently. Those are counted and bounded, and each is taken apart into its rays: most of them must agree, and of
 //! those that do not, the CPU must give the GPU's value too when directions are nudged by a few roundings of a float. So the
 //! difference is a jump that the ray stands at, not an error.

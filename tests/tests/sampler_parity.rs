@@ -1,6 +1,6 @@
 //! Host file: steps of the sequential sampler on both processors, from the same stored state.
 //!
-//! Generators are equal whatever happens. A decision that hangs on a float (a tooth of the comb, an acceptance) may fall
+//! Generators are equal whatever happens. A decision that depends on a float (a tooth of the comb, an acceptance) may fall
 //! differently where its margin is below the float's tolerance: such particles are counted and bounded.
 
 use std::sync::OnceLock;

@@ -44,6 +44,8 @@ pub struct Setup {
     pub owners: Vec<usize>,
     /// What may be written: nothing that is read.
     pub guard: Guard,
+    /// Hash of the file of transfer that is a part of `digest`, if it is.
+    pub transfer: Option<Hash>,
     /// Whether all tables of the light are built, and not those alone that the shot's method reads.
     pub all_tables: bool,
 }
@@ -97,6 +99,7 @@ impl Setup {
             scene: placed.scene,
             owners: placed.owners,
             guard,
+            transfer: None,
             all_tables: false,
             source,
             shot,

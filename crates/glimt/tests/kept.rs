@@ -369,7 +369,7 @@ fn one_run_writes_to_a_folder_or_all_share_it() {
     second(&[]).fails(4, &["another run of glimt", "--share"]);
     alone.kill().unwrap();
     alone.wait().unwrap();
-    // What it left is no obstacle, and is cleared away.
+    // What it left does not hinder, and is cleared away.
     second(&[]).ok();
     let mut sharing = first(&["--share"]);
     second(&["--share", "--seed", "2"]).ok();

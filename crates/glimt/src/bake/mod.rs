@@ -114,6 +114,7 @@ pub fn expect(setup: &mut Setup) -> Result<()> {
     let file = file_of(&setup.shot, &setup.source);
     setup.guard.reads("the shot's transfer", &file);
     setup.digest = digest::join([&setup.digest, &hash]);
+    setup.transfer = Some(hash);
     Ok(())
 }
 
@@ -137,6 +138,13 @@ pub fn set_transfer(setup: &Setup, shot: &Shot, scene: &mut SceneBuffers) -> Res
     }
     let file = file_of(shot, &setup.source);
     let transfer = Arc::new(load(setup, shot, scene, &file)?);
+    if setup
+        .transfer
+        .is_some_and(|known| hash_of(shot, &setup.source).ok() != Some(known))
+    {
+        let what = "it was replaced since the run began";
+        return Err(Error::input(&file, what).fix("run it again"));
+    }
     let objects = &shot.objects;
     let owners = setup.owners.iter();
     let reflections: Vec<f32> = owners.map(|&of_shot| objects[of_shot].reflection).collect();

@@ -2,7 +2,7 @@
 
 use super::animation::Animation;
 use super::node::{self, Node};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::shot::digest::{self, Hash};
 use glam::{Mat4, Vec3};
 use glimt_render_gpu::prepare::scene::{Material, Mesh, Texture};
@@ -96,11 +96,12 @@ impl Model {
         bounds
     }
 
-    /// Hash of the contents of all its files; of its name, if it is built in.
+    /// Hash of the contents of all its files; of its name, if it is built in. `before` is the hash of the first file before the model
+    /// was read from it.
     ///
     /// # Errors
-    /// A file cannot be read.
-    pub fn digest(&self, name: &str) -> Result<Hash> {
+    /// A file cannot be read, or the first one was replaced meanwhile.
+    pub fn digest(&self, name: &str, before: Option<Hash>) -> Result<Hash> {
         if self.files.is_empty() {
             let mut hash = [0; 32];
             let n = name.len().min(32);
@@ -112,6 +113,10 @@ impl Model {
             .iter()
             .map(|file| digest::of_file(file))
             .collect::<Result<_>>()?;
+        if before.is_some_and(|before| before != hashes[0]) {
+            let what = "it was replaced while it was read";
+            return Err(Error::input(&self.files[0], what).fix("run it again"));
+        }
         Ok(digest::join(&hashes))
     }
 }

@@ -49,7 +49,7 @@ impl Pending {
         &self.part
     }
 
-    /// Takes room on the disk for so many bytes, from the file's beginning. Zeros are written: a length alone takes none. What is not
+    /// Takes room for `bytes` bytes on the disk, from the file's beginning. Zeros are written: a length alone takes none. What is not
     /// written in the end is cut off.
     ///
     /// # Errors

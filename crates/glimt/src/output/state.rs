@@ -45,7 +45,7 @@ pub fn target(guard: &Guard, file: &Path) -> Result<Target> {
     Ok(target)
 }
 
-/// The most bytes that a state has, of a light of so many texels, so many rays, particles of each, and objects.
+/// The most bytes of a state: of a light of `texels` texels, of `rays` rays with `particles` particles each, and of `objects` objects.
 #[must_use]
 pub fn bytes(texels: u64, rays: u64, particles: u64, objects: u64) -> u64 {
     let header = 4096 + 32 * 16 * objects;

@@ -61,7 +61,7 @@ impl Guard {
         self.overwrite
     }
 
-    /// The run reads a file; `what` says what it is to it. One that is not there is nothing to guard.
+    /// The run reads a file; `what` says what it is to it. A file that does not exist needs no guard.
     pub fn reads(&mut self, what: &str, file: &Path) {
         if let Ok(data) = fs::metadata(file)
             && let Some(identity) = identity(file, &data)

@@ -7,7 +7,7 @@ use crate::mesh::load;
 use crate::mesh::model::Model;
 use crate::mesh::subdivide::{MOST_TRIANGLES, subdivide, triangles_after};
 use crate::notes::Notes;
-use crate::shot::digest::{Hash, join};
+use crate::shot::digest::{Hash, join, of_file};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, Up};
 use glam::{DMat3, EulerRot, Mat4, Quat, Vec3};
@@ -89,9 +89,12 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
         let entry = match loaded.entry((name, object.subdivide)) {
             Entry::Occupied(known) => &*known.into_mut(),
             Entry::Vacant(vacant) => {
+                // Nothing for a built-in mesh; what cannot be read is said by who loads it.
+                let before = of_file(&source.folder().join(name)).ok();
                 let mut model = load(source.folder(), name, notes)?;
+                let digest = model.digest(name, before)?;
                 cut(&mut model, object.subdivide, index, source)?;
-                &*vacant.insert(Loaded::new(model, &mut placing.scene))
+                &*vacant.insert(Loaded::new(model, digest, &mut placing.scene))
             }
         };
         let motion = Motion::new(object, index, &entry.model, source)?;
@@ -108,7 +111,7 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
                     .fix("the world ends at 1e9 units: lower its scale, or move it nearer")
             })?;
         }
-        placing.digests.push(entry.model.digest(name)?);
+        placing.digests.push(entry.digest);
         placing.files.push(entry.model.files.clone());
         placing.add(object, entry, mover, shot.probe.fps);
     }
@@ -216,12 +219,14 @@ fn cut(model: &mut Model, times: u32, index: usize, source: &Source) -> Result<(
 /// A model whose meshes are in the scene, from `first_mesh` on.
 struct Loaded {
     model: Model,
+    /// Of its files.
+    digest: Hash,
     first_mesh: u32,
 }
 
 impl Loaded {
     /// Moves a model's lists into the scene, and makes their indices the scene's.
-    fn new(mut model: Model, scene: &mut SceneDescription) -> Self {
+    fn new(mut model: Model, digest: Hash, scene: &mut SceneDescription) -> Self {
         let first_mesh = scene.meshes.len() as u32;
         let first_material = scene.materials.len() as u32;
         let first_texture = scene.textures.len() as u32;
@@ -254,7 +259,11 @@ impl Loaded {
                 }
                 mesh
             }));
-        Self { model, first_mesh }
+        Self {
+            model,
+            digest,
+            first_mesh,
+        }
     }
 }
 

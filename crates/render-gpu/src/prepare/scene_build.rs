@@ -27,7 +27,7 @@ const REBUILD_COST: f64 = 1.1;
 /// A scene as executors take it: the buffers that kernels read, all of them with at least one element.
 ///
 /// The transforms of its description are the *reference pose*; [`pose`](Self::pose) moves the objects elsewhere. What the
-/// buffers hold then hangs on the reference pose and on that pose alone, not on the ones between.
+/// buffers hold then depends on the reference pose and on that pose alone, not on the ones between.
 #[derive(Clone, Debug)]
 pub struct SceneBuffers {
     id: u64,

@@ -9,7 +9,7 @@ use std::process::Stdio;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// Writes so many frames at a rate into a folder that is followed, and sees that none is dropped.
+/// Writes `frames` frames at a rate into a folder that is followed, and sees that none is dropped.
 pub(crate) fn run(fps: f64, frames: u32) -> Outcome {
     let failed = |e: std::io::Error| e.to_string();
     let bench = Bench::new("follow")?;

@@ -9,7 +9,7 @@ use std::time::Duration;
 /// How much memory may grow between the middle and the end of a run, in KiB: allocators keep a little.
 const GROWTH: u64 = 8 << 10;
 
-/// Renders so many frames, and watches memory and open files.
+/// Renders `frames` frames, and watches memory and open files.
 pub(crate) fn run(frames: u32) -> Outcome {
     let bench = Bench::new("soak")?;
     bench.film(1)?;
