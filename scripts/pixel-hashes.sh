@@ -102,8 +102,8 @@ render helicopter-preroll helicopter/shot.toml "${size[@]}" "${particles[@]}" --
 render helicopter-first helicopter/shot.toml "${size[@]}" "${particles[@]}" --frames 1-2 --state-out "$work/state"
 render helicopter-second helicopter/shot.toml "${size[@]}" "${particles[@]}" --frames 3-4 --state-in "$work/state"
 # The newest frame that is there.
-render helicopter-follow helicopter/shot.toml "${size[@]}" --follow --wait 1
-render helicopter-follow-smc helicopter/shot.toml "${size[@]}" "${particles[@]}" --follow --wait 1
+render helicopter-follow helicopter/shot.toml "${size[@]}" --follow --wait 1 --max-lag 1000
+render helicopter-follow-smc helicopter/shot.toml "${size[@]}" "${particles[@]}" --follow --wait 1 --max-lag 1000
 
 # Precomputed transfer.
 bake=(--set render.prt.directions=100 --set object.1.subdivide=5)
