@@ -101,7 +101,7 @@ done
 render helicopter-preroll helicopter/shot.toml "${size[@]}" "${particles[@]}" --frames 3-4 --preroll 2
 render helicopter-first helicopter/shot.toml "${size[@]}" "${particles[@]}" --frames 1-2 --state-out "$work/state"
 render helicopter-second helicopter/shot.toml "${size[@]}" "${particles[@]}" --frames 3-4 --state-in "$work/state"
-# The newest frame that is there.
+# Frames that are followed, all of which are there.
 render helicopter-follow helicopter/shot.toml "${size[@]}" --follow --wait 1 --max-lag 1000
 render helicopter-follow-smc helicopter/shot.toml "${size[@]}" "${particles[@]}" --follow --wait 1 --max-lag 1000
 
