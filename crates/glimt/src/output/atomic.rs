@@ -29,8 +29,10 @@ impl Pending {
     /// The folder cannot be written to.
     pub fn create(target: &Target) -> Result<Self> {
         let target = target.path();
+        // Under this lock no end of the program comes between the file and its entry.
+        let mut unfinished = unfinished();
         let (part, file) = create_part(target).map_err(|e| Error::writing(target, &e))?;
-        unfinished().insert(part.clone());
+        unfinished.insert(part.clone());
         Ok(Self {
             target: target.to_owned(),
             part,
@@ -218,8 +220,10 @@ fn remove_left(part: &fs::DirEntry) -> io::Result<()> {
 pub fn prepare_folder(folder: &Path) -> Result<()> {
     let failed = |e| Error::writing(folder, &e);
     fs::create_dir_all(folder).map_err(failed)?;
+    let unfinished = unfinished();
     let (probe, _) = create_part(&folder.join("glimt")).map_err(failed)?;
     let _ = fs::remove_file(probe);
+    drop(unfinished);
     remove_parts(folder);
     Ok(())
 }
@@ -278,6 +282,7 @@ impl Drop for Folder {
 /// Locks a folder by the file in it; `None` where the file system has no locks.
 fn lock(folder: &Path, shared: bool) -> Result<Option<File>> {
     let path = folder.join(LOCK);
+    let mut unfinished = unfinished();
     loop {
         let file = open_lock(&path).map_err(|e| Error::writing(&path, &e))?;
         let locked = match shared {
@@ -288,7 +293,7 @@ fn lock(folder: &Path, shared: bool) -> Result<Option<File>> {
             Ok(()) if is_at(&file, &path) => {
                 // Others hold a lock that is shared: they put the file away.
                 if !shared {
-                    unfinished().insert(path);
+                    unfinished.insert(path);
                 }
                 return Ok(Some(file));
             }
