@@ -526,7 +526,7 @@ Exit status:
   3  an input file is missing or broken
   4  an output cannot be written
   5  the device cannot render this
-  130, 143  SIGINT or SIGTERM came; what is there is whole, and the same command continues from there
+  130, 143  SIGINT or SIGTERM ended it; all files are whole, and the same command continues
 
 Start with `glimt demo`; `glimt help render` shows examples.";
 

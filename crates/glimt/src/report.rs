@@ -98,7 +98,7 @@ impl Reporter {
         }
     }
 
-    /// Work begins that says nothing itself: what it is is said if it takes long.
+    /// Begins work that reports nothing itself. If it takes long, its name is printed.
     pub fn busy(&self, work: &'static str) {
         *self.silence() = Silence {
             since: Instant::now(),

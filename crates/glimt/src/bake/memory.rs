@@ -57,7 +57,9 @@ impl Need {
     /// There is less.
     pub fn check(&self) -> Result<()> {
         let fix = "lower render.prt.bands or object.N.subdivide";
-        require("transfer", self.bytes).map_err(|e| e.fix(fix))?;
+        let (vertices, triangles) = (self.vertices, self.triangles);
+        let what = format!("transfer at {vertices} vertices of {triangles} triangles");
+        require(&what, self.bytes).map_err(|e| e.fix(fix))?;
         let there = usize::try_from(self.bytes).is_ok_and(|bytes| {
             let mut room: Vec<u8> = Vec::new();
             let there = room.try_reserve_exact(bytes).is_ok();
@@ -68,11 +70,8 @@ impl Need {
         if there {
             return Ok(());
         }
-        let (vertices, triangles) = (self.vertices, self.triangles);
-        let what = format!(
-            "transfer at {vertices} vertices of {triangles} triangles takes {} of memory, and there is less",
-            in_words(self.bytes)
-        );
+        let takes = in_words(self.bytes);
+        let what = format!("{what} takes {takes} of memory, and there is less");
         Err(Error::device(what).fix(fix))
     }
 }
@@ -118,7 +117,7 @@ mod tests {
         assert!(need(1 << 20).check().is_ok());
         for bytes in [isize::MAX as u64 / 2, u64::MAX] {
             let error = need(bytes).check().expect_err("no such memory").to_string();
-            assert!(error.contains("transfer"), "{error}");
+            assert!(error.contains("3 vertices"), "{error}");
             assert!(error.contains("lower render.prt.bands"), "{error}");
         }
     }

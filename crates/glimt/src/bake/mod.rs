@@ -252,9 +252,7 @@ pub fn run(shot: &Path, flags: &BakeFlags, reporter: &Reporter) -> Result<()> {
     let plan = FilePlan::new(&out, &scene, &header)?;
     let processor = device::open_processor(flags.device)?;
     // What cannot be written is not computed.
-    if let Some(folder) = out.parent().filter(|folder| folder.is_dir()) {
-        atomic::prepare_folder(folder)?;
-    }
+    atomic::prepare_folder_of(&target)?;
     let pending = plan.begin(&target)?;
     reporter.step(&format!(
         "{} in {}, on {}",

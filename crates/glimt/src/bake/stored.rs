@@ -117,18 +117,6 @@ impl Stored {
     }
 }
 
-/// Whether a file is one of transfer, of whatever version; its document must be whole, what comes behind need not.
-///
-/// # Errors
-/// It cannot be read.
-pub fn is_transfer(file: &Path) -> Result<bool> {
-    match glb::read_any_document(&mut open(file)?) {
-        Ok(document) => Ok(!document["asset"]["extras"]["glimt_bake"].is_null()),
-        Err(Broken::Io(e)) => Err(Error::reading(file, &e)),
-        Err(Broken::NotGlb | Broken::Short(..)) => Ok(false),
-    }
-}
-
 fn open(file: &Path) -> Result<BufReader<File>> {
     let reader = File::open(file).map_err(|e| match e.kind() {
         io::ErrorKind::NotFound => Error::input(file, "there is no such file"),

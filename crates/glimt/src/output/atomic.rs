@@ -228,6 +228,17 @@ pub fn prepare_folder(folder: &Path) -> Result<()> {
     Ok(())
 }
 
+/// Prepares the folder of a file that is written alone, where there is one: such a folder is not made.
+///
+/// # Errors
+/// It cannot be written to.
+pub fn prepare_folder_of(target: &Target) -> Result<()> {
+    match target.path().parent() {
+        Some(folder) if folder.is_dir() => prepare_folder(folder),
+        _ => Ok(()),
+    }
+}
+
 /// Name of the file that is locked while a run writes to a folder.
 const LOCK: &str = ".glimt.lock";
 

@@ -3,7 +3,7 @@
 //! A line of text that names the format, the length of a header, the header in JSON, then light map, rays and particles as they
 //! lie in memory (little-endian), and the SHA-256 of all of it.
 
-use super::atomic::{Pending, prepare_folder};
+use super::atomic::{Pending, prepare_folder_of};
 use super::target::{Guard, Target};
 use crate::error::{Error, Result};
 use crate::shot::digest::Hash;
@@ -39,9 +39,7 @@ pub fn target(guard: &Guard, file: &Path) -> Result<Target> {
             .fix("name another with --state-out"));
     }
     let target = guard.target(file)?;
-    if let Some(folder) = file.parent().filter(|folder| folder.is_dir()) {
-        prepare_folder(folder)?;
-    }
+    prepare_folder_of(&target)?;
     Ok(target)
 }
 

@@ -183,9 +183,7 @@ fn begin(out: &Path, inputs: &[PathBuf], found: &Found, overwrite: bool) -> Resu
     }
     guard.reads_all("the shot", inputs.iter().cloned());
     let target = guard.target(out)?;
-    if let Some(folder) = out.parent().filter(|folder| folder.is_dir()) {
-        atomic::prepare_folder(folder)?;
-    }
+    atomic::prepare_folder_of(&target)?;
     Pending::create(&target)
 }
 
