@@ -14,7 +14,7 @@ use glimt_render_gpu::kernels::transfer::{
 };
 use glimt_render_gpu::kernels::triangle::{Triangle, intersect};
 use glimt_render_gpu::prepare::bake::{BakeSettings, bake, for_kernels};
-use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, Reflection, SceneDescription};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_sampling::uniform::{UniformSource, unit_vec2};
 use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
@@ -462,11 +462,11 @@ fn describe(mesh: &TriangleMesh, grid: u32) -> SceneDescription {
             },
             plane,
         ],
-        materials: vec![Material::BlinnPhong {
+        materials: vec![Material::from(Reflection::BlinnPhong {
             diffuse: Vec3::splat(0.5),
             specular: Vec3::ZERO,
             exponent: 0.0,
-        }],
+        })],
         textures: Vec::new(),
         objects: vec![object(0, stand), object(1, Mat4::IDENTITY)],
     }

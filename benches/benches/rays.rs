@@ -8,7 +8,7 @@ use glimt_benches::{Contest, claim};
 use glimt_render_gpu::kernels::bvh::{any_hit, closest_hit};
 use glimt_render_gpu::kernels::ray::Ray;
 use glimt_render_gpu::kernels::triangle::{Triangle, intersect};
-use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, Reflection, SceneDescription};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_sampling::uniform::{UniformSource, unit_vec2};
 use glimt_sampling::warp::sample_cosine_hemisphere;
@@ -134,11 +134,11 @@ fn describe(mesh: &TriangleMesh) -> SceneDescription {
             materials: vec![0],
             ..Mesh::default()
         }],
-        materials: vec![Material::BlinnPhong {
+        materials: vec![Material::from(Reflection::BlinnPhong {
             diffuse: Vec3::splat(0.5),
             specular: Vec3::ZERO,
             exponent: 0.0,
-        }],
+        })],
         textures: Vec::new(),
         objects: vec![Object {
             mesh: 0,

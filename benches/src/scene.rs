@@ -2,7 +2,9 @@
 
 use crate::inputs::TriangleMesh;
 use glam::{Mat4, Vec3, vec3};
-use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{
+    Camera, Material, Mesh, Object, Reflection, SceneDescription,
+};
 
 /// A camera before the mesh of [`on_a_plane`].
 pub fn camera() -> Camera {
@@ -37,10 +39,12 @@ pub fn on_a_plane(mesh: &TriangleMesh) -> SceneDescription {
         * Mat4::from_rotation_x(std::f32::consts::FRAC_PI_2)
         * Mat4::from_translation(vec3(-middle.x, -low.y, -middle.z));
     let plane = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-    let diffuse = |albedo| Material::BlinnPhong {
-        diffuse: Vec3::splat(albedo),
-        specular: Vec3::ZERO,
-        exponent: 0.0,
+    let diffuse = |albedo| {
+        Material::from(Reflection::BlinnPhong {
+            diffuse: Vec3::splat(albedo),
+            specular: Vec3::ZERO,
+            exponent: 0.0,
+        })
     };
     SceneDescription {
         meshes: vec![

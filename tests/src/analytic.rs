@@ -6,7 +6,7 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec3, Mat4, Vec3};
-use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, Reflection, SceneDescription};
 
 use crate::quadrature::{Integral, direction};
 
@@ -144,11 +144,11 @@ impl AnalyticScene {
                 box_mesh(self.cuboid),
                 sphere_mesh(self.centre, self.radius, rings),
             ],
-            materials: vec![Material::BlinnPhong {
+            materials: vec![Material::from(Reflection::BlinnPhong {
                 diffuse: self.diffuse.as_vec3(),
                 specular: self.specular.as_vec3(),
                 exponent: self.exponent as f32,
-            }],
+            })],
             textures: vec![],
             objects: vec![object(0), object(1), object(2)],
         }

@@ -11,7 +11,7 @@ use glimt_render_gpu::prepare::render::{
     Background, FrameImage, Pattern, RenderSettings, Renderer, Tonemap,
 };
 use glimt_render_gpu::prepare::scene::{
-    Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
+    Camera, Material, Mesh, Object, Reflection, SceneDescription, Texture, Wrap,
 };
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_tests::gpu::adapter_or_skip;
@@ -66,20 +66,20 @@ fn scene() -> SceneBuffers {
     SceneBuffers::build(&SceneDescription {
         meshes: vec![ball, plane],
         materials: vec![
-            Material::BlinnPhong {
+            Material::from(Reflection::BlinnPhong {
                 diffuse: Vec3::new(0.4, 0.2, 0.1),
                 specular: Vec3::splat(0.4),
                 exponent: 60.0,
-            },
-            Material::MetallicRoughness {
+            }),
+            Material::from(Reflection::MetallicRoughness {
                 base_color: Vec3::ONE,
                 metallic: 0.0,
                 roughness: 0.8,
-                base_color_texture: Some(0),
+                base_color_texture: Some(0.into()),
                 metallic_roughness_texture: None,
                 normal_texture: None,
                 normal_scale: 1.0,
-            },
+            }),
         ],
         textures: vec![Texture {
             size: UVec2::splat(2),

@@ -15,7 +15,9 @@ use glimt_render_gpu::kernels::mis::Mis;
 use glimt_render_gpu::kernels::shade::shade;
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::RenderSettings;
-use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{
+    Camera, Material, Mesh, Object, Reflection, SceneDescription,
+};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_tests::gpu::adapter_or_skip;
 
@@ -63,11 +65,11 @@ fn describe() -> SceneDescription {
             material: None,
             catcher: false,
         }],
-        materials: vec![Material::BlinnPhong {
+        materials: vec![Material::from(Reflection::BlinnPhong {
             diffuse: Vec3::new(0.4, 0.3, 0.2),
             specular: Vec3::splat(0.4),
             exponent: 60.0,
-        }],
+        })],
         textures: Vec::new(),
     }
 }

@@ -6,7 +6,7 @@ use glimt_render_gpu::gpu::{AdapterPreference, GpuRenderer};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{FrameImage, RenderSettings, Renderer};
 use glimt_render_gpu::prepare::scene::{
-    Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
+    Camera, Material, Mesh, Object, Reflection, SceneDescription, Texture, Wrap,
 };
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_render_gpu::prepare::scene_error::SceneError;
@@ -78,20 +78,20 @@ fn describe(transforms: &[Mat4]) -> SceneDescription {
     SceneDescription {
         meshes: vec![torus(), blade(), floor()],
         materials: vec![
-            Material::MetallicRoughness {
+            Material::from(Reflection::MetallicRoughness {
                 base_color: Vec3::ONE,
                 metallic: 0.5,
                 roughness: 0.4,
-                base_color_texture: Some(0),
+                base_color_texture: Some(0.into()),
                 metallic_roughness_texture: None,
-                normal_texture: Some(1),
+                normal_texture: Some(1.into()),
                 normal_scale: 1.0,
-            },
-            Material::BlinnPhong {
+            }),
+            Material::from(Reflection::BlinnPhong {
                 diffuse: Vec3::new(0.4, 0.5, 0.6),
                 specular: Vec3::splat(0.2),
                 exponent: 80.0,
-            },
+            }),
         ],
         textures: vec![
             Texture {

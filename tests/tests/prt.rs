@@ -13,7 +13,9 @@ use glimt_render_gpu::prepare::plate::Plate;
 use glimt_render_gpu::prepare::render::{
     Background, Filter, FrameImage, RenderError, RenderSettings, Renderer, SettingsError,
 };
-use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{
+    Camera, Material, Mesh, Object, Reflection, SceneDescription,
+};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_render_gpu::prepare::transfer::{SurfaceVertex, Transfer, TransferError};
 use glimt_sh::{ShError, basis, cosine_lobe};
@@ -77,11 +79,11 @@ fn scene(meshes: Vec<(Mesh, bool)>) -> SceneBuffers {
     SceneBuffers::build(&SceneDescription {
         objects: objects.collect(),
         meshes: meshes.into_iter().map(|(mesh, _)| mesh).collect(),
-        materials: vec![Material::BlinnPhong {
+        materials: vec![Material::from(Reflection::BlinnPhong {
             diffuse: ALBEDO,
             specular: Vec3::ZERO,
             exponent: 1.0,
-        }],
+        })],
         ..SceneDescription::default()
     })
     .unwrap()

@@ -14,7 +14,7 @@ use glimt_render_gpu::prepare::render::{
     Background, Filter, FrameImage, RenderSettings, Renderer, Shadow, Tonemap,
 };
 use glimt_render_gpu::prepare::scene::{
-    Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
+    Camera, Material, Mesh, Object, Reflection, SceneDescription, Texture, Wrap,
 };
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_render_gpu::prepare::transfer::{SurfaceVertex, Transfer};
@@ -197,20 +197,20 @@ fn scene(catcher: bool, reflection: f32) -> SceneBuffers {
     let mut scene = SceneBuffers::build(&SceneDescription {
         meshes: vec![ball, floor],
         materials: vec![
-            Material::BlinnPhong {
+            Material::from(Reflection::BlinnPhong {
                 diffuse: Vec3::new(0.6, 0.4, 0.2),
                 specular: Vec3::ZERO,
                 exponent: 0.0,
-            },
-            Material::MetallicRoughness {
+            }),
+            Material::from(Reflection::MetallicRoughness {
                 base_color: Vec3::ONE,
                 metallic: 0.0,
                 roughness: 0.8,
-                base_color_texture: Some(0),
+                base_color_texture: Some(0.into()),
                 metallic_roughness_texture: None,
                 normal_texture: None,
                 normal_scale: 1.0,
-            },
+            }),
         ],
         textures: vec![Texture {
             size: UVec2::splat(4),
@@ -600,11 +600,11 @@ fn a_floor_that_reaches_far_cuts_nothing_near() {
             })
             .collect(),
         meshes,
-        materials: vec![Material::BlinnPhong {
+        materials: vec![Material::from(Reflection::BlinnPhong {
             diffuse: Vec3::splat(0.5),
             specular: Vec3::ZERO,
             exponent: 0.0,
-        }],
+        })],
         textures: Vec::new(),
     })
     .unwrap();

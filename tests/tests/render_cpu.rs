@@ -7,7 +7,9 @@ use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{
     Background, FrameImage, Pattern, RenderSettings, Renderer, Tonemap,
 };
-use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{
+    Camera, Material, Mesh, Object, Reflection, SceneDescription,
+};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_tests::analytic::AnalyticScene;
 use glimt_tests::quadrature::Integral;
@@ -201,11 +203,11 @@ fn a_white_furnace_gains_no_light() {
         (0.0, 500.0),
         (0.0, 1e4),
     ] {
-        let scene = one_triangle(Material::BlinnPhong {
+        let scene = one_triangle(Material::from(Reflection::BlinnPhong {
             diffuse: Vec3::splat(kd),
             specular: Vec3::splat(1.0 - kd),
             exponent,
-        });
+        }));
         for (height, cos) in [(4.0, 1.0), (2.0, 0.5)] {
             let x = -(16.0f32 - height * height).sqrt();
             let eye = Vec3::new(x, 0.0, height);
@@ -383,11 +385,11 @@ fn a_turned_map_is_a_map_with_its_columns_moved() {
 
 #[test]
 fn display_and_alpha() {
-    let scene = one_triangle(Material::BlinnPhong {
+    let scene = one_triangle(Material::from(Reflection::BlinnPhong {
         diffuse: Vec3::new(1.0, 0.25, 0.0),
         specular: Vec3::ZERO,
         exponent: 1.0,
-    });
+    }));
     let down = Camera {
         eye: Vec3::new(0.0, -30.0, 5.0),
         target: Vec3::new(0.0, -30.0, 0.0),

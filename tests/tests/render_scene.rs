@@ -12,7 +12,7 @@ use glimt_render_gpu::methods::Mis;
 use glimt_render_gpu::prepare::env::{EnvError, EnvMap};
 use glimt_render_gpu::prepare::render::{Filter, RenderSettings, Renderer, SettingsError};
 use glimt_render_gpu::prepare::scene::{
-    Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
+    Camera, Material, Mesh, Object, Reflection, SceneDescription, Texture, Wrap,
 };
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_render_gpu::prepare::scene_error::SceneError;
@@ -20,11 +20,13 @@ use glimt_sampling::warp::sample_uniform_sphere;
 use glimt_sampling::{UniformSource, Xoshiro128PlusPlus, unit_f32, unit_vec2};
 use obvhs::ray::RayHit;
 
-const GREY: Material = Material::BlinnPhong {
-    diffuse: Vec3::splat(0.5),
-    specular: Vec3::ZERO,
-    exponent: 1.0,
-};
+fn grey() -> Material {
+    Material::from(Reflection::BlinnPhong {
+        diffuse: Vec3::splat(0.5),
+        specular: Vec3::ZERO,
+        exponent: 1.0,
+    })
+}
 
 fn object(mesh: u32, transform: Mat4) -> Object {
     Object {
@@ -107,7 +109,7 @@ fn brute_force(triangles: &[Triangle], ray: &Ray) -> f32 {
 
 #[test]
 fn hits_are_those_of_every_triangle_and_of_obvhs() {
-    let scene = SceneBuffers::build(&one_mesh(bumpy_torus(160, 70), GREY)).unwrap();
+    let scene = SceneBuffers::build(&one_mesh(bumpy_torus(160, 70), grey())).unwrap();
     let scene = scene.view();
     let boxed: Vec<_> = scene
         .triangles
@@ -194,7 +196,7 @@ fn real_meshes_have_no_holes() {
             mesh.indices.push([0, 1, 2].map(|i| corner(words[i])));
         }
     }
-    let scene = SceneBuffers::build(&one_mesh(mesh, GREY)).unwrap();
+    let scene = SceneBuffers::build(&one_mesh(mesh, grey())).unwrap();
     let (low, high) = scene.bounds();
     let (centre, size) = (0.5 * (low + high), (high - low).length());
     let view = scene.view();
@@ -242,15 +244,15 @@ fn textured(texture: Texture) -> SceneDescription {
         textures: vec![texture],
         ..one_mesh(
             square(),
-            Material::MetallicRoughness {
+            Material::from(Reflection::MetallicRoughness {
                 base_color: Vec3::new(1.0, 0.5, 1.0),
                 metallic: 0.0,
                 roughness: 1.0,
-                base_color_texture: Some(0),
+                base_color_texture: Some(0.into()),
                 metallic_roughness_texture: None,
                 normal_texture: None,
                 normal_scale: 1.0,
-            },
+            }),
         )
     }
 }
@@ -297,11 +299,11 @@ fn bumped_normal(mesh: Mesh, transform: Mat4, normal_texel: [u8; 4]) -> Vec3 {
         srgb: false,
         wrap: [Wrap::Repeat; 2],
     });
-    let Material::MetallicRoughness {
+    let Reflection::MetallicRoughness {
         base_color_texture,
         normal_texture,
         ..
-    } = &mut scene.materials[0]
+    } = &mut scene.materials[0].reflection
     else {
         unreachable!()
     };
@@ -363,7 +365,7 @@ fn normals_follow_a_squeezed_object() {
     let squeeze = Mat4::from_scale(Vec3::new(0.5, 1.0, 2.0));
     let description = SceneDescription {
         objects: vec![object(0, squeeze)],
-        ..one_mesh(mesh, GREY)
+        ..one_mesh(mesh, grey())
     };
     let scene = SceneBuffers::build(&description).unwrap();
     let expected = Vec3::new(-4.0, 0.0, 1.0).normalize();
@@ -378,18 +380,18 @@ fn degenerate_triangles_are_dropped_and_counted() {
     mesh.positions.push(Vec3::new(0.0, -1.0, 0.0));
     mesh.uvs.clear();
     mesh.indices.extend([[0, 0, 1], [2, 2, 2], [0, 4, 1]]);
-    let scene = SceneBuffers::build(&one_mesh(mesh.clone(), GREY)).unwrap();
+    let scene = SceneBuffers::build(&one_mesh(mesh.clone(), grey())).unwrap();
     assert_eq!(
         (scene.dropped_triangles(), scene.view().triangles.len()),
         (3, 2)
     );
     mesh.indices.drain(..2);
-    let refused = SceneBuffers::build(&one_mesh(mesh, GREY)).unwrap_err();
+    let refused = SceneBuffers::build(&one_mesh(mesh, grey())).unwrap_err();
     assert_eq!(refused, SceneError::NoTriangles { dropped: 3 });
 }
 
 fn refusal(change: impl FnOnce(&mut SceneDescription)) -> String {
-    let mut description = one_mesh(square(), GREY);
+    let mut description = one_mesh(square(), grey());
     change(&mut description);
     SceneBuffers::build(&description).unwrap_err().to_string()
 }
@@ -440,11 +442,11 @@ fn bad_scenes_are_refused_with_the_place() {
         ),
         (
             refusal(|s| {
-                s.materials[0] = Material::BlinnPhong {
+                s.materials[0] = Material::from(Reflection::BlinnPhong {
                     diffuse: Vec3::ONE,
                     specular: Vec3::ONE,
                     exponent: 1.0,
-                };
+                });
             }),
             "material 0: ",
         ),
@@ -472,7 +474,7 @@ fn bad_scenes_are_refused_with_the_place() {
         mesh.uvs.push(Vec2::ZERO);
         mesh
     };
-    assert!(SceneBuffers::build(&one_mesh(unused_vertex, GREY)).is_ok());
+    assert!(SceneBuffers::build(&one_mesh(unused_vertex, grey())).is_ok());
 }
 
 #[test]
@@ -540,7 +542,7 @@ fn bad_maps_and_settings_are_refused() {
 fn one_triangle_and_many_equal_ones_make_a_tree() {
     let mut mesh = square();
     mesh.indices.truncate(1);
-    let one = SceneBuffers::build(&one_mesh(mesh.clone(), GREY)).unwrap();
+    let one = SceneBuffers::build(&one_mesh(mesh.clone(), grey())).unwrap();
     let ray = Ray::new(Vec3::new(0.5, -0.5, 1.0), Vec3::NEG_Z);
     let hit = |scene: &SceneBuffers| {
         closest_hit(scene.view().nodes, scene.view().triangles, &ray, f32::MAX)
@@ -548,6 +550,6 @@ fn one_triangle_and_many_equal_ones_make_a_tree() {
     assert_eq!(hit(&one).unwrap().t, 1.0);
     // The same place for every centroid: no split can part them.
     mesh.indices = vec![mesh.indices[0]; 5_000];
-    let many = SceneBuffers::build(&one_mesh(mesh, GREY)).unwrap();
+    let many = SceneBuffers::build(&one_mesh(mesh, grey())).unwrap();
     assert_eq!(hit(&many).unwrap().t, 1.0);
 }

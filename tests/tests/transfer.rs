@@ -5,7 +5,7 @@ use glimt_render_gpu::generated::entries::TRANSFER;
 use glimt_render_gpu::gpu::{self, Arg, GpuScene};
 use glimt_render_gpu::kernels::transfer::{STATE, transfer};
 use glimt_render_gpu::prepare::bake::{BakeSettings, bake, for_kernels};
-use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, Reflection, SceneDescription};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_render_gpu::prepare::transfer::Transfer;
 use glimt_sh::{basis, cosine_lobe};
@@ -33,11 +33,11 @@ fn scene(parts: Vec<(Mesh, bool)>) -> SceneBuffers {
     SceneBuffers::build(&SceneDescription {
         objects: objects.collect(),
         meshes: parts.into_iter().map(|(mesh, _)| mesh).collect(),
-        materials: vec![Material::BlinnPhong {
+        materials: vec![Material::from(Reflection::BlinnPhong {
             diffuse: Vec3::splat(0.5),
             specular: Vec3::ZERO,
             exponent: 0.0,
-        }],
+        })],
         textures: Vec::new(),
     })
     .expect("a scene")

@@ -9,7 +9,7 @@
 //! use glimt_render_gpu::cpu::CpuRenderer;
 //! use glimt_render_gpu::prepare::env::EnvMap;
 //! use glimt_render_gpu::prepare::render::{RenderSettings, Renderer};
-//! use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
+//! use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, Reflection, SceneDescription};
 //! use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 //!
 //! // A grey triangle under a white sky reflects its albedo.
@@ -20,7 +20,7 @@
 //!         materials: vec![0],
 //!         ..Mesh::default()
 //!     }],
-//!     materials: vec![Material::BlinnPhong { diffuse: Vec3::splat(0.5), specular: Vec3::ZERO, exponent: 0.0 }],
+//!     materials: vec![Material::from(Reflection::BlinnPhong { diffuse: Vec3::splat(0.5), specular: Vec3::ZERO, exponent: 0.0 })],
 //!     objects: vec![Object { mesh: 0, transform: Mat4::IDENTITY, material: None, catcher: false }],
 //!     ..SceneDescription::default()
 //! })?;
@@ -40,7 +40,7 @@
 //! # use glimt_render_gpu::cpu::CpuDrawing;
 //! # use glimt_render_gpu::prepare::env::EnvMap;
 //! # use glimt_render_gpu::prepare::render::{RenderSettings, Renderer};
-//! # use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, SceneDescription};
+//! # use glimt_render_gpu::prepare::scene::{Camera, Material, Mesh, Object, Reflection, SceneDescription};
 //! # use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 //! use glimt_render_gpu::prepare::bake::{BakeSettings, bake};
 //! # let mut scene = SceneBuffers::build(&SceneDescription {
@@ -50,7 +50,7 @@
 //! #         materials: vec![0],
 //! #         ..Mesh::default()
 //! #     }],
-//! #     materials: vec![Material::BlinnPhong { diffuse: Vec3::splat(0.5), specular: Vec3::ZERO, exponent: 0.0 }],
+//! #     materials: vec![Material::from(Reflection::BlinnPhong { diffuse: Vec3::splat(0.5), specular: Vec3::ZERO, exponent: 0.0 })],
 //! #     objects: vec![Object { mesh: 0, transform: Mat4::IDENTITY, material: None, catcher: false }],
 //! #     ..SceneDescription::default()
 //! # })?;

@@ -11,7 +11,7 @@ use glimt_render_gpu::kernels::{diagnose, film, shade};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{Pattern, RenderSettings, Tonemap};
 use glimt_render_gpu::prepare::scene::{
-    Camera, Material, Mesh, Object, SceneDescription, Texture, Wrap,
+    Camera, Material, Mesh, Object, Reflection, SceneDescription, Texture, Wrap,
 };
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use naga_front_rust::Program;
@@ -272,17 +272,17 @@ pub(super) fn scene(catcher: bool) -> SceneBuffers {
 
 fn materials() -> Vec<Material> {
     vec![
-        Material::BlinnPhong {
+        Material::from(Reflection::BlinnPhong {
             diffuse: Vec3::splat(0.5),
             specular: Vec3::ZERO,
             exponent: 0.0,
-        },
-        Material::BlinnPhong {
+        }),
+        Material::from(Reflection::BlinnPhong {
             diffuse: vec3(0.4, 0.2, 0.1),
             specular: Vec3::splat(0.4),
             exponent: 60.0,
-        },
-        Material::MetallicRoughness {
+        }),
+        Material::from(Reflection::MetallicRoughness {
             base_color: vec3(0.9, 0.7, 0.4),
             metallic: 0.8,
             roughness: 0.4,
@@ -290,16 +290,16 @@ fn materials() -> Vec<Material> {
             metallic_roughness_texture: None,
             normal_texture: None,
             normal_scale: 1.0,
-        },
-        Material::MetallicRoughness {
+        }),
+        Material::from(Reflection::MetallicRoughness {
             base_color: Vec3::ONE,
             metallic: 0.5,
             roughness: 0.9,
-            base_color_texture: Some(0),
-            metallic_roughness_texture: Some(1),
-            normal_texture: Some(2),
+            base_color_texture: Some(0.into()),
+            metallic_roughness_texture: Some(1.into()),
+            normal_texture: Some(2.into()),
             normal_scale: 0.5,
-        },
+        }),
     ]
 }
 

@@ -4,7 +4,7 @@ use glam::{Mat4, Vec3};
 use glimt_render_gpu::gpu::{Arg, GpuContext, GpuScene};
 use glimt_render_gpu::kernels::transfer::{STATE, transfer};
 use glimt_render_gpu::prepare::bake::{BakeSettings, for_kernels};
-use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, Reflection, SceneDescription};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use naga_front_rust::Program;
 
@@ -43,11 +43,11 @@ fn scene() -> SceneBuffers {
     };
     SceneBuffers::build(&SceneDescription {
         meshes: vec![floor, tent],
-        materials: vec![Material::BlinnPhong {
+        materials: vec![Material::from(Reflection::BlinnPhong {
             diffuse: Vec3::splat(0.5),
             specular: Vec3::ZERO,
             exponent: 0.0,
-        }],
+        })],
         textures: Vec::new(),
         objects: vec![object(0), object(1)],
     })

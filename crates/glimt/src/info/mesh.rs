@@ -7,7 +7,7 @@ use crate::mesh::node::names;
 use crate::notes::Notes;
 use crate::report::shown;
 use glam::{Mat4, Vec3};
-use glimt_render_gpu::prepare::scene::Material;
+use glimt_render_gpu::prepare::scene::{Material, Reflection};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -90,8 +90,8 @@ fn point(p: Vec3) -> String {
 
 fn describe_material(material: &Material) -> String {
     let colour = |c: Vec3| format!("({:.3}, {:.3}, {:.3})", c.x, c.y, c.z);
-    match material {
-        Material::BlinnPhong {
+    match &material.reflection {
+        Reflection::BlinnPhong {
             diffuse,
             specular,
             exponent,
@@ -100,7 +100,7 @@ fn describe_material(material: &Material) -> String {
             colour(*diffuse),
             colour(*specular)
         ),
-        Material::MetallicRoughness {
+        Reflection::MetallicRoughness {
             base_color,
             metallic,
             roughness,
@@ -119,9 +119,19 @@ fn describe_material(material: &Material) -> String {
                 ("normal", normal_texture),
             ];
             for (name, texture) in textures {
-                if let Some(index) = texture {
-                    text.push_str(&format!(", {name} texture {index}"));
+                if let Some(texture) = texture {
+                    text.push_str(&format!(", {name} texture {}", texture.texture));
                 }
+            }
+            text
+        }
+        Reflection::Unlit {
+            color,
+            color_texture,
+        } => {
+            let mut text = format!("unlit, colour {}", colour(*color));
+            if let Some(texture) = color_texture {
+                text.push_str(&format!(", texture {}", texture.texture));
             }
             text
         }

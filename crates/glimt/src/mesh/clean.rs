@@ -4,7 +4,7 @@ use super::model::Model;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use glam::{DVec3, Vec3};
-use glimt_render_gpu::prepare::scene::{Material, Mesh};
+use glimt_render_gpu::prepare::scene::{Mesh, Reflection};
 use std::path::Path;
 
 /// Checks and mends a model: indices must be in range and coordinates finite; triangles without area are dropped, normals
@@ -145,8 +145,8 @@ fn mend_normals(mesh: &mut Mesh, file: &Path, notes: &mut Notes) {
 
 fn scale_materials(model: &mut Model, file: &Path, notes: &mut Notes) {
     for (material, name) in model.materials.iter_mut().zip(&model.material_names) {
-        match material {
-            Material::BlinnPhong {
+        match &mut material.reflection {
+            Reflection::BlinnPhong {
                 diffuse, specular, ..
             } => {
                 *diffuse = channels(*diffuse);
@@ -165,7 +165,7 @@ fn scale_materials(model: &mut Model, file: &Path, notes: &mut Notes) {
                     );
                 }
             }
-            Material::MetallicRoughness {
+            Reflection::MetallicRoughness {
                 base_color,
                 metallic,
                 roughness,
@@ -175,6 +175,7 @@ fn scale_materials(model: &mut Model, file: &Path, notes: &mut Notes) {
                 *metallic = metallic.clamp(0.0, 1.0);
                 *roughness = roughness.clamp(0.0, 1.0);
             }
+            Reflection::Unlit { color, .. } => *color = channels(*color),
         }
     }
 }

@@ -5,7 +5,7 @@ use super::node::{self, Node};
 use crate::error::{Error, Result};
 use crate::shot::digest::{self, Hash};
 use glam::{Mat4, Vec3};
-use glimt_render_gpu::prepare::scene::{Material, Mesh, Texture};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Reflection, Texture};
 use std::path::PathBuf;
 
 /// What a mesh file holds. Indices are into its own lists.
@@ -123,9 +123,9 @@ impl Model {
 
 /// Grey paint, for meshes that have no material.
 pub fn default_material() -> Material {
-    Material::BlinnPhong {
+    Material::from(Reflection::BlinnPhong {
         diffuse: Vec3::splat(0.6),
         specular: Vec3::ZERO,
         exponent: 1.0,
-    }
+    })
 }

@@ -5,7 +5,7 @@ use super::node::Node;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use glam::{Vec2, Vec3};
-use glimt_render_gpu::prepare::scene::{Material, Mesh, Texture, Wrap};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Reflection, Texture, Wrap};
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::fs::File;
@@ -154,11 +154,11 @@ fn convert(m: &tobj::Material, folder: &Path, model: &mut Model, notes: &mut Not
         }
     });
     let Some((path, picture)) = picture else {
-        return Material::BlinnPhong {
+        return Material::from(Reflection::BlinnPhong {
             diffuse,
             specular,
             exponent,
-        };
+        });
     };
     notes.note(
         &file,
@@ -174,7 +174,7 @@ fn convert(m: &tobj::Material, folder: &Path, model: &mut Model, notes: &mut Not
         srgb: true,
         wrap: [Wrap::Repeat; 2],
     });
-    Material::MetallicRoughness {
+    Material::from(Reflection::MetallicRoughness {
         base_color: if diffuse == Vec3::ZERO {
             Vec3::ONE
         } else {
@@ -183,11 +183,11 @@ fn convert(m: &tobj::Material, folder: &Path, model: &mut Model, notes: &mut Not
         metallic: 0.0,
         // e = 2/α² − 2, α = roughness².
         roughness: (2.0 / (exponent + 2.0)).powf(0.25),
-        base_color_texture: Some(model.textures.len() as u32 - 1),
+        base_color_texture: Some((model.textures.len() as u32 - 1).into()),
         metallic_roughness_texture: None,
         normal_texture: None,
         normal_scale: 1.0,
-    }
+    })
 }
 
 fn broken(file: &Path, error: tobj::LoadError, lines: usize) -> Error {

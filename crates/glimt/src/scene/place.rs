@@ -11,7 +11,7 @@ use crate::shot::digest::{Hash, join, of_file};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, Up};
 use glam::{DMat3, EulerRot, Mat4, Quat, Vec3};
-use glimt_render_gpu::prepare::scene::{Material, Object, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Material, Object, Reflection, SceneDescription};
 use glimt_render_gpu::prepare::scene_build::MAX_COORDINATE;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -152,11 +152,11 @@ impl Placing {
         let model = &entry.model;
         let scene = &mut self.scene;
         let material = object.material.as_ref().map(|m| {
-            scene.materials.push(Material::BlinnPhong {
+            scene.materials.push(Material::from(Reflection::BlinnPhong {
                 diffuse: m.diffuse.into(),
                 specular: m.specular.into(),
                 exponent: m.exponent,
-            });
+            }));
             scene.materials.len() as u32 - 1
         });
         let in_world = mover.nodes_at(0, fps);
@@ -231,21 +231,8 @@ impl Loaded {
         let first_material = scene.materials.len() as u32;
         let first_texture = scene.textures.len() as u32;
         for material in &mut model.materials {
-            if let Material::MetallicRoughness {
-                base_color_texture,
-                metallic_roughness_texture,
-                normal_texture,
-                ..
-            } = material
-            {
-                let textures = [
-                    base_color_texture,
-                    metallic_roughness_texture,
-                    normal_texture,
-                ];
-                for index in textures.into_iter().flatten() {
-                    *index += first_texture;
-                }
+            for texture in material.textures_mut() {
+                texture.texture += first_texture;
             }
         }
         // The model keeps its meshes for bounds and counts; materials and textures are the scene's from here on.

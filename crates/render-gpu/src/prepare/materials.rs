@@ -3,7 +3,7 @@
 use glam::UVec2;
 use glimt_brdf::BlinnPhong;
 
-use super::scene::{Material, Texture, Wrap};
+use super::scene::{Material, Reflection, Texture, TextureRef, Wrap};
 use super::scene_error::SceneError;
 use crate::kernels::material::{self as kernel, BLINN_PHONG, MATERIAL_WORDS, METALLIC_ROUGHNESS};
 use crate::kernels::texture::{
@@ -97,9 +97,9 @@ fn pack_material(
     material: &Material,
     textures: &[TextureView],
 ) -> Result<kernel::Material, SceneError> {
-    let view = |texture: Option<u32>| match texture {
+    let view = |texture: Option<TextureRef>| match texture {
         None => Ok(TextureView::default()),
-        Some(texture) => {
+        Some(TextureRef { texture, .. }) => {
             textures
                 .get(texture as usize)
                 .copied()
@@ -120,8 +120,8 @@ fn pack_material(
         }
     };
     let mut packed: kernel::Material = bytemuck::Zeroable::zeroed();
-    match *material {
-        Material::BlinnPhong {
+    match material.reflection {
+        Reflection::BlinnPhong {
             diffuse,
             specular,
             exponent,
@@ -137,7 +137,7 @@ fn pack_material(
             packed.specular = brdf.specular;
             packed.exponent = brdf.exponent;
         }
-        Material::MetallicRoughness {
+        Reflection::MetallicRoughness {
             base_color,
             metallic,
             roughness,
@@ -158,6 +158,7 @@ fn pack_material(
             packed.metallic_roughness_texture = view(metallic_roughness_texture)?;
             packed.normal_texture = view(normal_texture)?;
         }
+        Reflection::Unlit { .. } => {}
     }
     Ok(packed)
 }

@@ -2,7 +2,7 @@
 //!
 //! World axes are right-handed with z up; lengths have no unit of their own, only the same one everywhere.
 
-use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
+use glam::{Affine2, Mat4, UVec2, Vec2, Vec3, Vec4};
 
 /// Meshes, materials and textures, and the objects that place them in the world. Every index below is into these lists.
 #[derive(Clone, Debug, Default)]
@@ -32,18 +32,33 @@ pub struct Mesh {
     /// Tangents (xyz along growing u, w = ±1 the sign of the bitangent `w n × t`), one for each position; or empty, and
     /// they are made from `uvs` where a material has a normal map.
     pub tangents: Vec<Vec4>,
+    /// Linear colour and alpha, one for each position, in [0, 1]; they multiply those of the material. Or empty.
+    pub colors: Vec<Vec4>,
     /// Corners of each triangle, counter-clockwise seen from outside.
     pub indices: Vec<[u32; 3]>,
     /// Material of each triangle; or of length one, for the whole mesh.
     pub materials: Vec<u32>,
 }
 
-/// How a surface reflects. All colours are linear, with Rec. 709 primaries, in [0, 1].
-#[derive(Clone, Debug)]
-pub enum Material {
+/// What a surface is made of. All colours are linear, in the scene's primaries (Rec. 709 by default).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// How it reflects.
+    pub reflection: Reflection,
+    /// Radiance that it emits towards all sides; seen, but it does not light other surfaces. Not negative.
+    pub emission: Vec3,
+    /// Texture that multiplies `emission`.
+    pub emission_texture: Option<TextureRef>,
+    /// What it lets pass.
+    pub opacity: Opacity,
+}
+
+/// How a surface reflects; colours in [0, 1].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reflection {
     /// `ρ = kd/π + ks · c(e) · (n·h)^e`, of which `kd + ks ≤ 1` in each channel.
     BlinnPhong {
-        /// Diffuse albedo kd.
+        /// Diffuse albedo kd; vertex colours multiply it.
         diffuse: Vec3,
         /// Specular albedo ks at normal incidence.
         specular: Vec3,
@@ -52,21 +67,114 @@ pub enum Material {
     },
     /// glTF's metallic-roughness parameters, mapped to Blinn-Phong after its textures are read.
     MetallicRoughness {
-        /// Base colour factor.
+        /// Base colour factor; vertex colours multiply it.
         base_color: Vec3,
         /// Metallic factor, 0 to 1.
         metallic: f32,
         /// Roughness factor, 0 to 1; acts as 0.12 below that.
         roughness: f32,
         /// Texture that multiplies `base_color`.
-        base_color_texture: Option<u32>,
+        base_color_texture: Option<TextureRef>,
         /// Texture of which green multiplies `roughness` and blue multiplies `metallic`.
-        metallic_roughness_texture: Option<u32>,
+        metallic_roughness_texture: Option<TextureRef>,
         /// Tangent-space normal map.
-        normal_texture: Option<u32>,
+        normal_texture: Option<TextureRef>,
         /// Factor on the normal map's x and y.
         normal_scale: f32,
     },
+    /// It reflects nothing, and shows its own colour as radiance, in any light (glTF's `KHR_materials_unlit`).
+    Unlit {
+        /// Radiance; vertex colours multiply it.
+        color: Vec3,
+        /// Texture that multiplies `color`.
+        color_texture: Option<TextureRef>,
+    },
+}
+
+/// What a surface lets pass, along rays of the camera and of shadows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Opacity {
+    /// Nothing.
+    #[default]
+    Opaque,
+    /// All where its alpha is below `cutoff`, elsewhere nothing.
+    Mask {
+        /// See above.
+        cutoff: f32,
+        /// See [`Alpha`].
+        alpha: Alpha,
+    },
+    /// The share `1 − alpha`. Nothing is refracted or tinted.
+    Blend {
+        /// See [`Alpha`].
+        alpha: Alpha,
+    },
+}
+
+/// Alpha of a surface: `factor` times the alpha of `texture`, times that of the vertex colours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Alpha {
+    /// In [0, 1].
+    pub factor: f32,
+    /// Texture of which the alpha channel is taken.
+    pub texture: Option<TextureRef>,
+}
+
+/// A texture, and where it is looked up: at `transform` of a mesh's texture coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TextureRef {
+    /// Index of the texture.
+    pub texture: u32,
+    /// From the mesh's coordinates to those of the lookup (glTF's `KHR_texture_transform`).
+    pub transform: Affine2,
+}
+
+impl From<u32> for TextureRef {
+    /// The texture at the mesh's own coordinates.
+    fn from(texture: u32) -> Self {
+        Self {
+            texture,
+            transform: Affine2::IDENTITY,
+        }
+    }
+}
+
+impl From<Reflection> for Material {
+    /// An opaque material that emits nothing.
+    fn from(reflection: Reflection) -> Self {
+        Self {
+            reflection,
+            emission: Vec3::ZERO,
+            emission_texture: None,
+            opacity: Opacity::Opaque,
+        }
+    }
+}
+
+impl Material {
+    /// All references to textures.
+    pub fn textures_mut(&mut self) -> impl Iterator<Item = &mut TextureRef> {
+        let reflected = match &mut self.reflection {
+            Reflection::BlinnPhong { .. } => [None, None, None],
+            Reflection::MetallicRoughness {
+                base_color_texture,
+                metallic_roughness_texture,
+                normal_texture,
+                ..
+            } => [
+                base_color_texture.as_mut(),
+                metallic_roughness_texture.as_mut(),
+                normal_texture.as_mut(),
+            ],
+            Reflection::Unlit { color_texture, .. } => [color_texture.as_mut(), None, None],
+        };
+        let alpha = match &mut self.opacity {
+            Opacity::Opaque => None,
+            Opacity::Mask { alpha, .. } | Opacity::Blend { alpha } => alpha.texture.as_mut(),
+        };
+        let others = [self.emission_texture.as_mut(), alpha];
+        reflected.into_iter().chain(others).flatten()
+    }
 }
 
 /// An 8-bit RGBA image, rows from the top.

@@ -3,7 +3,7 @@
 use super::solid::{Knurl, Placement, Ring, Solid, around_z};
 use crate::mesh::model::Model;
 use glam::{DMat3, DVec2, DVec3, UVec2, Vec3, dvec2, uvec2, vec3};
-use glimt_render_gpu::prepare::scene::Material;
+use glimt_render_gpu::prepare::scene::{Material, Reflection};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Latitude of the place where it stands: its axis points at the celestial pole.
@@ -37,11 +37,11 @@ pub(super) fn model() -> Model {
 
 fn materials() -> Vec<(Material, String)> {
     let material = |name: &str, diffuse, specular, exponent| {
-        let material = Material::BlinnPhong {
+        let material = Material::from(Reflection::BlinnPhong {
             diffuse,
             specular,
             exponent,
-        };
+        });
         (material, name.to_owned())
     };
     vec![

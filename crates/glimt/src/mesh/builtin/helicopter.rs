@@ -7,7 +7,7 @@ use super::solid::{Placement, Ring, Solid};
 use crate::mesh::model::{Model, Part};
 use crate::mesh::node::{Node, Trs};
 use glam::{DMat3, DVec2, DVec3, Quat, UVec2, Vec3, dvec2, dvec3, uvec2, vec3};
-use glimt_render_gpu::prepare::scene::Material;
+use glimt_render_gpu::prepare::scene::{Material, Reflection};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 // Indices into the model's materials.
@@ -80,11 +80,11 @@ pub(super) fn model() -> Model {
 
 fn materials() -> Vec<(Material, String)> {
     let material = |name: &str, diffuse, specular, exponent| {
-        let material = Material::BlinnPhong {
+        let material = Material::from(Reflection::BlinnPhong {
             diffuse,
             specular,
             exponent,
-        };
+        });
         (material, name.to_owned())
     };
     vec![

@@ -6,7 +6,7 @@ use ::gltf::image::{Data, Format, Source};
 use ::gltf::material::AlphaMode;
 use ::gltf::texture::WrappingMode;
 use glam::{UVec2, Vec3};
-use glimt_render_gpu::prepare::scene::{Material, Texture, Wrap};
+use glimt_render_gpu::prepare::scene::{Material, Reflection, Texture, TextureRef, Wrap};
 
 /// The set of texture coordinates that a material's base colour is looked up by, or else its other textures.
 pub(super) fn texture_set(material: &::gltf::Material<'_>) -> u32 {
@@ -40,7 +40,7 @@ impl Reader<'_> {
         let metallic_roughness = pbr.metallic_roughness_texture().map(|t| t.texture());
         let normal = material.normal_texture();
         let [r, g, b, _] = pbr.base_color_factor();
-        let read = Material::MetallicRoughness {
+        let read = Material::from(Reflection::MetallicRoughness {
             base_color: Vec3::new(r, g, b),
             metallic: pbr.metallic_factor(),
             roughness: pbr.roughness_factor(),
@@ -50,7 +50,7 @@ impl Reader<'_> {
                 .as_ref()
                 .map_or(1.0, ::gltf::material::NormalTexture::scale),
             normal_texture: self.optional(normal.map(|t| t.texture()), false)?,
-        };
+        });
         let index = self.model.materials.len() as u32;
         self.model.materials.push(read);
         self.model.material_names.push(name);
@@ -78,8 +78,9 @@ impl Reader<'_> {
         &mut self,
         texture: Option<::gltf::Texture<'_>>,
         srgb: bool,
-    ) -> Result<Option<u32>> {
-        texture.map(|t| self.texture(&t, srgb)).transpose()
+    ) -> Result<Option<TextureRef>> {
+        let read = texture.map(|t| self.texture(&t, srgb)).transpose()?;
+        Ok(read.map(TextureRef::from))
     }
 
     fn texture(&mut self, texture: &::gltf::Texture<'_>, srgb: bool) -> Result<u32> {
