@@ -189,7 +189,7 @@ pub static FIND_SMC: Entry = Entry {
         BufferSlot::new("scene.surface", 4, 4, false),
         BufferSlot::new("past.motions", 5, 64, false),
         BufferSlot::new("past.states", 6, 64, false),
-        BufferSlot::new("out", 7, 160, true),
+        BufferSlot::new("out", 7, 176, true),
     ]),
 };
 
@@ -217,7 +217,7 @@ pub static ADVANCE_SMC: Entry = Entry {
         BufferSlot::new("env.texels", 1, 16, false),
         BufferSlot::new("env.tables", 2, 4, false),
         BufferSlot::new("before.texels", 3, 16, false),
-        BufferSlot::new("points", 4, 160, false),
+        BufferSlot::new("points", 4, 176, false),
         BufferSlot::new("past_particles", 5, 16, false),
         BufferSlot::new("state", 6, 64, true),
         BufferSlot::new("particles", 7, 16, true),
@@ -245,10 +245,11 @@ pub static GATHER_SMC: Entry = Entry {
         BufferSlot::new("env.texels", 1, 16, false),
         BufferSlot::new("scene.nodes", 2, 32, false),
         BufferSlot::new("scene.triangles", 3, 48, false),
-        BufferSlot::new("points", 4, 160, false),
-        BufferSlot::new("states", 5, 64, false),
-        BufferSlot::new("particles", 6, 16, false),
-        BufferSlot::new("out", 7, 16, true),
+        BufferSlot::new("scene.surface", 4, 4, false),
+        BufferSlot::new("points", 5, 176, false),
+        BufferSlot::new("states", 6, 64, false),
+        BufferSlot::new("particles", 7, 16, false),
+        BufferSlot::new("out", 8, 16, true),
     ]),
 };
 
@@ -273,10 +274,11 @@ pub static GATHER_SMC_LAYERS: Entry = Entry {
         BufferSlot::new("env.texels", 1, 16, false),
         BufferSlot::new("scene.nodes", 2, 32, false),
         BufferSlot::new("scene.triangles", 3, 48, false),
-        BufferSlot::new("points", 4, 160, false),
-        BufferSlot::new("states", 5, 64, false),
-        BufferSlot::new("particles", 6, 16, false),
-        BufferSlot::new("out", 7, 32, true),
+        BufferSlot::new("scene.surface", 4, 4, false),
+        BufferSlot::new("points", 5, 176, false),
+        BufferSlot::new("states", 6, 64, false),
+        BufferSlot::new("particles", 7, 16, false),
+        BufferSlot::new("out", 8, 32, true),
     ]),
 };
 
@@ -564,11 +566,12 @@ pub static TRANSFER: Entry = Entry {
     buffers: Borrowed(&[
         BufferSlot::new("nodes", 1, 32, false),
         BufferSlot::new("triangles", 2, 48, false),
-        BufferSlot::new("vertices", 3, 48, false),
-        BufferSlot::new("state", 4, 4, true),
-        BufferSlot::new("lit", 5, 4, true),
-        BufferSlot::new("blocked", 6, 4, true),
-        BufferSlot::new("out", 7, 4, true),
+        BufferSlot::new("surface", 3, 4, false),
+        BufferSlot::new("vertices", 4, 48, false),
+        BufferSlot::new("state", 5, 4, true),
+        BufferSlot::new("lit", 6, 4, true),
+        BufferSlot::new("blocked", 7, 4, true),
+        BufferSlot::new("out", 8, 4, true),
     ]),
 };
 
@@ -708,7 +711,8 @@ pub static DIAGNOSE_PRIMARY_HIT: Entry = Entry {
     buffers: Borrowed(&[
         BufferSlot::new("scene.nodes", 1, 32, false),
         BufferSlot::new("scene.triangles", 2, 48, false),
-        BufferSlot::new("out", 3, 16, true),
+        BufferSlot::new("scene.surface", 3, 4, false),
+        BufferSlot::new("out", 4, 16, true),
     ]),
 };
 

@@ -4,7 +4,7 @@ use glam::{UVec2, Vec2, Vec3};
 use glimt_sampling::uniform::unit_vec2;
 
 use super::camera::CameraView;
-use super::pattern::{FILM, PixelPattern};
+use super::pattern::{FILM, PixelPattern, SEEN_THROUGH};
 use super::ray::Ray;
 
 /// A sample pattern.
@@ -127,16 +127,17 @@ impl FrameParams {
     #[inline]
     #[must_use]
     pub fn camera_ray(&self, pattern: &PixelPattern) -> Ray {
+        let film = PixelPattern {
+            frame: self.film_frame,
+            ..*pattern
+        };
         let place = if self.filter == Filter::Centre {
             Vec2::splat(0.5)
         } else {
-            let film = PixelPattern {
-                frame: self.film_frame,
-                ..*pattern
-            };
             unit_vec2(film.pair(FILM, 0, 1))
         };
-        Ray::new(self.eye, self.direction(pattern.pixel, place))
+        let direction = self.direction(pattern.pixel, place);
+        Ray::keyed(self.eye, direction, film.ray_key(SEEN_THROUGH))
     }
 
     /// Unit direction from the eye through pixel `pixel` of the image, at `place` in it: (0, 0) is its upper left corner.

@@ -36,6 +36,7 @@ pub struct SceneBuffers {
     triangles: Vec<Triangle>,
     corners: Vec<Corner>,
     surface: Arc<Vec<u32>>,
+    is_see_through: bool,
     dropped: usize,
     geometry: Arc<Geometry>,
     transforms: Vec<Mat4>,
@@ -77,8 +78,8 @@ impl SceneBuffers {
     /// # Errors
     /// A [`SceneError`] that names the place.
     pub fn build(description: &SceneDescription) -> Result<Self, SceneError> {
-        let surface = pack_surface(&description.materials, &description.textures)?;
-        let geometry = Geometry::new(description, description.materials.len())?;
+        let mut surface = pack_surface(&description.materials, &description.textures)?;
+        let geometry = Geometry::new(description, &mut surface)?;
         let objects = description.objects.iter();
         let transforms: Vec<Mat4> = objects.map(|object| object.transform).collect();
         let flats = flatten_all(&geometry, &transforms)?;
@@ -108,6 +109,7 @@ impl SceneBuffers {
         Ok(Self {
             id,
             surface_id: id,
+            is_see_through: triangles.iter().any(Triangle::is_see_through),
             nodes,
             triangles,
             corners,
@@ -316,6 +318,11 @@ impl SceneBuffers {
     /// The same for materials and textures, which a pose does not change.
     pub fn surface_id(&self) -> u64 {
         self.surface_id
+    }
+
+    /// Whether some surface lets light pass.
+    pub fn is_see_through(&self) -> bool {
+        self.is_see_through
     }
 
     /// Whether there is a catcher.
