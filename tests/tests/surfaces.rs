@@ -281,7 +281,7 @@ fn normals_bend_no_further_than_needed() {
 
 #[test]
 fn what_is_behind_a_thin_surface_shows_by_its_alpha() {
-    let (size, rays) = (UVec2::new(16, 16), 64);
+    let (size, rays) = (UVec2::new(16, 16), 16);
     let colours = [Vec3::X, Vec3::Y, Vec3::Z].map(|c| c * 2.0);
     let blend = |color, factor| Material {
         opacity: Opacity::Blend {
