@@ -52,6 +52,12 @@ struct Particle {
     log_weight: f32,
 }
 
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -73,6 +79,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct Reflected {
@@ -889,10 +897,10 @@ fn LayerSample_of_surface(light_2: Reflected, is_catcher_1: bool) -> LayerSample
     return _e4;
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:115
+// glimt_render_gpu/src/kernels/frame.rs:120
 fn FrameParams_pattern_of(this_9: FrameParams, ray_5: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:116
+    // glimt_render_gpu/src/kernels/frame.rs:121
     return PixelPattern(this_9.pattern, this_9.seed, this_9.frame, (this_9.first_pixel + (ray_5 / this_9.rays_per_pixel)), (ray_5 % this_9.rays_per_pixel), this_9.rays_per_pixel);
 }
 
@@ -1496,36 +1504,36 @@ fn CameraView_direction(this_17: CameraView, p: vec2<f32>, size_4: vec2<u32>) ->
     return normalize(((this_17.forward + (this_17.right * x_6)) - (this_17.up * y_1)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:145
+// glimt_render_gpu/src/kernels/frame.rs:150
 fn FrameParams_direction(this_18: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:146
+    // glimt_render_gpu/src/kernels/frame.rs:151
     let corner = vec2<f32>(vec2<u32>((pixel_2 % this_18.width), (pixel_2 / this_18.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:147
+    // glimt_render_gpu/src/kernels/frame.rs:152
     let view = CameraView(this_18.eye, this_18.forward, this_18.right, this_18.up);
-    // glimt_render_gpu/src/kernels/frame.rs:153
+    // glimt_render_gpu/src/kernels/frame.rs:158
     let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_18.width, this_18.height));
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:129
+// glimt_render_gpu/src/kernels/frame.rs:134
 fn FrameParams_camera_ray(this_19: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_8: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:130
+    // glimt_render_gpu/src/kernels/frame.rs:135
     if (this_19.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:131
+        // glimt_render_gpu/src/kernels/frame.rs:136
         chosen_8 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:133
+        // glimt_render_gpu/src/kernels/frame.rs:138
         let film = PixelPattern(pattern.kind, pattern.seed, this_19.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:137
+        // glimt_render_gpu/src/kernels/frame.rs:142
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_8 = _e24;
     }
     let place_1 = chosen_8;
-    // glimt_render_gpu/src/kernels/frame.rs:139
+    // glimt_render_gpu/src/kernels/frame.rs:144
     let _e29 = FrameParams_direction(this_19, pattern.pixel, place_1);
     let _e30 = Ray_new(this_19.eye, _e29);
     return _e30;
