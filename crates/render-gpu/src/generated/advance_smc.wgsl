@@ -38,6 +38,12 @@ struct Particle {
     log_weight: f32,
 }
 
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -59,6 +65,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct SmcParams {
@@ -304,10 +312,10 @@ fn SmcPoint_is_hit(this_: SmcPoint) -> bool {
     return (this_.depth > 0f);
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:115
+// glimt_render_gpu/src/kernels/frame.rs:120
 fn FrameParams_pattern_of(this_1: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:116
+    // glimt_render_gpu/src/kernels/frame.rs:121
     return PixelPattern(this_1.pattern, this_1.seed, this_1.frame, (this_1.first_pixel + (ray / this_1.rays_per_pixel)), (ray % this_1.rays_per_pixel), this_1.rays_per_pixel);
 }
 

@@ -1,5 +1,11 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -21,6 +27,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct Mis {
@@ -88,10 +96,10 @@ var<storage, read_write> out: array<EnvRecord>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:115
+// glimt_render_gpu/src/kernels/frame.rs:120
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:116
+    // glimt_render_gpu/src/kernels/frame.rs:121
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 

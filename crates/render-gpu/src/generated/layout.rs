@@ -71,7 +71,7 @@ const _: () = {
     assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, hit) == 44);
     assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, specular) == 48);
     assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, unused) == 60);
-    assert!(size_of::<crate::kernels::frame::FrameParams>() == 112);
+    assert!(size_of::<crate::kernels::frame::FrameParams>() == 208);
     assert!(offset_of!(crate::kernels::frame::FrameParams, eye) == 0);
     assert!(offset_of!(crate::kernels::frame::FrameParams, width) == 12);
     assert!(offset_of!(crate::kernels::frame::FrameParams, forward) == 16);
@@ -92,6 +92,8 @@ const _: () = {
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_a) == 100);
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_b) == 104);
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_c) == 108);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, to_plate) == 112);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, to_display) == 160);
     assert!(size_of::<crate::kernels::layers::LayerSample>() == 32);
     assert!(offset_of!(crate::kernels::layers::LayerSample, radiance) == 0);
     assert!(offset_of!(crate::kernels::layers::LayerSample, alpha) == 12);

@@ -1,6 +1,7 @@
 //! Shared file: the numbers that a frame's kernels share.
 
 use glam::{UVec2, Vec2, Vec3};
+use glimt_probe::gather::ColourMatrix;
 use glimt_sampling::uniform::unit_vec2;
 
 use super::camera::CameraView;
@@ -61,7 +62,7 @@ pub enum Shadow {
     Add = 1,
 }
 
-/// All that a frame's kernels know beside the scene and its light. 112 bytes.
+/// All that a frame's kernels know beside the scene and its light. 208 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::NoUninit)]
 #[repr(C)]
 pub struct FrameParams {
@@ -106,6 +107,10 @@ pub struct FrameParams {
     pub unused_b: u32,
     /// See above.
     pub unused_c: u32,
+    /// From the primaries that light and materials have to those of the plate.
+    pub to_plate: ColourMatrix,
+    /// From the primaries of the plate, or without one those of light and materials, to those of the display: Rec. 709.
+    pub to_display: ColourMatrix,
 }
 
 impl FrameParams {
@@ -161,7 +166,9 @@ mod tests {
 
     #[test]
     fn layout_is_that_of_wgsl() {
-        assert_eq!(core::mem::size_of::<FrameParams>(), 112);
+        assert_eq!(core::mem::size_of::<FrameParams>(), 208);
+        assert_eq!(core::mem::offset_of!(FrameParams, to_plate), 112);
+        assert_eq!(core::mem::offset_of!(FrameParams, to_display), 160);
         assert_eq!(core::mem::offset_of!(FrameParams, forward), 16);
         assert_eq!(core::mem::offset_of!(FrameParams, right), 32);
         assert_eq!(core::mem::offset_of!(FrameParams, up), 48);
