@@ -37,7 +37,7 @@ impl Default for TrackerOptions {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
     /// Number of the frame.
-    pub frame: u32,
+    pub frame: i32,
     /// Centre in pixels: the measured one, or the last that was.
     pub centre: DVec2,
     /// Radius in pixels, averaged over the frames so far.
@@ -94,7 +94,7 @@ impl Tracker {
     ///
     /// # Errors
     /// The reason why there is no ball, as long as there has not been one.
-    pub fn push(&mut self, frame: u32, size: UVec2, pixels: &[Vec4]) -> Result<Pose, FindError> {
+    pub fn push(&mut self, frame: i32, size: UVec2, pixels: &[Vec4]) -> Result<Pose, FindError> {
         let pyramid = reduced(size, pixels)?;
         let found = find_in(&pyramid, self.last);
         let state = match &found {

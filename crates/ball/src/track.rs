@@ -11,7 +11,7 @@ use glam::DVec2;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observation {
     /// Number of the frame.
-    pub frame: u32,
+    pub frame: i32,
     /// The ball, or why there is none.
     pub found: Result<Found, FindError>,
     /// Its turn against the shot's reference frame.
@@ -65,7 +65,7 @@ pub enum State {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrackedPose {
     /// Number of the frame.
-    pub frame: u32,
+    pub frame: i32,
     /// Centre in pixels.
     pub centre: DVec2,
     /// Radius in pixels.
@@ -104,9 +104,9 @@ pub struct Drift {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExposureJump {
     /// First frame.
-    pub first: u32,
+    pub first: i32,
     /// Last frame.
-    pub last: u32,
+    pub last: i32,
     /// Their brightness over that of their neighbours.
     pub factor: f64,
 }
@@ -125,9 +125,9 @@ pub struct Tracked {
     /// Those that are reported.
     pub significant: Vec<Drift>,
     /// Frames without a ball.
-    pub lost: Vec<u32>,
+    pub lost: Vec<i32>,
     /// Frames whose measurement was rejected.
-    pub rejected: Vec<u32>,
+    pub rejected: Vec<i32>,
     /// Frames of another exposure. Nothing is corrected.
     pub exposure_jumps: Vec<ExposureJump>,
     /// All that is worth saying, each in a line.
@@ -142,7 +142,7 @@ pub enum TrackError {
     NoFrames,
     /// The frames' numbers do not rise.
     #[error("frame {0} does not come after the one before it")]
-    Order(u32),
+    Order(i32),
     /// The ball was found in too few frames.
     #[error("the ball was found in {found} of {of} frames; in frame {frame}: {error}")]
     Lost {
@@ -151,7 +151,7 @@ pub enum TrackError {
         /// Frames there are.
         of: usize,
         /// The first in which it was not.
-        frame: u32,
+        frame: i32,
         /// What was wrong there.
         error: FindError,
     },
@@ -228,7 +228,7 @@ pub fn stabilise(observations: &[Observation], options: &Options) -> Result<Trac
             state: states[i],
         })
         .collect();
-    let frames = |state: State| -> Vec<u32> {
+    let frames = |state: State| -> Vec<i32> {
         (0..states.len())
             .filter(|&i| states[i] == state)
             .map(|i| observations[i].frame)
@@ -360,7 +360,7 @@ fn between(list: &[(f64, f64)], t: f64) -> f64 {
 
 /// Runs of frames that are brighter or darker by one factor than the frames on both of their sides.
 fn exposure_jumps(observations: &[Observation], longest: usize) -> Vec<ExposureJump> {
-    let list: Vec<(u32, &Levels)> = observations
+    let list: Vec<(i32, &Levels)> = observations
         .iter()
         .filter_map(|o| Some((o.frame, o.levels.as_ref()?)))
         .collect();
@@ -430,7 +430,7 @@ fn notes(tracked: &Tracked, observations: &[Observation], no_roll: bool) -> Vec<
         ));
     }
     for jump in &tracked.exposure_jumps {
-        let list: Vec<u32> = observations
+        let list: Vec<i32> = observations
             .iter()
             .map(|o| o.frame)
             .filter(|f| (jump.first..=jump.last).contains(f))
@@ -448,8 +448,8 @@ fn notes(tracked: &Tracked, observations: &[Observation], no_roll: bool) -> Vec<
 }
 
 /// `frame 7`, or `frames 3-5, 9`.
-fn frames_in_words(frames: &[u32]) -> String {
-    let mut runs: Vec<(u32, u32)> = Vec::new();
+fn frames_in_words(frames: &[i32]) -> String {
+    let mut runs: Vec<(i32, i32)> = Vec::new();
     for &frame in frames {
         match runs.last_mut() {
             Some(run) if run.1 + 1 == frame => run.1 = frame,

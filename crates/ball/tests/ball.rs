@@ -225,7 +225,7 @@ fn roll_to_a_fiftieth_of_a_degree_while_the_light_changes() {
     assert_eq!(reference.roll(SMALL, &scene.film(), truth), None);
 }
 
-fn observation(frame: u32, x: f64, y: f64, radius: f64, roll: f64) -> Observation {
+fn observation(frame: i32, x: f64, y: f64, radius: f64, roll: f64) -> Observation {
     Observation {
         frame,
         found: Ok(Found {
@@ -350,7 +350,7 @@ fn frames_of_another_exposure_are_named() {
     let world = World::drawn(4);
     let truth = circle(160.0, 113.0, 100.0);
     let size = UVec2::new(320, 226);
-    let list: Vec<Observation> = (1..=9_u32)
+    let list: Vec<Observation> = (1..=9_i32)
         .map(|frame| {
             let mut scene = Scene::new(&world, size, truth);
             scene.seed = u64::from(frame);

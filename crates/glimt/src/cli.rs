@@ -159,8 +159,8 @@ pub struct WriteFlags {
 /// Flags of the commands that render.
 #[derive(Clone, Debug, Default, Args)]
 pub struct RenderFlags {
-    /// Render these frames alone, as 1-24 or 7
-    #[arg(long, value_name = "A-B", allow_hyphen_values = true)]
+    /// Render these frames alone, as 1-24, 7, 1-96x2 (every second) or 1,3,7-9; negative as -5--1
+    #[arg(long, value_name = "FRAMES", allow_hyphen_values = true)]
     pub frames: Option<String>,
     /// Where to render
     #[arg(long, value_enum, default_value_t)]
@@ -248,9 +248,10 @@ pub struct CompareFlags {
         long,
         value_name = "FRAMES",
         value_delimiter = ',',
+        allow_hyphen_values = true,
         conflicts_with = "stride"
     )]
-    pub measure: Vec<u32>,
+    pub measure: Vec<i32>,
     /// Measure errors in every N-th frame
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub stride: Option<u32>,
@@ -301,8 +302,8 @@ pub struct BakeFlags {
 /// Flags of `glimt synth`.
 #[derive(Clone, Debug, Args)]
 pub struct SynthFlags {
-    /// Film these frames alone, as 1-24 or 7
-    #[arg(long, value_name = "A-B", allow_hyphen_values = true)]
+    /// Film these frames alone, as 1-24, 7, 1-96x2 (every second) or 1,3,7-9; negative as -5--1
+    #[arg(long, value_name = "FRAMES", allow_hyphen_values = true)]
     pub frames: Option<String>,
     /// Where to compute
     #[arg(long, value_enum, default_value_t)]
@@ -327,8 +328,8 @@ pub struct SynthFlags {
 /// Flags of `glimt unwarp`.
 #[derive(Clone, Debug, Args)]
 pub struct UnwarpFlags {
-    /// Unwarp these frames alone, as 1-24 or 7
-    #[arg(long, value_name = "A-B", allow_hyphen_values = true)]
+    /// Unwarp these frames alone, as 1-24, 7, 1-96x2 (every second) or 1,3,7-9; negative as -5--1
+    #[arg(long, value_name = "FRAMES", allow_hyphen_values = true)]
     pub frames: Option<String>,
     /// Where to compute
     #[arg(long, value_enum, default_value_t)]
@@ -359,8 +360,8 @@ pub struct UnwarpFlags {
 /// Flags of `glimt sh`.
 #[derive(Clone, Debug, Args)]
 pub struct ShFlags {
-    /// Project these frames of a sequence alone, as 1-24 or 7
-    #[arg(long, value_name = "A-B", allow_hyphen_values = true)]
+    /// Project these frames of a sequence alone, as 1-24, 7, 1-96x2 (every second) or 1,3,7-9; negative as -5--1
+    #[arg(long, value_name = "FRAMES", allow_hyphen_values = true)]
     pub frames: Option<String>,
     /// Bands, l = 0 to N - 1: N² coefficients
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=6))]
@@ -534,6 +535,7 @@ const RENDER_EXAMPLES: &str = "\
 Examples:
   glimt render shot.toml
   glimt render shot.toml --frames 1-24 --out /tmp/draft --set image.rays_per_pixel=4
+  glimt render shot.toml --frames 1-96x8                # every eighth frame; -5--1 are the frames before 0
   glimt render shot.toml --device gpu --seed 7 --json
   glimt render shot.toml --follow --wait 30             # frames as they are filmed, until none comes for 30 s
   glimt render shot.toml --method smc --frames 1-48 --state-out half.state
@@ -544,7 +546,7 @@ Examples:
 
 A shot needs a light and an object; every other key has a default:
   [probe]
-  frames = \"capture/light.####.exr\"   # one file is a still
+  frames = \"capture/light.####.exr\"   # also light.%04d.exr, light.$F4.exr, light.@@@@.exr; one file is a still
   [[object]]
   mesh = \"model.glb\"                  # .glb .gltf .obj .ply .ply.gz, or \"sphere\", \"plane\", \"helicopter\"
   ground = true

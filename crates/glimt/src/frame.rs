@@ -41,7 +41,7 @@ impl<'a> Frames<'a> {
     ///
     /// # Errors
     /// One is an input, or something else's.
-    pub fn may_write(self, frame: u32) -> Result<()> {
+    pub fn may_write(self, frame: i32) -> Result<()> {
         let output = &self.setup.shot.output;
         for (extension, on) in [("exr", output.exr), ("png", output.png)] {
             if on {
@@ -52,7 +52,7 @@ impl<'a> Frames<'a> {
     }
 
     /// Numbers of the frames of which there is a file.
-    pub fn listed(self) -> BTreeSet<u32> {
+    pub fn listed(self) -> BTreeSet<i32> {
         let listed = ["exr", "png"].map(|extension| {
             let files = FrameFiles::new(&self.setup.out, &format!("frame.####.{extension}"));
             files
@@ -92,7 +92,7 @@ impl<'a> Frames<'a> {
         digest::hex(&hasher.finalize().into())
     }
 
-    fn file(self, frame: u32, extension: &str) -> PathBuf {
+    fn file(self, frame: i32, extension: &str) -> PathBuf {
         self.setup.out.join(format!("frame.{frame:04}.{extension}"))
     }
 
@@ -104,7 +104,7 @@ impl<'a> Frames<'a> {
     }
 
     /// The layers that go into a frame's EXR beside the image.
-    fn layers(self, image: &FrameImage, frame: u32) -> Result<exr::Layers> {
+    fn layers(self, image: &FrameImage, frame: i32) -> Result<exr::Layers> {
         let settings = self.setup.settings(frame, self.setup.camera(frame)?);
         let aovs = &self.setup.shot.output.aovs;
         let mut channels = aov::channels(image, aovs, &settings, self.setup.has_plate());
@@ -121,7 +121,7 @@ impl<'a> Frames<'a> {
     ///
     /// # Errors
     /// The file cannot be read.
-    pub fn display(self, frame: u32) -> Result<Vec<[u8; 4]>> {
+    pub fn display(self, frame: i32) -> Result<Vec<[u8; 4]>> {
         if self.setup.shot.output.png {
             return png::read_pixels(&self.file(frame, "png"));
         }

@@ -17,7 +17,6 @@ use glam::UVec2;
 use glimt_render_gpu::prepare::env::PreparedEnv;
 use glimt_render_gpu::prepare::plate::Plate;
 use std::collections::HashMap;
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -25,10 +24,10 @@ use std::time::Instant;
 pub struct Job {
     /// What stays the same in all frames.
     pub setup: Setup,
-    /// The frames to render, in order; the first [`Job::preroll`] of them are not written.
-    pub frames: Vec<u32>,
-    /// How many frames only lead up to the others.
-    pub preroll: usize,
+    /// The frames to render, in order.
+    pub frames: Vec<i32>,
+    /// Whether each of them is written; the others only lead up to these.
+    pub written: Vec<bool>,
     /// What the sequential sampler continues from.
     pub state_in: Option<Saved>,
     /// Where what comes after the last frame continues from is saved.
@@ -57,11 +56,12 @@ impl Job {
         check::check(&shot, &source)?;
 
         let files = probe_files(&shot, &source)?;
+        footage::adopt_rate(&mut shot, &source, &files, notes)?;
         reporter.busy("reading the headers of light and backplate");
         let footage = Footage::find(&shot, &source, &files, notes)?;
         let (asked, of_shot) = choose_frames(&shot, &files, footage.as_ref(), flags, notes)?;
         check_past(&flags.past, &shot.render)?;
-        let (frames, preroll) = with_preroll(asked, &of_shot, &files, &flags.past, notes)?;
+        let (frames, written) = with_past(&asked, &of_shot, &files, &shot, &flags.past, notes)?;
         if let Some(footage) = &footage {
             footage.require(&frames, UVec2::from(shot.image.size), notes)?;
         }
@@ -69,7 +69,7 @@ impl Job {
         let selection = Selection {
             files: files.clone(),
             frames: &frames,
-            of_shot: of_shot.clone(),
+            of_shot: &of_shot,
         };
         let mut probe = Probe::open(selection, &shot.probe, notes, &found)?;
         colour::correct(
@@ -81,7 +81,7 @@ impl Job {
             notes,
         )?;
         reporter.busy("reading the shot's meshes");
-        let mut setup = Setup::load(shot, source, *of_shot.start(), flags, notes)?;
+        let mut setup = Setup::load(shot, source, of_shot[0], flags, notes)?;
         setup.guard.reads_sequence("the shot's light", &files);
         if let Some(footage) = &footage {
             setup
@@ -98,9 +98,9 @@ impl Job {
         };
         let job = Self {
             setup,
-            whole: frames.iter().copied().eq(of_shot),
+            whole: asked == of_shot,
             frames,
-            preroll,
+            written,
             state_in,
             state_out: flags.past.state_out.clone(),
             share: flags.write.share,
@@ -112,6 +112,11 @@ impl Job {
             job.setup.camera(frame)?;
         }
         Ok(job)
+    }
+
+    /// How many frames are written.
+    pub fn count(&self) -> usize {
+        self.written.iter().filter(|written| **written).count()
     }
 
     /// The most bytes that a state of the sequential sampler has.
@@ -135,7 +140,7 @@ impl Job {
     ///
     /// # Errors
     /// As [`Job::light`].
-    pub fn check_light(&self, frame: u32, notes: &mut Notes) -> Result<()> {
+    pub fn check_light(&self, frame: i32, notes: &mut Notes) -> Result<()> {
         self.probe.load(frame, notes).map(drop)
     }
 
@@ -143,7 +148,7 @@ impl Job {
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn light(&self, frame: u32, notes: &mut Notes) -> Result<(PreparedEnv, Hash)> {
+    pub fn light(&self, frame: i32, notes: &mut Notes) -> Result<(PreparedEnv, Hash)> {
         let began = Instant::now();
         let (map, hash) = self.probe.load(frame, notes)?;
         let read = began.elapsed();
@@ -162,7 +167,7 @@ impl Job {
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn plate(&self, frame: u32, notes: &mut Notes) -> Result<Option<(Plate, Hash)>> {
+    pub fn plate(&self, frame: i32, notes: &mut Notes) -> Result<Option<(Plate, Hash)>> {
         let Some(footage) = &self.footage else {
             return Ok(None);
         };
@@ -181,7 +186,7 @@ impl Job {
     ///
     /// # Errors
     /// A file cannot be read.
-    pub fn light_hashes(&self) -> Result<HashMap<u32, Hash>> {
+    pub fn light_hashes(&self) -> Result<HashMap<i32, Hash>> {
         let hashes = self.probe.digests(&self.frames)?;
         Ok(self.frames.iter().copied().zip(hashes).collect())
     }
@@ -224,7 +229,7 @@ pub struct Chain {
 
 impl Chain {
     /// The identity of the next frame, of a setup and of inputs with these hashes.
-    pub fn next(&mut self, setup: &Hash, input: &Hash, frame: u32) -> String {
+    pub fn next(&mut self, setup: &Hash, input: &Hash, frame: i32) -> String {
         if !self.is_chain {
             return digest::of_frame(setup, input, frame);
         }
@@ -262,38 +267,48 @@ fn check_past(flags: &PastFlags, render: &Render) -> Result<()> {
     }
 }
 
-/// The frames asked for, with those that lead up to them; and how many those are.
-fn with_preroll(
-    asked: Vec<u32>,
-    of_shot: &RangeInclusive<u32>,
+/// The frames that are computed, and whether each of them is written. Where frames continue from one another, those between the
+/// ones that are asked for are computed too, and so is the preroll: a frame is the same whichever others are written.
+fn with_past(
+    asked: &[i32],
+    of_shot: &[i32],
     files: &FrameFiles,
+    shot: &Shot,
     flags: &PastFlags,
     notes: &mut Notes,
-) -> Result<(Vec<u32>, usize)> {
-    let first = asked[0];
-    let begin = first
-        .saturating_sub(flags.preroll)
-        .max(*of_shot.start())
-        .min(first);
-    if begin == first {
-        return Ok((asked, 0));
+) -> Result<(Vec<i32>, Vec<bool>)> {
+    if !shot.render.continues() {
+        return Ok((asked.to_vec(), vec![true; asked.len()]));
     }
-    if first - begin < flags.preroll {
+    let (first, last) = (asked[0], asked[asked.len() - 1]);
+    let begin = first
+        .saturating_sub_unsigned(flags.preroll)
+        .max(of_shot[0])
+        .min(first);
+    let preroll = first.abs_diff(begin);
+    if preroll < flags.preroll {
         let text = format!(
-            "of {} frames before frame {first} the shot has {}: the preroll begins there",
+            "of {} frames before frame {first} the shot has {preroll}: the preroll begins there",
             flags.preroll,
-            first - begin
         );
         notes.note(Path::new("--preroll"), text);
     }
-    let mut frames = files.require(begin, first - 1)?;
-    let preroll = frames.len();
-    frames.extend(asked);
-    Ok((frames, preroll))
+    let frames = range::between(begin, last)?;
+    files.require(&frames)?;
+    let is_asked = |frame: &i32| asked.binary_search(frame).is_ok();
+    let written: Vec<bool> = frames.iter().map(is_asked).collect();
+    let between = frames.len() - asked.len() - preroll as usize;
+    if between > 0 {
+        let text = format!(
+            "frames continue from one another, so {between} between those that are asked for are rendered, and not written"
+        );
+        notes.note(Path::new("--frames"), text);
+    }
+    Ok((frames, written))
 }
 
 /// A saved state, checked to be of this shot.
-fn read_state(file: &Path, setup: &Setup, first: u32, notes: &mut Notes) -> Result<Saved> {
+fn read_state(file: &Path, setup: &Setup, first: i32, notes: &mut Notes) -> Result<Saved> {
     let saved = state::read(file)?;
     let past = &saved.state.past;
     if saved.setup != setup.digest {
@@ -302,11 +317,9 @@ fn read_state(file: &Path, setup: &Setup, first: u32, notes: &mut Notes) -> Resu
                 .fix("save one with --state-out from this shot, with the same keys and seed"),
         );
     }
-    if past.frame.checked_add(1) != Some(first) {
-        let text = format!(
-            "the state is of frame {}, and frame {first} continues from it",
-            past.frame
-        );
+    let before = past.frame.cast_signed();
+    if before.checked_add(1) != Some(first) {
+        let text = format!("the state is of frame {before}, and frame {first} continues from it");
         notes.note(file, text);
     }
     Ok(saved)
@@ -324,28 +337,32 @@ pub fn probe_files(shot: &Shot, source: &Source) -> Result<FrameFiles> {
     })
 }
 
-/// The frames to render, and those of the shot: those that it names, or all that light and footage both have.
+/// The frames to write, and those of the shot: those that it names, or all that light and footage both have.
 fn choose_frames(
     shot: &Shot,
     files: &FrameFiles,
     footage: Option<&Footage>,
     flags: &RenderFlags,
     notes: &mut Notes,
-) -> Result<(Vec<u32>, RangeInclusive<u32>)> {
+) -> Result<(Vec<i32>, Vec<i32>)> {
     let of_shot = match shot.render.frames.as_str() {
-        "" => match footage {
-            Some(footage) => footage.shared(files, notes)?,
-            None => {
-                let there = files.existing()?;
-                there[0]..=there[there.len() - 1]
-            }
-        },
+        "" => {
+            let [first, last] = match footage {
+                Some(footage) => footage.shared(files, notes)?,
+                None => {
+                    let there = files.existing()?;
+                    [there[0], there[there.len() - 1]]
+                }
+            };
+            range::between(first, last)?
+        }
         text => range::parse(text)?,
     };
     let asked = match &flags.frames {
         Some(text) => range::parse(text).map_err(|e| e.at("--frames"))?,
         None => of_shot.clone(),
     };
-    let frames = files.require(*asked.start(), *asked.end())?;
-    Ok((frames, of_shot))
+    files.require(&asked)?;
+    files.check_signs(&asked, notes)?;
+    Ok((asked, of_shot))
 }

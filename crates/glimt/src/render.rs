@@ -31,7 +31,7 @@ use std::time::Instant;
 /// A frame on its way to the disk.
 enum Finished {
     /// It was there already.
-    Skipped(u32),
+    Skipped(i32),
     /// It was rendered, in this many seconds.
     Rendered(Stamp, FrameImage, f64),
     /// There is nothing more to come.
@@ -82,7 +82,7 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
         Some(ready) => ready.renderers.name(),
         None => "no device".to_owned(),
     };
-    let asked = job.frames.len() - job.preroll;
+    let asked = job.count();
     reporter.start(asked, &job.setup.out, &name, job.setup.triangles);
 
     let inputs = read_inputs(&job, &plan, notes)?;
@@ -168,7 +168,7 @@ impl<'a> Plan<'a> {
         let files = Frames::of(&job.setup);
         let there = stamps.iter().enumerate();
         let current: Vec<bool> = there
-            .map(|(i, stamp)| i < job.preroll || files.are_there(stamp))
+            .map(|(i, stamp)| !job.written[i] || files.are_there(stamp))
             .collect();
         for (stamp, _) in stamps
             .iter()
@@ -209,7 +209,7 @@ impl<'a> Plan<'a> {
         let job = plan.job;
         let output = &job.setup.shot.output;
         let files = Frames::of(&job.setup);
-        if output.video.is_empty() || job.frames.len() < 2 {
+        if output.video.is_empty() || job.count() < 2 {
             return Ok(());
         }
         let file = job.setup.out.join(&output.video);
@@ -293,7 +293,7 @@ type Read = (Result<Inputs>, Vec<Note>);
 /// renderer. A still is read once.
 fn read_inputs(job: &Arc<Job>, plan: &Plan<'_>, mut notes: Notes) -> Result<Prefetch<Read>> {
     let pairs = plan.stamps.iter().zip(&plan.computed);
-    let missing: Vec<u32> = pairs
+    let missing: Vec<i32> = pairs
         .filter(|(_, computed)| **computed)
         .map(|(s, _)| s.frame)
         .collect();
@@ -340,15 +340,9 @@ fn render_frames(
 ) -> Result<(usize, Chain)> {
     let mut rendered = 0;
     let mut chain = plan.job.chain();
-    let preroll = plan.job.preroll;
+    let mut done = 0;
     for (index, planned) in plan.stamps.iter().enumerate() {
-        interrupt::check(|| {
-            let frames = index.saturating_sub(preroll);
-            format!(
-                "{frames} of {} frames are there",
-                plan.stamps.len() - preroll
-            )
-        })?;
+        interrupt::check(|| format!("{done} of {} frames are there", plan.job.count()))?;
         let frame = match (&mut ready, plan.computed[index]) {
             (Some(ready), true) => {
                 let Some((read, notes)) = inputs.next() else {
@@ -375,7 +369,7 @@ fn render_frames(
                 let refused = |e| setup.refused_scene(stamp.frame, &e);
                 ready.scene.pose(&pose.transforms).map_err(refused)?;
                 let settings = setup.settings(stamp.frame, pose.camera);
-                let part = |fraction| reporter.part(index.saturating_sub(preroll), fraction);
+                let part = |fraction| reporter.part(done, fraction);
                 let renderer = ready.renderers.of(&setup.shot)?;
                 let image = renderer
                     .render_over(&ready.scene, &light, plate.as_deref(), &settings, &part)
@@ -392,9 +386,10 @@ fn render_frames(
             }
             _ => Finished::Skipped(planned.frame),
         };
-        if index < preroll {
+        if !plan.job.written[index] {
             continue;
         }
+        done += 1;
         // A writer that has failed takes no more; its error is reported when it is joined.
         if finish.send(frame).is_err() {
             return Ok((rendered, chain));
@@ -438,7 +433,7 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
             }
             Finished::End => return video.map_or(Ok(()), Video::finish),
         };
-        reporter.frame(number, status, done, job.frames.len() - job.preroll);
+        reporter.frame(number, status, done, job.count());
     }
     Ok(())
 }

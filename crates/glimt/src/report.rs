@@ -276,7 +276,7 @@ impl Reporter {
     }
 
     /// A frame that was followed is done, `lag` seconds after it came; `dropped` have been dropped so far.
-    pub fn live_frame(&self, frame: u32, status: FrameStatus, lag: f64, dropped: usize) {
+    pub fn live_frame(&self, frame: i32, status: FrameStatus, lag: f64, dropped: usize) {
         let (name, seconds) = status.in_short();
         self.event(&json!({
             "event": "frame", "frame": frame, "status": name, "seconds": seconds, "lag": lag, "dropped": dropped,
@@ -290,7 +290,7 @@ impl Reporter {
     }
 
     /// A frame that was followed is not rendered. If the reason is a fault of it, --quiet does not hide that.
-    pub fn dropped(&self, frame: u32, file: &Path, reason: &str, is_fault: bool) {
+    pub fn dropped(&self, frame: i32, file: &Path, reason: &str, is_fault: bool) {
         self.event(
             &json!({"event": "dropped", "frame": frame, "file": shown(file), "reason": reason}),
         );
@@ -306,7 +306,7 @@ impl Reporter {
     }
 
     /// A frame is done, and `done` of `frames` with it.
-    pub fn frame(&self, frame: u32, status: FrameStatus, done: usize, frames: usize) {
+    pub fn frame(&self, frame: i32, status: FrameStatus, done: usize, frames: usize) {
         let (name, seconds) = status.in_short();
         self.event(&json!({"event": "frame", "frame": frame, "status": name, "seconds": seconds}));
         if let Some(bar) = self.lock().as_ref() {

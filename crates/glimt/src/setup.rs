@@ -37,7 +37,7 @@ pub struct Setup {
     /// Folder of the outputs.
     pub out: PathBuf,
     /// The first frame of the shot, from which its motion is counted.
-    pub first: u32,
+    pub first: i32,
     view: View,
     movers: Vec<Mover>,
     /// Which of the shot's objects each object of the scene is a part of.
@@ -68,7 +68,7 @@ impl Setup {
     pub fn load(
         shot: Shot,
         source: Source,
-        first: u32,
+        first: i32,
         flags: &RenderFlags,
         notes: &mut Notes,
     ) -> Result<Self> {
@@ -120,7 +120,7 @@ impl Setup {
     ///
     /// # Errors
     /// The camera sees nothing then.
-    pub fn pose(&self, frame: u32) -> Result<Pose> {
+    pub fn pose(&self, frame: i32) -> Result<Pose> {
         let nodes = self.nodes_at(frame);
         let pairs = self.movers.iter().zip(&nodes);
         Ok(Pose {
@@ -152,21 +152,21 @@ impl Setup {
     ///
     /// # Errors
     /// The camera sees nothing then.
-    pub fn camera(&self, frame: u32) -> Result<Camera> {
+    pub fn camera(&self, frame: i32) -> Result<Camera> {
         match &self.view {
             View::Model { .. } => self.camera_among(frame, &self.nodes_at(frame)),
             _ => self.camera_among(frame, &[]),
         }
     }
 
-    fn nodes_at(&self, frame: u32) -> Vec<Vec<Mat4>> {
+    fn nodes_at(&self, frame: i32) -> Vec<Vec<Mat4>> {
         let frames = i64::from(frame) - i64::from(self.first);
         let fps = self.shot.probe.fps;
         let movers = self.movers.iter();
         movers.map(|m| m.nodes_at(frames, fps)).collect()
     }
 
-    fn camera_among(&self, frame: u32, nodes: &[Vec<Mat4>]) -> Result<Camera> {
+    fn camera_among(&self, frame: i32, nodes: &[Vec<Mat4>]) -> Result<Camera> {
         let place = |object: usize, node: usize| nodes[object][node];
         self.view.at(frame, &self.source, place)
     }
@@ -195,7 +195,7 @@ impl Setup {
     ///
     /// # Errors
     /// A setting that it refuses.
-    pub fn check_settings(&self, frame: u32) -> Result<()> {
+    pub fn check_settings(&self, frame: i32) -> Result<()> {
         let refused = |e: SettingsError| {
             let key = match &e {
                 SettingsError::Setting(setting) => return check::refused(&self.source, setting),
@@ -227,7 +227,7 @@ impl Setup {
     }
 
     /// What the renderer says of the scene in a frame, with the object of the shot that it is about.
-    pub fn refused_scene(&self, frame: u32, error: &SceneError) -> Error {
+    pub fn refused_scene(&self, frame: i32, error: &SceneError) -> Error {
         let told = match error {
             SceneError::NoTriangles { .. } => self
                 .source
@@ -255,12 +255,12 @@ impl Setup {
     }
 
     /// Settings of a frame that is seen from `camera`.
-    pub fn settings(&self, frame: u32, camera: Camera) -> RenderSettings {
+    pub fn settings(&self, frame: i32, camera: Camera) -> RenderSettings {
         Self::settings_of(&self.shot, frame, camera)
     }
 
     /// Settings of a frame of `shot` that is seen from `camera`.
-    pub fn settings_of(shot: &Shot, frame: u32, camera: Camera) -> RenderSettings {
+    pub fn settings_of(shot: &Shot, frame: i32, camera: Camera) -> RenderSettings {
         let (image, render) = (&shot.image, &shot.render);
         RenderSettings {
             size: UVec2::from(image.size),
@@ -272,7 +272,8 @@ impl Setup {
             filter: image.filter,
             background: image.background,
             seed: render.seed,
-            frame,
+            // A key of the random streams; that of a frame before 0 counts down from 2^32.
+            frame: frame.cast_unsigned(),
             exposure_ev: image.exposure_ev,
             tonemap: image.tonemap,
             shadow: shot

@@ -108,13 +108,17 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
 }
 
 /// The frames that are asked for, or all that there are, checked to be of one size.
-fn frames_of(files: &FrameFiles, flags: &UnwarpFlags) -> Result<Vec<u32>> {
+fn frames_of(files: &FrameFiles, flags: &UnwarpFlags) -> Result<Vec<i32>> {
     let numbers = match &flags.frames {
         Some(text) => {
             let asked = range::parse(text).map_err(|e| e.at("--frames"))?;
-            files.require(*asked.start(), *asked.end())?
+            files.require(&asked)?;
+            asked
         }
-        None if files.is_still() => files.require(1, 1)?,
+        None if files.is_still() => {
+            files.require(&[1])?;
+            vec![1]
+        }
         None => files.existing().map_err(|e| {
             e.fix("check the path: each # stands for a digit of the frame's number")
         })?,
@@ -148,7 +152,7 @@ struct Maps<'a> {
 
 /// What is known of the frame before: one mask serves until it changes.
 struct LastFrame {
-    number: u32,
+    number: i32,
     /// Size of its photograph.
     photo: UVec2,
     /// Its mask, if that was made.
@@ -157,7 +161,7 @@ struct LastFrame {
 
 impl Maps<'_> {
     /// Writes the mask and then the map of a frame, unless they are there already.
-    fn write(&mut self, frame: u32, notes: &mut Notes) -> Result<FrameStatus> {
+    fn write(&mut self, frame: i32, notes: &mut Notes) -> Result<FrameStatus> {
         let file = &self.files.path(frame);
         let there = stamp(&digest::of_file(file)?, frame, &self.ball, &self.capture)?;
         let map_file = self.flags.out.join(name("latlong", frame, "exr"));
@@ -196,7 +200,7 @@ impl Maps<'_> {
     }
 
     /// Writes the mask of a frame where it differs from that of the frame before; else none is there.
-    fn write_mask(&self, frame: u32, map: &UnwarpMap, mask: &[u8]) -> Result<()> {
+    fn write_mask(&self, frame: i32, map: &UnwarpMap, mask: &[u8]) -> Result<()> {
         let target = self
             .guard
             .target(&self.flags.out.join(name("mask", frame, "png")))?;
@@ -253,12 +257,12 @@ fn keys(flags: &UnwarpFlags) -> Result<Ball> {
     Ok(ball)
 }
 
-fn name(what: &str, frame: u32, extension: &str) -> String {
+fn name(what: &str, frame: i32, extension: &str) -> String {
     format!("{what}.{frame:04}.{extension}")
 }
 
 /// The identity of the map of a frame whose file has this hash.
-fn stamp(file: &Hash, frame: u32, ball: &Ball, capture: &Capture) -> Result<Stamp> {
+fn stamp(file: &Hash, frame: i32, ball: &Ball, capture: &Capture) -> Result<Stamp> {
     let keys = serde_json::to_string(ball).map_err(|e| Error::new(Kind::Internal, e))?;
     let pose = format!(
         "glimt unwarp {} {keys} {:?}",
@@ -304,8 +308,8 @@ fn track(tracked: &glimt_ball::Tracked, poses: &Poses) -> serde_json::Value {
 }
 
 /// The same where it was given.
-fn given_track(frames: &[u32], poses: &Poses) -> serde_json::Value {
-    let frame = |&frame: &u32| {
+fn given_track(frames: &[i32], poses: &Poses) -> serde_json::Value {
+    let frame = |&frame: &i32| {
         let outline = poses.of(frame).map(|pose| pose.outline);
         json!({
             "frame": frame, "centre_px": outline.map(|o| o.centre.to_array()), "radius_px": outline.map(|o| o.radius),

@@ -129,7 +129,7 @@ fn close(a: Vec3, b: Vec3) {
 }
 
 /// Where a point of the first object's mesh is in a frame.
-fn at(setup: &Setup, frame: u32, point: Vec3) -> Vec3 {
+fn at(setup: &Setup, frame: i32, point: Vec3) -> Vec3 {
     setup.pose(frame).unwrap().transforms[0].transform_point3(point)
 }
 

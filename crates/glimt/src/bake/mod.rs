@@ -308,7 +308,7 @@ fn read_shot(file: &Path, flags: &BakeFlags, notes: &mut Notes) -> Result<Setup>
     check::check(&shot, &source)?;
     let first = match shot.render.frames.as_str() {
         "" => 1,
-        text => *range::parse(text)?.start(),
+        text => range::parse(text)?[0],
     };
     let write = WriteFlags {
         overwrite: flags.overwrite,

@@ -21,7 +21,7 @@ use glimt_render_gpu::prepare::unwarp::BallPose;
 /// A frame cannot be read, or too few of them show a ball.
 pub fn track(
     files: &FrameFiles,
-    frames: &[u32],
+    frames: &[i32],
     steady: bool,
     notes: &mut Notes,
     progress: &(dyn Fn(usize, usize) + Sync),
@@ -98,7 +98,7 @@ fn refused(error: &TrackError, files: &FrameFiles, observations: &[Observation])
 /// As [`track`].
 pub fn poses(
     files: &FrameFiles,
-    frames: &[u32],
+    frames: &[i32],
     keys: &shot::Ball,
     notes: &mut Notes,
     progress: &(dyn Fn(usize, usize) + Sync),

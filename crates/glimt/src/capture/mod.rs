@@ -19,12 +19,12 @@ pub enum Poses {
     /// In the same place in all of them.
     Fixed(BallPose),
     /// As found.
-    Found(BTreeMap<u32, BallPose>),
+    Found(BTreeMap<i32, BallPose>),
 }
 
 impl Poses {
     /// The place in a frame.
-    pub fn of(&self, frame: u32) -> Option<BallPose> {
+    pub fn of(&self, frame: i32) -> Option<BallPose> {
         match self {
             Self::Fixed(pose) => Some(*pose),
             Self::Found(poses) => poses.get(&frame).copied(),
@@ -100,7 +100,7 @@ impl Capture {
     ///
     /// # Errors
     /// The ball is not within it.
-    pub fn map(&self, frame: u32, file: &Path, photo: UVec2) -> Result<Arc<UnwarpMap>> {
+    pub fn map(&self, frame: i32, file: &Path, photo: UVec2) -> Result<Arc<UnwarpMap>> {
         let pose = self.poses.of(frame).ok_or_else(|| {
             Error::input(
                 file,

@@ -13,7 +13,7 @@ use crate::notes::Notes;
 use crate::output::atomic;
 use crate::report::Reporter;
 use crate::setup;
-use crate::shot::{Filter, Shot, parse};
+use crate::shot::{Filter, Shot, parse, range};
 use std::path::Path;
 
 /// Most frames that are measured where none are named.
@@ -43,6 +43,13 @@ impl<'a> Comparison<'a> {
         let job = Job::from_file(field.file, &of_reference(field), &mut notes, reporter);
         reporter.notes(notes.take());
         let job = job?;
+        if !range::is_whole(&job.frames) {
+            return Err(Error::usage(
+                "frames are left out, and methods that continue from one to the next need all",
+            )
+            .at("--frames or render.frames")
+            .fix("name the first and the last, and choose with --stride or --measure among them"));
+        }
         atomic::prepare_folder(kept)?;
         let plan = TrialPlan {
             measured: measured(&job.frames, flags)?,
@@ -109,7 +116,7 @@ fn of_reference(field: &Field<'_>) -> RenderFlags {
 }
 
 /// The frames in which errors are measured.
-fn measured(frames: &[u32], compare: &CompareFlags) -> Result<Vec<u32>> {
+fn measured(frames: &[i32], compare: &CompareFlags) -> Result<Vec<i32>> {
     let (first, last) = (frames[0], frames[frames.len() - 1]);
     if let Some(missing) = compare.measure.iter().find(|f| !frames.contains(f)) {
         return Err(
@@ -139,7 +146,7 @@ mod tests {
 
     #[test]
     fn frames_are_chosen() {
-        let frames: Vec<u32> = (11..=106).collect();
+        let frames: Vec<i32> = (11..=106).collect();
         let of = |flags: &CompareFlags| measured(&frames, flags);
         let default = CompareFlags::default();
         assert_eq!(of(&default).unwrap(), [22, 34, 46, 58, 70, 82, 94, 106]);
@@ -148,7 +155,7 @@ mod tests {
             ..CompareFlags::default()
         };
         assert_eq!(of(&stride).unwrap(), [11, 51, 91]);
-        let named = |list: &[u32]| CompareFlags {
+        let named = |list: &[i32]| CompareFlags {
             measure: list.to_vec(),
             ..CompareFlags::default()
         };

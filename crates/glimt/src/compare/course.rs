@@ -89,7 +89,7 @@ impl<'a> Course<'a> {
     fn against_own(&mut self) -> Result<Round> {
         let needed = self.comparison.plan.needed();
         let mut targets = self.first_targets()?;
-        let frames: Vec<(u32, String)> = self
+        let frames: Vec<(i32, String)> = self
             .comparison
             .plan
             .frames
@@ -170,7 +170,7 @@ impl<'a> Course<'a> {
     }
 
     /// The target of a needed frame: that of the measured frame that it is, or comes before.
-    fn target(&self, frame: u32, targets: &[f64]) -> f64 {
+    fn target(&self, frame: i32, targets: &[f64]) -> f64 {
         let pairs = self.comparison.plan.measured.iter().zip(targets);
         let needs =
             pairs.filter(|(m, _)| **m == frame || self.comparison.plan.before(**m) == Some(frame));

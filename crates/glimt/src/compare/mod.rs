@@ -132,8 +132,8 @@ fn about(comparison: &Comparison<'_>, first: &Contestant, remarks: Vec<String>) 
 }
 
 /// Writes means and references as EXR.
-fn keep(out: &Path, guard: &Guard, findings: &Findings, frames: &[u32]) -> Result<()> {
-    let write = |folder: PathBuf, frame: u32, moments: &moments::Moments| {
+fn keep(out: &Path, guard: &Guard, findings: &Findings, frames: &[i32]) -> Result<()> {
+    let write = |folder: PathBuf, frame: i32, moments: &moments::Moments| {
         atomic::prepare_folder(&folder)?;
         let stamp = Stamp {
             hash: String::new(),

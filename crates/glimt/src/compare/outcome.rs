@@ -40,7 +40,7 @@ pub struct About {
     /// Where in its pixel a ray passed, for all.
     pub filter: String,
     /// Frames in which errors were measured.
-    pub frames: Vec<u32>,
+    pub frames: Vec<i32>,
     /// Seeds of the contestants.
     pub seeds: Vec<u32>,
     /// How the reference was made.
@@ -53,7 +53,7 @@ pub struct About {
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct ReferenceFigures {
     /// The frame.
-    pub frame: u32,
+    pub frame: i32,
     /// Independent scramblings.
     pub scramblings: u32,
     /// Its relative noise.

@@ -31,7 +31,7 @@ const SAVE_EVERY: Duration = Duration::from_secs(5);
 #[derive(Clone, Debug)]
 pub struct Reference {
     /// Number of the frame.
-    pub frame: u32,
+    pub frame: i32,
     /// Its scramblings.
     pub moments: Moments,
     /// Pixels in which it covers anything.
@@ -49,7 +49,7 @@ impl Reference {
     ///
     /// # Errors
     /// It shows nothing, or all that it shows is black.
-    pub fn of(frame: u32, moments: Moments) -> Result<Self> {
+    pub fn of(frame: i32, moments: Moments) -> Result<Self> {
         let covered = |p: &u32| moments.mean[*p as usize].w > 0.0;
         let pixels: Vec<u32> = (0..moments.mean.len() as u32).filter(covered).collect();
         let count = pixels.len() as f64;
@@ -83,7 +83,7 @@ impl Reference {
     ///
     /// # Errors
     /// As [`Reference::of`].
-    pub fn given(frame: u32, size: UVec2, image: Vec<Vec4>) -> Result<Self> {
+    pub fn given(frame: i32, size: UVec2, image: Vec<Vec4>) -> Result<Self> {
         Self::of(frame, Moments::exact(size, image))
     }
 }
@@ -122,7 +122,7 @@ pub struct Growing {
 }
 
 struct Frame {
-    number: u32,
+    number: i32,
     identity: String,
     moments: Moments,
     saved: u32,
@@ -131,8 +131,8 @@ struct Frame {
 impl Growing {
     /// Those that are in the plan's folder already, of these frames of a shot with [`keys`], and their identities.
     #[must_use]
-    pub fn open(shot: &Shot, plan: &TrialPlan, frames: &[(u32, String)], size: UVec2) -> Self {
-        let open = |(number, identity): &(u32, String)| {
+    pub fn open(shot: &Shot, plan: &TrialPlan, frames: &[(i32, String)], size: UVec2) -> Self {
+        let open = |(number, identity): &(i32, String)| {
             let text = format!(
                 "reference 1 {identity} {}",
                 digest::hex(&digest::of_shot(shot))
@@ -246,7 +246,7 @@ impl Growing {
     }
 }
 
-fn file(folder: &Path, frame: u32) -> PathBuf {
+fn file(folder: &Path, frame: i32) -> PathBuf {
     folder.join(format!("reference.{frame:04}.moments"))
 }
 
@@ -254,8 +254,8 @@ fn file(folder: &Path, frame: u32) -> PathBuf {
 ///
 /// # Errors
 /// One cannot be read, or does not fit.
-pub fn read(folder: &Path, frames: &[u32], size: UVec2) -> Result<Vec<Reference>> {
-    let read = |&frame: &u32| {
+pub fn read(folder: &Path, frames: &[i32], size: UVec2) -> Result<Vec<Reference>> {
+    let read = |&frame: &i32| {
         let file = folder.join(format!("frame.{frame:04}.exr"));
         if !file.is_file() {
             return Err(Error::input(&file, "there is no such file").at("--reference").fix(

@@ -28,7 +28,7 @@ const LIGHT_BYTES: usize = 2 << 30;
 #[derive(Clone, Debug)]
 pub struct Rendered {
     /// Its number.
-    pub frame: u32,
+    pub frame: i32,
     /// The seed that it was rendered with.
     pub seed: u32,
     /// Radiance of what reflects light, objects and catchers both; alpha is how much of the pixel they cover.
@@ -98,7 +98,7 @@ impl<'a> TrialRenderer<'a> {
     ///
     /// # Errors
     /// The camera sees nothing then.
-    pub fn settings(&self, shot: &Shot, frame: u32, seed: u32) -> Result<RenderSettings> {
+    pub fn settings(&self, shot: &Shot, frame: i32, seed: u32) -> Result<RenderSettings> {
         let camera = self.job.setup.camera(frame)?;
         let settings = Setup::settings_of(shot, frame, camera);
         Ok(RenderSettings {
@@ -139,7 +139,7 @@ impl<'a> TrialRenderer<'a> {
     ///
     /// # Errors
     /// The light cannot be read, or the device fails.
-    pub fn render(&mut self, shot: &Shot, frame: u32, seed: u32) -> Result<Rendered> {
+    pub fn render(&mut self, shot: &Shot, frame: i32, seed: u32) -> Result<Rendered> {
         let light = self.lights.of(&self.job, frame)?;
         self.reporter.notes(self.lights.notes.take());
         let settings = self.settings(shot, frame, seed)?;
@@ -210,13 +210,13 @@ impl<'a> TrialRenderer<'a> {
 struct LightCache {
     notes: Notes,
     /// Of each frame's light, as the identities of what is kept count them.
-    hashes: HashMap<u32, Hash>,
-    kept: Vec<(u32, Arc<PreparedEnv>)>,
+    hashes: HashMap<i32, Hash>,
+    kept: Vec<(i32, Arc<PreparedEnv>)>,
     bytes: usize,
 }
 
 impl LightCache {
-    fn of(&mut self, job: &Job, frame: u32) -> Result<Arc<PreparedEnv>> {
+    fn of(&mut self, job: &Job, frame: i32) -> Result<Arc<PreparedEnv>> {
         let key = if job.is_still() { 0 } else { frame };
         if let Some((_, light)) = self.kept.iter().find(|(f, _)| *f == key) {
             return Ok(Arc::clone(light));

@@ -48,9 +48,9 @@ pub type Trial = Kept<Vec<Record>>;
 #[derive(Clone, Debug)]
 pub struct TrialPlan {
     /// Frames of the shot, in order, and their identities.
-    pub frames: Vec<(u32, String)>,
+    pub frames: Vec<(i32, String)>,
     /// Frames in which errors are measured, in order.
-    pub measured: Vec<u32>,
+    pub measured: Vec<i32>,
     /// Independent scramblings.
     pub seeds: u32,
     /// Where it is kept.
@@ -62,19 +62,19 @@ pub struct TrialPlan {
 impl TrialPlan {
     /// The frame before, if the shot has it.
     #[must_use]
-    pub fn before(&self, frame: u32) -> Option<u32> {
+    pub fn before(&self, frame: i32) -> Option<i32> {
         let before = frame.checked_sub(1)?;
         self.frames.iter().any(|f| f.0 == before).then_some(before)
     }
 
     /// Measured frames and those before them, in order.
     #[must_use]
-    pub fn needed(&self) -> Vec<u32> {
+    pub fn needed(&self) -> Vec<i32> {
         let all = self
             .measured
             .iter()
             .flat_map(|&f| [self.before(f), Some(f)]);
-        let mut needed: Vec<u32> = all.flatten().collect();
+        let mut needed: Vec<i32> = all.flatten().collect();
         needed.sort_unstable();
         needed.dedup();
         needed
@@ -82,7 +82,7 @@ impl TrialPlan {
 
     /// The frames that a contestant renders, in order: one that continues from the frame before renders all.
     #[must_use]
-    pub fn sequence(&self, contestant: &Contestant) -> Vec<u32> {
+    pub fn sequence(&self, contestant: &Contestant) -> Vec<i32> {
         let last = self.measured.last().copied().unwrap_or(0);
         match contestant.is_stateful() {
             true => self
@@ -102,7 +102,7 @@ impl TrialPlan {
     }
 
     /// The identity of a contestant's images of a frame: all that they are made of.
-    fn identity(&self, contestant: &Contestant, frame: u32, what: &str) -> String {
+    fn identity(&self, contestant: &Contestant, frame: i32, what: &str) -> String {
         let mut text = format!("{what} {}", digest::hex(&contestant.digest()));
         let needed = self
             .frames
@@ -118,7 +118,7 @@ impl TrialPlan {
         digest::hex(&digest::of_text(&text))
     }
 
-    fn file(&self, contestant: &Contestant, frame: u32) -> PathBuf {
+    fn file(&self, contestant: &Contestant, frame: i32) -> PathBuf {
         // Names may differ in what a file's name cannot hold.
         let hash = digest::hex(&digest::of_text(&contestant.name));
         let name = format!("{}-{}.{frame:04}.moments", contestant.slug(), &hash[..8]);
@@ -235,7 +235,7 @@ impl<'a> Trials<'a> {
         })
     }
 
-    fn index(&self, frame: u32) -> Option<usize> {
+    fn index(&self, frame: i32) -> Option<usize> {
         self.references
             .binary_search_by_key(&frame, |r| r.frame)
             .ok()
@@ -246,17 +246,17 @@ impl<'a> Trials<'a> {
     /// # Panics
     /// The frame is none of the needed ones.
     #[must_use]
-    pub fn reference(&self, frame: u32) -> &'a Reference {
+    pub fn reference(&self, frame: i32) -> &'a Reference {
         let index = self.index(frame).expect("a frame that is needed");
         &self.references[index]
     }
 
-    fn identity(&self, contestant: &Contestant, frame: u32) -> String {
+    fn identity(&self, contestant: &Contestant, frame: i32) -> String {
         let what = format!("trial 1 {} {}", self.tag, flip::IS_THERE);
         self.plan.identity(contestant, frame, &what)
     }
 
-    fn open(&self, contestant: &Contestant, frame: u32, renderer: &TrialRenderer<'_>) -> Trial {
+    fn open(&self, contestant: &Contestant, frame: i32, renderer: &TrialRenderer<'_>) -> Trial {
         let file = self.plan.file(contestant, frame);
         let kept = Trial::read(&file, &self.identity(contestant, frame), renderer.size());
         // A run with more seeds continues; what one with fewer finds cannot be divided.
@@ -437,7 +437,7 @@ mod tests {
     #[test]
     fn identities_tell_inputs_apart() {
         let mut contestant = contestant("identities");
-        let of = |change: Option<u32>, contestant: &Contestant, frame| {
+        let of = |change: Option<i32>, contestant: &Contestant, frame| {
             let mut plan = plan();
             for f in plan.frames.iter_mut().filter(|f| Some(f.0) == change) {
                 f.1.push('!');

@@ -20,7 +20,7 @@ use glam::UVec2;
 use std::path::{Path, PathBuf};
 
 /// Frames of the shot, numbered from 1.
-pub const FRAMES: u32 = 24;
+pub const FRAMES: i32 = 24;
 
 /// Settings of the simulated capture.
 const SYNTH: &str = include_str!("synth.toml");
@@ -37,7 +37,7 @@ const MAP: UVec2 = UVec2::new(640, 320);
 pub fn run(flags: &RenderFlags, reporter: &Reporter) -> Result<()> {
     if let Some(text) = &flags.frames {
         let asked = range::parse(text).map_err(|e| e.at("--frames"))?;
-        if *asked.start() < 1 || *asked.end() > FRAMES {
+        if asked.iter().any(|frame| !(1..=FRAMES).contains(frame)) {
             return Err(Error::usage(format!("the demo has the frames 1-{FRAMES}"))
                 .fix(format!("choose among them with --frames, as 1-{FRAMES}")));
         }
@@ -104,6 +104,6 @@ pub fn run(flags: &RenderFlags, reporter: &Reporter) -> Result<()> {
 }
 
 /// The file of a frame in a folder of the demonstration.
-fn frame_file(folder: &Path, name: &str, frame: u32, extension: &str) -> PathBuf {
+fn frame_file(folder: &Path, name: &str, frame: i32, extension: &str) -> PathBuf {
     folder.join(format!("{name}.{frame:04}.{extension}"))
 }

@@ -49,10 +49,10 @@ impl Panel {
 ///
 /// # Errors
 /// A picture cannot be read, or the sheet not written.
-pub(super) fn write(file: &Target, out: &Path, frames: &[u32]) -> Result<()> {
+pub(super) fn write(file: &Target, out: &Path, frames: &[i32]) -> Result<()> {
     let rows = ROWS.min(frames.len());
     let chosen = (0..rows).map(|i| frames[i * (frames.len() - 1) / (rows - 1).max(1)]);
-    let chosen: Vec<u32> = chosen.collect();
+    let chosen: Vec<i32> = chosen.collect();
     let panels: Vec<[Panel; 4]> = chosen
         .par_iter()
         .map(|&frame| {
@@ -90,7 +90,7 @@ pub(super) fn write(file: &Target, out: &Path, frames: &[u32]) -> Result<()> {
 }
 
 /// The photograph around the ball.
-fn probe(out: &Path, frame: u32) -> Result<Panel> {
+fn probe(out: &Path, frame: i32) -> Result<Panel> {
     let file = frame_file(&out.join("film/capture"), "ball", frame, "exr");
     let photo = read_photo(&file, &mut Notes::default())?;
     let pixels: Vec<Vec3> = photo
@@ -113,7 +113,7 @@ fn probe(out: &Path, frame: u32) -> Result<Panel> {
 }
 
 /// The light map.
-fn map(out: &Path, frame: u32) -> Result<Panel> {
+fn map(out: &Path, frame: i32) -> Result<Panel> {
     let file = frame_file(&out.join("light"), "latlong", frame, "exr");
     let image = read_image(&file, &mut Notes::default())?;
     let pixels: Vec<Vec3> = image
@@ -126,7 +126,7 @@ fn map(out: &Path, frame: u32) -> Result<Panel> {
 }
 
 /// The objects and their shadow on grey ground, from the layers of the frame.
-fn render(out: &Path, frame: u32) -> Result<Panel> {
+fn render(out: &Path, frame: i32) -> Result<Panel> {
     let file = frame_file(out, "frame", frame, "exr");
     let broken = |e: ::exr::error::Error| Error::input(&file, e).fix("remove it, and run again");
     let layer = read_first_flat_layer_from_file(&file)
@@ -154,7 +154,7 @@ fn render(out: &Path, frame: u32) -> Result<Panel> {
 }
 
 /// The frame as it is shown.
-fn composite(out: &Path, frame: u32) -> Result<Panel> {
+fn composite(out: &Path, frame: i32) -> Result<Panel> {
     let file = frame_file(out, "frame", frame, "png");
     let image = plate::read(&file, &mut Notes::default())?;
     let size = image.size;

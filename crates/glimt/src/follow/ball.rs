@@ -11,7 +11,7 @@ use glimt_render_gpu::prepare::unwarp::BallPose;
 use std::path::Path;
 
 /// Frames further apart than this are not compared: the light itself may have changed, as when the sun has moved on.
-const NEAR: u32 = 4;
+const NEAR: i32 = 4;
 
 /// Follows the ball of a shot.
 pub(super) struct Ball {
@@ -19,7 +19,7 @@ pub(super) struct Ball {
     given: Option<BallPose>,
     tracker: Tracker,
     /// How bright it was in the last frame that showed it.
-    levels: Option<(u32, Levels)>,
+    levels: Option<(i32, Levels)>,
 }
 
 impl Ball {
@@ -42,7 +42,7 @@ impl Ball {
     /// It has not been seen yet.
     pub(super) fn locate(
         &mut self,
-        frame: u32,
+        frame: i32,
         file: &Path,
         photo: &LightImage,
         notes: &mut Notes,
@@ -78,7 +78,7 @@ impl Ball {
     /// Says so where the whole ball became brighter or darker by one factor.
     fn compare(
         &mut self,
-        frame: u32,
+        frame: i32,
         file: &Path,
         photo: &LightImage,
         circle: Circle,
@@ -86,7 +86,7 @@ impl Ball {
     ) {
         let levels = Levels::new(photo.size, &photo.pixels, circle);
         if let Some((before, then)) = &self.levels
-            && frame - before <= NEAR
+            && frame.saturating_sub(*before) <= NEAR
             && let Some(change) = levels.change_from(then).filter(|c| c.is_step())
         {
             let factor = change.stops.exp2();

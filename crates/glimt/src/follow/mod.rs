@@ -40,7 +40,7 @@ use watch::Watcher;
 pub struct Follow<'a> {
     setup: Setup,
     /// The last frame that is wanted, if a range was asked for.
-    last: Option<u32>,
+    last: Option<i32>,
     /// How long nothing may happen.
     wait: Duration,
     /// How long a frame may wait while the one before it is rendered.
@@ -85,13 +85,13 @@ pub fn render(
             .fix("name a sequence, as light.####.exr, or leave out --follow"));
     }
     let range = match (&flags.frames, shot.render.frames.as_str()) {
-        (Some(text), _) => Some(range::parse(text).map_err(|e| e.at("--frames"))?),
+        (Some(text), _) => Some(ends_of(text).map_err(|e| e.at("--frames"))?),
         (None, "") => None,
-        (None, text) => Some(range::parse(text)?),
+        (None, text) => Some(ends_of(text).map_err(|e| e.at("render.frames"))?),
     };
     // From here on frames count as new.
     let light = files.clone();
-    let mut watch = Watcher::new(files, range.as_ref().map(|range| *range.start()));
+    let mut watch = Watcher::new(files, range.map(|[first, _]| first));
     watch.look();
     let mut plates = Plates::of(&shot, &source, wait / 2)?;
     if let Some(plates) = plates.as_mut().filter(|_| !source.gives("image.size")) {
@@ -118,7 +118,7 @@ pub fn render(
     }
     let follow = Follow {
         setup,
-        last: range.map(|range| *range.end()),
+        last: range.map(|[_, last]| last),
         wait,
         max_lag: live.max_lag,
         device: flags.device,
@@ -137,10 +137,22 @@ pub fn render(
     follow.run(watch, plates, notes)
 }
 
+/// The first and the last of the frames that are followed.
+fn ends_of(text: &str) -> Result<[i32; 2]> {
+    let frames = range::parse(text)?;
+    match range::is_whole(&frames) {
+        true => Ok([frames[0], frames[frames.len() - 1]]),
+        false => Err(Error::usage(format!(
+            "`{text}` leaves out frames, and --follow takes them as they come"
+        ))
+        .fix("name the first and the last, as 1-96")),
+    }
+}
+
 /// The frame from which motion is counted: the shot's first, or the lowest that is there; 1 where none is yet.
-fn first_frame(shot: &Shot, watch: &Watcher) -> Result<u32> {
+fn first_frame(shot: &Shot, watch: &Watcher) -> Result<i32> {
     if !shot.render.frames.is_empty() {
-        return Ok(*range::parse(&shot.render.frames)?.start());
+        return Ok(range::parse(&shot.render.frames)?[0]);
     }
     let listed = watch.files().listed().unwrap_or_default();
     Ok(listed.first().copied().unwrap_or(1))

@@ -2,7 +2,7 @@
 
 use super::watch::Watcher;
 use crate::error::{Error, Result};
-use crate::input::footage::{self, Footage};
+use crate::input::footage::{self, Footage, LightSpan};
 use crate::input::frames::FrameFiles;
 use crate::input::plate;
 use crate::notes::Notes;
@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 /// A backplate that has been read.
 #[derive(Clone, Debug)]
 pub(super) struct PlateOfFrame {
-    number: u32,
+    number: i32,
     /// The file that it came from.
     pub(super) file: PathBuf,
     /// Hash of that file.
@@ -36,7 +36,7 @@ pub(super) struct Plates {
     footage: Option<Footage>,
     last: Option<PlateOfFrame>,
     /// The highest number that there was when one was waited for in vain: no other is waited for until it rises.
-    in_vain: Option<Option<u32>>,
+    in_vain: Option<Option<i32>>,
     wait: Duration,
 }
 
@@ -48,7 +48,7 @@ impl Plates {
     pub(super) fn of(shot: &Shot, source: &Source, wait: Duration) -> Result<Option<Self>> {
         let files = footage::files(shot, source)?;
         let plates = |files: FrameFiles| Self {
-            watch: Watcher::new(files, Some(0)),
+            watch: Watcher::new(files, Some(i32::MIN)),
             footage: None,
             last: None,
             in_vain: None,
@@ -75,7 +75,7 @@ impl Plates {
         let until = Instant::now() + most;
         loop {
             self.watch.look();
-            if let Some(number) = self.watch.whole_before(u32::MAX)
+            if let Some(number) = self.watch.whole_before(i32::MAX)
                 && let Ok(size) = plate::read_size(&self.watch.files().path(number))
             {
                 return Ok(size);
@@ -99,8 +99,8 @@ impl Plates {
     /// It has defects and `notes` is strict.
     pub(super) fn of_frame(
         &mut self,
-        frame: u32,
-        first: u32,
+        frame: i32,
+        first: i32,
         setup: &Setup,
         notes: &mut Notes,
     ) -> Result<Option<PlateOfFrame>> {
@@ -126,7 +126,7 @@ impl Plates {
             }
             // A gap in the numbers will hardly be filled, and a camera that has stopped will not continue for this frame.
             let skipped =
-                !self.watch.is_there(wanted) && self.watch.whole_before(u32::MAX) > Some(wanted);
+                !self.watch.is_there(wanted) && self.watch.whole_before(i32::MAX) > Some(wanted);
             if skipped || self.in_vain == Some(self.watch.highest()) {
                 waited = false;
                 break;
@@ -160,13 +160,19 @@ impl Plates {
     }
 
     /// Learns of the footage what its first frame says, as soon as there is one.
-    fn open(&mut self, first: u32, setup: &Setup, notes: &mut Notes) {
+    fn open(&mut self, first: i32, setup: &Setup, notes: &mut Notes) {
         let (None, Some(lowest)) = (&self.footage, self.watch.lowest()) else {
             return;
         };
         // It may still be written; the next look sees.
         let files = self.watch.files().clone();
-        if let Ok(footage) = Footage::new(files, &setup.shot, first, [lowest; 2], notes) {
+        if let Ok(footage) = Footage::new(
+            files,
+            &setup.shot,
+            LightSpan::Live(first),
+            [lowest; 2],
+            notes,
+        ) {
             footage.note_stretch(setup.size(), notes);
             self.footage = Some(footage);
         }
@@ -174,7 +180,7 @@ impl Plates {
 
     fn newest_before(
         &mut self,
-        number: u32,
+        number: i32,
         setup: &Setup,
         notes: &mut Notes,
     ) -> Result<Option<PlateOfFrame>> {
@@ -189,7 +195,7 @@ impl Plates {
     /// Reads one; `None` where that fails, which may be because it is still being written.
     fn load(
         &mut self,
-        number: u32,
+        number: i32,
         setup: &Setup,
         notes: &mut Notes,
     ) -> Result<Option<PlateOfFrame>> {

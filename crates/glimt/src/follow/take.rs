@@ -164,7 +164,7 @@ impl<'a> Taker<'a> {
         !waits && (passed || self.watch.idle() > self.follow.wait)
     }
 
-    fn drop(&mut self, frame: u32, why: DropReason) {
+    fn drop(&mut self, frame: i32, why: DropReason) {
         let gap = self.watch.pass(frame);
         self.tally.drop(frame, &self.watch.files().path(frame), why);
         if let Some(gap) = gap {
@@ -173,7 +173,7 @@ impl<'a> Taker<'a> {
     }
 
     /// Takes a frame; `None` where it is dropped, or cannot be read yet.
-    fn take(&mut self, frame: u32) -> Result<Option<Taken>> {
+    fn take(&mut self, frame: i32) -> Result<Option<Taken>> {
         let began = Instant::now();
         let file = self.watch.files().path(frame);
         let mapping = self.follow.setup.shot.probe.mapping;
@@ -209,7 +209,7 @@ impl<'a> Taker<'a> {
     /// The identity of a frame whose image was read, and what it is rendered from, where its outputs are not there.
     fn prepare(
         &mut self,
-        frame: u32,
+        frame: i32,
         file: &Path,
         image: LightImage,
     ) -> std::result::Result<(Stamp, Option<Inputs>), NotTaken> {
@@ -268,7 +268,7 @@ impl<'a> Taker<'a> {
     }
 
     /// The backplate of a frame, if the shot has any.
-    fn plate_of(&mut self, frame: u32) -> std::result::Result<Option<PlateOfFrame>, NotTaken> {
+    fn plate_of(&mut self, frame: i32) -> std::result::Result<Option<PlateOfFrame>, NotTaken> {
         let Some(plates) = &mut self.plates else {
             return Ok(None);
         };
@@ -284,7 +284,7 @@ impl<'a> Taker<'a> {
     /// Fits the colours, on the first frame that is taken.
     fn match_colours(
         &mut self,
-        frame: u32,
+        frame: i32,
         file: &Path,
         plate: Option<&PlateOfFrame>,
     ) -> Result<()> {

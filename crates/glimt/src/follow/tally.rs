@@ -18,8 +18,8 @@ pub(super) struct Tally<'a> {
 struct Counts {
     rendered: usize,
     skipped: usize,
-    dropped: Vec<u32>,
-    missing: Vec<[u32; 2]>,
+    dropped: Vec<i32>,
+    missing: Vec<[i32; 2]>,
     lags: Vec<f64>,
     /// When the first and the last frame were written.
     written: Option<[Instant; 2]>,
@@ -44,7 +44,7 @@ impl<'a> Tally<'a> {
     }
 
     /// A frame is written or was there; `arrived` is when its light came.
-    pub(super) fn frame(&self, frame: u32, status: FrameStatus, arrived: SystemTime) {
+    pub(super) fn frame(&self, frame: i32, status: FrameStatus, arrived: SystemTime) {
         let lag = arrived.elapsed().map_or(0.0, |lag| lag.as_secs_f64());
         let mut counts = self.lock();
         match status {
@@ -62,7 +62,7 @@ impl<'a> Tally<'a> {
     }
 
     /// A frame is dropped.
-    pub(super) fn drop(&self, frame: u32, file: &Path, why: DropReason) {
+    pub(super) fn drop(&self, frame: i32, file: &Path, why: DropReason) {
         let mut counts = self.lock();
         counts.dropped.push(frame);
         let (reason, is_fault) = match why {
@@ -74,7 +74,7 @@ impl<'a> Tally<'a> {
     }
 
     /// Frames never came.
-    pub(super) fn missing(&self, [first, last]: [u32; 2]) {
+    pub(super) fn missing(&self, [first, last]: [i32; 2]) {
         self.lock().missing.push([first, last]);
         let which = match first == last {
             true => format!("frame {first} is"),
@@ -141,15 +141,15 @@ impl<'a> Tally<'a> {
 }
 
 /// Numbers in order, as `3, 5-7`.
-fn in_words(numbers: &[u32]) -> String {
-    let mut runs: Vec<[u32; 2]> = Vec::new();
+fn in_words(numbers: &[i32]) -> String {
+    let mut runs: Vec<[i32; 2]> = Vec::new();
     for &number in numbers {
         match runs.last_mut() {
             Some([_, last]) if number <= last.saturating_add(1) => *last = number,
             _ => runs.push([number; 2]),
         }
     }
-    let run = |[first, last]: &[u32; 2]| match first == last {
+    let run = |[first, last]: &[i32; 2]| match first == last {
         true => first.to_string(),
         false => format!("{first}-{last}"),
     };

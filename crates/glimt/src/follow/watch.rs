@@ -28,7 +28,7 @@ const CLOCK: Duration = Duration::from_millis(20);
 const RETRY: Duration = Duration::from_millis(500);
 
 /// The largest gap in the numbers of which each frame is remembered as missing.
-const LARGEST_GAP: u32 = 10_000;
+const LARGEST_GAP: i32 = 10_000;
 
 /// A file as it was seen last.
 #[derive(Debug)]
@@ -77,25 +77,25 @@ pub struct Watcher {
     files: FrameFiles,
     began: SystemTime,
     /// The lowest number that is wanted; without one, the first look decides.
-    next: Option<u32>,
+    next: Option<i32>,
     /// Whether numbers from `next` on that are not there are missing: not before the first frame of a run without a range.
     counted: bool,
-    seen: BTreeMap<u32, Seen>,
-    lowest: Option<u32>,
-    highest: Option<u32>,
+    seen: BTreeMap<i32, Seen>,
+    lowest: Option<i32>,
+    highest: Option<i32>,
     looked: Option<Instant>,
     /// When the folder was listed, and how many of its files are frames.
     listed: Option<(Instant, usize)>,
     /// The last look at which all that was there was seen.
     seen_all: SystemTime,
     changed: Instant,
-    missing: BTreeSet<u32>,
-    late: Vec<u32>,
+    missing: BTreeSet<i32>,
+    late: Vec<i32>,
 }
 
 impl Watcher {
     /// Watches for frames from `first` on, or else from the newest on that is there at the first look.
-    pub fn new(files: FrameFiles, first: Option<u32>) -> Self {
+    pub fn new(files: FrameFiles, first: Option<i32>) -> Self {
         Self {
             files,
             began: SystemTime::now(),
@@ -160,9 +160,9 @@ impl Watcher {
             self.lowest = listed.first().copied();
         }
         if first_look && self.next.is_none() {
-            self.next = Some(self.highest.unwrap_or(0));
+            self.next = Some(self.highest.unwrap_or(i32::MIN));
         }
-        let next = self.next.unwrap_or(0);
+        let next = self.next.unwrap_or(i32::MIN);
         self.seen.retain(|n, _| listed.binary_search(n).is_ok());
         for number in listed {
             if number >= next {
@@ -175,7 +175,7 @@ impl Watcher {
 
     /// Looks at what is known, and for the frames behind the highest number.
     fn look_for_next(&mut self) {
-        let known: Vec<u32> = self.seen.keys().copied().collect();
+        let known: Vec<i32> = self.seen.keys().copied().collect();
         for number in known {
             self.look_at(number);
         }
@@ -188,7 +188,7 @@ impl Watcher {
     }
 
     /// Looks at a frame; says whether it is there.
-    fn look_at(&mut self, number: u32) -> bool {
+    fn look_at(&mut self, number: i32) -> bool {
         // What is whole is not looked at again, unless it turned out that it is not.
         let known = self.seen.get_mut(&number);
         if known
@@ -224,17 +224,17 @@ impl Watcher {
     }
 
     /// Whether a frame is there and seems to be whole.
-    pub fn is_whole(&self, number: u32) -> bool {
+    pub fn is_whole(&self, number: i32) -> bool {
         self.seen.get(&number).is_some_and(Seen::is_whole)
     }
 
     /// Whether a frame is there, whole or not.
-    pub fn is_there(&self, number: u32) -> bool {
+    pub fn is_there(&self, number: i32) -> bool {
         self.seen.contains_key(&number)
     }
 
     /// The newest frame before this one that seems to be whole.
-    pub fn whole_before(&self, number: u32) -> Option<u32> {
+    pub fn whole_before(&self, number: i32) -> Option<i32> {
         let mut before = self.seen.range(..number).rev();
         before.find(|(_, seen)| seen.is_whole()).map(|(n, _)| *n)
     }
@@ -243,12 +243,12 @@ impl Watcher {
     /// than `max_lag` is late.
     pub fn waiting(
         &self,
-        last: Option<u32>,
+        last: Option<i32>,
         patience: Duration,
         max_lag: Duration,
     ) -> Vec<Waiting> {
-        let wanted = self.seen.range(..=last.unwrap_or(u32::MAX));
-        let waiting = |(&frame, seen): (&u32, &Seen)| {
+        let wanted = self.seen.range(..=last.unwrap_or(i32::MAX));
+        let waiting = |(&frame, seen): (&i32, &Seen)| {
             let given_up =
                 seen.changed.elapsed() > patience && (seen.failed.is_some() || !seen.is_whole());
             let lag = self.arrival(frame).elapsed().unwrap_or_default();
@@ -264,7 +264,7 @@ impl Watcher {
     }
 
     /// A frame that seemed to be whole could not be read.
-    pub fn failed(&mut self, number: u32, error: Error) {
+    pub fn failed(&mut self, number: i32, error: Error) {
         if let Some(seen) = self.seen.get_mut(&number) {
             let pause = seen.failed.as_ref().map_or(LOOK, |failed| failed.pause * 2);
             let pause = pause.min(RETRY);
@@ -277,12 +277,12 @@ impl Watcher {
     }
 
     /// Why a frame could not be read, if that was tried.
-    pub fn failure(&self, number: u32) -> Option<&Error> {
+    pub fn failure(&self, number: i32) -> Option<&Error> {
         Some(&self.seen.get(&number)?.failed.as_ref()?.error)
     }
 
     /// When a frame was written: by its file's time where that lies within this run, else when it was seen.
-    pub fn arrival(&self, number: u32) -> SystemTime {
+    pub fn arrival(&self, number: i32) -> SystemTime {
         let now = SystemTime::now();
         let Some(seen) = self.seen.get(&number) else {
             return now;
@@ -295,11 +295,11 @@ impl Watcher {
 
     /// A frame is taken or dropped: neither it nor any before it is wanted any more. Returns the numbers before it that were
     /// never there, from the first to the last.
-    pub fn pass(&mut self, number: u32) -> Option<[u32; 2]> {
-        let next = self.next.unwrap_or(0);
+    pub fn pass(&mut self, number: i32) -> Option<[i32; 2]> {
+        let next = self.next.unwrap_or(i32::MIN);
         let gap = (self.counted && number > next).then(|| [next, number - 1]);
         if let Some([a, b]) = gap
-            && b - a < LARGEST_GAP
+            && b.saturating_sub(a) < LARGEST_GAP
         {
             self.missing.extend(a..=b);
         }
@@ -309,28 +309,28 @@ impl Watcher {
     }
 
     /// No frame before this one is wanted any more.
-    pub fn forget_before(&mut self, number: u32) {
+    pub fn forget_before(&mut self, number: i32) {
         self.next = Some(number);
         self.seen = self.seen.split_off(&number);
     }
 
     /// Frames that were missing and came when a later one had been taken.
-    pub fn take_late(&mut self) -> Vec<u32> {
+    pub fn take_late(&mut self) -> Vec<i32> {
         std::mem::take(&mut self.late)
     }
 
     /// The lowest number that was there when there first was one.
-    pub fn lowest(&self) -> Option<u32> {
+    pub fn lowest(&self) -> Option<i32> {
         self.lowest
     }
 
     /// The lowest number that is wanted.
-    pub fn next_wanted(&self) -> u32 {
-        self.next.unwrap_or(0)
+    pub fn next_wanted(&self) -> i32 {
+        self.next.unwrap_or(i32::MIN)
     }
 
     /// The highest number that is there.
-    pub fn highest(&self) -> Option<u32> {
+    pub fn highest(&self) -> Option<i32> {
         self.highest
     }
 
@@ -349,7 +349,7 @@ impl Watcher {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Waiting {
     /// Its number.
-    pub frame: u32,
+    pub frame: i32,
     /// Whether it can be taken.
     pub state: State,
 }
@@ -373,7 +373,7 @@ pub struct Choice {
     /// Those to drop, in order.
     pub drop: Vec<Waiting>,
     /// The one to take then.
-    pub take: Option<u32>,
+    pub take: Option<i32>,
 }
 
 /// The oldest whole frame; where that is late, the newest whole one, and none of those before it. An older one that is still growing
@@ -408,7 +408,7 @@ mod tests {
     use super::*;
 
     /// `w`, `l`, `g` and `x` are whole, late, growing and given up, of frames 1, 2, …
-    fn chosen(states: &str) -> (Vec<u32>, Option<u32>) {
+    fn chosen(states: &str) -> (Vec<i32>, Option<i32>) {
         let state = |c| match c {
             'w' => State::Whole,
             'l' => State::Late,

@@ -44,6 +44,8 @@ fn shot(file: &Path, set: &[String], notes: &mut Notes) -> Result<(serde_json::V
     let (mut shot, source) = parse::read(file, set)?;
     footage::adopt_size(&mut shot, &source)?;
     check::check(&shot, &source)?;
+    let light = probe_files(&shot, &source)?;
+    footage::adopt_rate(&mut shot, &source, &light, notes)?;
     let fail = |e: &dyn std::fmt::Display| Error::new(crate::error::Kind::Internal, e);
     let value = serde_json::to_value(&shot).map_err(|e| fail(&e))?;
     // By way of JSON floats would turn into doubles with all their digits; TOML takes the shot itself.
@@ -58,11 +60,12 @@ fn shot(file: &Path, set: &[String], notes: &mut Notes) -> Result<(serde_json::V
 fn motion(shot: Shot, source: Source, notes: &mut Notes) -> Result<Vec<String>> {
     let listed = probe_files(&shot, &source)?.listed().unwrap_or_default();
     let frames = match shot.render.frames.as_str() {
-        "" => listed.first().copied().unwrap_or(1)..=listed.last().copied().unwrap_or(1),
+        "" => listed,
         text => range::parse(text)?,
     };
+    let ends = [frames.first(), frames.last()].map(|frame| frame.copied().unwrap_or(1));
     let flags = RenderFlags::default();
-    let setup = match Setup::load(shot, source, *frames.start(), &flags, notes) {
+    let setup = match Setup::load(shot, source, ends[0], &flags, notes) {
         Err(error) if error.kind == Kind::Input => return Ok(Vec::new()),
         setup => setup?,
     };
@@ -73,7 +76,7 @@ fn motion(shot: Shot, source: Source, notes: &mut Notes) -> Result<Vec<String>> 
         .collect();
     let keys = &setup.shot.camera.keys;
     let shown = match keys.is_empty() {
-        true => vec![*frames.start(), *frames.end()],
+        true => ends.to_vec(),
         false => keys.iter().map(|key| key.frame).collect(),
     };
     for frame in shown.into_iter().filter(|_| setup.has_moving_camera()) {

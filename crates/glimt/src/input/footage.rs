@@ -7,11 +7,10 @@ use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
 use crate::shot::digest::{Hash, of_file};
 use crate::shot::parse::Source;
-use crate::shot::{Fit, Shot};
+use crate::shot::{Backplate, Fit, Shot};
 use glam::{UVec2, Vec3};
 use glimt_render_gpu::prepare::plate::Plate;
 use rayon::prelude::*;
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 /// The footage behind the objects.
@@ -22,37 +21,57 @@ pub struct Footage {
     /// Size of its images.
     size: UVec2,
     /// Numbers of its first and last frame.
-    span: [u32; 2],
-    rate: Rate,
+    span: [i32; 2],
+    pairing: Pairing,
 }
 
-/// How frames of the footage follow those of the shot.
+/// How frames of the footage belong to those of the shot: `first_plate + round((frame − first) · ratio)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Rate {
-    /// By number.
-    Same,
-    /// By time: `first_plate + round((frame − first) · ratio)`.
-    Other {
-        first: u32,
-        first_plate: u32,
-        ratio: f64,
-    },
+struct Pairing {
+    /// A frame of the shot.
+    first: i64,
+    /// The frame of the footage that belongs to it.
+    first_plate: i64,
+    /// Frames of the footage in the time of one of the shot.
+    ratio: f64,
 }
 
-impl Rate {
+impl Pairing {
     /// The number of the footage's frame, which may be one that is not there.
-    fn of(self, frame: u32) -> i64 {
-        match self {
-            Self::Same => i64::from(frame),
-            Self::Other {
-                first,
-                first_plate,
-                ratio,
-            } => {
-                let steps = (f64::from(frame) - f64::from(first)) * ratio;
-                i64::from(first_plate) + steps.round() as i64
-            }
+    fn of(self, frame: i64) -> i64 {
+        let steps = (frame - self.first) as f64 * self.ratio;
+        self.first_plate + steps.round() as i64
+    }
+}
+
+/// The first and the last frame of the light that the footage is paired with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LightSpan {
+    /// It is a still.
+    Still,
+    /// Its first and its last frame.
+    Sequence([i32; 2]),
+    /// Its first frame; it is still being filmed, and so is the footage.
+    Live(i32),
+}
+
+impl LightSpan {
+    /// That of a probe.
+    ///
+    /// # Errors
+    /// There is none of its files.
+    pub fn of(probe: &FrameFiles) -> Result<Self> {
+        if probe.is_still() {
+            return Ok(Self::Still);
         }
+        let there = probe.existing()?;
+        Ok(Self::Sequence([there[0], there[there.len() - 1]]))
+    }
+
+    /// Whether both are sequences from a first to a last frame, and these are equally far apart.
+    fn is_as_long_as(self, [from, to]: [i32; 2]) -> bool {
+        let length = |[a, b]: [i32; 2]| i64::from(b) - i64::from(a);
+        matches!(self, Self::Sequence(span) if length(span) == length([from, to]))
     }
 }
 
@@ -73,7 +92,7 @@ pub fn files(shot: &Shot, source: &Source) -> Result<Option<FrameFiles>> {
 }
 
 /// Numbers of the first and last frame that are there.
-fn span(files: &FrameFiles) -> Result<[u32; 2]> {
+fn span(files: &FrameFiles) -> Result<[i32; 2]> {
     let there = files.existing().map_err(|e| {
         e.fix("check backplate.frames: each # stands for a digit of the frame's number")
     })?;
@@ -95,6 +114,51 @@ pub fn adopt_size(shot: &mut Shot, source: &Source) -> Result<()> {
     Ok(())
 }
 
+/// Gives the shot the rate of its backplate, where the shot says no `probe.fps`, and the light has no other: it is a still, or a
+/// sequence as long as the backplate.
+///
+/// # Errors
+/// The backplate cannot be named so.
+pub fn adopt_rate(
+    shot: &mut Shot,
+    source: &Source,
+    probe: &FrameFiles,
+    notes: &mut Notes,
+) -> Result<()> {
+    let (Some(fps), Some(plates)) = (
+        shot.backplate.as_ref().and_then(|keys| keys.fps),
+        files(shot, source)?,
+    ) else {
+        return Ok(());
+    };
+    if source.gives("probe.fps") || plates.is_still() || fps == shot.probe.fps {
+        return Ok(());
+    }
+    // What cannot be read is said where it is needed.
+    let (Ok(span), Ok(light)) = (span(&plates), LightSpan::of(probe)) else {
+        return Ok(());
+    };
+    let what = match light {
+        LightSpan::Still => {
+            format!("{fps} frames a second, as backplate.fps says: a still light has no rate")
+        }
+        _ if light.is_as_long_as(span) => format!(
+            "{fps} frames a second, as backplate.fps says, for the light too: it is as long, and probe.fps is not given"
+        ),
+        _ => {
+            let defect = format!("probe.fps is not given, and backplate.fps is {fps}");
+            let workaround = format!(
+                "the light is taken to have {} frames a second",
+                shot.probe.fps
+            );
+            return notes.defect(probe.folder(), &defect, &workaround);
+        }
+    };
+    notes.note(&plates.path(span[0]), what);
+    shot.probe.fps = fps;
+    Ok(())
+}
+
 /// Whether the backplate has a name; if not, the check of the shot will say so.
 fn named(shot: &Shot) -> bool {
     shot.backplate
@@ -103,10 +167,10 @@ fn named(shot: &Shot) -> bool {
 }
 
 impl Footage {
-    /// The footage of a shot, if it has one: finds its frames and how they follow those of the probe.
+    /// The footage of a shot, if it has one: finds its frames and how they belong to those of the probe.
     ///
     /// # Errors
-    /// There is none of its files.
+    /// There is none of its files; or which frames belong together can be guessed alone, and `notes` is strict.
     pub fn find(
         shot: &Shot,
         source: &Source,
@@ -117,46 +181,98 @@ impl Footage {
             return Ok(None);
         };
         let span = span(&files)?;
-        let first = match probe.is_still() {
-            true => span[0],
-            false => probe.existing()?[0],
-        };
-        Self::new(files, shot, first, span, notes).map(Some)
+        Self::new(files, shot, LightSpan::of(probe)?, span, notes).map(Some)
     }
 
-    /// Footage with frames of these numbers, the first of which is there; `first` is the probe's first.
+    /// Footage whose first and last frame have these numbers; the first is there.
     ///
     /// # Errors
-    /// Its first frame cannot be read.
+    /// Its first frame cannot be read; or which frames belong together can be guessed alone, and `notes` is strict.
     pub fn new(
         files: FrameFiles,
         shot: &Shot,
-        first: u32,
-        span: [u32; 2],
+        light: LightSpan,
+        span: [i32; 2],
         notes: &mut Notes,
     ) -> Result<Self> {
         let keys = shot.backplate.clone().unwrap_or_default();
-        let first_file = files.path(span[0]);
         let mut footage = Self {
-            size: read_size(&first_file)?,
+            size: read_size(&files.path(span[0]))?,
             fit: keys.fit,
             span,
-            rate: Rate::Same,
+            pairing: Pairing {
+                first: 0,
+                first_plate: 0,
+                ratio: 1.0,
+            },
             files,
         };
-        let fps = shot.probe.fps;
-        if let (Some(own), false) = (keys.fps.filter(|own| *own != fps), footage.is_still()) {
-            footage.rate = Rate::Other {
-                first,
-                first_plate: span[0],
-                ratio: f64::from(own) / f64::from(fps),
-            };
+        if !footage.is_still() {
+            footage.pairing = footage.pair(&keys, shot.probe.fps, light, notes)?;
+        }
+        Ok(footage)
+    }
+
+    /// Which of its frames belong to those of a shot of `fps` frames a second. As `backplate.offset` says; else by time where the
+    /// rates differ; else the first to the first where the lengths are equal; else by number.
+    fn pair(
+        &self,
+        keys: &Backplate,
+        fps: f32,
+        light: LightSpan,
+        notes: &mut Notes,
+    ) -> Result<Pairing> {
+        let [from, to] = self.span;
+        let file = self.files.path(from);
+        let own = keys.fps.unwrap_or(fps);
+        let ratio = match own == fps {
+            true => 1.0,
+            false => f64::from(own) / f64::from(fps),
+        };
+        if ratio != 1.0 {
             notes.note(
-                &first_file,
+                &file,
                 format!("the footage has {own} frames a second, the probe {fps}: they are matched by time"),
             );
         }
-        Ok(footage)
+        let from_first_to = |first: i32, first_plate: i64| Pairing {
+            first: first.into(),
+            first_plate,
+            ratio,
+        };
+        Ok(match (light, keys.offset) {
+            // A still light has no numbers of its own.
+            (LightSpan::Still, offset) => Pairing {
+                first: i64::from(from) - i64::from(offset.unwrap_or(0)),
+                first_plate: from.into(),
+                ratio,
+            },
+            (LightSpan::Sequence([first, _]) | LightSpan::Live(first), Some(offset)) => {
+                from_first_to(first, i64::from(first) + i64::from(offset))
+            }
+            (LightSpan::Sequence([first, _]) | LightSpan::Live(first), None) if ratio != 1.0 => {
+                from_first_to(first, from.into())
+            }
+            (LightSpan::Sequence([first, last]), None)
+                if first != from && light.is_as_long_as(self.span) =>
+            {
+                let what = format!(
+                    "light and backplate are equally long, so frame {from} of the backplate belongs to frame {first}"
+                );
+                match first <= to && from <= last {
+                    true => notes.defect(
+                        &file,
+                        &format!("{what}, though both have frames of one number"),
+                        "backplate.offset = 0 matches them by number",
+                    )?,
+                    false => notes.note(&file, format!("{what}; backplate.offset says otherwise")),
+                }
+                from_first_to(first, from.into())
+            }
+            (LightSpan::Sequence([first, _]) | LightSpan::Live(first), None) => {
+                from_first_to(first, first.into())
+            }
+        })
     }
 
     /// Its files.
@@ -170,31 +286,32 @@ impl Footage {
     }
 
     /// Whether there is footage for a frame of the shot, as far as first and last frame tell.
-    fn covers(&self, frame: u32) -> bool {
+    fn covers(&self, frame: i32) -> bool {
         let [first, last] = self.span.map(i64::from);
-        self.is_still() || (first..=last).contains(&self.rate.of(frame))
+        self.is_still() || (first..=last).contains(&self.pairing.of(frame.into()))
     }
 
     /// The number of the footage's frame that belongs to a frame of the shot, whether it is there or not.
-    pub fn number(&self, frame: u32) -> u32 {
-        self.rate.of(frame).clamp(0, u32::MAX.into()) as u32
+    pub fn number(&self, frame: i32) -> i32 {
+        let number = self.pairing.of(frame.into());
+        number.clamp(i32::MIN.into(), i32::MAX.into()) as i32
     }
 
     /// The file that belongs to a frame of the shot.
-    pub fn file(&self, frame: u32) -> PathBuf {
+    pub fn file(&self, frame: i32) -> PathBuf {
         self.files.path(self.number(frame))
     }
 
-    /// The frames that both probe and footage have; says which are left out.
+    /// The first and the last frame that both probe and footage have; says which are left out.
     ///
     /// # Errors
     /// There is none.
-    pub fn shared(&self, probe: &FrameFiles, notes: &mut Notes) -> Result<RangeInclusive<u32>> {
+    pub fn shared(&self, probe: &FrameFiles, notes: &mut Notes) -> Result<[i32; 2]> {
         let there = match (probe.is_still(), self.is_still()) {
             (true, false) => self.own_frames(),
             _ => probe.existing()?,
         };
-        let covered: Vec<u32> = there.iter().copied().filter(|f| self.covers(*f)).collect();
+        let covered: Vec<i32> = there.iter().copied().filter(|f| self.covers(*f)).collect();
         let (&low, &high) = (there.first().zip(there.last())).unwrap_or((&1, &1));
         let [from, to] = self.span;
         let Some((&first, &last)) = covered.first().zip(covered.last()) else {
@@ -202,7 +319,10 @@ impl Footage {
                 "the backplate has frames {from} to {to}, the probe {low} to {high}: none belong together"
             );
             return Err(Error::input(&self.files.path(from), what)
-                .fix("number both alike, or say the backplate's own rate as backplate.fps"));
+                .fix(format!(
+                    "backplate.offset = {} lays frame {low} over {from}, the first over the first; or number both alike",
+                    i64::from(from) - i64::from(low)
+                )));
         };
         let file = self.files.path(from);
         let mut left_out = |whose: &str, other: &str, [a, b]: [i64; 2]| {
@@ -218,35 +338,32 @@ impl Footage {
         left_out("probe", "backplate", [low, ends[0] - 1]);
         left_out("probe", "backplate", [ends[1] + 1, high]);
         if !self.is_still() && !probe.is_still() {
-            let before = first.checked_sub(1).map_or(-1, |f| self.rate.of(f));
+            let [before, after] = [ends[0] - 1, ends[1] + 1].map(|f| self.pairing.of(f));
             left_out("backplate", "probe", [from.into(), before]);
-            let after = last.checked_add(1).map_or(i64::MAX, |f| self.rate.of(f));
             left_out("backplate", "probe", [after, to.into()]);
         }
-        Ok(first..=last)
+        Ok([first, last])
     }
 
     /// The frames of a shot whose light is a still: as long as the footage lasts.
-    fn own_frames(&self) -> Vec<u32> {
-        let [first, last] = self.span;
-        match self.rate {
-            Rate::Same => (first..=last).collect(),
-            Rate::Other { .. } => (first..).take_while(|f| self.covers(*f)).collect(),
-        }
+    fn own_frames(&self) -> Vec<i32> {
+        let first = self.pairing.first;
+        let frames = (first..).map_while(|f| i32::try_from(f).ok());
+        frames.take_while(|f| self.covers(*f)).collect()
     }
 
     /// Sees that all of these frames of the shot have footage, of one size.
     ///
     /// # Errors
     /// The first that has not.
-    pub fn require(&self, frames: &[u32], image: UVec2, notes: &mut Notes) -> Result<()> {
+    pub fn require(&self, frames: &[i32], image: UVec2, notes: &mut Notes) -> Result<()> {
         for &frame in frames {
             let file = self.file(frame);
             if !file.is_file() && !self.is_still() {
                 let [from, to] = self.span;
                 let what = format!("the backplate of frame {frame} is missing");
                 return Err(Error::input(&file, what).fix(format!(
-                    "supply it, or choose other frames with --frames (there are frames {from} to {to})"
+                    "supply it, choose other frames with --frames (there are frames {from} to {to}), or say with backplate.offset which belong together"
                 )));
             }
             let size = read_size(&file)?;
@@ -290,7 +407,7 @@ impl Footage {
     ///
     /// # Errors
     /// A file cannot be read.
-    pub fn digests(&self, frames: &[u32]) -> Result<Vec<Hash>> {
+    pub fn digests(&self, frames: &[i32]) -> Result<Vec<Hash>> {
         if self.is_still() {
             return Ok(vec![of_file(&self.file(1))?; frames.len()]);
         }
@@ -301,7 +418,7 @@ impl Footage {
     ///
     /// # Errors
     /// The file cannot be read, is broken or of another size than the first; or it has defects and `notes` is strict.
-    pub fn load(&self, frame: u32, image: UVec2, notes: &mut Notes) -> Result<(Plate, Hash)> {
+    pub fn load(&self, frame: i32, image: UVec2, notes: &mut Notes) -> Result<(Plate, Hash)> {
         self.load_file(&self.file(frame), image, notes)
     }
 
@@ -339,18 +456,28 @@ mod tests {
 
     #[test]
     fn frames_are_matched_by_time() {
-        let rate = Rate::Other {
-            first: 10,
-            first_plate: 1001,
-            ratio: 2.0,
+        let pairing = |first, first_plate, ratio| Pairing {
+            first,
+            first_plate,
+            ratio,
         };
-        assert_eq!([9, 10, 11, 14].map(|f| rate.of(f)), [999, 1001, 1003, 1009]);
-        let slower = Rate::Other {
-            first: 1,
-            first_plate: 1,
-            ratio: 24.0 / 60.0,
-        };
+        let faster = pairing(10, 1001, 2.0);
+        assert_eq!(
+            [9, 10, 11, 14].map(|f| faster.of(f)),
+            [999, 1001, 1003, 1009]
+        );
+        let slower = pairing(1, 1, 24.0 / 60.0);
         assert_eq!([1, 2, 3, 4, 6].map(|f| slower.of(f)), [1, 1, 2, 2, 3]);
-        assert_eq!(Rate::Same.of(7), 7);
+        assert_eq!(pairing(-3, -3, 1.0).of(7), 7);
+    }
+
+    #[test]
+    fn lengths_are_compared() {
+        let light = LightSpan::Sequence([-1, 3]);
+        assert!(light.is_as_long_as([1001, 1005]) && !light.is_as_long_as([1, 4]));
+        assert!(LightSpan::Sequence([i32::MIN, i32::MAX]).is_as_long_as([i32::MIN, i32::MAX]));
+        assert!(
+            !LightSpan::Still.is_as_long_as([1, 1]) && !LightSpan::Live(1).is_as_long_as([1, 1])
+        );
     }
 }

@@ -1,8 +1,10 @@
 //! Host file: the files of a sequence, `light.####.exr`, or of a still.
 
+use super::pattern::{Example, Pattern, escape, example, is_foreign, unescape};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use glam::UVec2;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 /// Where the frames of a sequence are.
@@ -24,44 +26,76 @@ pub enum FrameFiles {
 }
 
 impl FrameFiles {
-    /// Reads a path in whose file name `#`s stand for the digits of the frame's number. A relative path is relative to
-    /// `base`.
+    /// Reads a path whose file name has a place for the frame's number: `####`, or `%04d`, `$F4` and `@@@@` of other programs. `[#]`
+    /// is the character `#`. A relative path is relative to `base`. A name without such a place is a still's, and so is one of
+    /// another program's notation if a file has just this name.
     ///
     /// # Errors
-    /// The name holds two numbers.
+    /// The name holds two numbers, is a folder, or is one for many files in a notation that is not understood.
     pub fn new(base: &Path, pattern: &str) -> Result<Self> {
         let path = base.join(pattern);
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let Some(first) = name.find('#') else {
+        let parsed = Pattern::parse(&name)?;
+        if !parsed.as_ref().is_some_and(|parsed| parsed.is_hash) && path.is_file() {
             return Ok(Self::Still(path));
-        };
-        let digits = name[first..].chars().take_while(|c| *c == '#').count();
-        let suffix = name[first + digits..].to_owned();
-        if suffix.contains('#') {
-            return Err(
-                Error::usage(format!("`{pattern}` has a place for two numbers"))
-                    .fix("keep one run of #, as light.####.exr"),
-            );
         }
+        let dir = path.parent().map(Path::to_owned).unwrap_or_default();
+        let Some(parsed) = parsed else {
+            let plain = match name.is_empty() {
+                true => path.clone(),
+                false => path.with_file_name(unescape(&name)),
+            };
+            if plain.is_dir() {
+                return Err(
+                    Error::usage(format!("`{pattern}` is a folder")).fix(folder_fix(
+                        &plain,
+                        Path::new(pattern),
+                        None,
+                    )),
+                );
+            }
+            if is_foreign(&name) && !plain.exists() {
+                let what = format!(
+                    "`{pattern}` is the name of no file, nor is its notation for frames known"
+                );
+                let folder = Path::new(pattern).parent().unwrap_or(Path::new(""));
+                return Err(Error::usage(what).fix(folder_fix(
+                    &dir,
+                    folder,
+                    Path::new(&*name).extension(),
+                )));
+            }
+            return Ok(Self::Still(plain));
+        };
         Ok(Self::Sequence {
-            dir: path.parent().map(Path::to_owned).unwrap_or_default(),
-            prefix: name[..first].to_owned(),
-            digits,
-            suffix,
+            dir,
+            prefix: parsed.prefix,
+            digits: parsed.digits,
+            suffix: parsed.suffix,
         })
     }
 
-    /// The file of a frame.
-    pub fn path(&self, frame: u32) -> PathBuf {
-        match self {
-            Self::Still(path) => path.clone(),
+    /// The file of a frame. The sign of a negative number counts as one of its digits, as in `printf`, unless there is a file in
+    /// whose name it does not.
+    pub fn path(&self, frame: i32) -> PathBuf {
+        let (dir, prefix, digits, suffix) = match self {
+            Self::Still(path) => return path.clone(),
             Self::Sequence {
                 dir,
                 prefix,
                 digits,
                 suffix,
-            } => dir.join(format!("{prefix}{frame:0digits$}{suffix}")),
+            } => (dir, prefix, *digits, suffix),
+        };
+        let path = dir.join(format!("{prefix}{frame:0digits$}{suffix}"));
+        if frame < 0 && !path.exists() {
+            let number = frame.unsigned_abs();
+            let longer = dir.join(format!("{prefix}-{number:0digits$}{suffix}"));
+            if longer.exists() {
+                return longer;
+            }
         }
+        path
     }
 
     /// Whether every frame is the same file.
@@ -73,12 +107,26 @@ impl FrameFiles {
     ///
     /// # Errors
     /// The folder cannot be read, or holds no frame.
-    pub fn existing(&self) -> Result<Vec<u32>> {
+    pub fn existing(&self) -> Result<Vec<i32>> {
         let frames = self
             .listed()
             .map_err(|e| Error::reading(self.folder(), &e))?;
         if frames.is_empty() {
-            let what = format!("no file is named {}", self.pattern());
+            let pattern = self.pattern();
+            let others = example(self.folder(), Path::new(&pattern).extension());
+            let what = match others {
+                None => format!("no file is named {pattern}"),
+                Some(others) if others.name == pattern => {
+                    format!(
+                        "the numbers of {pattern} are none from {} to {}",
+                        i32::MIN,
+                        i32::MAX
+                    )
+                }
+                Some(Example { name, count }) => {
+                    format!("no file is named {pattern} ({count} there: {name})")
+                }
+            };
             return Err(Error::input(self.folder(), what)
                 .fix("check probe.frames: each # stands for a digit of the frame's number"));
         }
@@ -89,20 +137,21 @@ impl FrameFiles {
     ///
     /// # Errors
     /// The folder cannot be read.
-    pub fn listed(&self) -> std::io::Result<Vec<u32>> {
+    pub fn listed(&self) -> std::io::Result<Vec<i32>> {
         if self.is_still() {
             return Ok(vec![1]);
         }
-        let mut frames: Vec<u32> = std::fs::read_dir(self.folder())?
+        let mut frames: Vec<i32> = std::fs::read_dir(self.folder())?
             .flatten()
             .filter_map(|entry| self.number(&entry.file_name().to_string_lossy()))
             .collect();
         frames.sort_unstable();
+        frames.dedup();
         Ok(frames)
     }
 
-    /// The number in the name of a frame of a sequence.
-    fn number(&self, name: &str) -> Option<u32> {
+    /// The number in the name of a frame of a sequence. The sign of a negative one may count as one of its digits or not.
+    fn number(&self, name: &str) -> Option<i32> {
         let Self::Sequence {
             prefix,
             digits,
@@ -115,9 +164,48 @@ impl FrameFiles {
         let text = name
             .strip_prefix(prefix.as_str())?
             .strip_suffix(suffix.as_str())?;
-        let plain = text.bytes().all(|b| b.is_ascii_digit());
-        let padded = text.len() == *digits || (text.len() > *digits && !text.starts_with('0'));
-        (plain && padded).then(|| text.parse().ok())?
+        let size = text.strip_prefix('-').unwrap_or(text);
+        let is_negative = size.len() < text.len();
+        let plain = size.bytes().all(|b| b.is_ascii_digit());
+        let padded = size.len() == *digits
+            || (is_negative && text.len() == *digits)
+            || (size.len() > *digits && !size.starts_with('0'));
+        let number = (plain && padded).then(|| text.parse().ok())?;
+        number.filter(|number| *number != 0 || !is_negative)
+    }
+
+    /// Warns where all numbers are negative: the sign may be meant as a part of the name.
+    ///
+    /// # Errors
+    /// They are, and `notes` is strict.
+    pub fn check_signs(&self, numbers: &[i32], notes: &mut Notes) -> Result<()> {
+        match (self, numbers) {
+            (
+                Self::Sequence {
+                    prefix,
+                    digits,
+                    suffix,
+                    ..
+                },
+                [first, .., last],
+            ) if *last < 0 => {
+                let defect = format!(
+                    "all of its frames are negative, {first} to {last}: the - is taken for their sign"
+                );
+                let name = format!(
+                    "{}-{}{}",
+                    escape(prefix),
+                    "#".repeat(*digits),
+                    escape(suffix)
+                );
+                notes.defect(
+                    &self.path(*first),
+                    &defect,
+                    &format!("where it belongs to the name, write {name}"),
+                )
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Whether a file is one of them, or would be if it were there.
@@ -156,16 +244,21 @@ impl FrameFiles {
                 digits,
                 suffix,
                 ..
-            } => format!("{prefix}{}{suffix}", "#".repeat(*digits)),
+            } => format!(
+                "{}{}{}",
+                escape(prefix),
+                "#".repeat(*digits),
+                escape(suffix)
+            ),
         }
     }
 
-    /// The frames from `first` to `last`, all of which must exist.
+    /// Sees that all of these frames exist; there is at least one.
     ///
     /// # Errors
     /// The first one that does not.
-    pub fn require(&self, first: u32, last: u32) -> Result<Vec<u32>> {
-        for frame in first..=last {
+    pub fn require(&self, frames: &[i32]) -> Result<()> {
+        for &frame in frames {
             let path = self.path(frame);
             if path.is_file() {
                 if self.is_still() {
@@ -176,12 +269,13 @@ impl FrameFiles {
             if self.is_still() {
                 return Err(Error::reading(&path, &std::io::ErrorKind::NotFound.into()));
             }
-            return Err(self.missing(frame, first, last));
+            return Err(self.missing(frame, frames));
         }
-        Ok((first..=last).collect())
+        Ok(())
     }
 
-    fn missing(&self, frame: u32, first: u32, last: u32) -> Error {
+    fn missing(&self, frame: i32, frames: &[i32]) -> Error {
+        let (first, last) = (frames[0], frames[frames.len() - 1]);
         let error = Error::input(
             &self.path(frame),
             format!("frame {frame} of {first}-{last} is missing"),
@@ -199,10 +293,10 @@ impl FrameFiles {
     }
 
     /// Says which frames are missing between those of `numbers`, and what comes of it.
-    pub fn note_gaps(&self, numbers: &[u32], consequence: &str, notes: &mut Notes) {
+    pub fn note_gaps(&self, numbers: &[i32], consequence: &str, notes: &mut Notes) {
         for pair in numbers.windows(2) {
-            let which = match pair[1] - pair[0] {
-                0 | 1 => continue,
+            let which = match i64::from(pair[1]) - i64::from(pair[0]) {
+                ..2 => continue,
                 2 => format!("frame {} is", pair[0] + 1),
                 _ => format!("frames {} to {} are", pair[0] + 1, pair[1] - 1),
             };
@@ -212,6 +306,20 @@ impl FrameFiles {
             );
         }
     }
+}
+
+/// How to name the frames that are in `folder`, which the user calls `called`.
+fn folder_fix(folder: &Path, called: &Path, extension: Option<&OsStr>) -> String {
+    let folder = match folder.as_os_str().is_empty() {
+        true => Path::new("."),
+        false => folder,
+    };
+    let there = example(folder, extension).map_or("light.####.exr".to_owned(), |e| e.name);
+    let name = called.join(there);
+    format!(
+        "write #### for the digits of the frame's number, as {}",
+        name.display()
+    )
 }
 
 /// Checks that a frame has the size of the first.

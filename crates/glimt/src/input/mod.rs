@@ -6,6 +6,7 @@ pub mod footage;
 pub mod frames;
 pub mod hdr;
 pub mod light_image;
+pub mod pattern;
 pub mod plate;
 pub mod primaries;
 pub mod resample;

@@ -110,7 +110,7 @@ pub fn correct(
     shot: &Shot,
     source: &Source,
     footage: Option<&Footage>,
-    first: u32,
+    first: i32,
     notes: &mut Notes,
 ) -> Result<()> {
     let Some(keys) = &shot.probe.colour else {

@@ -17,7 +17,6 @@ use glimt_probe::gather::ColourMatrix;
 use glimt_render_gpu::prepare::env::{EnvMap, MAX_RADIANCE};
 use glimt_render_gpu::prepare::unwarp::BallPose;
 use rayon::prelude::*;
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -49,10 +48,10 @@ pub struct FirstImage<'a> {
 pub struct Selection<'a> {
     /// The files.
     pub files: FrameFiles,
-    /// The frames that are asked for, at least one.
-    pub frames: &'a [u32],
-    /// All frames of the shot.
-    pub of_shot: RangeInclusive<u32>,
+    /// The frames that are asked for, in order, at least one.
+    pub frames: &'a [i32],
+    /// All frames of the shot, in order.
+    pub of_shot: &'a [i32],
 }
 
 impl Probe {
@@ -148,7 +147,7 @@ impl Probe {
     }
 
     /// The file of a frame.
-    pub fn file(&self, frame: u32) -> PathBuf {
+    pub fn file(&self, frame: i32) -> PathBuf {
         self.files.path(frame)
     }
 
@@ -156,14 +155,14 @@ impl Probe {
     ///
     /// # Errors
     /// A file cannot be read.
-    pub fn digests(&self, frames: &[u32]) -> Result<Vec<Hash>> {
+    pub fn digests(&self, frames: &[i32]) -> Result<Vec<Hash>> {
         let files = if self.files.is_still() {
             vec![of_file(&self.files.path(1))?; frames.len()]
         } else {
             let paths = frames.par_iter().map(|&frame| self.files.path(frame));
             paths.map(|path| of_file(&path)).collect::<Result<_>>()?
         };
-        let with_pose = |(file, frame): (Hash, &u32)| self.digest_at(&file, self.pose(*frame));
+        let with_pose = |(file, frame): (Hash, &i32)| self.digest_at(&file, self.pose(*frame));
         Ok(files.into_iter().zip(frames).map(with_pose).collect())
     }
 
@@ -174,7 +173,7 @@ impl Probe {
     }
 
     /// Where the ball is in a frame, in film of one.
-    fn pose(&self, frame: u32) -> Option<BallPose> {
+    fn pose(&self, frame: i32) -> Option<BallPose> {
         self.capture.as_ref()?.poses().of(frame)
     }
 
@@ -183,7 +182,7 @@ impl Probe {
     ///
     /// # Errors
     /// The file cannot be read, is broken, or has bad texels and `notes` is strict.
-    pub fn load(&self, frame: u32, notes: &mut Notes) -> Result<(EnvMap, Hash)> {
+    pub fn load(&self, frame: i32, notes: &mut Notes) -> Result<(EnvMap, Hash)> {
         let file = self.files.path(frame);
         let pose = self.pose(frame);
         let image = read_frame(self.mapping, &file, notes)?;
@@ -283,7 +282,7 @@ fn found_poses(
         true => frames.to_vec(),
         false => files.existing()?,
     };
-    all.retain(|frame| of_shot.contains(frame) || frames.contains(frame));
+    all.retain(|frame| of_shot.binary_search(frame).is_ok() || frames.binary_search(frame).is_ok());
     locate::poses(files, &all, ball, notes, progress)
 }
 

@@ -122,7 +122,7 @@ fn store(
     };
     let hash = AttributeValue::Text(Text::from(stamp.hash.as_str()));
     attributes.other.insert(Text::from(HASH_KEY), hash);
-    let frame = AttributeValue::I32(stamp.frame.cast_signed());
+    let frame = AttributeValue::I32(stamp.frame);
     attributes.other.insert(Text::from(FRAME_KEY), frame);
     if let Some(formula) = formula {
         let formula = AttributeValue::Text(Text::from(formula));

@@ -27,7 +27,7 @@ pub struct Stamp {
     /// Identity of the frame, in hexadecimal.
     pub hash: String,
     /// Number of the frame.
-    pub frame: u32,
+    pub frame: i32,
 }
 
 /// The program and its version, for the files it writes.

@@ -67,7 +67,7 @@ pub struct Saved {
 struct Header {
     chain: Hash,
     setup: Hash,
-    frame: u32,
+    frame: i32,
     size: [u32; 2],
     rays_per_pixel: u32,
     particles: u32,
@@ -89,7 +89,7 @@ pub fn write(pending: &mut Pending, saved: &Saved) -> Result<()> {
     let header = Header {
         chain: saved.chain,
         setup: saved.setup,
-        frame: past.frame,
+        frame: past.frame.cast_signed(),
         size: past.key.size.to_array(),
         rays_per_pixel: past.key.rays_per_pixel,
         particles: past.key.particles,
@@ -198,7 +198,7 @@ pub fn read(file: &Path) -> Result<Saved> {
                     seed: header.seed,
                     objects: header.transforms.len() as u32,
                 },
-                frame: header.frame,
+                frame: header.frame.cast_unsigned(),
                 view: CameraView {
                     eye,
                     forward,

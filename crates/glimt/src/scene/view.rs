@@ -103,7 +103,7 @@ impl View {
     /// It looks nowhere, along its own up, or through no angle.
     pub fn at(
         &self,
-        frame: u32,
+        frame: i32,
         source: &Source,
         place: impl Fn(usize, usize) -> Mat4,
     ) -> Result<Camera> {
@@ -211,7 +211,7 @@ impl Track {
         }
     }
 
-    fn at(&self, frame: u32) -> Camera {
+    fn at(&self, frame: i32) -> Camera {
         let [ex, ey, ez, tx, ty, tz, ux, uy, uz, fov_x] = self.numbers(frame as f32).0;
         Camera {
             eye: Vec3::new(ex, ey, ez),

@@ -11,7 +11,6 @@ use crate::shot::parse::Source;
 use crate::shot::{self, Shot, check, parse, range};
 use glam::Mat3;
 use glimt_render_gpu::prepare::env::EnvMap;
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 /// What becomes of missing frames.
@@ -20,9 +19,9 @@ const NOT_THERE: &str = "there are no coefficients of what is not there";
 /// Lights that are to be projected, of which nothing but their names is known.
 pub(super) struct Found {
     /// A sequence or a still with the frames that are asked for; or files, each of them frame 1.
-    sources: Vec<(FrameFiles, Vec<u32>)>,
+    sources: Vec<(FrameFiles, Vec<i32>)>,
     /// The frames among which a mirror ball is steadied.
-    range: RangeInclusive<u32>,
+    range: Vec<i32>,
     /// How they are read.
     keys: shot::Probe,
     /// How far they are turned, in degrees about +z.
@@ -51,7 +50,7 @@ impl Found {
             let frames = frames_of(sequence, flags.frames.as_deref(), "check the path")?;
             sequence.note_gaps(&frames, NOT_THERE, notes);
             return Ok(Self {
-                range: frames[0]..=frames[frames.len() - 1],
+                range: frames.clone(),
                 sources: vec![(sequence.clone(), frames)],
                 keys,
                 shot: None,
@@ -72,11 +71,11 @@ impl Found {
             );
         }
         for file in &files {
-            file.require(1, 1)?;
+            file.require(&[1])?;
         }
         Ok(Self {
             sources: files.into_iter().map(|file| (file, vec![1])).collect(),
-            range: 1..=1,
+            range: vec![1],
             keys,
             shot: None,
             turn: flags.rotate_z_deg,
@@ -103,7 +102,7 @@ impl Found {
         files.note_gaps(&frames, NOT_THERE, notes);
         let range = match of_shot {
             Some(text) => range::parse(text)?,
-            None => frames[0]..=frames[frames.len() - 1],
+            None => frames.clone(),
         };
         Ok(Self {
             sources: vec![(files, frames)],
@@ -131,7 +130,7 @@ impl Found {
             let selection = Selection {
                 files,
                 frames: &numbers,
-                of_shot: self.range.clone(),
+                of_shot: &self.range,
             };
             let mut probe = Probe::open(selection, &self.keys, notes, progress)?;
             if let Some((shot, source, footage)) = &self.shot {
@@ -148,14 +147,14 @@ impl Found {
             if probe.is_still() {
                 numbers.truncate(1);
             }
-            let number = |frame: u32| {
+            let number = |frame: i32| {
                 if are_files {
-                    probes.len() as u32 + 1
+                    probes.len() as i32 + 1
                 } else {
                     frame
                 }
             };
-            let light = |frame: u32| LightOfProbe {
+            let light = |frame: i32| LightOfProbe {
                 number: number(frame),
                 frame,
                 probe: probes.len(),
@@ -181,9 +180,9 @@ pub(super) struct Lights {
 /// A light among others.
 struct LightOfProbe {
     /// What it is called: its frame, or of files, which of them it is.
-    number: u32,
+    number: i32,
     /// Its frame.
-    frame: u32,
+    frame: i32,
     /// Of this probe.
     probe: usize,
 }
@@ -195,7 +194,7 @@ impl Lights {
     }
 
     /// The number of one's frame; of files, which of them it is.
-    pub(super) fn frame(&self, i: usize) -> u32 {
+    pub(super) fn frame(&self, i: usize) -> i32 {
         self.frames[i].number
     }
 
@@ -223,19 +222,20 @@ impl Lights {
     }
 }
 
-/// The files that an argument names. Its folder is taken as it is, whatever bytes it is made of, and so is a name without #.
+/// The files that an argument names. Its folder is taken as it is, whatever bytes it is made of, and so is a name that is no text.
 fn files_of(input: &Path) -> Result<FrameFiles> {
-    let name = input.file_name().unwrap_or_default().to_string_lossy();
-    match input.parent() {
-        Some(folder) if name.contains('#') => FrameFiles::new(folder, &name),
+    let name = input.file_name().and_then(|name| name.to_str());
+    match (input.parent(), name) {
+        (Some(folder), Some(name)) => FrameFiles::new(folder, name),
         _ => Ok(FrameFiles::Still(input.to_owned())),
     }
 }
 
 /// The frames that are asked for, or all that there are. `fix` says where the files' name is to be looked at if there are none.
-fn frames_of(files: &FrameFiles, asked: Option<&str>, fix: &str) -> Result<Vec<u32>> {
+fn frames_of(files: &FrameFiles, asked: Option<&str>, fix: &str) -> Result<Vec<i32>> {
     if files.is_still() && asked.is_none() {
-        return files.require(1, 1);
+        files.require(&[1])?;
+        return Ok(vec![1]);
     }
     let there = files.existing().map_err(|e| {
         e.fix(format!(
@@ -245,7 +245,8 @@ fn frames_of(files: &FrameFiles, asked: Option<&str>, fix: &str) -> Result<Vec<u
     match asked {
         Some(text) => {
             let asked = range::parse(text).map_err(|e| e.at("--frames"))?;
-            files.require(*asked.start(), *asked.end())
+            files.require(&asked)?;
+            Ok(asked)
         }
         None => Ok(there),
     }

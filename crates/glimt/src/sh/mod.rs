@@ -23,7 +23,7 @@ use std::time::Instant;
 
 /// A frame's coefficients, as they are written.
 struct Projected {
-    frame: u32,
+    frame: i32,
     /// Whether the number is not a frame's, but says which file it is.
     still: bool,
     file: PathBuf,

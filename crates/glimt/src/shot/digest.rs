@@ -49,6 +49,7 @@ pub fn of_shot(shot: &Shot) -> Hash {
     if let Some(plate) = &mut shot.backplate {
         plate.frames.clear();
         plate.fps = None;
+        plate.offset = None;
     }
     // Of a bake its content counts, and who renders by it adds that: the directions are those that it was made of.
     shot.render.prt.bake.clear();
@@ -75,7 +76,7 @@ pub fn join<'a>(parts: impl IntoIterator<Item = &'a Hash>) -> Hash {
 }
 
 /// The identity of one frame: version, kernels, shot, meshes, inputs (light and footage) and number, in hexadecimal.
-pub fn of_frame(scene: &Hash, inputs: &Hash, frame: u32) -> String {
+pub fn of_frame(scene: &Hash, inputs: &Hash, frame: i32) -> String {
     let mut hasher = Sha256::new();
     hasher.update(b"glimt frame ");
     hasher.update(VERSION.as_bytes());

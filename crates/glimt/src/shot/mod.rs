@@ -81,7 +81,7 @@ pub struct Camera {
 #[serde(deny_unknown_fields)]
 pub struct CameraKey {
     /// Number of the frame.
-    pub frame: u32,
+    pub frame: i32,
     /// Centre of projection.
     pub eye: [f32; 3],
     /// A point in the middle of the image.
@@ -98,7 +98,7 @@ pub struct CameraKey {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Probe {
-    /// File of a still, or of a sequence with `####` for the frame's number.
+    /// File of a still, or of a sequence with `####` for the frame's number (or `%04d`, `$F4`, `@@@@`); `[#]` is a `#`.
     pub frames: String,
     /// How directions lie in the image.
     pub mapping: Mapping,
@@ -106,7 +106,8 @@ pub struct Probe {
     pub rotate_z_deg: f32,
     /// Factor on the radiance.
     pub scale: f32,
-    /// Frames per second of the sequence, and of the video made from it.
+    /// Frames per second of the sequence, and of the video made from it; that of the backplate, if this is not given and the light is
+    /// a still or as long as the backplate.
     pub fps: f32,
     /// Where the mirror ball is, for `mapping = "mirror-ball"`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -167,7 +168,7 @@ pub struct Colour {
     pub patches: Vec<Patch>,
     /// The frame in which patches are read; the first, if not given.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub frame: Option<u32>,
+    pub frame: Option<i32>,
 }
 
 /// A box in an image: left, top, width and height in pixels.
@@ -260,7 +261,7 @@ pub struct Material {
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Backplate {
-    /// File of a still, or of a sequence with `####` for the frame's number.
+    /// File of a still, or of a sequence with `####` for the frame's number (or `%04d`, `$F4`, `@@@@`); `[#]` is a `#`.
     pub frames: String,
     /// How it takes shadows.
     #[serde(with = "glimt_render_gpu::words")]
@@ -270,6 +271,10 @@ pub struct Backplate {
     /// Frames per second, if not those of the probe: frames are then matched by time, from each one's first on.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fps: Option<f32>,
+    /// Number of its frame that belongs to the probe's first, less the probe's number. If not given, the first belongs to the first
+    /// where both are equally long or their rates differ, and frames of one number belong together else.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub offset: Option<i32>,
 }
 
 /// What is written.

@@ -50,7 +50,7 @@ macro_rules! keys {
             pub pattern: Pattern,
             /// Seed of the random streams.
             pub seed: u32,
-            /// Frames of the shot, as `1-96`; all that the probe has, if empty.
+            /// Frames of the shot, as `1-96`, `1-96x2` or `1,3,7-9`; all that the probe has, if empty.
             pub frames: String,
         }
 

@@ -75,7 +75,7 @@ pub fn run(input: Option<&Path>, flags: &SynthFlags, reporter: &Reporter) -> Res
             }
             _ => FrameStatus::Skipped,
         };
-        reporter.frame(frame, status, done, job.frames.len());
+        reporter.frame(frame.cast_signed(), status, done, job.frames.len());
     }
     let seconds = began.elapsed().as_secs_f64();
     let skipped = job.frames.len() - filmed;
@@ -129,12 +129,17 @@ impl Job {
             Some(text) => {
                 let asked = range::parse(text).map_err(|e| e.at("--frames"))?;
                 let last = synth.frames;
-                if *asked.start() < 1 || *asked.end() > last {
-                    return Err(Error::usage(format!("the capture has the frames 1-{last}"))
+                let filmed = |frame: &i32| {
+                    u32::try_from(*frame)
+                        .ok()
+                        .filter(|f| (1..=last).contains(f))
+                };
+                let frames: Option<Vec<u32>> = asked.iter().map(filmed).collect();
+                frames.ok_or_else(|| {
+                    Error::usage(format!("the capture has the frames 1-{last}"))
                         .at("--frames")
-                        .fix("choose among them, or raise the key frames"));
-                }
-                asked.collect()
+                        .fix("choose among them, or raise the key frames")
+                })?
             }
             None => (1..=synth.frames).collect(),
         };
@@ -176,7 +181,7 @@ impl Job {
         let frame_hash = digest::join([&self.digest, &Sha256::digest(frame.to_le_bytes()).into()]);
         Stamp {
             hash: digest::hex(&frame_hash),
-            frame,
+            frame: frame.cast_signed(),
         }
     }
 

@@ -83,7 +83,7 @@ fn introduction(outcome: &Outcome) -> String {
         [first, .., last] => format!("seeds {first} to {last}"),
         _ => "one seed".to_owned(),
     };
-    let frames: Vec<String> = about.frames.iter().map(u32::to_string).collect();
+    let frames: Vec<String> = about.frames.iter().map(i32::to_string).collect();
     let how = match (outcome.mode, outcome.budget) {
         (Mode::EqualTime, Some(budget)) => {
             format!("at equal time, {} a frame", milliseconds(budget))
@@ -210,7 +210,7 @@ fn summary(outcome: &Outcome) -> String {
 
 fn curves(outcome: &Outcome) -> String {
     let chart_of = |title: &str, f: &dyn Fn(&Score) -> Option<Estimate>| {
-        let curve = |c: &'_ Figures| -> Vec<(u32, Estimate)> {
+        let curve = |c: &'_ Figures| -> Vec<(i32, Estimate)> {
             let pairs = c.frames.iter().zip(&outcome.about.frames);
             pairs
                 .filter_map(|(s, frame)| Some((*frame, f(s)?)))

@@ -25,7 +25,7 @@ const SHOWN: usize = 4;
 #[derive(Clone, Debug)]
 pub struct Pictures {
     /// The frame.
-    pub frame: u32,
+    pub frame: i32,
     /// The reference.
     pub reference: String,
     /// Of each contestant: one image, and the map of its error.

@@ -25,7 +25,7 @@ pub struct Curve<'a> {
     /// Its name.
     pub name: &'a str,
     /// Frames and values.
-    pub points: Vec<(u32, Estimate)>,
+    pub points: Vec<(i32, Estimate)>,
 }
 
 /// Curves with bars of one standard error each way, on a logarithmic scale. Empty if there is no value above 0.
@@ -52,7 +52,7 @@ pub fn chart(title: &str, unit: &str, curves: &[Curve<'_>]) -> String {
 /// Where frames and values lie in the drawing.
 struct Axes {
     /// The frames, in order.
-    frames: Vec<u32>,
+    frames: Vec<i32>,
     /// Decimal logarithms of the least and the largest value.
     range: [f64; 2],
 }
@@ -64,7 +64,7 @@ impl Axes {
         let values = || points().map(|p| p.1.value);
         let positive = || values().filter(|v| *v > 0.0 && v.is_finite());
         let (least, most) = (positive().reduce(f64::min)?, positive().reduce(f64::max)?);
-        let mut frames: Vec<u32> = points().map(|p| p.0).collect();
+        let mut frames: Vec<i32> = points().map(|p| p.0).collect();
         frames.sort_unstable();
         frames.dedup();
         Some(Self {
@@ -73,7 +73,7 @@ impl Axes {
         })
     }
 
-    fn x(&self, frame: u32) -> f64 {
+    fn x(&self, frame: i32) -> f64 {
         let [first, last] = [self.frames[0], self.frames[self.frames.len() - 1]].map(f64::from);
         let span = (last - first).max(1.0);
         let offset = if last > first { 0.0 } else { 0.5 };
@@ -122,7 +122,7 @@ impl Axes {
 
     /// A line through a curve's points, moved `aside`, with their bars.
     fn draw_curve(&self, curve: &Curve<'_>, colour: &str, aside: f64, svg: &mut String) {
-        let place = |p: &(u32, Estimate)| (self.x(p.0) + aside, self.y(p.1.value));
+        let place = |p: &(i32, Estimate)| (self.x(p.0) + aside, self.y(p.1.value));
         let line: Vec<String> = curve
             .points
             .iter()
