@@ -6,6 +6,7 @@ pub mod clean;
 pub mod gltf;
 pub mod model;
 pub mod node;
+pub mod normals;
 pub mod obj;
 pub mod ply;
 pub mod subdivide;
