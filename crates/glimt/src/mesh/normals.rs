@@ -4,6 +4,7 @@
 //! Around each point of a mesh, faces that smooth edges connect share one normal, the mean of theirs by area. So the work grows
 //! with the number of corners, however many faces meet in a point.
 
+use super::joiner::{Joiner, pick};
 use glam::{DVec3, Vec3};
 use glimt_render_gpu::prepare::scene::Mesh;
 use rayon::prelude::*;
@@ -14,9 +15,6 @@ const CROWDED: usize = 16;
 
 /// Points that one thread takes at a time.
 const CHUNK: usize = 1 << 14;
-
-/// The end of a chain of vertices.
-const NONE: u32 = u32::MAX;
 
 /// A corner of a face: its face, and the face's corners before and after it.
 #[derive(Clone, Copy, Debug)]
@@ -42,8 +40,8 @@ pub struct Made {
 }
 
 /// Gives each face of a mesh its own normal. Vertices are split where faces differ; texture coordinates and colours follow, and
-/// tangents are dropped, since they belong to other normals. Returns the vertex that each vertex is a copy of; the first ones are
-/// the mesh's own. A mesh with an index out of range is left as it is.
+/// tangents are dropped, since they belong to other normals. Vertices that no triangle uses are dropped. Returns for each vertex which
+/// one it was before. A mesh with an index out of range is left as it is.
 pub fn flat(mesh: &mut Mesh) -> Vec<u32> {
     remake(mesh, |_, _| false)
 }
@@ -270,54 +268,17 @@ fn remake(mesh: &mut Mesh, joined: impl Fn(Side, Side) -> bool + Sync) -> Vec<u3
 
 /// Gives each corner of a mesh its normal. A vertex whose corners have several becomes as many.
 fn split(mesh: &mut Mesh, made: &Made) -> Vec<u32> {
-    let count = mesh.positions.len();
-    mesh.normals = vec![Vec3::ZERO; count];
-    mesh.tangents.clear();
-    let mut sources: Vec<u32> = (0..count as u32).collect();
-    // From each vertex to the next that was made of the same one.
-    let mut next = vec![NONE; count];
+    let mut joiner = Joiner::new(mesh.positions.len());
     let corners = mesh.indices.as_flattened_mut();
     for (corner, normal) in corners.iter_mut().zip(&made.of_corner) {
-        let normal = made.normals[*normal as usize];
-        let source = *corner;
-        let mut vertex = source as usize;
-        loop {
-            if mesh.normals[vertex] == Vec3::ZERO {
-                mesh.normals[vertex] = normal;
-            }
-            if mesh.normals[vertex] == normal {
-                break;
-            }
-            if next[vertex] == NONE {
-                next[vertex] = mesh.normals.len() as u32;
-                next.push(NONE);
-                mesh.normals.push(normal);
-                sources.push(source);
-            }
-            vertex = next[vertex] as usize;
-        }
-        *corner = vertex as u32;
+        *corner = joiner.vertex(*corner, made.normals[*normal as usize]);
     }
-    // What no triangle uses.
-    for normal in &mut mesh.normals {
-        if *normal == Vec3::ZERO {
-            *normal = Vec3::Z;
-        }
-    }
-    let copied = &sources[count..];
-    extend(&mut mesh.positions, copied);
-    extend(&mut mesh.uvs, copied);
-    extend(&mut mesh.colors, copied);
-    sources
-}
-
-fn extend<T: Copy>(list: &mut Vec<T>, sources: &[u32]) {
-    if !list.is_empty() {
-        list.reserve_exact(sources.len());
-        for &source in sources {
-            list.push(list[source as usize]);
-        }
-    }
+    mesh.positions = pick(&mesh.positions, &joiner.points);
+    mesh.uvs = pick(&mesh.uvs, &joiner.points);
+    mesh.colors = pick(&mesh.colors, &joiner.points);
+    mesh.tangents.clear();
+    mesh.normals = joiner.kinds;
+    joiner.points
 }
 
 #[cfg(test)]
