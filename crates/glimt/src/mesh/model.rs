@@ -4,8 +4,8 @@ use super::animation::Animation;
 use super::node::{self, Node};
 use crate::error::{Error, Result};
 use crate::shot::digest::{self, Hash};
-use glam::{Mat4, Vec3};
-use glimt_render_gpu::prepare::scene::{Material, Mesh, Reflection, Texture};
+use glam::{DVec3, Mat4, Vec3};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Opacity, Reflection, Texture};
 use std::path::PathBuf;
 
 /// What a mesh file holds. Indices are into its own lists.
@@ -31,6 +31,21 @@ pub struct Model {
     pub files: Vec<PathBuf>,
     /// Whether z is up, rather than y, if a shot does not say.
     pub z_up: bool,
+    /// Where the origin of nodes without a parent lies in the file's world. Not zero where coordinates are too far away for 32 bits.
+    pub origin: DVec3,
+    /// How many triangles have made normals; the others have the file's.
+    pub made_normals: NormalCounts,
+}
+
+/// Numbers of triangles whose normals are made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct NormalCounts {
+    /// Flat, as the file or its format demands.
+    pub flat: usize,
+    /// Smooth within smoothing groups.
+    pub grouped: usize,
+    /// By the crease angle.
+    pub creased: usize,
 }
 
 /// A mesh placed in its file.
@@ -128,4 +143,16 @@ pub fn default_material() -> Material {
         specular: Vec3::ZERO,
         exponent: 1.0,
     })
+}
+
+/// White paint, which vertex colours and their alpha multiply.
+pub fn painted_material(opacity: Opacity) -> Material {
+    Material {
+        opacity,
+        ..Material::from(Reflection::BlinnPhong {
+            diffuse: Vec3::ONE,
+            specular: Vec3::ZERO,
+            exponent: 1.0,
+        })
+    }
 }

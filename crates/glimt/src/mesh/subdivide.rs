@@ -67,6 +67,9 @@ fn add_middle(mesh: &mut Mesh, (a, b): (u32, u32)) -> u32 {
     if !mesh.uvs.is_empty() {
         mesh.uvs.push(0.5 * (mesh.uvs[a] + mesh.uvs[b]));
     }
+    if !mesh.colors.is_empty() {
+        mesh.colors.push(0.5 * (mesh.colors[a] + mesh.colors[b]));
+    }
     if !mesh.tangents.is_empty() {
         let (s, t) = (mesh.tangents[a], mesh.tangents[b]);
         let mixed = direction(s.truncate()) + direction(t.truncate());

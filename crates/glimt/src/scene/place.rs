@@ -5,17 +5,17 @@ use super::view::{FileCamera, View};
 use crate::error::Result;
 use crate::mesh::load;
 use crate::mesh::model::Model;
+use crate::mesh::origin;
 use crate::mesh::subdivide::{MOST_TRIANGLES, subdivide, triangles_after};
 use crate::notes::Notes;
 use crate::shot::digest::{Hash, join, of_file};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, Up};
-use glam::{DMat3, EulerRot, Mat4, Quat, Vec3};
+use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot, Mat4, Vec3};
 use glimt_render_gpu::prepare::scene::{Material, Object, Reflection, SceneDescription};
 use glimt_render_gpu::prepare::scene_build::MAX_COORDINATE;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
-use std::f32::consts::FRAC_PI_2;
 use std::path::PathBuf;
 
 /// A scene, and what moves in it.
@@ -40,8 +40,8 @@ pub struct Placed {
 /// An object of a shot, whose parts move.
 #[derive(Clone, Debug)]
 pub struct Mover {
-    /// From its file to the world.
-    pub to_world: Mat4,
+    /// From its file to the world, relative to the world's origin.
+    pub to_world: DMat4,
     /// What moves its nodes.
     pub motion: Motion,
     /// The node of each of its parts, which are the next objects of the scene.
@@ -53,7 +53,7 @@ impl Mover {
     pub fn nodes_at(&self, frames: i64, fps: f32) -> Vec<Mat4> {
         let mut nodes = self.motion.nodes_at(frames, fps);
         for node in &mut nodes {
-            *node = self.to_world * *node;
+            *node = (self.to_world * node.as_dmat4()).as_mat4();
         }
         nodes
     }
@@ -82,16 +82,18 @@ fn unfolded(transform: Mat4) -> Mat4 {
 /// # Errors
 /// A mesh cannot be loaded, has no node, animation or camera that the shot names, or lies beyond the world's end.
 pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> {
-    let mut loaded: HashMap<(&str, u32), Loaded> = HashMap::new();
+    let mut loaded: HashMap<(&str, u32, u32), Loaded> = HashMap::new();
     let mut placing = Placing::default();
+    let mut standing = Vec::new();
     for (index, object) in shot.objects.iter().enumerate() {
         let name = object.mesh.as_str();
-        let entry = match loaded.entry((name, object.subdivide)) {
+        let key = (name, object.subdivide, object.crease_deg.to_bits());
+        let entry = match loaded.entry(key) {
             Entry::Occupied(known) => &*known.into_mut(),
             Entry::Vacant(vacant) => {
                 // Nothing for a built-in mesh; what cannot be read is said by who loads it.
                 let before = of_file(&source.folder().join(name)).ok();
-                let mut model = load(source.folder(), name, notes)?;
+                let mut model = load(source.folder(), name, object.crease_deg, notes)?;
                 let digest = model.digest(name, before)?;
                 cut(&mut model, object.subdivide, index, source)?;
                 &*vacant.insert(Loaded::new(model, digest, &mut placing.scene))
@@ -99,15 +101,36 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
         };
         let motion = Motion::new(object, index, &entry.model, source)?;
         let nodes = motion.nodes_at(0, shot.probe.fps);
+        let to_world = transform(object, &entry.model, &nodes);
+        let bounds = bounds(&entry.model, &nodes, to_world);
+        let parts = entry.model.parts.iter().map(|part| part.node).collect();
         let mover = Mover {
-            to_world: transform(object, &entry.model, &nodes),
+            to_world,
             motion,
-            parts: entry.model.parts.iter().map(|part| part.node).collect(),
+            parts,
         };
-        if let Some(bounds) = entry.model.bounds(&nodes, mover.to_world) {
+        standing.push((key, mover, bounds));
+    }
+    // Where all is far away, it is rendered relative to its middle: 32 bits hold it there.
+    let corners: Vec<DVec3> = standing
+        .iter()
+        .flat_map(|(_, _, bounds)| *bounds)
+        .flat_map(|(low, high)| [low, high])
+        .collect();
+    let origin = origin::of(&corners);
+    let shift = DMat4::from_translation(-origin);
+    for ((index, object), (key, mut mover, bounds)) in shot.objects.iter().enumerate().zip(standing)
+    {
+        let entry = &loaded[&key];
+        mover.to_world = shift * mover.to_world;
+        if let Some((low, high)) = bounds {
+            let bounds = (low - origin, high - origin);
+            let name = format!("object.{index}");
+            say_if_coarse(&name, bounds, source, notes);
+            let bounds = (bounds.0.as_vec3(), bounds.1.as_vec3());
             placing.add_bounds(object, bounds).map_err(|what| {
                 source
-                    .error(&format!("object.{index}.scale"), what)
+                    .error(&format!("{name}.scale"), what)
                     .fix("the world ends at 1e9 units: lower its scale, or move it nearer")
             })?;
         }
@@ -118,7 +141,7 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
     let bounds = placing.subject.or(placing.all);
     let bounds = bounds.unwrap_or((Vec3::NEG_ONE, Vec3::ONE));
     Ok(Placed {
-        view: View::new(shot, source, bounds, &placing.cameras)?,
+        view: View::new(shot, source, bounds, origin, &placing.cameras)?,
         movers: placing.movers,
         scene: placing.scene,
         files: placing.files,
@@ -126,6 +149,18 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
         triangles: placing.triangles,
         owners: placing.owners,
     })
+}
+
+/// Warns where an object is so far from the origin that 32 bits do not hold its shape.
+fn say_if_coarse(name: &str, (low, high): (DVec3, DVec3), source: &Source, notes: &mut Notes) {
+    let step = low.abs().max(high.abs()).max_element() * f64::from(f32::EPSILON);
+    let size = (high - low).max_element();
+    if size > 0.0 && step * 4096.0 > size {
+        let what = format!(
+            "{name} is {size:.3} units large and so far from the others that its points are rounded to {step:.3}; move it nearer"
+        );
+        notes.warn(&source.file, what);
+    }
 }
 
 /// The objects of a shot that are placed so far.
@@ -259,24 +294,33 @@ fn grow(bounds: &mut Option<(Vec3, Vec3)>, (low, high): (Vec3, Vec3)) {
     *bounds = Some((a.min(low), b.max(high)));
 }
 
-/// To the world's axes, scaled, turned about x, y, z (fixed axes), set on the ground, moved.
-fn transform(object: &shot::Object, model: &Model, nodes: &[Mat4]) -> Mat4 {
+/// Bounds of a model in the world, in 64 bits.
+fn bounds(model: &Model, nodes: &[Mat4], to_world: DMat4) -> Option<(DVec3, DVec3)> {
+    let place = to_world.w_axis.truncate();
+    let turned = DMat4::from_mat3(DMat3::from_mat4(to_world)).as_mat4();
+    let (low, high) = model.bounds(nodes, turned)?;
+    Some((place + low.as_dvec3(), place + high.as_dvec3()))
+}
+
+/// From the model's origin: to the world's axes, scaled, turned about x, y, z (fixed axes), set on the ground, moved.
+fn transform(object: &shot::Object, model: &Model, nodes: &[Mat4]) -> DMat4 {
     let default_up = if model.z_up { Up::Z } else { Up::Y };
     let up = match object.up.unwrap_or(default_up) {
-        Up::Y => Mat4::from_rotation_x(FRAC_PI_2),
-        Up::Z => Mat4::IDENTITY,
+        Up::Y => DMat4::from_mat3(DMat3::from_cols(DVec3::X, DVec3::Z, DVec3::NEG_Y)),
+        Up::Z => DMat4::IDENTITY,
     };
-    let [x, y, z] = object.rotate_deg.map(f32::to_radians);
+    let [x, y, z] = object.rotate_deg.map(|angle| f64::from(angle).to_radians());
     // Fixed axes x, y, z in this order are the moving axes z, y, x.
-    let rotation = Mat4::from_quat(Quat::from_euler(EulerRot::ZYX, z, y, x));
-    let turned = rotation * Mat4::from_scale(Vec3::splat(object.scale)) * up;
-    let mut translate = Vec3::from(object.translate);
+    let rotation = DMat4::from_quat(DQuat::from_euler(EulerRot::ZYX, z, y, x));
+    let scale = DMat4::from_scale(DVec3::splat(f64::from(object.scale)));
+    let turned = rotation * scale * up * DMat4::from_translation(model.origin);
+    let mut translate = DVec3::from(object.translate);
     if object.ground
-        && let Some((low, _)) = model.bounds(nodes, turned)
+        && let Some((low, _)) = bounds(model, nodes, turned)
     {
         translate.z -= low.z;
     }
-    Mat4::from_translation(translate) * turned
+    DMat4::from_translation(translate) * turned
 }
 
 #[cfg(test)]
@@ -294,16 +338,16 @@ mod tests {
         };
         let matrix = transform(&object, &Model::default(), &[]);
         // y → z by the turn about x, and stays so about z; x → y about z.
-        let y = matrix.transform_point3(Vec3::Y);
-        assert!((y - Vec3::new(0.0, 0.0, 3.0)).length() < 1e-5, "{y}");
-        let x = matrix.transform_point3(Vec3::X);
-        assert!((x - Vec3::new(0.0, 2.0, 1.0)).length() < 1e-5, "{x}");
+        let y = matrix.transform_point3(DVec3::Y);
+        assert!((y - DVec3::new(0.0, 0.0, 3.0)).length() < 1e-12, "{y}");
+        let x = matrix.transform_point3(DVec3::X);
+        assert!((x - DVec3::new(0.0, 2.0, 1.0)).length() < 1e-12, "{x}");
     }
 
     #[test]
     fn y_up_becomes_z_up() {
         let matrix = transform(&shot::Object::default(), &Model::default(), &[]);
-        assert!((matrix.transform_point3(Vec3::Y) - Vec3::Z).length() < 1e-6);
-        assert!((matrix.transform_point3(Vec3::Z) - Vec3::NEG_Y).length() < 1e-6);
+        assert_eq!(matrix.transform_point3(DVec3::Y), DVec3::Z);
+        assert_eq!(matrix.transform_point3(DVec3::Z), DVec3::NEG_Y);
     }
 }

@@ -404,7 +404,7 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
         let key = |name: &str| format!("object.{i}.{name}");
         if object.mesh.is_empty() {
             return Err(source.error(&key("mesh"), "the object has no mesh").fix(
-                "name a file (.glb .gltf .obj .ply), or \"sphere\", \"plane\", \"armillary\" or \"helicopter\"",
+                "name a file (.glb .gltf .obj .ply .stl), or \"sphere\", \"plane\", \"armillary\" or \"helicopter\"",
             ));
         }
         within_world(source, &key("translate"), &object.translate)?;
@@ -416,6 +416,11 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
                     "it is not between 1e-9 and 1e9, nor the negative of such a number",
                 )
                 .fix("1 leaves it as it is"));
+        }
+        if !(object.crease_deg >= 0.0 && object.crease_deg <= 180.0) {
+            return Err(source
+                .error(&key("crease_deg"), "it is not between 0 and 180")
+                .fix("40 keeps the edges of most things sharp, and what is round round"));
         }
         if object.subdivide > 10 {
             return Err(source
@@ -445,8 +450,8 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
         }
         for (j, spin) in object.spins.iter().enumerate() {
             let key = |name: &str| key(&format!("spin.{j}.{name}"));
-            within_world(source, &key("centre"), &spin.centre)?;
-            within_world(source, &key("axis"), &spin.axis)?;
+            within_world(source, &key("centre"), &spin.centre.map(f64::from))?;
+            within_world(source, &key("axis"), &spin.axis.map(f64::from))?;
             if !(glam::Vec3::from(spin.axis).length() > 1e-6) {
                 return Err(source
                     .error(&key("axis"), "it has no length")
@@ -493,9 +498,9 @@ fn check_material(material: &super::Material, object: usize, source: &Source) ->
 }
 
 /// Vectors of the world reach as far as the renderer does.
-fn within_world(source: &Source, key: &str, vector: &[f32; 3]) -> Result<()> {
-    finite(source, key, vector)?;
-    if vector.iter().all(|c| c.abs() <= MAX_COORDINATE) {
+fn within_world(source: &Source, key: &str, vector: &[f64; 3]) -> Result<()> {
+    finite(source, key, &vector.map(|c| c as f32))?;
+    if vector.iter().all(|c| c.abs() <= f64::from(MAX_COORDINATE)) {
         return Ok(());
     }
     Err(source

@@ -59,10 +59,10 @@ pub struct Image {
 pub struct Camera {
     /// Centre of projection.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub eye: Option<[f32; 3]>,
+    pub eye: Option<[f64; 3]>,
     /// A point in the middle of the image.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub target: Option<[f32; 3]>,
+    pub target: Option<[f64; 3]>,
     /// A direction that is up in the image.
     pub up: [f32; 3],
     /// Horizontal field of view, in degrees.
@@ -83,9 +83,9 @@ pub struct CameraKey {
     /// Number of the frame.
     pub frame: i32,
     /// Centre of projection.
-    pub eye: [f32; 3],
+    pub eye: [f64; 3],
     /// A point in the middle of the image.
-    pub target: [f32; 3],
+    pub target: [f64; 3],
     /// A direction that is up in the image; the camera's, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub up: Option<[f32; 3]>,
@@ -192,7 +192,7 @@ pub struct Object {
     /// `helicopter` (with the nodes `main rotor` and `tail rotor` to spin).
     pub mesh: String,
     /// Where it is moved to.
-    pub translate: [f32; 3],
+    pub translate: [f64; 3],
     /// Angles about x, y and z, in degrees.
     pub rotate_deg: [f32; 3],
     /// Factor on its size.
@@ -204,6 +204,9 @@ pub struct Object {
     pub ground: bool,
     /// It is in the footage already: it takes shadows, hides what is behind it, and blocks no light.
     pub catcher: bool,
+    /// Where a file has neither normals nor smoothing groups, faces that are turned by less than this against each other are smooth, in
+    /// degrees: 0 makes all edges sharp, 180 none. Meshes of glTF files are flat then, as the format demands.
+    pub crease_deg: f32,
     /// How often each triangle is cut in four: transfer (`render.method = "prt"`) is known at vertices alone.
     pub subdivide: u32,
     /// One material in place of the file's.
@@ -221,6 +224,9 @@ pub struct Object {
     #[serde(rename = "spin", skip_serializing_if = "Vec::is_empty")]
     pub spins: Vec<Spin>,
 }
+
+/// The default of `object.N.crease_deg`.
+pub const CREASE_DEG: f32 = 40.0;
 
 /// The value of `object.N.animation` that plays none.
 pub const ANIMATION_OFF: &str = "off";
@@ -463,6 +469,7 @@ impl Default for Object {
             up: None,
             ground: false,
             catcher: false,
+            crease_deg: CREASE_DEG,
             subdivide: 0,
             material: None,
             reflection: 0.0,
