@@ -3,9 +3,11 @@
 pub mod animation;
 pub mod builtin;
 pub mod clean;
+pub mod deform;
 pub mod gltf;
 pub mod model;
 pub mod node;
+pub mod normals;
 pub mod obj;
 pub mod ply;
 pub mod subdivide;

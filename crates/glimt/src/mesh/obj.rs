@@ -76,7 +76,11 @@ pub fn load(file: &Path, notes: &mut Notes) -> Result<Model> {
         .into_owned();
     model.nodes.push(Node::at(&mesh.name, None, Vec3::ZERO));
     model.meshes.push(mesh);
-    model.parts.push(Part { mesh: 0, node: 0 });
+    model.parts.push(Part {
+        mesh: 0,
+        node: 0,
+        skin: None,
+    });
     Ok(model)
 }
 

@@ -3,15 +3,17 @@
 use super::motion::Motion;
 use super::view::{FileCamera, View};
 use crate::error::Result;
+use crate::mesh::deform::Deformer;
 use crate::mesh::load;
 use crate::mesh::model::Model;
+use crate::mesh::node::NodePose;
 use crate::mesh::subdivide::{MOST_TRIANGLES, subdivide, triangles_after};
 use crate::notes::Notes;
 use crate::shot::digest::{Hash, join, of_file};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, Up};
 use glam::{DMat3, EulerRot, Mat4, Quat, Vec3};
-use glimt_render_gpu::prepare::scene::{Material, Object, Reflection, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, Reflection, SceneDescription};
 use glimt_render_gpu::prepare::scene_build::MAX_COORDINATE;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -44,23 +46,33 @@ pub struct Mover {
     pub to_world: Mat4,
     /// What moves its nodes.
     pub motion: Motion,
-    /// The node of each of its parts, which are the next objects of the scene.
-    pub parts: Vec<usize>,
+    /// Its parts, which are the next objects of the scene.
+    pub parts: Vec<MoverPart>,
+}
+
+/// A part of an object of a shot.
+#[derive(Clone, Debug)]
+pub struct MoverPart {
+    /// The node that it stands at.
+    pub node: usize,
+    /// What deforms it, if something does.
+    pub deformer: Option<Deformer>,
 }
 
 impl Mover {
-    /// From each node to the world, `frames` frames after the first.
-    pub fn nodes_at(&self, frames: i64, fps: f32) -> Vec<Mat4> {
-        let mut nodes = self.motion.nodes_at(frames, fps);
-        for node in &mut nodes {
-            *node = self.to_world * *node;
-        }
-        nodes
+    /// From the mesh of each part to the world, where the nodes of its file stand so.
+    pub fn parts_at(&self, pose: &NodePose) -> impl Iterator<Item = Mat4> {
+        self.parts.iter().map(|part| match &part.deformer {
+            // Its joints bring it into the file's world.
+            Some(deformer) if deformer.skin.is_some() => self.to_world,
+            _ => unfolded(self.to_world * pose.to_file[part.node]),
+        })
     }
 
-    /// From the mesh of each part to the world, where `nodes` stand so.
-    pub fn parts_at(&self, nodes: &[Mat4]) -> impl Iterator<Item = Mat4> {
-        self.parts.iter().map(|&node| unfolded(nodes[node]))
+    /// The mesh of each part as it is deformed where the nodes stand so; `None` where nothing deforms it.
+    pub fn meshes_at(&self, pose: &NodePose) -> impl Iterator<Item = Option<Mesh>> {
+        let deformers = self.parts.iter().map(|part| part.deformer.as_ref());
+        deformers.map(|deformer| Some(deformer?.mesh_at(pose)))
     }
 }
 
@@ -97,14 +109,21 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
                 &*vacant.insert(Loaded::new(model, digest, &mut placing.scene))
             }
         };
-        let motion = Motion::new(object, index, &entry.model, source)?;
-        let nodes = motion.nodes_at(0, shot.probe.fps);
+        let motion = Motion::new(object, index, &entry.model, source, notes)?;
+        let pose = motion.nodes_at(0, shot.probe.fps);
+        let parts = entry.model.parts.iter().map(|part| MoverPart {
+            node: part.node,
+            deformer: entry.model.deformer(part).map(|deformer| Deformer {
+                subdivide: object.subdivide,
+                ..deformer
+            }),
+        });
         let mover = Mover {
-            to_world: transform(object, &entry.model, &nodes),
+            to_world: transform(object, &entry.model, &pose),
             motion,
-            parts: entry.model.parts.iter().map(|part| part.node).collect(),
+            parts: parts.collect(),
         };
-        if let Some(bounds) = entry.model.bounds(&nodes, mover.to_world) {
+        if let Some(bounds) = entry.model.bounds(&pose, mover.to_world) {
             placing.add_bounds(object, bounds).map_err(|what| {
                 source
                     .error(&format!("object.{index}.scale"), what)
@@ -113,7 +132,7 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
         }
         placing.digests.push(entry.digest);
         placing.files.push(entry.model.files.clone());
-        placing.add(object, entry, mover, shot.probe.fps);
+        placing.add(object, entry, mover, &pose);
     }
     let bounds = placing.subject.or(placing.all);
     let bounds = bounds.unwrap_or((Vec3::NEG_ONE, Vec3::ONE));
@@ -147,7 +166,7 @@ struct Placing {
 
 impl Placing {
     /// Adds the parts and the cameras of the shot's next object.
-    fn add(&mut self, object: &shot::Object, entry: &Loaded, mover: Mover, fps: f32) {
+    fn add(&mut self, object: &shot::Object, entry: &Loaded, mover: Mover, pose: &NodePose) {
         let index = self.movers.len();
         let model = &entry.model;
         let scene = &mut self.scene;
@@ -159,14 +178,25 @@ impl Placing {
             }));
             scene.materials.len() as u32 - 1
         });
-        let in_world = mover.nodes_at(0, fps);
-        let pairs = model.parts.iter().zip(mover.parts_at(&in_world));
-        scene.objects.extend(pairs.map(|(part, transform)| Object {
-            mesh: entry.first_mesh + part.mesh as u32,
-            transform,
-            material,
-            catcher: object.catcher,
-        }));
+        let places = model.parts.iter().zip(mover.parts_at(pose));
+        for ((part, transform), deformed) in places.zip(mover.meshes_at(pose)) {
+            let mut mesh = entry.first_mesh + part.mesh as u32;
+            if let Some(deformed) = deformed {
+                let materials = scene.meshes[mesh as usize].materials.clone();
+                mesh = scene.meshes.len() as u32;
+                scene.meshes.push(Mesh {
+                    materials,
+                    ..deformed
+                });
+            }
+            self.triangles += scene.meshes[mesh as usize].indices.len();
+            scene.objects.push(Object {
+                mesh,
+                transform,
+                material,
+                catcher: object.catcher,
+            });
+        }
         self.owners.resize(scene.objects.len(), index);
         let cameras = model.cameras.iter().map(|camera| FileCamera {
             name: camera.name.clone(),
@@ -175,7 +205,6 @@ impl Placing {
             fov_y: camera.fov_y,
         });
         self.cameras.extend(cameras);
-        self.triangles += model.triangles();
         self.movers.push(mover);
     }
 
@@ -212,7 +241,12 @@ fn cut(model: &mut Model, times: u32, index: usize, source: &Source) -> Result<(
             .error(&format!("object.{index}.subdivide"), what)
             .fix("lower it: each step makes four triangles of one"));
     }
-    subdivide(model, times);
+    for (index, mesh) in model.meshes.iter_mut().enumerate() {
+        // Others are cut once they are deformed.
+        if !model.deforms.contains_key(&index) {
+            subdivide(mesh, times);
+        }
+    }
     Ok(())
 }
 
@@ -260,7 +294,7 @@ fn grow(bounds: &mut Option<(Vec3, Vec3)>, (low, high): (Vec3, Vec3)) {
 }
 
 /// To the world's axes, scaled, turned about x, y, z (fixed axes), set on the ground, moved.
-fn transform(object: &shot::Object, model: &Model, nodes: &[Mat4]) -> Mat4 {
+fn transform(object: &shot::Object, model: &Model, pose: &NodePose) -> Mat4 {
     let default_up = if model.z_up { Up::Z } else { Up::Y };
     let up = match object.up.unwrap_or(default_up) {
         Up::Y => Mat4::from_rotation_x(FRAC_PI_2),
@@ -272,7 +306,7 @@ fn transform(object: &shot::Object, model: &Model, nodes: &[Mat4]) -> Mat4 {
     let turned = rotation * Mat4::from_scale(Vec3::splat(object.scale)) * up;
     let mut translate = Vec3::from(object.translate);
     if object.ground
-        && let Some((low, _)) = model.bounds(nodes, turned)
+        && let Some((low, _)) = model.bounds(pose, turned)
     {
         translate.z -= low.z;
     }
@@ -292,7 +326,7 @@ mod tests {
             up: Some(Up::Z),
             ..shot::Object::default()
         };
-        let matrix = transform(&object, &Model::default(), &[]);
+        let matrix = transform(&object, &Model::default(), &Model::default().rest());
         // y → z by the turn about x, and stays so about z; x → y about z.
         let y = matrix.transform_point3(Vec3::Y);
         assert!((y - Vec3::new(0.0, 0.0, 3.0)).length() < 1e-5, "{y}");
@@ -302,7 +336,11 @@ mod tests {
 
     #[test]
     fn y_up_becomes_z_up() {
-        let matrix = transform(&shot::Object::default(), &Model::default(), &[]);
+        let matrix = transform(
+            &shot::Object::default(),
+            &Model::default(),
+            &Model::default().rest(),
+        );
         assert!((matrix.transform_point3(Vec3::Y) - Vec3::Z).length() < 1e-6);
         assert!((matrix.transform_point3(Vec3::Z) - Vec3::NEG_Y).length() < 1e-6);
     }
