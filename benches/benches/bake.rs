@@ -165,7 +165,7 @@ fn against_obvhs(
         let hit = |bounds: &ObvhsRay, i: usize| intersect(&in_cwbvh_order[i], ray, bounds.tmax);
         !cwbvh.ray_traverse_miss(unbounded(ray), hit)
     };
-    let blocked = |ray: &Ray| any_hit(nodes, triangles, ray, f32::MAX);
+    let blocked = |ray: &Ray| any_hit(nodes, triangles, &[], ray, f32::MAX);
     for ray in &rays {
         assert!(
             [blocked_2(ray), blocked_cw(ray)] == [blocked(ray); 2],

@@ -57,7 +57,7 @@ fn main() {
         hit.t
     };
     let closest =
-        |ray: &Ray| closest_hit(nodes, triangles, ray, f32::MAX).map_or(f32::MAX, |h| h.t);
+        |ray: &Ray| closest_hit(nodes, triangles, &[], ray, f32::MAX).map_or(f32::MAX, |h| h.t);
     for ray in &primary {
         let ours = closest(ray);
         for other in [closest_2(ray), closest_cw(ray)] {
@@ -88,7 +88,7 @@ fn main() {
         let hit = |bounds: &ObvhsRay, i: usize| intersect(&in_cwbvh_order[i], ray, bounds.tmax);
         f32::from(!cwbvh.ray_traverse_miss(unbounded(ray), hit))
     };
-    let blocked = |ray: &Ray| f32::from(any_hit(nodes, triangles, ray, f32::MAX));
+    let blocked = |ray: &Ray| f32::from(any_hit(nodes, triangles, &[], ray, f32::MAX));
     for ray in &shadow {
         assert!(
             [blocked_2(ray), blocked_cw(ray)] == [blocked(ray); 2],
@@ -191,7 +191,7 @@ fn shadow_rays(
     let mut source = Xoshiro128PlusPlus::stream(1, 2, 3);
     let mut rays = Vec::new();
     for ray in primary {
-        let Some(hit) = closest_hit(nodes, triangles, ray, f32::MAX) else {
+        let Some(hit) = closest_hit(nodes, triangles, &[], ray, f32::MAX) else {
             continue;
         };
         let triangle = &triangles[hit.triangle as usize];
@@ -201,7 +201,7 @@ fn shadow_rays(
         } else {
             face
         };
-        let origin = ray.origin + hit.t * ray.direction + 4.0 * triangle.ray_offset * normal;
+        let origin = ray.origin + hit.t * ray.direction + 4.0 * triangle.ray_offset() * normal;
         let frame = ShadingFrame::from_normal(normal);
         for _ in 0..4 {
             let sample = sample_cosine_hemisphere(unit_vec2(source.next_uvec2()));

@@ -4,6 +4,7 @@
 //! procedural stand-in takes its place, and the benchmark says so.
 
 use glam::{UVec2, Vec3, Vec4, vec3};
+use glimt::notes::Notes;
 use glimt_render_gpu::prepare::env::EnvMap;
 use std::path::PathBuf;
 
@@ -59,34 +60,20 @@ pub fn bunny() -> TriangleMesh {
 }
 
 fn load(name: &str) -> Option<TriangleMesh> {
-    let path = data_dir().join("models").join(name);
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        single_index: true,
-        ..tobj::LoadOptions::default()
-    };
-    let models = match tobj::load_obj(&path, &options) {
-        Ok((models, _)) => models,
+    let folder = data_dir().join("models");
+    let model = match glimt::mesh::load(&folder, name, 180.0, &mut Notes::default()) {
+        Ok(model) => model,
         Err(error) => {
-            println!("{}: {error}; a procedural mesh stands in", path.display());
+            println!("{error}; a procedural mesh stands in");
             return None;
         }
     };
-    let mut mesh = TriangleMesh {
+    let mesh = model.meshes.into_iter().next()?;
+    Some(TriangleMesh {
         name: name.to_owned(),
-        positions: Vec::new(),
-        triangles: Vec::new(),
-    };
-    for model in models {
-        let first = mesh.positions.len() as u32;
-        let points = model.mesh.positions.chunks_exact(3);
-        mesh.positions
-            .extend(points.map(|p| vec3(p[0], p[1], p[2])));
-        let corners = model.mesh.indices.chunks_exact(3);
-        mesh.triangles
-            .extend(corners.map(|t| [t[0], t[1], t[2]].map(|i| first + i)));
-    }
-    Some(mesh)
+        positions: mesh.positions,
+        triangles: mesh.indices,
+    })
 }
 
 /// Three photographed light maps where they are available, else the procedural one.

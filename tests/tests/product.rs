@@ -77,6 +77,7 @@ fn points() -> Vec<ShadingPoint> {
                 specular: Vec3::splat(0.9 - diffuse),
                 exponent,
             },
+            emission: Vec3::ZERO,
         }
     };
     vec![

@@ -124,11 +124,11 @@ fn hits_are_those_of_every_triangle_and_of_obvhs() {
     let tree = obvhs::bvh2::builder::build_bvh2_from_tris(&boxed, params, &mut Duration::default());
     let (mut hits, mut against_all, mut differ) = (0, 0, 0);
     for (i, ray) in random_rays(100_000).iter().enumerate() {
-        let ours = closest_hit(scene.nodes, scene.triangles, ray, f32::MAX);
+        let ours = closest_hit(scene.nodes, scene.triangles, scene.surface, ray, f32::MAX);
         let t = ours.map_or(f32::MAX, |hit| hit.t);
         hits += u32::from(ours.is_some());
         assert_eq!(
-            any_hit(scene.nodes, scene.triangles, ray, f32::MAX),
+            any_hit(scene.nodes, scene.triangles, scene.surface, ray, f32::MAX),
             ours.is_some()
         );
         if let Some(hit) = ours {
@@ -139,8 +139,20 @@ fn hits_are_those_of_every_triangle_and_of_obvhs() {
             // In a face seen at a grazing angle, rounding moves the point along the ray.
             let cos = triangle.area_normal().normalize().dot(ray.direction).abs();
             assert!(there.distance(ray.origin + ray.direction * hit.t) * cos < 1e-5);
-            assert!(!any_hit(scene.nodes, scene.triangles, ray, hit.t));
-            assert!(any_hit(scene.nodes, scene.triangles, ray, hit.t * 1.001));
+            assert!(!any_hit(
+                scene.nodes,
+                scene.triangles,
+                scene.surface,
+                ray,
+                hit.t
+            ));
+            assert!(any_hit(
+                scene.nodes,
+                scene.triangles,
+                scene.surface,
+                ray,
+                hit.t * 1.001
+            ));
         }
         let origin = Vec3A::from(ray.origin);
         let mut theirs = RayHit::none();
@@ -204,7 +216,8 @@ fn real_meshes_have_no_holes() {
     for _ in 0..2_000 {
         let from = centre + sample_uniform_sphere(unit_vec2(source.next_uvec2())).direction * size;
         let ray = Ray::new(from, (centre - from).normalize());
-        let t = closest_hit(view.nodes, view.triangles, &ray, f32::MAX).map_or(f32::MAX, |h| h.t);
+        let t = closest_hit(view.nodes, view.triangles, view.surface, &ray, f32::MAX)
+            .map_or(f32::MAX, |h| h.t);
         assert_eq!(t, brute_force(view.triangles, &ray));
     }
 }
@@ -545,7 +558,13 @@ fn one_triangle_and_many_equal_ones_make_a_tree() {
     let one = SceneBuffers::build(&one_mesh(mesh.clone(), grey())).unwrap();
     let ray = Ray::new(Vec3::new(0.5, -0.5, 1.0), Vec3::NEG_Z);
     let hit = |scene: &SceneBuffers| {
-        closest_hit(scene.view().nodes, scene.view().triangles, &ray, f32::MAX)
+        closest_hit(
+            scene.view().nodes,
+            scene.view().triangles,
+            scene.view().surface,
+            &ray,
+            f32::MAX,
+        )
     };
     assert_eq!(hit(&one).unwrap().t, 1.0);
     // The same place for every centroid: no split can part them.

@@ -71,7 +71,7 @@ impl Job {
             frames: &frames,
             of_shot: &of_shot,
         };
-        let mut probe = Probe::open(selection, &shot.probe, notes, &found)?;
+        let mut probe = Probe::open(selection, &shot, notes, &found)?;
         colour::correct(
             &mut probe,
             &shot,

@@ -2,10 +2,13 @@
 
 use crate::cli::RenderFlags;
 use crate::error::{Error, Kind, Result};
+use crate::input::primaries::{Primaries, REC_709};
 use crate::memory;
+use crate::mesh::node::NodePose;
 use crate::notes::Notes;
 use crate::output::aov;
 use crate::output::target::Guard;
+use crate::scene::colours;
 use crate::scene::place::{self, Mover};
 use crate::scene::view::View;
 use crate::shot::digest::{self, Hash};
@@ -13,8 +16,9 @@ use crate::shot::parse::Source;
 use crate::shot::{Shot, check};
 use glam::{Mat4, UVec2};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::plate::Plate;
 use glimt_render_gpu::prepare::render::{RenderSettings, SettingsError, Shadow};
-use glimt_render_gpu::prepare::scene::{Camera, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Camera, SceneDescription, Shape};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_render_gpu::prepare::scene_error::SceneError;
 use std::path::{Path, PathBuf};
@@ -57,6 +61,8 @@ pub struct Pose {
     pub camera: Camera,
     /// From the mesh of each object of the scene to the world.
     pub transforms: Vec<Mat4>,
+    /// The objects that are deformed then.
+    pub shapes: Vec<Shape>,
 }
 
 impl Setup {
@@ -72,7 +78,8 @@ impl Setup {
         flags: &RenderFlags,
         notes: &mut Notes,
     ) -> Result<Self> {
-        let placed = place::place(&shot, &source, notes)?;
+        let mut placed = place::place(&shot, &source, notes)?;
+        colours::convert(&mut placed.scene, &shot.image.primaries.primaries());
         let mut guard = Guard::new(flags.write.overwrite);
         guard.reads("the shot", &source.file);
         for (object, files) in placed.files.iter().enumerate() {
@@ -116,16 +123,40 @@ impl Setup {
         self.shot.backplate.is_some()
     }
 
+    /// The primaries of an image over this plate: the plate's, or those that are rendered with.
+    pub fn primaries_over(&self, plate: Option<&Plate>) -> Primaries {
+        let of_plate = plate.and_then(Plate::primaries).map(Primaries);
+        of_plate.unwrap_or(self.shot.image.primaries.primaries())
+    }
+
     /// Where everything stands in a frame, whatever frames are rendered beside it.
     ///
     /// # Errors
     /// The camera sees nothing then.
     pub fn pose(&self, frame: i32) -> Result<Pose> {
-        let nodes = self.nodes_at(frame);
-        let pairs = self.movers.iter().zip(&nodes);
+        let poses = self.nodes_at(frame);
+        let pairs = || self.movers.iter().zip(&poses);
+        // What never moves keeps the shape that it has in the scene.
+        let meshes = pairs().flat_map(|(mover, pose)| {
+            let moves = mover.motion.is_moving();
+            mover.parts.iter().map(move |part| {
+                let deformer = part.deformer.as_ref().filter(|_| moves)?;
+                Some(deformer.mesh_at(pose))
+            })
+        });
+        let shapes = meshes.enumerate().filter_map(|(object, mesh)| {
+            let mesh = mesh?;
+            Some(Shape {
+                object,
+                positions: mesh.positions,
+                normals: mesh.normals,
+                tangents: mesh.tangents,
+            })
+        });
         Ok(Pose {
-            camera: self.camera_among(frame, &nodes)?,
-            transforms: pairs.flat_map(|(m, nodes)| m.parts_at(nodes)).collect(),
+            camera: self.camera_among(frame, &poses)?,
+            shapes: shapes.collect(),
+            transforms: pairs().flat_map(|(m, pose)| m.parts_at(pose)).collect(),
         })
     }
 
@@ -159,15 +190,19 @@ impl Setup {
         }
     }
 
-    fn nodes_at(&self, frame: i32) -> Vec<Vec<Mat4>> {
+    /// How the nodes of each object's file stand in a frame.
+    fn nodes_at(&self, frame: i32) -> Vec<NodePose> {
         let frames = i64::from(frame) - i64::from(self.first);
         let fps = self.shot.probe.fps;
         let movers = self.movers.iter();
-        movers.map(|m| m.nodes_at(frames, fps)).collect()
+        movers.map(|m| m.motion.nodes_at(frames, fps)).collect()
     }
 
-    fn camera_among(&self, frame: i32, nodes: &[Vec<Mat4>]) -> Result<Camera> {
-        let place = |object: usize, node: usize| nodes[object][node];
+    fn camera_among(&self, frame: i32, poses: &[NodePose]) -> Result<Camera> {
+        let place = |object: usize, node: usize| {
+            let to_file = poses[object].to_file[node];
+            (self.movers[object].to_world * to_file.as_dmat4()).as_mat4()
+        };
         self.view.at(frame, &self.source, place)
     }
 
@@ -203,6 +238,7 @@ impl Setup {
                 SettingsError::TooMany | SettingsError::Memory => "render",
                 SettingsError::Exposure => "image.exposure_ev",
                 SettingsError::FieldOfView => "camera.fov_x_deg",
+                SettingsError::PixelAspect => "image.pixel_aspect",
                 SettingsError::Camera => "camera",
                 SettingsError::Harmonics(_) | SettingsError::NoTransfer => "render.prt",
                 SettingsError::PlateSize => "backplate",
@@ -280,6 +316,8 @@ impl Setup {
                 .backplate
                 .as_ref()
                 .map_or(Shadow::Multiply, |plate| plate.shadow),
+            pixel_aspect: image.pixel_aspect,
+            to_display: image.primaries.primaries().colour_matrix_to(&REC_709),
             layers: aov::any_layer(&shot.output.aovs),
             diagnostics: aov::any_diagnostic(&shot.output.aovs),
         }

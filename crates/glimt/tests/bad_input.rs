@@ -245,10 +245,12 @@ fn other_broken_meshes() {
     let outside = r#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":8,"uri":"gone.bin"}],"scenes":[{"nodes":[]}]}"#;
     mesh(&t, "a.gltf", outside).fails(3, &["gone.bin", "no such file"]);
     mesh(&t, "a.gltf", "{").fails(3, &["a.gltf", "too early"]);
-    t.put("a.stl", "solid");
+    mesh(&t, "a.stl", "solid").fails(3, &["a.stl", "no triangles"]);
+    mesh(&t, "a.stl", "not").fails(3, &["a.stl", "too early"]);
+    t.put("a.fbx", "Kaydara");
     t.exr("light.exr", 2, 1, |_, _, _| 1.0);
-    t.shot("light.exr", "[[object]]\nmesh = \"a.stl\"\n");
-    t.run(&["render", "shot.toml"]).fails(3, &["a.stl", ".glb"]);
+    t.shot("light.exr", "[[object]]\nmesh = \"a.fbx\"\n");
+    t.run(&["render", "shot.toml"]).fails(3, &["a.fbx", ".glb"]);
 }
 
 #[test]

@@ -173,6 +173,14 @@ pub(crate) const EXPORTS: &[Export] = &[
                 "clip_position",
                 "glimt_render_gpu::kernels::raster::clip_position",
             ),
+            (
+                "corner_near",
+                "glimt_render_gpu::kernels::raster::corner_near",
+            ),
+            (
+                "kept_samples",
+                "glimt_render_gpu::kernels::raster::kept_samples",
+            ),
             ("draw", "glimt_render_gpu::kernels::raster::draw"),
         ],
         buffers: &[

@@ -128,8 +128,8 @@ pub fn drawing_pair(program: &Program, context: &GpuContext) -> Pair {
         map_rotation: map.rotation,
         near: 0.1,
         scale: frame.exposure,
-        unused_a: 0.0,
-        unused_b: 0.0,
+        samples: 1,
+        unused: 0,
     };
     let rays = SIZE.x * SIZE.y * RAYS;
     let corners = scene.view().corners.len() as u32;

@@ -78,8 +78,10 @@ pub fn transfer_pair(program: &Program, context: &GpuContext) -> Pair {
     let rays: Vec<u32> = (0..)
         .zip(chunks)
         .map(|(v, ((lit, blocked), state))| {
-            let (nodes, triangles) = (view.nodes, view.triangles);
-            transfer(v, &params, nodes, triangles, &known, state, lit, blocked)
+            let (nodes, triangles, surface) = (view.nodes, view.triangles, view.surface);
+            transfer(
+                v, &params, nodes, triangles, surface, &known, state, lit, blocked,
+            )
         })
         .collect();
     let cpu = [

@@ -6,13 +6,14 @@ use crate::mesh::model::Model;
 use crate::mesh::node::names;
 use crate::notes::Notes;
 use crate::report::shown;
-use glam::{Mat4, Vec3};
-use glimt_render_gpu::prepare::scene::{Material, Reflection};
+use crate::shot::CREASE_DEG;
+use glam::{DVec3, Mat4, Vec3};
+use glimt_render_gpu::prepare::scene::{Material, Opacity, Reflection};
 use serde_json::{Value, json};
 use std::path::Path;
 
 pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)> {
-    let model = mesh::load(Path::new(""), &file.to_string_lossy(), notes)?;
+    let model = mesh::load(Path::new(""), &file.to_string_lossy(), CREASE_DEG, notes)?;
     let vertices: usize = model.meshes.iter().map(|m| m.positions.len()).sum();
     let (low, high) = model
         .bounds(&model.rest(), Mat4::IDENTITY)
@@ -30,8 +31,16 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
         "bounds",
         format!("{} to {} (the file's axes)", point(low), point(high)),
     );
-    line("normals", share(&model, |m| !m.normals.is_empty()));
+    if model.origin != DVec3::ZERO {
+        let DVec3 { x, y, z } = model.origin;
+        line(
+            "origin",
+            format!("({x}, {y}, {z}): bounds are relative to it"),
+        );
+    }
+    line("normals", normals(&model));
     line("uvs", share(&model, |m| !m.uvs.is_empty()));
+    line("colours", share(&model, |m| !m.colors.is_empty()));
     for (material, name) in model.materials.iter().zip(&model.material_names) {
         line(
             "material",
@@ -52,6 +61,18 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
     for name in names(&model.nodes) {
         line("node", name.to_owned());
     }
+    for (mesh, deform) in &model.deforms {
+        let (name, targets) = (&model.meshes[*mesh].name, deform.targets.len());
+        if targets > 0 {
+            line("morph", format!("{name}: {targets} targets"));
+        }
+    }
+    for skin in &model.skins {
+        line(
+            "skin",
+            format!("{}: {} joints", skin.name, skin.joints.len()),
+        );
+    }
     for animation in &model.animations {
         let (seconds, channels) = (animation.duration_s(), animation.channels.len());
         line(
@@ -59,11 +80,31 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
             format!("{}: {seconds} s, {channels} channels", animation.name),
         );
     }
+    let skins = model.skins.iter();
+    let skins: Vec<Value> = skins
+        .map(|skin| json!({"name": skin.name, "joints": skin.joints.len()}))
+        .collect();
+    let morphs = model.deforms.iter();
+    let morphs: Vec<Value> = morphs
+        .filter(|(_, deform)| !deform.targets.is_empty())
+        .map(|(mesh, deform)| {
+            json!({"mesh": model.meshes[*mesh].name, "targets": deform.targets.len()})
+        })
+        .collect();
     let cameras: Vec<&str> = model.cameras.iter().map(|c| c.name.as_str()).collect();
     let animations: Vec<Value> = model
         .animations
         .iter()
         .map(|a| json!({"name": a.name, "duration_s": a.duration_s()}))
+        .collect();
+    let alpha: Vec<&str> = model
+        .materials
+        .iter()
+        .map(|material| match material.opacity {
+            Opacity::Opaque => "opaque",
+            Opacity::Mask { .. } => "mask",
+            Opacity::Blend { .. } => "blend",
+        })
         .collect();
     let files: Vec<String> = model.files.iter().map(|file| shown(file)).collect();
     let value = json!({
@@ -71,9 +112,33 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
         "meshes": model.meshes.len(), "parts": model.parts.len(),
         "bounds": [low.to_array(), high.to_array()], "materials": model.material_names,
         "textures": model.textures.len(), "cameras": cameras, "nodes": names(&model.nodes), "animations": animations,
-        "files": files,
+        "files": files, "origin": model.origin.to_array(), "alpha": alpha, "skins": skins, "morphs": morphs,
+        "colours": model.meshes.iter().filter(|mesh| !mesh.colors.is_empty()).count(),
+        "normals": {"flat": model.made_normals.flat, "grouped": model.made_normals.grouped,
+            "creased": model.made_normals.creased},
     });
     Ok((value, lines.join("\n")))
+}
+
+/// Where normals come from, in words.
+fn normals(model: &Model) -> String {
+    let made = model.made_normals;
+    let total: usize = model.meshes.iter().map(|mesh| mesh.indices.len()).sum();
+    let given = total.saturating_sub(made.flat + made.grouped + made.creased);
+    let sources = [
+        ("the file's", given),
+        ("flat", made.flat),
+        ("smooth within its groups", made.grouped),
+        ("by the crease angle", made.creased),
+    ];
+    let used = sources.iter().filter(|(_, count)| *count > 0);
+    match *used.clone().collect::<Vec<_>>() {
+        [(name, _)] => (*name).to_owned(),
+        _ => used
+            .map(|(name, count)| format!("{name} ({count} triangles)"))
+            .collect::<Vec<_>>()
+            .join(", "),
+    }
 }
 
 fn share(model: &Model, has: fn(&glimt_render_gpu::prepare::scene::Mesh) -> bool) -> String {
@@ -88,9 +153,32 @@ fn point(p: Vec3) -> String {
     format!("({}, {}, {})", p.x, p.y, p.z)
 }
 
+fn colour(c: Vec3) -> String {
+    format!("({:.3}, {:.3}, {:.3})", c.x, c.y, c.z)
+}
+
 fn describe_material(material: &Material) -> String {
-    let colour = |c: Vec3| format!("({:.3}, {:.3}, {:.3})", c.x, c.y, c.z);
-    match &material.reflection {
+    let mut text = describe_reflection(&material.reflection);
+    if material.emission != Vec3::ZERO {
+        text.push_str(&format!(", emits {}", colour(material.emission)));
+        if let Some(texture) = material.emission_texture {
+            text.push_str(&format!(" by texture {}", texture.texture));
+        }
+    }
+    let (mode, alpha) = match &material.opacity {
+        Opacity::Opaque => return text,
+        Opacity::Mask { cutoff, alpha } => (format!("cut out below {cutoff}"), alpha),
+        Opacity::Blend { alpha } => ("see-through".to_owned(), alpha),
+    };
+    text.push_str(&format!(", {mode}, alpha {}", alpha.factor));
+    if let Some(texture) = alpha.texture {
+        text.push_str(&format!(" by texture {}", texture.texture));
+    }
+    text
+}
+
+fn describe_reflection(reflection: &Reflection) -> String {
+    match reflection {
         Reflection::BlinnPhong {
             diffuse,
             specular,

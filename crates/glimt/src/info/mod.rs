@@ -31,7 +31,7 @@ pub fn file(file: &Path, set: &[String], reporter: &Reporter) -> Result<()> {
     let mut notes = Notes::new(false);
     let (value, text) = match extension {
         "toml" => shot(file, set, &mut notes)?,
-        "glb" | "gltf" | "obj" | "ply" => mesh::describe(file, &mut notes)?,
+        "glb" | "gltf" | "obj" | "ply" | "stl" => mesh::describe(file, &mut notes)?,
         _ => image::describe(file, &mut notes)?,
     };
     reporter.notes(notes.take());

@@ -1,7 +1,9 @@
 //! Host file: the backplate of a shot: which frame of the footage belongs to which of the shot, brought to the image's size.
 
+use super::Reading;
 use super::frames::FrameFiles;
-use super::plate::{Colours, PlateImage, read, read_size};
+use super::plate::{Colours, PlateImage, read, read_plate_header, read_size};
+use super::primaries::{Primaries, REC_709};
 use super::resample::{Window, resample};
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
@@ -18,6 +20,9 @@ use std::path::{Path, PathBuf};
 pub struct Footage {
     files: FrameFiles,
     fit: Fit,
+    reading: Reading,
+    /// The primaries that it is brought to, if not its own.
+    target: Option<Primaries>,
     /// Size of its images.
     size: UVec2,
     /// Numbers of its first and last frame.
@@ -99,17 +104,35 @@ fn span(files: &FrameFiles) -> Result<[i32; 2]> {
     Ok([there[0], there[there.len() - 1]])
 }
 
-/// Gives the image the size of the backplate, where there is one and the shot says no size.
+/// Gives the image the size of the backplate and the shape of its pixels, where there is one and the shot does not say these.
 ///
 /// # Errors
 /// The first frame of the footage cannot be read.
 pub fn adopt_size(shot: &mut Shot, source: &Source) -> Result<()> {
-    if source.gives("image.size") {
+    let gives = ["image.size", "image.pixel_aspect"].map(|key| source.gives(key));
+    if gives == [true, true] {
         return Ok(());
     }
     if let Some(files) = files(shot, source)?.filter(|_| named(shot)) {
-        let [first, _] = span(&files)?;
-        shot.image.size = read_size(&files.path(first))?.to_array();
+        let first = match span(&files) {
+            Ok([first, _]) => first,
+            // Whoever needs the frames will say that there are none.
+            Err(_) if gives[0] => return Ok(()),
+            Err(error) => return Err(error),
+        };
+        let header = read_plate_header(&files.path(first), &Reading::of_plate(shot))?;
+        let own = header.size;
+        if !gives[0] {
+            shot.image.size = own.to_array();
+        }
+        if !gives[1] {
+            let fit = shot
+                .backplate
+                .as_ref()
+                .map_or(Fit::Stretch, |keys| keys.fit);
+            let image = UVec2::from(shot.image.size);
+            shot.image.pixel_aspect = image_aspect(own, header.pixel_aspect, image, fit);
+        }
     }
     Ok(())
 }
@@ -158,6 +181,17 @@ pub fn adopt_rate(
     Ok(())
 }
 
+/// The shape of an image's pixels over a plate of this size, whose pixels have this shape: the plate's, unless the plate is
+/// stretched to an image of just the proportions that it has when its pixels are made square.
+fn image_aspect(plate: UVec2, aspect: f32, image: UVec2, fit: Fit) -> f32 {
+    let proportions = |size: UVec2| size.x as f32 / size.y.max(1) as f32;
+    let squeezed = proportions(plate) * aspect / proportions(image);
+    match fit == Fit::Stretch && (squeezed - 1.0).abs() <= 0.01 {
+        true => 1.0,
+        false => aspect,
+    }
+}
+
 /// Whether the backplate has a name; if not, the check of the shot will say so.
 fn named(shot: &Shot) -> bool {
     shot.backplate
@@ -195,8 +229,12 @@ impl Footage {
         notes: &mut Notes,
     ) -> Result<Self> {
         let keys = shot.backplate.clone().unwrap_or_default();
+        let first_file = files.path(span[0]);
+        let reading = Reading::of_plate(shot);
         let mut footage = Self {
-            size: read_size(&files.path(span[0]))?,
+            size: read_size(&first_file, &reading)?,
+            reading,
+            target: shot.output.primaries.primaries(),
             fit: keys.fit,
             span,
             pairing: Pairing {
@@ -368,7 +406,7 @@ impl Footage {
                     "supply it, choose other frames with --frames (there are frames {from} to {to}), or say with backplate.offset which belong together"
                 )));
             }
-            let size = read_size(&file)?;
+            let size = read_size(&file, &self.reading)?;
             if size != self.size {
                 let what = format!(
                     "it is {} × {}, but {} is {} × {}",
@@ -432,14 +470,31 @@ impl Footage {
         let PlateImage {
             size,
             colours,
+            primaries,
             hash,
-        } = read(file, notes)?;
+            ..
+        } = read(file, &self.reading, notes)?;
+        let own = self.target.unwrap_or(primaries);
+        let colours = match primaries.matrix_to(&own) {
+            Some(matrix) => {
+                let mut linear = colours.into_linear();
+                let convert = |c: &mut Vec3| *c = (matrix * c.as_dvec3()).as_vec3();
+                linear.par_iter_mut().for_each(convert);
+                Colours::Linear(linear)
+            }
+            None => colours,
+        };
         let plate = match colours {
             Colours::Srgb8(codes) if size == image => Plate::from_srgb8(size, &codes),
             Colours::Linear(linear) if size == image => Plate::from_linear(size, &linear),
             other => Plate::from_linear(image, &self.fitted(size, &other.into_linear(), image)),
         };
         let plate = plate.map_err(|e| Error::new(Kind::Internal, e).file(file))?;
+        let plate = plate.with_primaries(
+            own.0,
+            self.reading.working.colour_matrix_to(&own),
+            own.colour_matrix_to(&REC_709),
+        );
         Ok((plate, hash))
     }
 

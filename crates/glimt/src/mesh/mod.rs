@@ -3,12 +3,22 @@
 pub mod animation;
 pub mod builtin;
 pub mod clean;
+pub mod colors;
+pub mod contents;
+pub mod deform;
 pub mod gltf;
+pub mod joiner;
+pub mod lines;
 pub mod model;
 pub mod node;
+pub mod normals;
 pub mod obj;
+pub mod origin;
+pub mod pictures;
 pub mod ply;
+pub mod stl;
 pub mod subdivide;
+pub mod triangulate;
 
 use crate::error::{Error, Result};
 use crate::memory;
@@ -30,11 +40,12 @@ fn require_room(file: &Path) -> Result<()> {
     room.map_err(|e| e.file(file).fix(memory::FIX))
 }
 
-/// Loads a built-in mesh, as `sphere`, or a file by its extension; a relative path is relative to `base`.
+/// Loads a built-in mesh, as `sphere`, or a file by its extension; a relative path is relative to `base`. Normals that a file lacks
+/// are made: faces that are turned by less than `crease_deg` degrees against each other are smooth, unless the file says otherwise.
 ///
 /// # Errors
 /// The file cannot be read, is broken, or holds no triangle.
-pub fn load(base: &Path, name: &str, notes: &mut Notes) -> Result<Model> {
+pub fn load(base: &Path, name: &str, crease_deg: f32, notes: &mut Notes) -> Result<Model> {
     if let Some(model) = builtin::load(name) {
         return Ok(model);
     }
@@ -48,14 +59,28 @@ pub fn load(base: &Path, name: &str, notes: &mut Notes) -> Result<Model> {
         .map_or("", |(_, extension)| extension)
     {
         "glb" | "gltf" => gltf::load(&file, notes)?,
-        "obj" => obj::load(&file, notes)?,
+        "obj" => obj::load(&file, crease_deg, notes)?,
         "ply" => ply::load(&file, notes)?,
+        "stl" => stl::load(&file, notes)?,
         _ => {
             return Err(Error::input(&file, "it is not a known kind of mesh")
-                .fix("known are .glb, .gltf, .obj, .ply, .ply.gz, and the built-in \"sphere\", \"plane\", \"armillary\" and \"helicopter\""));
+                .fix("known are .glb, .gltf, .obj, .ply, .stl, the latter three also as .gz, and the built-in \"sphere\", \"plane\", \"armillary\" and \"helicopter\""));
         }
     };
     clean::clean(&mut model, &file, notes)?;
+    for mesh in &mut model.meshes {
+        if mesh.normals.is_empty() {
+            normals::creased(mesh, crease_deg);
+            model.made_normals.creased += mesh.indices.len();
+        }
+    }
+    let creased = model.made_normals.creased;
+    if creased > 0 {
+        let what = format!(
+            "{creased} of its triangles have no normals; made smooth, but for edges of more than {crease_deg}° (`crease_deg`)"
+        );
+        notes.note(&file, what);
+    }
     let (triangles, time) = (model.triangles(), began.elapsed());
     tracing::info!(
         "{}: {triangles} triangles, read in {time:.2?}",

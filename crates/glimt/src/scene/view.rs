@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::mesh::animation::hermite;
 use crate::shot::parse::Source;
 use crate::shot::{self, Interpolation, Shot};
-use glam::{Mat3, Mat4, Vec3};
+use glam::{DVec3, Mat3, Mat4, Vec3};
 use glimt_render_gpu::prepare::scene::Camera;
 
 /// The direction from which objects are looked at when a shot does not say: along +x, the middle of a lat-long map, from
@@ -45,7 +45,7 @@ pub struct FileCamera {
 }
 
 impl View {
-    /// What the shot says; without a word of it, a camera that sees `bounds`.
+    /// What the shot says, relative to `origin`; without a word of it, a camera that sees `bounds`.
     ///
     /// # Errors
     /// There is no glTF camera of that name.
@@ -53,10 +53,13 @@ impl View {
         shot: &Shot,
         source: &Source,
         (low, high): (Vec3, Vec3),
+        origin: DVec3,
         cameras: &[FileCamera],
     ) -> Result<Self> {
         let keys = &shot.camera;
         let [width, height] = shot.image.size.map(|n| n as f32);
+        // In heights of a pixel.
+        let width = width * shot.image.pixel_aspect;
         if !keys.gltf.is_empty() {
             let Some(found) = cameras.iter().find(|camera| camera.name == keys.gltf) else {
                 let what = format!("no glTF file of the shot has a camera `{}`", keys.gltf);
@@ -75,10 +78,12 @@ impl View {
             });
         }
         if !keys.keys.is_empty() {
-            return Ok(Self::Keys(Track::new(keys)));
+            return Ok(Self::Keys(Track::new(keys, origin)));
         }
         let fov_x = keys.fov_x_deg.to_radians();
-        let target = keys.target.map_or((low + high) * 0.5, Vec3::from);
+        let target = keys
+            .target
+            .map_or((low + high) * 0.5, |p| relative(p, origin));
         let eye = keys.eye.map_or_else(
             || {
                 // A sphere around the bounds fills most of the narrower side.
@@ -87,7 +92,7 @@ impl View {
                 let half = half_x.min(half_x * height / width).atan();
                 target + VIEW_FROM.normalize() * (radius / half.sin())
             },
-            Vec3::from,
+            |p| relative(p, origin),
         );
         Ok(Self::Fixed(Camera {
             eye,
@@ -137,6 +142,10 @@ impl View {
             }
         }
     }
+}
+
+fn relative(point: [f64; 3], origin: DVec3) -> Vec3 {
+    (DVec3::from(point) - origin).as_vec3()
 }
 
 /// Refuses a camera that sees nothing; `error` makes the message of a key and what is wrong with it.
@@ -194,12 +203,12 @@ impl std::ops::Mul<f32> for Numbers {
 }
 
 impl Track {
-    /// The keys of a shot, at least one, their frames growing.
-    fn new(keys: &shot::Camera) -> Self {
+    /// The keys of a shot, at least one, their frames growing; relative to `origin`.
+    fn new(keys: &shot::Camera, origin: DVec3) -> Self {
         let numbers = |key: &shot::CameraKey| {
             let mut list = [0.0; 10];
-            list[..3].copy_from_slice(&key.eye);
-            list[3..6].copy_from_slice(&key.target);
+            list[..3].copy_from_slice(&relative(key.eye, origin).to_array());
+            list[3..6].copy_from_slice(&relative(key.target, origin).to_array());
             list[6..9].copy_from_slice(&key.up.unwrap_or(keys.up));
             list[9] = key.fov_x_deg.unwrap_or(keys.fov_x_deg).to_radians();
             Numbers(list)

@@ -15,6 +15,9 @@ const MAX_SIDE: u32 = 32_768;
 /// Most pixels of an image, 2²⁸: their linear and display values take 5 GiB.
 const MAX_PIXELS: u64 = 1 << 28;
 
+/// Most texels of an image that is read, whatever a shot allows.
+const MAX_INPUT_TEXELS: u64 = 1 << 32;
+
 /// Largest exposure either way, in stops: 2¹⁰⁰ is a number of 32 bits, and so is its inverse.
 const MAX_EXPOSURE_EV: f32 = 100.0;
 
@@ -64,6 +67,20 @@ fn check_image(image: &Image, source: &Source) -> Result<()> {
             "0 leaves the image as it is, 1 doubles its brightness",
         );
     }
+    if !(image.pixel_aspect >= 0.05 && image.pixel_aspect <= 20.0) {
+        return bad(
+            "image.pixel_aspect",
+            "it is not between 0.05 and 20",
+            "1 is a square pixel, 2 one of an anamorphic lens",
+        );
+    }
+    if !(1..=MAX_INPUT_TEXELS).contains(&image.max_texels) {
+        return bad(
+            "image.max_texels",
+            "it is not between 1 and 2^32",
+            "268435456 is the default, 16384 × 16384",
+        );
+    }
     Ok(())
 }
 
@@ -87,7 +104,7 @@ fn check_probe(probe: &Probe, source: &Source) -> Result<()> {
     if !(probe.fps > 0.0 && probe.fps <= 1000.0) {
         return bad("probe.fps", "it is not between 0 and 1000", "25 is usual");
     }
-    if probe.mapping == Mapping::MirrorBall {
+    if probe.mapping == Some(Mapping::MirrorBall) {
         check_ball(&probe.ball.clone().unwrap_or_default(), source)?;
     } else if probe.ball.is_some() {
         return bad(
@@ -404,7 +421,7 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
         let key = |name: &str| format!("object.{i}.{name}");
         if object.mesh.is_empty() {
             return Err(source.error(&key("mesh"), "the object has no mesh").fix(
-                "name a file (.glb .gltf .obj .ply), or \"sphere\", \"plane\", \"armillary\" or \"helicopter\"",
+                "name a file (.glb .gltf .obj .ply .stl), or \"sphere\", \"plane\", \"armillary\" or \"helicopter\"",
             ));
         }
         within_world(source, &key("translate"), &object.translate)?;
@@ -416,6 +433,11 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
                     "it is not between 1e-9 and 1e9, nor the negative of such a number",
                 )
                 .fix("1 leaves it as it is"));
+        }
+        if !(object.crease_deg >= 0.0 && object.crease_deg <= 180.0) {
+            return Err(source
+                .error(&key("crease_deg"), "it is not between 0 and 180")
+                .fix("40 keeps the edges of most things sharp, and what is round round"));
         }
         if object.subdivide > 10 {
             return Err(source
@@ -445,8 +467,8 @@ fn check_objects(shot: &Shot, source: &Source) -> Result<()> {
         }
         for (j, spin) in object.spins.iter().enumerate() {
             let key = |name: &str| key(&format!("spin.{j}.{name}"));
-            within_world(source, &key("centre"), &spin.centre)?;
-            within_world(source, &key("axis"), &spin.axis)?;
+            within_world(source, &key("centre"), &spin.centre.map(f64::from))?;
+            within_world(source, &key("axis"), &spin.axis.map(f64::from))?;
             if !(glam::Vec3::from(spin.axis).length() > 1e-6) {
                 return Err(source
                     .error(&key("axis"), "it has no length")
@@ -493,9 +515,9 @@ fn check_material(material: &super::Material, object: usize, source: &Source) ->
 }
 
 /// Vectors of the world reach as far as the renderer does.
-fn within_world(source: &Source, key: &str, vector: &[f32; 3]) -> Result<()> {
-    finite(source, key, vector)?;
-    if vector.iter().all(|c| c.abs() <= MAX_COORDINATE) {
+fn within_world(source: &Source, key: &str, vector: &[f64; 3]) -> Result<()> {
+    finite(source, key, &vector.map(|c| c as f32))?;
+    if vector.iter().all(|c| c.abs() <= f64::from(MAX_COORDINATE)) {
         return Ok(());
     }
     Err(source

@@ -28,12 +28,20 @@ struct SmcPoint {
     unused_a: u32,
     specular: vec3<f32>,
     unused_b: u32,
+    emission: vec3<f32>,
+    unused_c: u32,
     before: RayState,
 }
 
 struct Particle {
     state: vec3<f32>,
     log_weight: f32,
+}
+
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
 }
 
 struct FrameParams {
@@ -57,6 +65,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct SmcParams {
@@ -105,6 +115,7 @@ struct ShadingPoint {
     frame: ShadingFrame,
     wo: vec3<f32>,
     brdf: BlinnPhong,
+    emission: vec3<f32>,
 }
 
 struct LightLobe {
@@ -294,17 +305,17 @@ var<storage, read_write> particles: array<Particle>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/smc_point.rs:67
+// glimt_render_gpu/src/kernels/smc_point.rs:73
 fn SmcPoint_is_hit(this_: SmcPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/smc_point.rs:68
+    // glimt_render_gpu/src/kernels/smc_point.rs:74
     return (this_.depth > 0f);
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:115
+// glimt_render_gpu/src/kernels/frame.rs:120
 fn FrameParams_pattern_of(this_1: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:116
+    // glimt_render_gpu/src/kernels/frame.rs:121
     return PixelPattern(this_1.pattern, this_1.seed, this_1.frame, (this_1.first_pixel + (ray / this_1.rays_per_pixel)), (ray % this_1.rays_per_pixel), this_1.rays_per_pixel);
 }
 
@@ -328,14 +339,14 @@ fn ShadingFrame_to_local(this_2: ShadingFrame, v: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(dot(v, this_2.t), dot(v, this_2.b), dot(v, this_2.n));
 }
 
-// glimt_render_gpu/src/kernels/smc_point.rs:74
+// glimt_render_gpu/src/kernels/smc_point.rs:80
 fn SmcPoint_shading_point(this_3: SmcPoint) -> ShadingPoint {
 
-    // glimt_render_gpu/src/kernels/smc_point.rs:75
+    // glimt_render_gpu/src/kernels/smc_point.rs:81
     let _e4 = ShadingFrame_from_normal(this_3.normal);
-    // glimt_render_gpu/src/kernels/smc_point.rs:76
+    // glimt_render_gpu/src/kernels/smc_point.rs:82
     let _e9 = ShadingFrame_to_local(_e4, this_3.wo);
-    return ShadingPoint(this_3.origin, this_3.geometric_normal, _e4, _e9, BlinnPhong(this_3.diffuse, this_3.specular, this_3.exponent));
+    return ShadingPoint(this_3.origin, this_3.geometric_normal, _e4, _e9, BlinnPhong(this_3.diffuse, this_3.specular, this_3.exponent), this_3.emission);
 }
 
 // glimt_sampling/src/math.rs:16
@@ -417,10 +428,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:96
+// glimt_render_gpu/src/kernels/pattern.rs:108
 fn PixelPattern_sobol_point(this_4: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:97
+    // glimt_render_gpu/src/kernels/pattern.rs:109
     let _e6 = hash2_(this_4.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_4.frame, this_4.pixel, index);
     return _e9;
@@ -536,19 +547,19 @@ fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_1: u32, pixel_1: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:101
+// glimt_render_gpu/src/kernels/pattern.rs:113
 fn PixelPattern_generator(this_5: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:102
+    // glimt_render_gpu/src/kernels/pattern.rs:114
     let _e6 = hash3_(this_5.seed, purpose_1, index_1);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_5.frame, this_5.pixel);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:87
+// glimt_render_gpu/src/kernels/pattern.rs:91
 fn PixelPattern_source(this_6: PixelPattern, purpose_2: u32) -> PatternSource {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:88
+    // glimt_render_gpu/src/kernels/pattern.rs:92
     let _e8 = PixelPattern_sobol_point(this_6, purpose_2, this_6.ray);
     let _e10 = PixelPattern_generator(this_6, purpose_2, this_6.ray);
     return PatternSource((this_6.kind == 0u), _e8, _e10);
@@ -1283,16 +1294,16 @@ fn Xoshiro128PlusPlus_next_u32_(this_15: ptr<function, Xoshiro128PlusPlus>) -> u
     return result;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:131
+// glimt_render_gpu/src/kernels/pattern.rs:143
 fn PatternSource_next_u32_(this_16: ptr<function, PatternSource>) -> u32 {
     var chosen_8: u32;
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:132
+    // glimt_render_gpu/src/kernels/pattern.rs:144
     let _e5 = (*this_16).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:133
+        // glimt_render_gpu/src/kernels/pattern.rs:145
         let _e9 = (*this_16).point;
         borrowed = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed));
@@ -1300,7 +1311,7 @@ fn PatternSource_next_u32_(this_16: ptr<function, PatternSource>) -> u32 {
         (*this_16).point = _e11;
         chosen_8 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:135
+        // glimt_render_gpu/src/kernels/pattern.rs:147
         let _e15 = (*this_16).generator;
         borrowed_1 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
@@ -1699,16 +1710,16 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_21: ptr<function, Xoshiro128PlusPlus>) ->
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:140
+// glimt_render_gpu/src/kernels/pattern.rs:152
 fn PatternSource_next_uvec2_(this_22: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_10: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:141
+    // glimt_render_gpu/src/kernels/pattern.rs:153
     let _e5 = (*this_22).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:142
+        // glimt_render_gpu/src/kernels/pattern.rs:154
         let _e9 = (*this_22).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
@@ -1716,7 +1727,7 @@ fn PatternSource_next_uvec2_(this_22: ptr<function, PatternSource>) -> vec2<u32>
         (*this_22).point = _e11;
         chosen_10 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:144
+        // glimt_render_gpu/src/kernels/pattern.rs:156
         let _e15 = (*this_22).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
@@ -2658,52 +2669,52 @@ fn Candidates_of_brdf(this_35: Candidates) -> u32 {
     return _e26;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:106
+// glimt_render_gpu/src/kernels/pattern.rs:118
 fn PixelPattern_key(this_36: PixelPattern, purpose_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:107
+    // glimt_render_gpu/src/kernels/pattern.rs:119
     let _e5 = hash2_(this_36.seed, purpose_3);
     let _e8 = hash3_(_e5, this_36.frame, this_36.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:181
+// glimt_render_gpu/src/kernels/pattern.rs:193
 fn permute(index_8: u32, length_: u32, key: u32) -> u32 {
     var x_5: u32;
     var round_key: u32;
     var counter_13: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:182
+    // glimt_render_gpu/src/kernels/pattern.rs:194
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:183
+        // glimt_render_gpu/src/kernels/pattern.rs:195
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:198
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:199
     x_5 = index_8;
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:200
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:189
+        // glimt_render_gpu/src/kernels/pattern.rs:201
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:190
+        // glimt_render_gpu/src/kernels/pattern.rs:202
         counter_13 = 0i;
         loop {
             let _e31 = counter_13;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:191
+            // glimt_render_gpu/src/kernels/pattern.rs:203
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:193
+            // glimt_render_gpu/src/kernels/pattern.rs:205
             let _e37 = x_5;
             let _e38 = round_key;
             x_5 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:194
+            // glimt_render_gpu/src/kernels/pattern.rs:206
             let _e44 = x_5;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_5;
@@ -2713,10 +2724,10 @@ fn permute(index_8: u32, length_: u32, key: u32) -> u32 {
                 counter_13 = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:196
+        // glimt_render_gpu/src/kernels/pattern.rs:208
         let _e62 = x_5;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:197
+            // glimt_render_gpu/src/kernels/pattern.rs:209
             let _e65 = x_5;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -2725,112 +2736,112 @@ fn permute(index_8: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:172
+// glimt_render_gpu/src/kernels/pattern.rs:184
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:173
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:152
+// glimt_render_gpu/src/kernels/pattern.rs:164
 fn jittered_pair(index_9: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:153
+    // glimt_render_gpu/src/kernels/pattern.rs:165
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:154
+    // glimt_render_gpu/src/kernels/pattern.rs:166
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:155
+    // glimt_render_gpu/src/kernels/pattern.rs:167
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_9, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:156
+    // glimt_render_gpu/src/kernels/pattern.rs:168
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:157
+    // glimt_render_gpu/src/kernels/pattern.rs:169
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:158
+    // glimt_render_gpu/src/kernels/pattern.rs:170
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:166
+// glimt_render_gpu/src/kernels/pattern.rs:178
 fn jittered(index_10: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:167
+    // glimt_render_gpu/src/kernels/pattern.rs:179
     let _e7 = hash2_(key_2, 4u);
     let _e8 = permute(index_10, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:66
+// glimt_render_gpu/src/kernels/pattern.rs:70
 fn PixelPattern_triple(this_37: PixelPattern, purpose_4: u32, sample: u32, samples: u32) -> vec3<u32> {
     var point_2: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:67
+    // glimt_render_gpu/src/kernels/pattern.rs:71
     let index_13 = ((this_37.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:68
+    // glimt_render_gpu/src/kernels/pattern.rs:72
     if (this_37.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:69
+        // glimt_render_gpu/src/kernels/pattern.rs:73
         let _e14 = PixelPattern_sobol_point(this_37, purpose_4, index_13);
         point_2 = _e14;
-        // glimt_render_gpu/src/kernels/pattern.rs:70
+        // glimt_render_gpu/src/kernels/pattern.rs:74
         let _e17 = OwenSobol_next_uvec2_((&point_2));
-        // glimt_render_gpu/src/kernels/pattern.rs:71
+        // glimt_render_gpu/src/kernels/pattern.rs:75
         let _e19 = OwenSobol_next_u32_((&point_2));
         return vec3<u32>(_e17, _e19);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:73
+    // glimt_render_gpu/src/kernels/pattern.rs:77
     let _e22 = PixelPattern_generator(this_37, purpose_4, index_13);
     generator = _e22;
-    // glimt_render_gpu/src/kernels/pattern.rs:74
+    // glimt_render_gpu/src/kernels/pattern.rs:78
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:75
+    // glimt_render_gpu/src/kernels/pattern.rs:79
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:76
+    // glimt_render_gpu/src/kernels/pattern.rs:80
     if (this_37.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:77
+        // glimt_render_gpu/src/kernels/pattern.rs:81
         return vec3<u32>(_e25, _e27);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:79
+    // glimt_render_gpu/src/kernels/pattern.rs:83
     let _e37 = PixelPattern_key(this_37, purpose_4);
     let _e38 = Tuple_u32_u32_((this_37.rays * samples), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
-    // glimt_render_gpu/src/kernels/pattern.rs:80
+    // glimt_render_gpu/src/kernels/pattern.rs:84
     let _e42 = jittered_pair(index_13, count_3, _e25, key_3);
     let _e43 = jittered(index_13, count_3, _e27, key_3);
     return vec3<u32>(_e42, _e43);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:51
+// glimt_render_gpu/src/kernels/pattern.rs:55
 fn PixelPattern_pair(this_38: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec2<u32> {
     var borrowed_5: OwenSobol;
     var borrowed_6: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:52
+    // glimt_render_gpu/src/kernels/pattern.rs:56
     let index_14 = ((this_38.ray * samples_1) + sample_1);
-    // glimt_render_gpu/src/kernels/pattern.rs:53
+    // glimt_render_gpu/src/kernels/pattern.rs:57
     if (this_38.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:54
+        // glimt_render_gpu/src/kernels/pattern.rs:58
         let _e14 = PixelPattern_sobol_point(this_38, purpose_5, index_14);
         borrowed_5 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_5));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:56
+    // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e18 = PixelPattern_generator(this_38, purpose_5, index_14);
     borrowed_6 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_6));
-    // glimt_render_gpu/src/kernels/pattern.rs:57
+    // glimt_render_gpu/src/kernels/pattern.rs:61
     if (this_38.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:58
+        // glimt_render_gpu/src/kernels/pattern.rs:62
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:60
+    // glimt_render_gpu/src/kernels/pattern.rs:64
     let _e29 = PixelPattern_key(this_38, purpose_5);
     let _e30 = jittered_pair(index_14, (this_38.rays * samples_1), _e20, _e29);
     return _e30;

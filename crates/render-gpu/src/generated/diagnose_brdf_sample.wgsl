@@ -13,7 +13,7 @@ struct Triangle {
     v1_: vec3<f32>,
     object: u32,
     v2_: vec3<f32>,
-    ray_offset: f32,
+    attributes: u32,
 }
 
 struct Corner {
@@ -21,6 +21,12 @@ struct Corner {
     u: f32,
     tangent: vec3<f32>,
     v: f32,
+}
+
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
 }
 
 struct FrameParams {
@@ -44,6 +50,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct Mis {
@@ -81,22 +89,17 @@ struct Ray {
     origin: vec3<f32>,
     direction: vec3<f32>,
     inverse_direction: vec3<f32>,
+    key: u32,
 }
 
-struct Hit {
-    triangle: u32,
-    t: f32,
-    barycentrics: vec2<f32>,
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
 }
 
-struct Option_Hit {
-    is_some: bool,
-    value: Hit,
-}
-
-struct Tuple_f32_f32_ {
-    fa: f32,
-    fb: f32,
+struct Attributes {
+    uv: vec2<f32>,
+    color: vec4<f32>,
 }
 
 struct Returned_MaterialView_new {
@@ -109,6 +112,22 @@ struct TextureView {
     width: u32,
     height: u32,
     flags: u32,
+}
+
+struct Tuple_f32_f32_ {
+    fa: f32,
+    fb: f32,
+}
+
+struct Hit {
+    triangle: u32,
+    t: f32,
+    barycentrics: vec2<f32>,
+}
+
+struct Option_Hit {
+    is_some: bool,
+    value: Hit,
 }
 
 struct ShadingFrame {
@@ -129,11 +148,7 @@ struct ShadingPoint {
     frame: ShadingFrame,
     wo: vec3<f32>,
     brdf: BlinnPhong,
-}
-
-struct Tuple_u32_u32_ {
-    fa: u32,
-    fb: u32,
+    emission: vec3<f32>,
 }
 
 struct DirectionSample {
@@ -172,10 +187,10 @@ var<storage, read_write> out: array<vec4<f32>>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:115
+// glimt_render_gpu/src/kernels/frame.rs:120
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:116
+    // glimt_render_gpu/src/kernels/frame.rs:121
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -232,10 +247,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:96
+// glimt_render_gpu/src/kernels/pattern.rs:108
 fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:97
+    // glimt_render_gpu/src/kernels/pattern.rs:109
     let _e6 = hash2_(this_1.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
     return _e9;
@@ -397,25 +412,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_14 = (index_5 & 65535u);
+    let index_16 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_14;
+        chosen = index_16;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_14);
+            let _e16 = pascal(index_16);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_14);
+                let _e20 = recurrence_2_(index_16);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_14);
+                let _e22 = recurrence_3_(index_16);
                 chosen = _e22;
             }
         }
@@ -587,10 +602,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:101
+// glimt_render_gpu/src/kernels/pattern.rs:113
 fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:102
+    // glimt_render_gpu/src/kernels/pattern.rs:114
     let _e6 = hash3_(this_3.seed, purpose_1, index_6);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
     return _e9;
@@ -625,52 +640,52 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> 
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:106
+// glimt_render_gpu/src/kernels/pattern.rs:118
 fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:107
+    // glimt_render_gpu/src/kernels/pattern.rs:119
     let _e5 = hash2_(this_6.seed, purpose_2);
     let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:181
+// glimt_render_gpu/src/kernels/pattern.rs:193
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:182
+    // glimt_render_gpu/src/kernels/pattern.rs:194
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:183
+        // glimt_render_gpu/src/kernels/pattern.rs:195
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:198
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:199
     x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:200
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:189
+        // glimt_render_gpu/src/kernels/pattern.rs:201
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:190
+        // glimt_render_gpu/src/kernels/pattern.rs:202
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:191
+            // glimt_render_gpu/src/kernels/pattern.rs:203
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:193
+            // glimt_render_gpu/src/kernels/pattern.rs:205
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:194
+            // glimt_render_gpu/src/kernels/pattern.rs:206
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -680,10 +695,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:196
+        // glimt_render_gpu/src/kernels/pattern.rs:208
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:197
+            // glimt_render_gpu/src/kernels/pattern.rs:209
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -692,63 +707,63 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:172
+// glimt_render_gpu/src/kernels/pattern.rs:184
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:173
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:152
+// glimt_render_gpu/src/kernels/pattern.rs:164
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:153
+    // glimt_render_gpu/src/kernels/pattern.rs:165
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:154
+    // glimt_render_gpu/src/kernels/pattern.rs:166
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:155
+    // glimt_render_gpu/src/kernels/pattern.rs:167
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:156
+    // glimt_render_gpu/src/kernels/pattern.rs:168
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:157
+    // glimt_render_gpu/src/kernels/pattern.rs:169
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:158
+    // glimt_render_gpu/src/kernels/pattern.rs:170
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:51
+// glimt_render_gpu/src/kernels/pattern.rs:55
 fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:52
-    let index_15 = ((this_7.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:53
+    // glimt_render_gpu/src/kernels/pattern.rs:56
+    let index_17 = ((this_7.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:57
     if (this_7.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:54
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_15);
+        // glimt_render_gpu/src/kernels/pattern.rs:58
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_17);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:56
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_15);
+    // glimt_render_gpu/src/kernels/pattern.rs:60
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_17);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:57
+    // glimt_render_gpu/src/kernels/pattern.rs:61
     if (this_7.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:58
+        // glimt_render_gpu/src/kernels/pattern.rs:62
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:60
+    // glimt_render_gpu/src/kernels/pattern.rs:64
     let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_15, (this_7.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_17, (this_7.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -779,122 +794,133 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_7)) - (this_8.up * y_1)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:145
+// glimt_render_gpu/src/kernels/frame.rs:151
 fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:146
+    // glimt_render_gpu/src/kernels/frame.rs:152
     let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:147
-    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
     // glimt_render_gpu/src/kernels/frame.rs:153
+    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
+    // glimt_render_gpu/src/kernels/frame.rs:159
     let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/ray.rs:48
+// glimt_render_gpu/src/kernels/pattern.rs:103
+fn PixelPattern_ray_key(this_10: PixelPattern, purpose_4: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:104
+    let _e4 = PixelPattern_key(this_10, purpose_4);
+    let _e6 = hash2_(_e4, this_10.ray);
+    return _e6;
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:59
 fn inverse(x_5: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/ray.rs:49
+    // glimt_render_gpu/src/kernels/ray.rs:60
     return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_5), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_5) & 2147483648u))));
 }
 
-// glimt_render_gpu/src/kernels/ray.rs:34
-fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
+// glimt_render_gpu/src/kernels/ray.rs:44
+fn Ray_keyed(origin: vec3<f32>, direction: vec3<f32>, key_2: u32) -> Ray {
 
-    // glimt_render_gpu/src/kernels/ray.rs:35
-    let _e5 = inverse(direction.x);
-    let _e7 = inverse(direction.y);
-    let _e9 = inverse(direction.z);
-    return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
+    // glimt_render_gpu/src/kernels/ray.rs:45
+    let _e6 = inverse(direction.x);
+    let _e8 = inverse(direction.y);
+    let _e10 = inverse(direction.z);
+    return Ray(origin, direction, vec3<f32>(_e6, _e8, _e10), key_2);
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:129
-fn FrameParams_camera_ray(this_10: FrameParams, pattern: PixelPattern) -> Ray {
+// glimt_render_gpu/src/kernels/frame.rs:134
+fn FrameParams_camera_ray(this_11: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:130
-    if (this_10.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:131
+    // glimt_render_gpu/src/kernels/frame.rs:135
+    let film = PixelPattern(pattern.kind, pattern.seed, this_11.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+    // glimt_render_gpu/src/kernels/frame.rs:139
+    if (this_11.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:140
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:133
-        let film = PixelPattern(pattern.kind, pattern.seed, this_10.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:137
+        // glimt_render_gpu/src/kernels/frame.rs:142
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_2 = _e24;
     }
-    let place_1 = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:139
-    let _e29 = FrameParams_direction(this_10, pattern.pixel, place_1);
-    let _e30 = Ray_new(this_10.eye, _e29);
-    return _e30;
+    let place_2 = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:144
+    let _e28 = FrameParams_direction(this_11, pattern.pixel, place_2);
+    // glimt_render_gpu/src/kernels/frame.rs:145
+    let _e32 = PixelPattern_ray_key(film, 8u);
+    let _e33 = Ray_keyed(this_11.eye, _e28, _e32);
+    return _e33;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:29
+// glimt_render_gpu/src/kernels/bvh.rs:30
 fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
     var chosen_3: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:30
-    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:31
-    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:32
+    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
     let _e16 = min(to_min, to_max);
     let near_1 = max(max(_e16.x, _e16.y), _e16.z);
-    // glimt_render_gpu/src/kernels/bvh.rs:33
+    // glimt_render_gpu/src/kernels/bvh.rs:34
     let _e23 = max(to_min, to_max);
     let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
-    // glimt_render_gpu/src/kernels/bvh.rs:34
+    // glimt_render_gpu/src/kernels/bvh.rs:35
     if ((far_1 >= near_1) && (far_1 >= 0f)) {
-        // glimt_render_gpu/src/kernels/bvh.rs:35
+        // glimt_render_gpu/src/kernels/bvh.rs:36
         chosen_3 = near_1;
     } else {
-        // glimt_render_gpu/src/kernels/bvh.rs:37
+        // glimt_render_gpu/src/kernels/bvh.rs:38
         chosen_3 = 0x1.fffffep+127f;
     }
     let _e40 = chosen_3;
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:75
+// glimt_render_gpu/src/kernels/triangle.rs:111
 fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:76
+    // glimt_render_gpu/src/kernels/triangle.rs:112
     return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:88
+// glimt_render_gpu/src/kernels/triangle.rs:124
 fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     var chosen_4: f32;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:89
+    // glimt_render_gpu/src/kernels/triangle.rs:125
     let a_3 = (triangle.v0_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:90
+    // glimt_render_gpu/src/kernels/triangle.rs:126
     let b_3 = (triangle.v1_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:91
+    // glimt_render_gpu/src/kernels/triangle.rs:127
     let c_2 = (triangle.v2_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:92
+    // glimt_render_gpu/src/kernels/triangle.rs:128
     let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:93
+    // glimt_render_gpu/src/kernels/triangle.rs:129
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:94
+        // glimt_render_gpu/src/kernels/triangle.rs:130
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:96
-    let normal_1 = cross((c_2 - a_3), (a_3 - b_3));
-    // glimt_render_gpu/src/kernels/triangle.rs:97
-    let slope = dot(normal_1, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:98
+    // glimt_render_gpu/src/kernels/triangle.rs:132
+    let normal_2 = cross((c_2 - a_3), (a_3 - b_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:133
+    let slope = dot(normal_2, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:134
     if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:99
+        // glimt_render_gpu/src/kernels/triangle.rs:135
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:101
-    let t_1 = (dot(a_3, normal_1) / slope);
-    // glimt_render_gpu/src/kernels/triangle.rs:102
-    if ((t_1 > 0f) && (t_1 < t_max)) {
-        chosen_4 = t_1;
+    // glimt_render_gpu/src/kernels/triangle.rs:137
+    let t_4 = (dot(a_3, normal_2) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:138
+    if ((t_4 > 0f) && (t_4 < t_max)) {
+        chosen_4 = t_4;
     } else {
         chosen_4 = 0x1.fffffep+127f;
     }
@@ -902,322 +928,86 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     return _e59;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:38
-fn Triangle_is_catcher(this_11: Triangle) -> bool {
+// glimt_render_gpu/src/kernels/triangle.rs:59
+fn Triangle_is_see_through(this_12: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:39
-    return ((this_11.object & 2147483648u) != 0u);
+    // glimt_render_gpu/src/kernels/triangle.rs:60
+    return ((this_12.object & 1073741824u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:145
-fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
-    var nearest: u32;
-    var counter_1: u32;
-    var both: bool;
-    var both_1: bool;
+// glimt_render_gpu/src/kernels/triangle.rs:144
+fn barycentrics(triangle_1: Triangle, ray_3: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/bvh.rs:153
-    nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:154
-    counter_1 = leaf.first;
-    loop {
-        let i = counter_1;
-        if (i >= (leaf.first + leaf.count)) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:155
-        let _e19 = scene_triangles[i];
-        let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_3, _e20);
-        // glimt_render_gpu/src/kernels/bvh.rs:157
-        let _e23 = (*reach);
-        let _e24 = (_e21 < _e23);
-        both = _e24;
-        if _e24 {
-            both_1 = no_catcher;
-            if no_catcher {
-                let _e29 = scene_triangles[i];
-                let _e30 = Triangle_is_catcher(_e29);
-                both_1 = _e30;
-            }
-            let _e31 = both_1;
-            both = !(_e31);
-        }
-        let _e33 = both;
-        if _e33 {
-            // glimt_render_gpu/src/kernels/bvh.rs:158
-            (*reach) = _e21;
-            // glimt_render_gpu/src/kernels/bvh.rs:159
-            nearest = i;
-        }
-        continuing {
-            let _e36 = counter_1;
-            counter_1 = (_e36 + 1u);
-        }
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:162
-    let _e40 = nearest;
-    return _e40;
-}
-
-// glimt_render_gpu/src/kernels/bvh.rs:77
-fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
-    var either: bool;
-    var best_1: u32;
-    var stack: array<u32, 64>;
-    var height: u32;
-    var pair: u32;
-    var near: BvhNode;
-    var far: BvhNode;
-    var t_near: f32;
-    var t_far: f32;
-    var into_near: bool;
-    var into_far: bool;
-
-    // glimt_render_gpu/src/kernels/bvh.rs:84
-    let _e8 = (arrayLength((&scene_nodes)) == 0u);
-    either = _e8;
-    if _e8 {
-    } else {
-        let _e13 = scene_nodes[0u];
-        let _e14 = box_distance(_e13, ray_4);
-        let _e15 = (*reach_1);
-        either = (_e14 >= _e15);
-    }
-    let _e17 = either;
-    if _e17 {
-        // glimt_render_gpu/src/kernels/bvh.rs:85
-        return 4294967295u;
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:87
-    let root = scene_nodes[0u];
-    // glimt_render_gpu/src/kernels/bvh.rs:88
-    if (root.count > 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:89
-        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u, any_);
-        return _e31;
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:91
-    best_1 = 4294967295u;
-    // glimt_render_gpu/src/kernels/bvh.rs:92
-    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:93
-    height = 0u;
-    // glimt_render_gpu/src/kernels/bvh.rs:94
-    pair = root.first;
-    // glimt_render_gpu/src/kernels/bvh.rs:95
-    loop {
-        // glimt_render_gpu/src/kernels/bvh.rs:96
-        let _e47 = pair;
-        let _e50 = scene_nodes[_e47];
-        near = _e50;
-        // glimt_render_gpu/src/kernels/bvh.rs:97
-        let _e53 = pair;
-        let _e58 = scene_nodes[(_e53 + 1u)];
-        far = _e58;
-        // glimt_render_gpu/src/kernels/bvh.rs:98
-        let _e61 = near;
-        let _e62 = box_distance(_e61, ray_4);
-        t_near = _e62;
-        // glimt_render_gpu/src/kernels/bvh.rs:99
-        let _e65 = far;
-        let _e66 = box_distance(_e65, ray_4);
-        t_far = _e66;
-        // glimt_render_gpu/src/kernels/bvh.rs:101
-        let _e69 = t_near;
-        let _e70 = t_far;
-        if (_e69 > _e70) {
-            // glimt_render_gpu/src/kernels/bvh.rs:102
-            let node_1 = near;
-            // glimt_render_gpu/src/kernels/bvh.rs:103
-            let _e75 = far;
-            near = _e75;
-            // glimt_render_gpu/src/kernels/bvh.rs:104
-            far = node_1;
-            // glimt_render_gpu/src/kernels/bvh.rs:105
-            let t_2 = t_near;
-            // glimt_render_gpu/src/kernels/bvh.rs:106
-            let _e80 = t_far;
-            t_near = _e80;
-            // glimt_render_gpu/src/kernels/bvh.rs:107
-            t_far = t_2;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:109
-        let _e83 = t_near;
-        let _e84 = (*reach_1);
-        into_near = (_e83 < _e84);
-        // glimt_render_gpu/src/kernels/bvh.rs:110
-        let _e88 = into_near;
-        let _e90 = near.count;
-        if (_e88 && (_e90 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:111
-            let _e95 = near;
-            let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96, any_);
-            best_1 = _e97;
-            // glimt_render_gpu/src/kernels/bvh.rs:112
-            let _e99 = best_1;
-            if (any_ && (_e99 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:113
-                let _e104 = best_1;
-                return _e104;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:115
-            into_near = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:117
-        let _e108 = t_far;
-        let _e109 = (*reach_1);
-        into_far = (_e108 < _e109);
-        // glimt_render_gpu/src/kernels/bvh.rs:118
-        let _e113 = into_far;
-        let _e115 = far.count;
-        if (_e113 && (_e115 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:119
-            let _e120 = far;
-            let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121, any_);
-            best_1 = _e122;
-            // glimt_render_gpu/src/kernels/bvh.rs:120
-            let _e124 = best_1;
-            if (any_ && (_e124 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:121
-                let _e129 = best_1;
-                return _e129;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:123
-            into_far = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:125
-        let _e133 = into_near;
-        if _e133 {
-            // glimt_render_gpu/src/kernels/bvh.rs:126
-            let _e136 = near.first;
-            pair = _e136;
-            // glimt_render_gpu/src/kernels/bvh.rs:127
-            let _e138 = into_far;
-            if _e138 {
-                // glimt_render_gpu/src/kernels/bvh.rs:128
-                let _e141 = far.first;
-                let _e142 = height;
-                stack[_e142] = _e141;
-                // glimt_render_gpu/src/kernels/bvh.rs:129
-                let _e146 = height;
-                height = (_e146 + 1u);
-            }
-        } else {
-            let _e148 = into_far;
-            if _e148 {
-                // glimt_render_gpu/src/kernels/bvh.rs:132
-                let _e151 = far.first;
-                pair = _e151;
-            } else {
-                let _e152 = height;
-                if (_e152 > 0u) {
-                    // glimt_render_gpu/src/kernels/bvh.rs:134
-                    let _e157 = height;
-                    height = (_e157 - 1u);
-                    // glimt_render_gpu/src/kernels/bvh.rs:135
-                    let _e160 = height;
-                    let _e162 = stack[_e160];
-                    pair = _e162;
-                } else {
-                    // glimt_render_gpu/src/kernels/bvh.rs:137
-                    let _e164 = best_1;
-                    return _e164;
-                }
-            }
-        }
-    }
-    return u32();
-}
-
-// glimt_render_gpu/src/kernels/triangle.rs:108
-fn barycentrics(triangle_1: Triangle, ray_5: Ray) -> vec2<f32> {
-
-    // glimt_render_gpu/src/kernels/triangle.rs:109
-    let _e14 = edge_functions((triangle_1.v0_ - ray_5.origin), (triangle_1.v1_ - ray_5.origin), (triangle_1.v2_ - ray_5.origin), ray_5.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:115
+    // glimt_render_gpu/src/kernels/triangle.rs:145
+    let _e14 = edge_functions((triangle_1.v0_ - ray_3.origin), (triangle_1.v1_ - ray_3.origin), (triangle_1.v2_ - ray_3.origin), ray_3.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:151
     let sum_2 = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:116
+    // glimt_render_gpu/src/kernels/triangle.rs:152
     if (sum_2 == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:118
+        // glimt_render_gpu/src/kernels/triangle.rs:154
         return vec2((1f / 3f));
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:120
+    // glimt_render_gpu/src/kernels/triangle.rs:156
     return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_2));
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:45
-fn closest_hit(ray_6: Ray, t_max_1: f32) -> Option_Hit {
-    var t: f32;
+// glimt_render_gpu/src/kernels/material.rs:141
+fn Attributes_of_corner(first: u32) -> Attributes {
 
-    // glimt_render_gpu/src/kernels/bvh.rs:51
-    t = t_max_1;
-    // glimt_render_gpu/src/kernels/bvh.rs:52
-    let _e7 = traverse(ray_6, (&t), false);
-    // glimt_render_gpu/src/kernels/bvh.rs:53
-    if (_e7 == 4294967295u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:54
-        return Option_Hit();
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:56
-    let _e14 = t;
-    let _e17 = scene_triangles[_e7];
-    let _e18 = barycentrics(_e17, ray_6);
-    return Option_Hit(true, Hit(_e7, _e14, _e18));
+    // glimt_render_gpu/src/kernels/material.rs:142
+    let _e7 = scene_surface[(first + 2u)];
+    let _e12 = scene_surface[(first + 3u)];
+    let _e13 = Tuple_u32_u32_(_e7, _e12);
+    let low = _e13.fa;
+    let high = _e13.fb;
+    // glimt_render_gpu/src/kernels/material.rs:143
+    let color = vec4<f32>(f32((low & 65535u)), f32((low >> 16u)), f32((high & 65535u)), f32((high >> 16u)));
+    // glimt_render_gpu/src/kernels/material.rs:149
+    let _e33 = scene_surface[first];
+    let _e39 = scene_surface[(first + 1u)];
+    return Attributes(vec2<f32>(bitcast<f32>(_e33), bitcast<f32>(_e39)), (color / vec4(65535f)));
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:61
-fn Scene_closest_hit(ray_7: Ray) -> Option_Hit {
+// glimt_render_gpu/src/kernels/material.rs:129
+fn Attributes_at(first_1: u32, u_2: f32, v_1: f32) -> Attributes {
 
-    // glimt_render_gpu/src/kernels/scene.rs:62
-    let _e4 = closest_hit(ray_7, 0x1.fffffep+127f);
-    return _e4;
+    // glimt_render_gpu/src/kernels/material.rs:130
+    let _e5 = Attributes_of_corner(first_1);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e9 = Attributes_of_corner((first_1 + 4u));
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let w_2 = ((1f - u_2) - v_1);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    return Attributes((((_e5.uv * w_2) + (_e9.uv * u_2)) + (_e15.uv * v_1)), (((_e5.color * w_2) + (_e9.color * u_2)) + (_e15.color * v_1)));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:64
-fn Triangle_area_normal(this_12: Triangle) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/triangle.rs:65
-    return cross((this_12.v1_ - this_12.v0_), (this_12.v2_ - this_12.v0_));
-}
-
-// glimt_render_gpu/src/kernels/scene.rs:118
-fn unit_or(v_1: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
-    var chosen_5: vec3<f32>;
-
-    // glimt_render_gpu/src/kernels/scene.rs:119
-    let length_squared = dot(v_1, v_1);
-    // glimt_render_gpu/src/kernels/scene.rs:120
-    if (length_squared > 0.000000000001f) {
-        // glimt_render_gpu/src/kernels/scene.rs:121
-        chosen_5 = (v_1 / vec3(sqrt(length_squared)));
-    } else {
-        // glimt_render_gpu/src/kernels/scene.rs:123
-        chosen_5 = otherwise;
-    }
-    let _e14 = chosen_5;
-    return _e14;
-}
-
-// glimt_render_gpu/src/kernels/material.rs:83
+// glimt_render_gpu/src/kernels/material.rs:172
 fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
 
-    // glimt_render_gpu/src/kernels/material.rs:84
-    let first = (256u + (index_9 * 24u));
-    // glimt_render_gpu/src/kernels/material.rs:85
-    return Returned_MaterialView_new(first, ((first + 24u) - first));
+    // glimt_render_gpu/src/kernels/material.rs:173
+    let first_2 = (256u + (index_9 * 76u));
+    // glimt_render_gpu/src/kernels/material.rs:174
+    return Returned_MaterialView_new(first_2, ((first_2 + 76u) - first_2));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:106
-fn MaterialView_texture(words_start: u32, words_len: u32, word: u32) -> TextureView {
+// glimt_render_gpu/src/kernels/material.rs:181
+fn MaterialView_number(words_start: u32, words_len: u32, word: u32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/material.rs:107
+    // glimt_render_gpu/src/kernels/material.rs:182
     let _e7 = scene_surface[(words_start + word)];
-    let _e13 = scene_surface[(words_start + (word + 1u))];
-    let _e19 = scene_surface[(words_start + (word + 2u))];
-    let _e25 = scene_surface[(words_start + (word + 3u))];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:195
+fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_1: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:196
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    let _e13 = scene_surface[(words_start_1 + (word_1 + 1u))];
+    let _e19 = scene_surface[(words_start_1 + (word_1 + 2u))];
+    let _e25 = scene_surface[(words_start_1 + (word_1 + 3u))];
     return TextureView(_e7, _e13, _e19, _e25);
 }
 
@@ -1271,30 +1061,30 @@ fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
 
 // glimt_render_gpu/src/kernels/texture.rs:69
 fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
-    var chosen_6: vec4<f32>;
+    var chosen_5: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_3 = scene_surface[(this_14.first + index_11)];
+    let word_4 = scene_surface[(this_14.first + index_11)];
     // glimt_render_gpu/src/kernels/texture.rs:71
-    let r = (word_3 & 255u);
+    let r = (word_4 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
-    let g = ((word_3 >> 8u) & 255u);
+    let g = ((word_4 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_4 = ((word_3 >> 16u) & 255u);
+    let b_4 = ((word_4 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha = (f32((word_3 >> 24u)) / 255f);
+    let alpha_1 = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r];
         let _e42 = scene_surface[g];
         let _e46 = scene_surface[b_4];
-        chosen_6 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha);
+        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_1);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_6 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha);
+        chosen_5 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_1);
     }
-    let _e60 = chosen_6;
+    let _e60 = chosen_5;
     return _e60;
 }
 
@@ -1340,40 +1130,506 @@ fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
     return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:92
-fn MaterialView_number(words_start_1: u32, words_len_1: u32, word_1: u32) -> f32 {
+// glimt_render_gpu/src/kernels/material.rs:206
+fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, texture: TextureView, uv_1: vec2<f32>) -> vec4<f32> {
+    var place_1: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/material.rs:93
-    let _e7 = scene_surface[(words_start_1 + word_1)];
-    return bitcast<f32>(_e7);
+    // glimt_render_gpu/src/kernels/material.rs:207
+    place_1 = uv_1;
+    // glimt_render_gpu/src/kernels/material.rs:208
+    if ((texture.flags & 65536u) != 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:209
+        let t_5 = (word_2 + 4u);
+        // glimt_render_gpu/src/kernels/material.rs:210
+        let _e18 = MaterialView_number(words_start_2, words_len_2, t_5);
+        let _e21 = MaterialView_number(words_start_2, words_len_2, (t_5 + 1u));
+        let _e27 = MaterialView_number(words_start_2, words_len_2, (t_5 + 2u));
+        let _e30 = MaterialView_number(words_start_2, words_len_2, (t_5 + 3u));
+        let _e37 = MaterialView_number(words_start_2, words_len_2, (t_5 + 4u));
+        let _e40 = MaterialView_number(words_start_2, words_len_2, (t_5 + 5u));
+        place_1 = (((vec2<f32>(_e18, _e21) * uv_1.x) + (vec2<f32>(_e27, _e30) * uv_1.y)) + vec2<f32>(_e37, _e40));
+    }
+    // glimt_render_gpu/src/kernels/material.rs:214
+    let _e44 = place_1;
+    let _e45 = TextureView_sample(texture, _e44);
+    return _e45;
 }
 
-// glimt_render_gpu/src/kernels/material.rs:147
-fn MaterialView_bumped_normal(words_start_2: u32, words_len_2: u32, uv_1: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/material.rs:280
+fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
+    var alpha: f32;
+    var chosen_6: f32;
 
-    // glimt_render_gpu/src/kernels/material.rs:148
-    let _e9 = MaterialView_texture(words_start_2, words_len_2, 20u);
-    // glimt_render_gpu/src/kernels/material.rs:149
-    let across = (tangent - (normal * dot(normal, tangent)));
-    // glimt_render_gpu/src/kernels/material.rs:150
+    // glimt_render_gpu/src/kernels/material.rs:281
+    let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
+    alpha = (_e7 * vertex_alpha);
+    // glimt_render_gpu/src/kernels/material.rs:282
+    let _e12 = MaterialView_texture(words_start_3, words_len_3, 64u);
+    // glimt_render_gpu/src/kernels/material.rs:283
+    let _e14 = TextureView_exists(_e12);
+    if _e14 {
+        // glimt_render_gpu/src/kernels/material.rs:284
+        let _e17 = MaterialView_sample(words_start_3, words_len_3, 64u, _e12, uv_2);
+        let _e19 = alpha;
+        alpha = (_e19 * _e17.w);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:286
+    let _e23 = MaterialView_number(words_start_3, words_len_3, 15u);
+    // glimt_render_gpu/src/kernels/material.rs:287
+    if (_e23 < 0f) {
+        // glimt_render_gpu/src/kernels/material.rs:288
+        let _e28 = alpha;
+        return _e28;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:290
+    let _e31 = alpha;
+    if (_e31 >= _e23) {
+        chosen_6 = 1f;
+    } else {
+        chosen_6 = 0f;
+    }
+    let _e35 = chosen_6;
+    return _e35;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:14
+fn alpha_at(triangle_2: Triangle, u_3: f32, v_2: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:15
+    let _e6 = Attributes_at(triangle_2.attributes, u_3, v_2);
+    // glimt_render_gpu/src/kernels/opacity.rs:16
+    let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/opacity.rs:17
+    let _e18 = MaterialView_alpha(_e11.value_words_start, _e11.value_words_len, _e6.uv, _e6.color.w);
+    return _e18;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:26
+fn is_passed(index_12: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:27
+    let _e5 = barycentrics(triangle_3, ray_4);
+    // glimt_render_gpu/src/kernels/opacity.rs:28
+    let _e8 = hash2_(ray_4.key, index_12);
+    let _e9 = unit_f32_(_e8);
+    let _e12 = alpha_at(triangle_3, _e5.x, _e5.y);
+    return (_e9 >= _e12);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:45
+fn Triangle_is_catcher(this_16: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:46
+    return ((this_16.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:100
+fn Triangle_area_normal(this_17: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:101
+    return cross((this_17.v1_ - this_17.v0_), (this_17.v2_ - this_17.v0_));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:66
+fn Triangle_ray_offset(this_18: Triangle) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:67
+    let extent = max(max(abs(this_18.v0_), abs(this_18.v1_)), abs(this_18.v2_));
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:74
+fn Triangle_setback(this_19: Triangle, ray_5: Ray, t: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:75
+    let _e5 = Triangle_area_normal(this_19);
+    // glimt_render_gpu/src/kernels/triangle.rs:76
+    let across = abs(dot(_e5, ray_5.direction));
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let _e12 = Triangle_ray_offset(this_19);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_5.direction, ray_5.direction)))));
+    // glimt_render_gpu/src/kernels/triangle.rs:82
+    return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:187
+fn held(index_13: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
+    var both: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:195
+    let _e7 = Triangle_is_see_through(triangle_4);
+    both = _e7;
+    if _e7 {
+        let _e9 = is_passed(index_13, triangle_4, ray_6);
+        both = _e9;
+    }
+    let _e10 = both;
+    if _e10 {
+        // glimt_render_gpu/src/kernels/bvh.rs:196
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:198
+    let _e14 = Triangle_is_catcher(triangle_4);
+    if !(_e14) {
+        // glimt_render_gpu/src/kernels/bvh.rs:199
+        return t_1;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:201
+    if no_catcher {
+        // glimt_render_gpu/src/kernels/bvh.rs:202
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:204
+    let _e21 = Triangle_setback(triangle_4, ray_6, t_1);
+    return (t_1 + _e21);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:160
+fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+    var nearest: u32;
+    var counter_1: u32;
+    var t_2: f32;
+    var both_1: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:169
+    nearest = best;
+    // glimt_render_gpu/src/kernels/bvh.rs:170
+    counter_1 = leaf.first;
+    loop {
+        let i = counter_1;
+        if (i >= (leaf.first + leaf.count)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:171
+        let _e19 = scene_triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_7, _e20);
+        t_2 = _e21;
+        // glimt_render_gpu/src/kernels/bvh.rs:173
+        let _e24 = t_2;
+        let _e25 = (*reach);
+        let _e26 = (_e24 < _e25);
+        both_1 = _e26;
+        if _e26 {
+            let _e31 = scene_triangles[i].object;
+            both_1 = (_e31 >= 1073741824u);
+        }
+        let _e34 = both_1;
+        if _e34 {
+            // glimt_render_gpu/src/kernels/bvh.rs:174
+            let _e38 = scene_triangles[i];
+            let _e39 = t_2;
+            let _e40 = held(i, _e38, ray_7, _e39, no_catcher_1);
+            t_2 = _e40;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:176
+        let _e42 = t_2;
+        let _e43 = (*reach);
+        if (_e42 < _e43) {
+            // glimt_render_gpu/src/kernels/bvh.rs:177
+            let _e46 = t_2;
+            (*reach) = _e46;
+            // glimt_render_gpu/src/kernels/bvh.rs:178
+            nearest = i;
+        }
+        continuing {
+            let _e48 = counter_1;
+            counter_1 = (_e48 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:181
+    let _e52 = nearest;
+    return _e52;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:91
+fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+    var either: bool;
+    var best_1: u32;
+    var stack: array<u32, 64>;
+    var height: u32;
+    var pair: u32;
+    var near: BvhNode;
+    var far: BvhNode;
+    var t_near: f32;
+    var t_far: f32;
+    var into_near: bool;
+    var into_far: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:99
+    let _e8 = (arrayLength((&scene_nodes)) == 0u);
+    either = _e8;
+    if _e8 {
+    } else {
+        let _e13 = scene_nodes[0u];
+        let _e14 = box_distance(_e13, ray_8);
+        let _e15 = (*reach_1);
+        either = (_e14 >= _e15);
+    }
+    let _e17 = either;
+    if _e17 {
+        // glimt_render_gpu/src/kernels/bvh.rs:100
+        return 4294967295u;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:102
+    let root = scene_nodes[0u];
+    // glimt_render_gpu/src/kernels/bvh.rs:103
+    if (root.count > 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:104
+        let _e31 = visit_leaf(root, ray_8, reach_1, 4294967295u, any_);
+        return _e31;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:106
+    best_1 = 4294967295u;
+    // glimt_render_gpu/src/kernels/bvh.rs:107
+    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:108
+    height = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:109
+    pair = root.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:110
+    loop {
+        // glimt_render_gpu/src/kernels/bvh.rs:111
+        let _e47 = pair;
+        let _e50 = scene_nodes[_e47];
+        near = _e50;
+        // glimt_render_gpu/src/kernels/bvh.rs:112
+        let _e53 = pair;
+        let _e58 = scene_nodes[(_e53 + 1u)];
+        far = _e58;
+        // glimt_render_gpu/src/kernels/bvh.rs:113
+        let _e61 = near;
+        let _e62 = box_distance(_e61, ray_8);
+        t_near = _e62;
+        // glimt_render_gpu/src/kernels/bvh.rs:114
+        let _e65 = far;
+        let _e66 = box_distance(_e65, ray_8);
+        t_far = _e66;
+        // glimt_render_gpu/src/kernels/bvh.rs:116
+        let _e69 = t_near;
+        let _e70 = t_far;
+        if (_e69 > _e70) {
+            // glimt_render_gpu/src/kernels/bvh.rs:117
+            let node_1 = near;
+            // glimt_render_gpu/src/kernels/bvh.rs:118
+            let _e75 = far;
+            near = _e75;
+            // glimt_render_gpu/src/kernels/bvh.rs:119
+            far = node_1;
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let t_6 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:121
+            let _e80 = t_far;
+            t_near = _e80;
+            // glimt_render_gpu/src/kernels/bvh.rs:122
+            t_far = t_6;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:124
+        let _e83 = t_near;
+        let _e84 = (*reach_1);
+        into_near = (_e83 < _e84);
+        // glimt_render_gpu/src/kernels/bvh.rs:125
+        let _e88 = into_near;
+        let _e90 = near.count;
+        if (_e88 && (_e90 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:126
+            let _e95 = near;
+            let _e96 = best_1;
+            let _e97 = visit_leaf(_e95, ray_8, reach_1, _e96, any_);
+            best_1 = _e97;
+            // glimt_render_gpu/src/kernels/bvh.rs:127
+            let _e99 = best_1;
+            if (any_ && (_e99 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:128
+                let _e104 = best_1;
+                return _e104;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:130
+            into_near = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:132
+        let _e108 = t_far;
+        let _e109 = (*reach_1);
+        into_far = (_e108 < _e109);
+        // glimt_render_gpu/src/kernels/bvh.rs:133
+        let _e113 = into_far;
+        let _e115 = far.count;
+        if (_e113 && (_e115 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:134
+            let _e120 = far;
+            let _e121 = best_1;
+            let _e122 = visit_leaf(_e120, ray_8, reach_1, _e121, any_);
+            best_1 = _e122;
+            // glimt_render_gpu/src/kernels/bvh.rs:135
+            let _e124 = best_1;
+            if (any_ && (_e124 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:136
+                let _e129 = best_1;
+                return _e129;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:138
+            into_far = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:140
+        let _e133 = into_near;
+        if _e133 {
+            // glimt_render_gpu/src/kernels/bvh.rs:141
+            let _e136 = near.first;
+            pair = _e136;
+            // glimt_render_gpu/src/kernels/bvh.rs:142
+            let _e138 = into_far;
+            if _e138 {
+                // glimt_render_gpu/src/kernels/bvh.rs:143
+                let _e141 = far.first;
+                let _e142 = height;
+                stack[_e142] = _e141;
+                // glimt_render_gpu/src/kernels/bvh.rs:144
+                let _e146 = height;
+                height = (_e146 + 1u);
+            }
+        } else {
+            let _e148 = into_far;
+            if _e148 {
+                // glimt_render_gpu/src/kernels/bvh.rs:147
+                let _e151 = far.first;
+                pair = _e151;
+            } else {
+                let _e152 = height;
+                if (_e152 > 0u) {
+                    // glimt_render_gpu/src/kernels/bvh.rs:149
+                    let _e157 = height;
+                    height = (_e157 - 1u);
+                    // glimt_render_gpu/src/kernels/bvh.rs:150
+                    let _e160 = height;
+                    let _e162 = stack[_e160];
+                    pair = _e162;
+                } else {
+                    // glimt_render_gpu/src/kernels/bvh.rs:152
+                    let _e164 = best_1;
+                    return _e164;
+                }
+            }
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:47
+fn closest_hit(ray_9: Ray, t_max_1: f32) -> Option_Hit {
+    var t_3: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:54
+    t_3 = t_max_1;
+    // glimt_render_gpu/src/kernels/bvh.rs:55
+    let _e7 = traverse(ray_9, (&t_3), false);
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    if (_e7 == 4294967295u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:57
+        return Option_Hit();
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:59
+    let triangle_5 = scene_triangles[_e7];
+    // glimt_render_gpu/src/kernels/bvh.rs:60
+    let _e18 = Triangle_is_catcher(triangle_5);
+    if _e18 {
+        // glimt_render_gpu/src/kernels/bvh.rs:62
+        let _e21 = intersect(triangle_5, ray_9, 0x1.fffffep+127f);
+        t_3 = _e21;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:64
+    let _e23 = t_3;
+    let _e24 = barycentrics(triangle_5, ray_9);
+    return Option_Hit(true, Hit(_e7, _e23, _e24));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:82
+fn Scene_closest_hit(ray_10: Ray) -> Option_Hit {
+
+    // glimt_render_gpu/src/kernels/scene.rs:83
+    let _e4 = closest_hit(ray_10, 0x1.fffffep+127f);
+    return _e4;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:88
+fn Triangle_outward(this_20: Triangle) -> vec3<f32> {
+    var chosen_7: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:89
+    let _e3 = Triangle_area_normal(this_20);
+    // glimt_render_gpu/src/kernels/triangle.rs:90
+    if ((this_20.object & 536870912u) != 0u) {
+        // glimt_render_gpu/src/kernels/triangle.rs:91
+        chosen_7 = -(_e3);
+    } else {
+        // glimt_render_gpu/src/kernels/triangle.rs:93
+        chosen_7 = _e3;
+    }
+    let _e14 = chosen_7;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:144
+fn unit_or(v_3: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
+    var chosen_8: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:145
+    let length_squared = dot(v_3, v_3);
+    // glimt_render_gpu/src/kernels/scene.rs:146
+    if (length_squared > 0.000000000001f) {
+        // glimt_render_gpu/src/kernels/scene.rs:147
+        chosen_8 = (v_3 / vec3(sqrt(length_squared)));
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:149
+        chosen_8 = otherwise;
+    }
+    let _e14 = chosen_8;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:298
+fn MaterialView_bumped_normal(words_start_4: u32, words_len_4: u32, uv_3: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:299
+    let _e9 = MaterialView_texture(words_start_4, words_len_4, 40u);
+    // glimt_render_gpu/src/kernels/material.rs:300
+    let across_1 = (tangent - (normal * dot(normal, tangent)));
+    // glimt_render_gpu/src/kernels/material.rs:301
     let _e15 = TextureView_exists(_e9);
-    if (!(_e15) || !((dot(across, across) > 0.000000000001f))) {
-        // glimt_render_gpu/src/kernels/material.rs:151
+    if (!(_e15) || !((dot(across_1, across_1) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:302
         return normal;
     }
-    // glimt_render_gpu/src/kernels/material.rs:153
-    let t_3 = normalize(across);
-    // glimt_render_gpu/src/kernels/material.rs:154
-    let b_5 = (cross(normal, t_3) * handedness);
-    // glimt_render_gpu/src/kernels/material.rs:155
-    let _e29 = TextureView_sample(_e9, uv_1);
-    let bump = ((_e29.xyz * 2f) - vec3(1f));
-    // glimt_render_gpu/src/kernels/material.rs:156
-    let _e43 = MaterialView_number(words_start_2, words_len_2, 10u);
-    let tilt = (((t_3 * bump.x) + (b_5 * bump.y)) * _e43);
-    // glimt_render_gpu/src/kernels/material.rs:157
-    let _e49 = unit_or((tilt + (normal * bump.z)), normal);
-    return _e49;
+    // glimt_render_gpu/src/kernels/material.rs:304
+    let t_7 = normalize(across_1);
+    // glimt_render_gpu/src/kernels/material.rs:305
+    let b_5 = (cross(normal, t_7) * handedness);
+    // glimt_render_gpu/src/kernels/material.rs:306
+    let _e30 = MaterialView_sample(words_start_4, words_len_4, 40u, _e9, uv_3);
+    let bump = ((_e30.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:307
+    let _e44 = MaterialView_number(words_start_4, words_len_4, 14u);
+    let tilt = (((t_7 * bump.x) + (b_5 * bump.y)) * _e44);
+    // glimt_render_gpu/src/kernels/material.rs:308
+    let _e50 = unit_or((tilt + (normal * bump.z)), normal);
+    return _e50;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:69
+fn bent_towards(normal_1: vec3<f32>, to_eye: vec3<f32>, geometric_normal: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let least = min(0.01f, (0.9f * dot(geometric_normal, to_eye)));
+    // glimt_render_gpu/src/kernels/scene.rs:71
+    let cosine = dot(normal_1, to_eye);
+    // glimt_render_gpu/src/kernels/scene.rs:72
+    if (cosine >= least) {
+        // glimt_render_gpu/src/kernels/scene.rs:73
+        return normal_1;
+    }
+    // glimt_render_gpu/src/kernels/scene.rs:75
+    let _e19 = unit_or((normal_1 + (to_eye * (least - cosine))), geometric_normal);
+    return _e19;
 }
 
 // glimt_sampling/src/math.rs:45
@@ -1390,20 +1646,39 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_16: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_21: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_2, this_16.t), dot(v_2, this_16.b), dot(v_2, this_16.n));
+    return vec3<f32>(dot(v_4, this_21.t), dot(v_4, this_21.b), dot(v_4, this_21.n));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:97
-fn MaterialView_vector(words_start_3: u32, words_len_3: u32, word_2: u32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/material.rs:186
+fn MaterialView_vector(words_start_5: u32, words_len_5: u32, word_3: u32) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/material.rs:98
-    let _e5 = MaterialView_number(words_start_3, words_len_3, word_2);
-    let _e8 = MaterialView_number(words_start_3, words_len_3, (word_2 + 1u));
-    let _e11 = MaterialView_number(words_start_3, words_len_3, (word_2 + 2u));
+    // glimt_render_gpu/src/kernels/material.rs:187
+    let _e5 = MaterialView_number(words_start_5, words_len_5, word_3);
+    let _e8 = MaterialView_number(words_start_5, words_len_5, (word_3 + 1u));
+    let _e11 = MaterialView_number(words_start_5, words_len_5, (word_3 + 2u));
     return vec3<f32>(_e5, _e8, _e11);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:219
+fn MaterialView_color(words_start_6: u32, words_len_6: u32, uv_4: vec2<f32>, vertex_color: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:220
+    let _e7 = MaterialView_vector(words_start_6, words_len_6, 0u);
+    let color_1 = (_e7 * vertex_color);
+    // glimt_render_gpu/src/kernels/material.rs:221
+    let _e11 = MaterialView_texture(words_start_6, words_len_6, 16u);
+    // glimt_render_gpu/src/kernels/material.rs:222
+    let _e13 = TextureView_exists(_e11);
+    if _e13 {
+        // glimt_render_gpu/src/kernels/material.rs:223
+        let _e16 = MaterialView_sample(words_start_6, words_len_6, 16u, _e11, uv_4);
+        return (color_1 * _e16.xyz);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:225
+    return color_1;
 }
 
 // glimt_brdf/src/metallic_roughness.rs:31
@@ -1416,214 +1691,260 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
     // glimt_brdf/src/metallic_roughness.rs:34
     let roughness_2 = clamp(roughness, 0.12f, 1f);
     // glimt_brdf/src/metallic_roughness.rs:35
-    let alpha_1 = (roughness_2 * roughness_2);
+    let alpha_2 = (roughness_2 * roughness_2);
     // glimt_brdf/src/metallic_roughness.rs:36
     let dielectric = (1f - metallic_2);
     // glimt_brdf/src/metallic_roughness.rs:37
-    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_1 * alpha_1)) - 2f));
+    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_2 * alpha_2)) - 2f));
 }
 
-// glimt_render_gpu/src/kernels/material.rs:118
-fn MaterialView_brdf(words_start_4: u32, words_len_4: u32, uv_2: vec2<f32>) -> BlinnPhong {
-    var color: vec3<f32>;
+// glimt_render_gpu/src/kernels/material.rs:231
+fn MaterialView_brdf(words_start_7: u32, words_len_7: u32, uv_5: vec2<f32>, vertex_color_1: vec3<f32>) -> BlinnPhong {
     var metallic_1: f32;
     var roughness_1: f32;
 
-    // glimt_render_gpu/src/kernels/material.rs:119
-    let _e6 = MaterialView_vector(words_start_4, words_len_4, 0u);
-    color = _e6;
-    // glimt_render_gpu/src/kernels/material.rs:120
-    let _e13 = scene_surface[(words_start_4 + 3u)];
-    if (_e13 == 0u) {
-        // glimt_render_gpu/src/kernels/material.rs:121
-        let _e17 = color;
-        let _e19 = MaterialView_vector(words_start_4, words_len_4, 4u);
-        let _e21 = MaterialView_number(words_start_4, words_len_4, 7u);
-        return BlinnPhong(_e17, _e19, _e21);
+    // glimt_render_gpu/src/kernels/material.rs:232
+    let _e10 = scene_surface[(words_start_7 + 3u)];
+    let kind = (_e10 & 2147483647u);
+    // glimt_render_gpu/src/kernels/material.rs:233
+    if (kind == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:234
+        let _e18 = MaterialView_vector(words_start_7, words_len_7, 0u);
+        let _e21 = MaterialView_vector(words_start_7, words_len_7, 4u);
+        let _e23 = MaterialView_number(words_start_7, words_len_7, 7u);
+        return BlinnPhong((_e18 * vertex_color_1), _e21, _e23);
     }
-    // glimt_render_gpu/src/kernels/material.rs:127
-    let _e25 = MaterialView_texture(words_start_4, words_len_4, 12u);
-    // glimt_render_gpu/src/kernels/material.rs:128
-    let _e27 = TextureView_exists(_e25);
-    if _e27 {
-        // glimt_render_gpu/src/kernels/material.rs:129
-        let _e29 = TextureView_sample(_e25, uv_2);
-        let _e31 = color;
-        color = (_e31 * _e29.xyz);
+    // glimt_render_gpu/src/kernels/material.rs:240
+    if (kind == 2u) {
+        // glimt_render_gpu/src/kernels/material.rs:241
+        return BlinnPhong(vec3(0f), vec3(0f), 0f);
     }
-    // glimt_render_gpu/src/kernels/material.rs:131
-    let _e35 = MaterialView_number(words_start_4, words_len_4, 8u);
-    metallic_1 = _e35;
-    // glimt_render_gpu/src/kernels/material.rs:132
-    let _e39 = MaterialView_number(words_start_4, words_len_4, 9u);
-    roughness_1 = _e39;
-    // glimt_render_gpu/src/kernels/material.rs:133
-    let _e43 = MaterialView_texture(words_start_4, words_len_4, 16u);
-    // glimt_render_gpu/src/kernels/material.rs:134
-    let _e45 = TextureView_exists(_e43);
-    if _e45 {
-        // glimt_render_gpu/src/kernels/material.rs:135
-        let _e47 = TextureView_sample(_e43, uv_2);
-        // glimt_render_gpu/src/kernels/material.rs:136
-        let _e50 = roughness_1;
-        roughness_1 = (_e50 * _e47.y);
-        // glimt_render_gpu/src/kernels/material.rs:137
-        let _e54 = metallic_1;
-        metallic_1 = (_e54 * _e47.z);
+    // glimt_render_gpu/src/kernels/material.rs:247
+    let _e36 = MaterialView_color(words_start_7, words_len_7, uv_5, vertex_color_1);
+    // glimt_render_gpu/src/kernels/material.rs:248
+    let _e39 = MaterialView_number(words_start_7, words_len_7, 12u);
+    metallic_1 = _e39;
+    // glimt_render_gpu/src/kernels/material.rs:249
+    let _e43 = MaterialView_number(words_start_7, words_len_7, 13u);
+    roughness_1 = _e43;
+    // glimt_render_gpu/src/kernels/material.rs:250
+    let _e47 = MaterialView_texture(words_start_7, words_len_7, 28u);
+    // glimt_render_gpu/src/kernels/material.rs:251
+    let _e49 = TextureView_exists(_e47);
+    if _e49 {
+        // glimt_render_gpu/src/kernels/material.rs:252
+        let _e52 = MaterialView_sample(words_start_7, words_len_7, 28u, _e47, uv_5);
+        // glimt_render_gpu/src/kernels/material.rs:253
+        let _e55 = roughness_1;
+        roughness_1 = (_e55 * _e52.y);
+        // glimt_render_gpu/src/kernels/material.rs:254
+        let _e59 = metallic_1;
+        metallic_1 = (_e59 * _e52.z);
     }
-    // glimt_render_gpu/src/kernels/material.rs:139
-    let _e57 = color;
-    let _e58 = metallic_1;
-    let _e59 = roughness_1;
-    let _e60 = BlinnPhong_from_metallic_roughness(_e57, _e58, _e59);
-    return _e60;
+    // glimt_render_gpu/src/kernels/material.rs:256
+    let _e62 = metallic_1;
+    let _e63 = roughness_1;
+    let _e64 = BlinnPhong_from_metallic_roughness(_e36, _e62, _e63);
+    return _e64;
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:67
-fn Scene_shading_point(ray_8: Ray, hit: Hit) -> ShadingPoint {
-    var chosen_7: vec3<f32>;
-    var chosen_8: f32;
-    var chosen_9: vec3<f32>;
+// glimt_render_gpu/src/kernels/material.rs:262
+fn MaterialView_emission(words_start_8: u32, words_len_8: u32, uv_6: vec2<f32>, vertex_color_2: vec3<f32>) -> vec3<f32> {
+    var radiance: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/scene.rs:68
-    let triangle_2 = scene_triangles[hit.triangle];
-    // glimt_render_gpu/src/kernels/scene.rs:69
-    let first_1 = (3u * hit.triangle);
-    // glimt_render_gpu/src/kernels/scene.rs:70
-    let a_5 = scene_corners[first_1];
-    // glimt_render_gpu/src/kernels/scene.rs:71
-    let b_6 = scene_corners[(first_1 + 1u)];
-    // glimt_render_gpu/src/kernels/scene.rs:72
-    let c_4 = scene_corners[(first_1 + 2u)];
-    // glimt_render_gpu/src/kernels/scene.rs:73
-    let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
-    let u_6 = _e33.fa;
-    let v_3 = _e33.fb;
-    // glimt_render_gpu/src/kernels/scene.rs:74
-    let w_2 = ((1f - u_6) - v_3);
-    // glimt_render_gpu/src/kernels/scene.rs:76
-    let to_eye = -(ray_8.direction);
-    // glimt_render_gpu/src/kernels/scene.rs:77
-    let _e44 = Triangle_area_normal(triangle_2);
-    let face = normalize(_e44);
-    // glimt_render_gpu/src/kernels/scene.rs:78
-    if (dot(face, to_eye) < 0f) {
-        chosen_7 = -(face);
-    } else {
-        chosen_7 = face;
+    // glimt_render_gpu/src/kernels/material.rs:263
+    radiance = vec3(0f);
+    // glimt_render_gpu/src/kernels/material.rs:264
+    let _e14 = scene_surface[(words_start_8 + 3u)];
+    if ((_e14 & 2147483648u) != 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:265
+        let _e21 = MaterialView_vector(words_start_8, words_len_8, 8u);
+        radiance = _e21;
+        // glimt_render_gpu/src/kernels/material.rs:266
+        let _e24 = MaterialView_texture(words_start_8, words_len_8, 52u);
+        // glimt_render_gpu/src/kernels/material.rs:267
+        let _e26 = TextureView_exists(_e24);
+        if _e26 {
+            // glimt_render_gpu/src/kernels/material.rs:268
+            let _e29 = MaterialView_sample(words_start_8, words_len_8, 52u, _e24, uv_6);
+            let _e31 = radiance;
+            radiance = (_e31 * _e29.xyz);
+        }
     }
-    let geometric_normal = chosen_7;
-    // glimt_render_gpu/src/kernels/scene.rs:79
-    let _e62 = unit_or((((a_5.normal * w_2) + (b_6.normal * u_6)) + (c_4.normal * v_3)), face);
-    // glimt_render_gpu/src/kernels/scene.rs:81
-    let uv_3 = vec2<f32>((((a_5.u * w_2) + (b_6.u * u_6)) + (c_4.u * v_3)), (((a_5.v * w_2) + (b_6.v * u_6)) + (c_4.v * v_3)));
-    // glimt_render_gpu/src/kernels/scene.rs:82
-    let _e85 = MaterialView_new((triangle_2.material & 2147483647u));
-    // glimt_render_gpu/src/kernels/scene.rs:83
-    let tangent_1 = (((a_5.tangent * w_2) + (b_6.tangent * u_6)) + (c_4.tangent * v_3));
-    // glimt_render_gpu/src/kernels/scene.rs:84
-    if ((triangle_2.material & 2147483648u) != 0u) {
-        // glimt_render_gpu/src/kernels/scene.rs:85
-        chosen_8 = -1f;
-    } else {
-        // glimt_render_gpu/src/kernels/scene.rs:87
-        chosen_8 = 1f;
+    // glimt_render_gpu/src/kernels/material.rs:271
+    let _e38 = scene_surface[(words_start_8 + 3u)];
+    if ((_e38 & 2147483647u) == 2u) {
+        // glimt_render_gpu/src/kernels/material.rs:272
+        let _e44 = MaterialView_color(words_start_8, words_len_8, uv_6, vertex_color_2);
+        let _e45 = radiance;
+        radiance = (_e45 + _e44);
     }
-    let handedness_1 = chosen_8;
+    // glimt_render_gpu/src/kernels/material.rs:274
+    let _e48 = radiance;
+    return _e48;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:88
+fn Scene_shading_point(ray_11: Ray, hit: Hit) -> ShadingPoint {
+    var chosen_9: vec3<f32>;
+    var chosen_10: f32;
+    var chosen_11: vec3<f32>;
+    var vertex_color_3: vec3<f32>;
+
     // glimt_render_gpu/src/kernels/scene.rs:89
-    let _e110 = MaterialView_bumped_normal(_e85.value_words_start, _e85.value_words_len, uv_3, _e62, tangent_1, handedness_1);
+    let triangle_6 = scene_triangles[hit.triangle];
     // glimt_render_gpu/src/kernels/scene.rs:90
-    if (dot(_e110, to_eye) < 0f) {
-        // glimt_render_gpu/src/kernels/scene.rs:91
-        chosen_9 = -(_e110);
-    } else {
-        // glimt_render_gpu/src/kernels/scene.rs:93
-        chosen_9 = _e110;
-    }
-    let normal_2 = chosen_9;
-    // glimt_render_gpu/src/kernels/scene.rs:96
-    let _e121 = ShadingFrame_from_normal(normal_2);
+    let first_3 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:91
+    let a_5 = scene_corners[first_3];
+    // glimt_render_gpu/src/kernels/scene.rs:92
+    let b_6 = scene_corners[(first_3 + 1u)];
+    // glimt_render_gpu/src/kernels/scene.rs:93
+    let c_4 = scene_corners[(first_3 + 2u)];
+    // glimt_render_gpu/src/kernels/scene.rs:94
+    let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
+    let u_8 = _e33.fa;
+    let v_5 = _e33.fb;
+    // glimt_render_gpu/src/kernels/scene.rs:95
+    let w_3 = ((1f - u_8) - v_5);
     // glimt_render_gpu/src/kernels/scene.rs:97
-    let edges = (((triangle_2.v1_ - triangle_2.v0_) * u_6) + ((triangle_2.v2_ - triangle_2.v0_) * v_3));
+    let to_eye_1 = -(ray_11.direction);
     // glimt_render_gpu/src/kernels/scene.rs:98
-    let _e138 = ShadingFrame_to_local(_e121, to_eye);
-    let _e139 = MaterialView_brdf(_e85.value_words_start, _e85.value_words_len, uv_3);
-    return ShadingPoint(((triangle_2.v0_ + edges) + (geometric_normal * triangle_2.ray_offset)), geometric_normal, _e121, _e138, _e139);
+    let _e44 = Triangle_outward(triangle_6);
+    let outward = normalize(_e44);
+    // glimt_render_gpu/src/kernels/scene.rs:99
+    let is_inside = (dot(outward, to_eye_1) < 0f);
+    // glimt_render_gpu/src/kernels/scene.rs:100
+    if is_inside {
+        chosen_9 = -(outward);
+    } else {
+        chosen_9 = outward;
+    }
+    let geometric_normal_1 = chosen_9;
+    // glimt_render_gpu/src/kernels/scene.rs:101
+    let _e63 = unit_or((((a_5.normal * w_3) + (b_6.normal * u_8)) + (c_4.normal * v_5)), outward);
+    // glimt_render_gpu/src/kernels/scene.rs:103
+    let uv_7 = vec2<f32>((((a_5.u * w_3) + (b_6.u * u_8)) + (c_4.u * v_5)), (((a_5.v * w_3) + (b_6.v * u_8)) + (c_4.v * v_5)));
+    // glimt_render_gpu/src/kernels/scene.rs:104
+    let _e86 = MaterialView_new((triangle_6.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/scene.rs:105
+    let tangent_1 = (((a_5.tangent * w_3) + (b_6.tangent * u_8)) + (c_4.tangent * v_5));
+    // glimt_render_gpu/src/kernels/scene.rs:106
+    if ((triangle_6.material & 2147483648u) != 0u) {
+        // glimt_render_gpu/src/kernels/scene.rs:107
+        chosen_10 = -1f;
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:109
+        chosen_10 = 1f;
+    }
+    let handedness_1 = chosen_10;
+    // glimt_render_gpu/src/kernels/scene.rs:111
+    let _e111 = MaterialView_bumped_normal(_e86.value_words_start, _e86.value_words_len, uv_7, _e63, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:113
+    if is_inside {
+        chosen_11 = -(_e111);
+    } else {
+        chosen_11 = _e111;
+    }
+    let sided = chosen_11;
+    // glimt_render_gpu/src/kernels/scene.rs:114
+    let _e117 = bent_towards(sided, to_eye_1, geometric_normal_1);
+    // glimt_render_gpu/src/kernels/scene.rs:116
+    vertex_color_3 = vec3(1f);
+    // glimt_render_gpu/src/kernels/scene.rs:117
+    if (triangle_6.attributes != 0u) {
+        // glimt_render_gpu/src/kernels/scene.rs:118
+        let _e128 = Attributes_at(triangle_6.attributes, u_8, v_5);
+        // glimt_render_gpu/src/kernels/scene.rs:119
+        vertex_color_3 = _e128.color.xyz;
+    }
+    // glimt_render_gpu/src/kernels/scene.rs:121
+    let _e133 = ShadingFrame_from_normal(_e117);
+    // glimt_render_gpu/src/kernels/scene.rs:122
+    let edges = (((triangle_6.v1_ - triangle_6.v0_) * u_8) + ((triangle_6.v2_ - triangle_6.v0_) * v_5));
+    // glimt_render_gpu/src/kernels/scene.rs:123
+    let _e147 = Triangle_ray_offset(triangle_6);
+    let _e150 = ShadingFrame_to_local(_e133, to_eye_1);
+    let _e151 = vertex_color_3;
+    let _e152 = MaterialView_brdf(_e86.value_words_start, _e86.value_words_len, uv_7, _e151);
+    let _e153 = vertex_color_3;
+    let _e154 = MaterialView_emission(_e86.value_words_start, _e86.value_words_len, uv_7, _e153);
+    return ShadingPoint(((triangle_6.v0_ + edges) + (geometric_normal_1 * _e147)), geometric_normal_1, _e133, _e150, _e152, _e154);
 }
 
 // glimt_sampling/src/sobol.rs:135
-fn owen_sobol(index_12: u32, dimension_2: u32, seed_4: u32) -> u32 {
+fn owen_sobol(index_14: u32, dimension_2: u32, seed_4: u32) -> u32 {
 
     // glimt_sampling/src/sobol.rs:136
-    let _e5 = shuffle(index_12, seed_4);
+    let _e5 = shuffle(index_14, seed_4);
     let _e6 = sobol_reversed(_e5, dimension_2);
     let _e7 = scramble_1(_e6, dimension_2, seed_4);
     return _e7;
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_17: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_22: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_17).dimension;
+    let dimension_4 = (*this_22).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_17).dimension = (dimension_4 + 1u);
+    (*this_22).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_17).index;
-    let _e13 = (*this_17).seed;
+    let _e11 = (*this_22).index;
+    let _e13 = (*this_22).seed;
     let _e16 = hash2_(_e13, (dimension_4 >> 2u));
     let _e17 = owen_sobol(_e11, dimension_4, _e16);
     return _e17;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:166
-fn jittered(index_13: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:178
+fn jittered(index_15: u32, count_2: u32, jitter_2: u32, key_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:167
-    let _e7 = hash2_(key_2, 4u);
-    let _e8 = permute(index_13, count_2, _e7);
+    // glimt_render_gpu/src/kernels/pattern.rs:179
+    let _e7 = hash2_(key_3, 4u);
+    let _e8 = permute(index_15, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:66
-fn PixelPattern_triple(this_18: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:70
+fn PixelPattern_triple(this_23: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:67
-    let index_16 = ((this_18.ray * samples_1) + sample_1);
-    // glimt_render_gpu/src/kernels/pattern.rs:68
-    if (this_18.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:69
-        let _e14 = PixelPattern_sobol_point(this_18, purpose_4, index_16);
+    // glimt_render_gpu/src/kernels/pattern.rs:71
+    let index_18 = ((this_23.ray * samples_1) + sample_1);
+    // glimt_render_gpu/src/kernels/pattern.rs:72
+    if (this_23.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:73
+        let _e14 = PixelPattern_sobol_point(this_23, purpose_5, index_18);
         point = _e14;
-        // glimt_render_gpu/src/kernels/pattern.rs:70
+        // glimt_render_gpu/src/kernels/pattern.rs:74
         let _e17 = OwenSobol_next_uvec2_((&point));
-        // glimt_render_gpu/src/kernels/pattern.rs:71
+        // glimt_render_gpu/src/kernels/pattern.rs:75
         let _e19 = OwenSobol_next_u32_((&point));
         return vec3<u32>(_e17, _e19);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:73
-    let _e22 = PixelPattern_generator(this_18, purpose_4, index_16);
+    // glimt_render_gpu/src/kernels/pattern.rs:77
+    let _e22 = PixelPattern_generator(this_23, purpose_5, index_18);
     generator = _e22;
-    // glimt_render_gpu/src/kernels/pattern.rs:74
+    // glimt_render_gpu/src/kernels/pattern.rs:78
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:75
+    // glimt_render_gpu/src/kernels/pattern.rs:79
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:76
-    if (this_18.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:77
+    // glimt_render_gpu/src/kernels/pattern.rs:80
+    if (this_23.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:81
         return vec3<u32>(_e25, _e27);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:79
-    let _e37 = PixelPattern_key(this_18, purpose_4);
-    let _e38 = Tuple_u32_u32_((this_18.rays * samples_1), _e37);
+    // glimt_render_gpu/src/kernels/pattern.rs:83
+    let _e37 = PixelPattern_key(this_23, purpose_5);
+    let _e38 = Tuple_u32_u32_((this_23.rays * samples_1), _e37);
     let count_3 = _e38.fa;
-    let key_3 = _e38.fb;
-    // glimt_render_gpu/src/kernels/pattern.rs:80
-    let _e42 = jittered_pair(index_16, count_3, _e25, key_3);
-    let _e43 = jittered(index_16, count_3, _e27, key_3);
+    let key_4 = _e38.fb;
+    // glimt_render_gpu/src/kernels/pattern.rs:84
+    let _e42 = jittered_pair(index_18, count_3, _e25, key_4);
+    let _e43 = jittered(index_18, count_3, _e27, key_4);
     return vec3<u32>(_e42, _e43);
 }
 
@@ -1635,37 +1956,37 @@ fn luminance(rgb: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_19: BlinnPhong) -> f32 {
-    var chosen_10: f32;
+fn BlinnPhong_pmf_specular(this_24: BlinnPhong) -> f32 {
+    var chosen_12: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_19.specular);
+    let _e4 = luminance(this_24.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_19.diffuse);
+    let _e7 = luminance(this_24.diffuse);
     let both_2 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_2 > 0f) {
-        chosen_10 = (_e4 / both_2);
+        chosen_12 = (_e4 / both_2);
     } else {
-        chosen_10 = 0f;
+        chosen_12 = 0f;
     }
-    let _e15 = chosen_10;
+    let _e15 = chosen_12;
     return _e15;
 }
 
 // glimt_sampling/src/warp.rs:190
 fn height_of(direction_2: vec3<f32>) -> f32 {
-    var chosen_11: f32;
+    var chosen_13: f32;
 
     // glimt_sampling/src/warp.rs:191
     if (direction_2.z > 0f) {
         // glimt_sampling/src/warp.rs:192
-        chosen_11 = (((direction_2.x * direction_2.x) + (direction_2.y * direction_2.y)) / (1f + direction_2.z));
+        chosen_13 = (((direction_2.x * direction_2.x) + (direction_2.y * direction_2.y)) / (1f + direction_2.z));
     } else {
         // glimt_sampling/src/warp.rs:194
-        chosen_11 = (1f - direction_2.z);
+        chosen_13 = (1f - direction_2.z);
     }
-    let _e23 = chosen_11;
+    let _e23 = chosen_13;
     return _e23;
 }
 
@@ -1687,7 +2008,7 @@ fn ln_cos_theta(direction_3: vec3<f32>) -> f32 {
 
 // glimt_sampling/src/warp.rs:289
 fn pdf_power_cosine_sr(direction_4: vec3<f32>, exponent: f32) -> f32 {
-    var chosen_12: f32;
+    var chosen_14: f32;
 
     // glimt_sampling/src/warp.rs:290
     let normalisation = ((exponent + 1f) * (0.5f * 0.31830987f));
@@ -1696,12 +2017,12 @@ fn pdf_power_cosine_sr(direction_4: vec3<f32>, exponent: f32) -> f32 {
         // glimt_sampling/src/warp.rs:292
         if (direction_4.z >= 0f) {
             // glimt_sampling/src/warp.rs:293
-            chosen_12 = normalisation;
+            chosen_14 = normalisation;
         } else {
             // glimt_sampling/src/warp.rs:295
-            chosen_12 = 0f;
+            chosen_14 = 0f;
         }
-        let _e21 = chosen_12;
+        let _e21 = chosen_14;
         return _e21;
     }
     // glimt_sampling/src/warp.rs:298
@@ -1716,15 +2037,15 @@ fn pdf_power_cosine_sr(direction_4: vec3<f32>, exponent: f32) -> f32 {
 
 // glimt_sampling/src/warp.rs:182
 fn cos_sin_turns(turns: f32) -> vec2<f32> {
-    var chosen_13: f32;
+    var chosen_15: f32;
 
     // glimt_sampling/src/warp.rs:183
     if (turns < 0.5f) {
-        chosen_13 = turns;
+        chosen_15 = turns;
     } else {
-        chosen_13 = (turns - 1f);
+        chosen_15 = (turns - 1f);
     }
-    let signed = chosen_13;
+    let signed = chosen_15;
     // glimt_sampling/src/warp.rs:184
     let phi = (6.2831855f * signed);
     // glimt_sampling/src/warp.rs:185
@@ -1732,30 +2053,30 @@ fn cos_sin_turns(turns: f32) -> vec2<f32> {
 }
 
 // glimt_sampling/src/warp.rs:257
-fn sample_power_cosine(u_2: vec2<f32>, exponent_1: f32) -> DirectionSample {
+fn sample_power_cosine(u_4: vec2<f32>, exponent_1: f32) -> DirectionSample {
     var sin2_theta: f32;
     var cos_theta: f32;
 
     // glimt_sampling/src/warp.rs:258
-    if (u_2.x <= 0f) {
+    if (u_4.x <= 0f) {
         // glimt_sampling/src/warp.rs:259
         let _e16 = pdf_power_cosine_sr(vec3<f32>(1f, 0f, 0f), exponent_1);
         return DirectionSample(vec3<f32>(1f, 0f, 0f), _e16);
     }
     // glimt_sampling/src/warp.rs:266
-    let t_4 = ((2f / (exponent_1 + 1f)) * (0f - log(u_2.x)));
+    let t_8 = ((2f / (exponent_1 + 1f)) * (0f - log(u_4.x)));
     // glimt_sampling/src/warp.rs:269
-    if (t_4 < 0.25f) {
+    if (t_8 < 0.25f) {
         // glimt_sampling/src/warp.rs:270
-        let tail_1 = ((1f / 6f) - (t_4 * ((1f / 24f) - (t_4 * ((1f / 120f) - (t_4 / 720f))))));
+        let tail_1 = ((1f / 6f) - (t_8 * ((1f / 24f) - (t_8 * ((1f / 120f) - (t_8 / 720f))))));
         // glimt_sampling/src/warp.rs:271
-        sin2_theta = max((t_4 * (1f - (t_4 * (0.5f - (t_4 * tail_1))))), 0f);
+        sin2_theta = max((t_8 * (1f - (t_8 * (0.5f - (t_8 * tail_1))))), 0f);
         // glimt_sampling/src/warp.rs:272
         let _e62 = sin2_theta;
         cos_theta = sqrt((1f - _e62));
     } else {
         // glimt_sampling/src/warp.rs:274
-        cos_theta = exp((-0.5f * t_4));
+        cos_theta = exp((-0.5f * t_8));
         // glimt_sampling/src/warp.rs:275
         let _e71 = cos_theta;
         let _e72 = cos_theta;
@@ -1765,7 +2086,7 @@ fn sample_power_cosine(u_2: vec2<f32>, exponent_1: f32) -> DirectionSample {
     let _e76 = sin2_theta;
     let sin_theta = sqrt(_e76);
     // glimt_sampling/src/warp.rs:278
-    let _e80 = cos_sin_turns(u_2.y);
+    let _e80 = cos_sin_turns(u_4.y);
     // glimt_sampling/src/warp.rs:279
     let _e86 = cos_theta;
     let direction_6 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
@@ -1775,12 +2096,12 @@ fn sample_power_cosine(u_2: vec2<f32>, exponent_1: f32) -> DirectionSample {
 }
 
 // glimt_sampling/src/warp.rs:31
-fn sample_concentric_disk(u_3: vec2<f32>) -> vec2<f32> {
+fn sample_concentric_disk(u_5: vec2<f32>) -> vec2<f32> {
 
     // glimt_sampling/src/warp.rs:32
-    let a_6 = ((2f * u_3.x) - 1f);
+    let a_6 = ((2f * u_5.x) - 1f);
     // glimt_sampling/src/warp.rs:33
-    let b_7 = ((2f * u_3.y) - 1f);
+    let b_7 = ((2f * u_5.y) - 1f);
     // glimt_sampling/src/warp.rs:34
     if ((a_6 == 0f) && (b_7 == 0f)) {
         // glimt_sampling/src/warp.rs:35
@@ -1800,12 +2121,12 @@ fn sample_concentric_disk(u_3: vec2<f32>) -> vec2<f32> {
 }
 
 // glimt_sampling/src/warp.rs:88
-fn sample_cosine_hemisphere(u_4: vec2<f32>) -> DirectionSample {
+fn sample_cosine_hemisphere(u_6: vec2<f32>) -> DirectionSample {
 
     // glimt_sampling/src/warp.rs:89
-    let _e3 = sample_concentric_disk(u_4);
+    let _e3 = sample_concentric_disk(u_6);
     // glimt_sampling/src/warp.rs:92
-    let _e10 = abs(((2f * u_4) - vec2(1f)));
+    let _e10 = abs(((2f * u_6) - vec2(1f)));
     let r_1 = max(_e10.x, _e10.y);
     // glimt_sampling/src/warp.rs:93
     let z_2 = sqrt(((1f - r_1) * (1f + r_1)));
@@ -1833,21 +2154,21 @@ fn HalfVector_new(wo: vec3<f32>, wi: vec3<f32>) -> HalfVector {
 
 // glimt_brdf/src/lobe.rs:59
 fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
-    var chosen_14: f32;
+    var chosen_16: f32;
 
     // glimt_brdf/src/lobe.rs:60
     if (sin2_theta_1 < (1f / 16f)) {
         // glimt_brdf/src/lobe.rs:62
-        let t_5 = (sin2_theta_1 / (2f - sin2_theta_1));
+        let t_9 = (sin2_theta_1 / (2f - sin2_theta_1));
         // glimt_brdf/src/lobe.rs:63
-        let t2_ = (t_5 * t_5);
+        let t2_ = (t_9 * t_9);
         // glimt_brdf/src/lobe.rs:64
-        chosen_14 = ((-2f * t_5) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
+        chosen_16 = ((-2f * t_9) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
     } else {
         // glimt_brdf/src/lobe.rs:66
-        chosen_14 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
+        chosen_16 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
     }
-    let log_cos2_ = chosen_14;
+    let log_cos2_ = chosen_16;
     // glimt_brdf/src/lobe.rs:68
     let log_power = ((0.5f * exponent_2) * log_cos2_);
     // glimt_brdf/src/lobe.rs:69
@@ -1860,23 +2181,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_20: HalfVector, exponent_3: f32) -> f32 {
+fn HalfVector_lobe(this_25: HalfVector, exponent_3: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_20.cos2_theta, this_20.sin2_theta, exponent_3);
+    let _e6 = cosine_power(this_25.cos2_theta, this_25.sin2_theta, exponent_3);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_21: HalfVector, exponent_4: f32) -> f32 {
+fn HalfVector_pdf_sr(this_26: HalfVector, exponent_4: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_21, exponent_4);
-    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_21.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_26, exponent_4);
+    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_26.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_27: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -1886,7 +2207,7 @@ fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_22);
+    let _e17 = BlinnPhong_pmf_specular(this_27);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -1894,40 +2215,40 @@ fn BlinnPhong_pdf_sr(this_22: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_1, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_22.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_27.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_23: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
-    var chosen_15: vec3<f32>;
+fn BlinnPhong_sample(this_28: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_7: vec2<f32>) -> BrdfSample {
+    var chosen_17: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_23);
+    let _e8 = BlinnPhong_pmf_specular(this_28);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_23.exponent);
+        let _e12 = sample_power_cosine(u_7, this_28.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
-        chosen_15 = (((2f * dot(wo_2, h)) * h) - wo_2);
+        chosen_17 = (((2f * dot(wo_2, h)) * h) - wo_2);
     } else {
         // glimt_brdf/src/blinn_phong.rs:85
-        let _e21 = sample_cosine_hemisphere(u_5);
-        chosen_15 = _e21.direction;
+        let _e21 = sample_cosine_hemisphere(u_7);
+        chosen_17 = _e21.direction;
     }
-    let wi_2 = chosen_15;
+    let wi_2 = chosen_17;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_23, wo_2, wi_2);
+    let _e25 = BlinnPhong_pdf_sr(this_28, wo_2, wi_2);
     return BrdfSample(wi_2, _e25);
 }
 
 // glimt_render_gpu/src/kernels/diagnose.rs:135
-fn brdf_sample(ray_9: u32, frame_2: FrameParams, mis: Mis) -> vec4<f32> {
+fn brdf_sample(ray_12: u32, frame_2: FrameParams, mis: Mis) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/diagnose.rs:136
-    let _e5 = FrameParams_pattern_of(frame_2, ray_9);
+    let _e5 = FrameParams_pattern_of(frame_2, ray_12);
     // glimt_render_gpu/src/kernels/diagnose.rs:137
     let _e7 = FrameParams_camera_ray(frame_2, _e5);
     // glimt_render_gpu/src/kernels/diagnose.rs:138

@@ -1,5 +1,11 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -21,6 +27,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct Mis {
@@ -88,10 +96,10 @@ var<storage, read_write> out: array<EnvRecord>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:115
+// glimt_render_gpu/src/kernels/frame.rs:120
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:116
+    // glimt_render_gpu/src/kernels/frame.rs:121
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -148,10 +156,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:96
+// glimt_render_gpu/src/kernels/pattern.rs:108
 fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:97
+    // glimt_render_gpu/src/kernels/pattern.rs:109
     let _e6 = hash2_(this_1.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
     return _e9;
@@ -503,10 +511,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:101
+// glimt_render_gpu/src/kernels/pattern.rs:113
 fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:102
+    // glimt_render_gpu/src/kernels/pattern.rs:114
     let _e6 = hash3_(this_3.seed, purpose_1, index_6);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
     return _e9;
@@ -541,52 +549,52 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> 
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:106
+// glimt_render_gpu/src/kernels/pattern.rs:118
 fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:107
+    // glimt_render_gpu/src/kernels/pattern.rs:119
     let _e5 = hash2_(this_6.seed, purpose_2);
     let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:181
+// glimt_render_gpu/src/kernels/pattern.rs:193
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:182
+    // glimt_render_gpu/src/kernels/pattern.rs:194
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:183
+        // glimt_render_gpu/src/kernels/pattern.rs:195
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:198
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:199
     x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:200
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:189
+        // glimt_render_gpu/src/kernels/pattern.rs:201
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:190
+        // glimt_render_gpu/src/kernels/pattern.rs:202
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:191
+            // glimt_render_gpu/src/kernels/pattern.rs:203
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:193
+            // glimt_render_gpu/src/kernels/pattern.rs:205
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:194
+            // glimt_render_gpu/src/kernels/pattern.rs:206
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -596,10 +604,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:196
+        // glimt_render_gpu/src/kernels/pattern.rs:208
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:197
+            // glimt_render_gpu/src/kernels/pattern.rs:209
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -608,61 +616,61 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:172
+// glimt_render_gpu/src/kernels/pattern.rs:184
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:173
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:152
+// glimt_render_gpu/src/kernels/pattern.rs:164
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:153
+    // glimt_render_gpu/src/kernels/pattern.rs:165
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:154
+    // glimt_render_gpu/src/kernels/pattern.rs:166
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:155
+    // glimt_render_gpu/src/kernels/pattern.rs:167
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:156
+    // glimt_render_gpu/src/kernels/pattern.rs:168
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:157
+    // glimt_render_gpu/src/kernels/pattern.rs:169
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:158
+    // glimt_render_gpu/src/kernels/pattern.rs:170
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:51
+// glimt_render_gpu/src/kernels/pattern.rs:55
 fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:52
+    // glimt_render_gpu/src/kernels/pattern.rs:56
     let index_10 = ((this_7.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:53
+    // glimt_render_gpu/src/kernels/pattern.rs:57
     if (this_7.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:54
+        // glimt_render_gpu/src/kernels/pattern.rs:58
         let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_10);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:56
+    // glimt_render_gpu/src/kernels/pattern.rs:60
     let _e18 = PixelPattern_generator(this_7, purpose_3, index_10);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:57
+    // glimt_render_gpu/src/kernels/pattern.rs:61
     if (this_7.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:58
+        // glimt_render_gpu/src/kernels/pattern.rs:62
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:60
+    // glimt_render_gpu/src/kernels/pattern.rs:64
     let _e29 = PixelPattern_key(this_7, purpose_3);
     let _e30 = jittered_pair(index_10, (this_7.rays * samples), _e20, _e29);
     return _e30;

@@ -15,6 +15,12 @@ struct RayState {
     accepted: u32,
 }
 
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -36,6 +42,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct Params {

@@ -3,10 +3,10 @@
 //! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 /// SHA-256, in hexadecimal, of the shaders that the pixels of a rendered frame depend on.
-pub const PIXELS: &str = "03390d6f005775d892dd476df77907e7c8c17ab8125a9eb14e3e83d0883ac031";
+pub const PIXELS: &str = "afc40e618d26934779e146fa3189f6ad40203d7ca66f463dfd42a9faa47a5fe2";
 
 /// SHA-256, in hexadecimal, of the shaders that precomputed transfer depend on.
-pub const BAKE: &str = "a17ab6959a051991cafa6d5193cd98756beacccdfaa49dc4d5671b74797d29d1";
+pub const BAKE: &str = "d223cd87f18ffcb7d81341736f6e4bb4426d0fd2cdc5730d6a7507ef7d1d8f81";
 
 /// SHA-256, in hexadecimal, of the shaders that a simulated capture depend on.
-pub const SYNTH: &str = "0adf624f711c804a45e1897970266b236734e9c04ac5cc8f514fd47fbdf7118b";
+pub const SYNTH: &str = "2473d10ff64975d18d7d279455278e1e0d4807d81eaa84a15ef7ff5c8d04c7c3";

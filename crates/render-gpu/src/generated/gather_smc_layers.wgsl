@@ -13,7 +13,7 @@ struct Triangle {
     v1_: vec3<f32>,
     object: u32,
     v2_: vec3<f32>,
-    ray_offset: f32,
+    attributes: u32,
 }
 
 struct RayState {
@@ -44,12 +44,20 @@ struct SmcPoint {
     unused_a: u32,
     specular: vec3<f32>,
     unused_b: u32,
+    emission: vec3<f32>,
+    unused_c: u32,
     before: RayState,
 }
 
 struct Particle {
     state: vec3<f32>,
     log_weight: f32,
+}
+
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
 }
 
 struct FrameParams {
@@ -73,6 +81,17 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
+}
+
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
 }
 
 struct Reflected {
@@ -98,6 +117,7 @@ struct ShadingPoint {
     frame: ShadingFrame,
     wo: vec3<f32>,
     brdf: BlinnPhong,
+    emission: vec3<f32>,
 }
 
 struct LightLobe {
@@ -121,6 +141,34 @@ struct Ray {
     origin: vec3<f32>,
     direction: vec3<f32>,
     inverse_direction: vec3<f32>,
+    key: u32,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
+struct Attributes {
+    uv: vec2<f32>,
+    color: vec4<f32>,
+}
+
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
+struct Tuple_f32_f32_ {
+    fa: f32,
+    fb: f32,
 }
 
 struct LayerSample {
@@ -128,15 +176,6 @@ struct LayerSample {
     alpha: f32,
     blocked: vec3<f32>,
     catcher: f32,
-}
-
-struct PixelPattern {
-    kind: u32,
-    seed: u32,
-    frame: u32,
-    pixel: u32,
-    ray: u32,
-    rays: u32,
 }
 
 struct OwenSobol {
@@ -178,21 +217,92 @@ var<storage> scene_nodes: array<BvhNode>;
 @group(0) @binding(3) 
 var<storage> scene_triangles: array<Triangle>;
 @group(0) @binding(4) 
-var<storage> points: array<SmcPoint>;
+var<storage> scene_surface: array<u32>;
 @group(0) @binding(5) 
-var<storage> states: array<RayState>;
+var<storage> points: array<SmcPoint>;
 @group(0) @binding(6) 
-var<storage> particles: array<Particle>;
+var<storage> states: array<RayState>;
 @group(0) @binding(7) 
+var<storage> particles: array<Particle>;
+@group(0) @binding(8) 
 var<storage, read_write> out: array<LayerSample>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/smc_point.rs:67
+// glimt_render_gpu/src/kernels/smc_point.rs:73
 fn SmcPoint_is_hit(this_: SmcPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/smc_point.rs:68
+    // glimt_render_gpu/src/kernels/smc_point.rs:74
     return (this_.depth > 0f);
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:120
+fn FrameParams_pattern_of(this_1: FrameParams, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:121
+    return PixelPattern(this_1.pattern, this_1.seed, this_1.frame, (this_1.first_pixel + (ray / this_1.rays_per_pixel)), (ray % this_1.rays_per_pixel), this_1.rays_per_pixel);
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x;
+    let _e10 = x;
+    x = (_e10 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e13 = x;
+    x = (_e13 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e17 = x;
+    let _e20 = x;
+    x = (_e20 ^ (_e17 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e23 = x;
+    x = (_e23 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e27 = x;
+    let _e28 = x;
+    return (_e27 ^ (_e28 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:118
+fn PixelPattern_key(this_2: PixelPattern, purpose: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:119
+    let _e5 = hash2_(this_2.seed, purpose);
+    let _e8 = hash3_(_e5, this_2.frame, this_2.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:103
+fn PixelPattern_ray_key(this_3: PixelPattern, purpose_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:104
+    let _e4 = PixelPattern_key(this_3, purpose_1);
+    let _e6 = hash2_(_e4, this_3.ray);
+    return _e6;
 }
 
 // glimt_smc/src/particle.rs:33
@@ -203,33 +313,33 @@ fn is_log_zero(log_weight: f32) -> bool {
 }
 
 // glimt_sampling/src/math.rs:45
-fn ShadingFrame_from_normal(n: vec3<f32>) -> ShadingFrame {
+fn ShadingFrame_from_normal(n_1: vec3<f32>) -> ShadingFrame {
 
     // glimt_sampling/src/math.rs:46
-    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n.z) & 2147483648u)));
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_1.z) & 2147483648u)));
     // glimt_sampling/src/math.rs:47
-    let a_3 = (-1f / (sign_ + n.z));
+    let a_3 = (-1f / (sign_ + n_1.z));
     // glimt_sampling/src/math.rs:48
-    let c_2 = ((n.x * n.y) * a_3);
+    let c_2 = ((n_1.x * n_1.y) * a_3);
     // glimt_sampling/src/math.rs:49
-    return ShadingFrame(vec3<f32>((1f + (((sign_ * n.x) * n.x) * a_3)), (sign_ * c_2), (-(sign_) * n.x)), vec3<f32>(c_2, (sign_ + ((n.y * n.y) * a_3)), -(n.y)), n);
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_1.x) * n_1.x) * a_3)), (sign_ * c_2), (-(sign_) * n_1.x)), vec3<f32>(c_2, (sign_ + ((n_1.y * n_1.y) * a_3)), -(n_1.y)), n_1);
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_1: ShadingFrame, v: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_4: ShadingFrame, v: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v, this_1.t), dot(v, this_1.b), dot(v, this_1.n));
+    return vec3<f32>(dot(v, this_4.t), dot(v, this_4.b), dot(v, this_4.n));
 }
 
-// glimt_render_gpu/src/kernels/smc_point.rs:74
-fn SmcPoint_shading_point(this_2: SmcPoint) -> ShadingPoint {
+// glimt_render_gpu/src/kernels/smc_point.rs:80
+fn SmcPoint_shading_point(this_5: SmcPoint) -> ShadingPoint {
 
-    // glimt_render_gpu/src/kernels/smc_point.rs:75
-    let _e4 = ShadingFrame_from_normal(this_2.normal);
-    // glimt_render_gpu/src/kernels/smc_point.rs:76
-    let _e9 = ShadingFrame_to_local(_e4, this_2.wo);
-    return ShadingPoint(this_2.origin, this_2.geometric_normal, _e4, _e9, BlinnPhong(this_2.diffuse, this_2.specular, this_2.exponent));
+    // glimt_render_gpu/src/kernels/smc_point.rs:81
+    let _e4 = ShadingFrame_from_normal(this_5.normal);
+    // glimt_render_gpu/src/kernels/smc_point.rs:82
+    let _e9 = ShadingFrame_to_local(_e4, this_5.wo);
+    return ShadingPoint(this_5.origin, this_5.geometric_normal, _e4, _e9, BlinnPhong(this_5.diffuse, this_5.specular, this_5.exponent), this_5.emission);
 }
 
 // glimt_sampling/src/math.rs:16
@@ -278,34 +388,34 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
         } else {
             chosen = 0f;
         }
-        let v_2 = chosen;
+        let v_4 = chosen;
         // glimt_probe/src/latlong.rs:49
-        return vec2<f32>(0.5f, v_2);
+        return vec2<f32>(0.5f, v_4);
     }
     // glimt_probe/src/latlong.rs:52
-    let v_3 = (atan2(horizontal, d_1.z) * 0.31830987f);
+    let v_5 = (atan2(horizontal, d_1.z) * 0.31830987f);
     // glimt_probe/src/latlong.rs:53
-    let u_2 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
+    let u_4 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
     // glimt_probe/src/latlong.rs:54
-    if (u_2 < 1f) {
-        chosen_1 = max(u_2, 0f);
+    if (u_4 < 1f) {
+        chosen_1 = max(u_4, 0f);
     } else {
         chosen_1 = 0f;
     }
     let _e47 = chosen_1;
-    return vec2<f32>(_e47, clamp(v_3, 0f, 1f));
+    return vec2<f32>(_e47, clamp(v_5, 0f, 1f));
 }
 
 // glimt_probe/src/latlong.rs:68
 fn direction_to_texel(d_2: vec3<f32>, size_1: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_6 = max(size_1, vec2(1u));
+    let size_7 = max(size_1, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_6));
+    let position = (_e8 * vec2<f32>(size_7));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_6 - vec2(1u)));
+    return min(vec2<u32>(position), (size_7 - vec2(1u)));
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:85
@@ -352,11 +462,11 @@ fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
     // glimt_brdf/src/lobe.rs:60
     if (sin2_theta < (1f / 16f)) {
         // glimt_brdf/src/lobe.rs:62
-        let t_1 = (sin2_theta / (2f - sin2_theta));
+        let t_4 = (sin2_theta / (2f - sin2_theta));
         // glimt_brdf/src/lobe.rs:63
-        let t2_ = (t_1 * t_1);
+        let t2_ = (t_4 * t_4);
         // glimt_brdf/src/lobe.rs:64
-        chosen_2 = ((-2f * t_1) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
+        chosen_2 = ((-2f * t_4) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
     } else {
         // glimt_brdf/src/lobe.rs:66
         chosen_2 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
@@ -374,15 +484,15 @@ fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_3: HalfVector, exponent_2: f32) -> f32 {
+fn HalfVector_lobe(this_6: HalfVector, exponent_2: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_3.cos2_theta, this_3.sin2_theta, exponent_2);
+    let _e6 = cosine_power(this_6.cos2_theta, this_6.sin2_theta, exponent_2);
     return _e6;
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_4: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_7: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -390,33 +500,33 @@ fn BlinnPhong_eval(this_4: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_4.diffuse * 0.31830987f);
+    let diffuse = (this_7.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_4.specular.x, this_4.specular.y), this_4.specular.z) <= 0f) {
+    if (max(max(this_7.specular.x, this_7.specular.y), this_7.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_4.exponent);
+    let _e31 = normalisation(this_7.exponent);
     let _e32 = HalfVector_new(wo_1, wi_1);
-    let _e34 = HalfVector_lobe(_e32, this_4.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_7.exponent);
     let lobe = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_4.specular * lobe));
+    return (diffuse + (this_7.specular * lobe));
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:57
-fn LightLobe_value(this_5: LightLobe, direction_2: vec3<f32>) -> f32 {
+fn LightLobe_value(this_8: LightLobe, direction_2: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:58
-    let _e5 = ShadingFrame_to_local(this_5.frame, direction_2);
+    let _e5 = ShadingFrame_to_local(this_8.frame, direction_2);
     // glimt_render_gpu/src/kernels/light_target.rs:59
     if !((_e5.z > 0f)) {
         // glimt_render_gpu/src/kernels/light_target.rs:60
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:62
-    let _e16 = BlinnPhong_eval(this_5.brdf, this_5.wo, _e5);
+    let _e16 = BlinnPhong_eval(this_8.brdf, this_8.wo, _e5);
     return (_e16.x * _e5.z);
 }
 
@@ -437,87 +547,87 @@ fn LightSample_new(point_1: ShadingPoint, direction_3: vec3<f32>, wi_2: vec3<f32
     return LightSample(direction_3, (radiance * weight));
 }
 
-// glimt_render_gpu/src/kernels/ray.rs:48
-fn inverse(x: f32) -> f32 {
+// glimt_render_gpu/src/kernels/ray.rs:59
+fn inverse(x_1: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/ray.rs:49
-    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x) & 2147483648u))));
+    // glimt_render_gpu/src/kernels/ray.rs:60
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_1), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_1) & 2147483648u))));
 }
 
-// glimt_render_gpu/src/kernels/ray.rs:34
-fn Ray_new(origin: vec3<f32>, direction_4: vec3<f32>) -> Ray {
+// glimt_render_gpu/src/kernels/ray.rs:44
+fn Ray_keyed(origin: vec3<f32>, direction_4: vec3<f32>, key: u32) -> Ray {
 
-    // glimt_render_gpu/src/kernels/ray.rs:35
-    let _e5 = inverse(direction_4.x);
-    let _e7 = inverse(direction_4.y);
-    let _e9 = inverse(direction_4.z);
-    return Ray(origin, direction_4, vec3<f32>(_e5, _e7, _e9));
+    // glimt_render_gpu/src/kernels/ray.rs:45
+    let _e6 = inverse(direction_4.x);
+    let _e8 = inverse(direction_4.y);
+    let _e10 = inverse(direction_4.z);
+    return Ray(origin, direction_4, vec3<f32>(_e6, _e8, _e10), key);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:29
-fn box_distance(node: BvhNode, ray: Ray) -> f32 {
+// glimt_render_gpu/src/kernels/bvh.rs:30
+fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
     var chosen_3: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:30
-    let to_min = ((node.min - ray.origin) * ray.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:31
-    let to_max = ((node.max - ray.origin) * ray.inverse_direction);
+    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:32
+    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
     let _e16 = min(to_min, to_max);
     let near_1 = max(max(_e16.x, _e16.y), _e16.z);
-    // glimt_render_gpu/src/kernels/bvh.rs:33
+    // glimt_render_gpu/src/kernels/bvh.rs:34
     let _e23 = max(to_min, to_max);
     let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
-    // glimt_render_gpu/src/kernels/bvh.rs:34
+    // glimt_render_gpu/src/kernels/bvh.rs:35
     if ((far_1 >= near_1) && (far_1 >= 0f)) {
-        // glimt_render_gpu/src/kernels/bvh.rs:35
+        // glimt_render_gpu/src/kernels/bvh.rs:36
         chosen_3 = near_1;
     } else {
-        // glimt_render_gpu/src/kernels/bvh.rs:37
+        // glimt_render_gpu/src/kernels/bvh.rs:38
         chosen_3 = 0x1.fffffep+127f;
     }
     let _e40 = chosen_3;
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:75
-fn edge_functions(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, direction_5: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:111
+fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_5: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:76
-    return vec3<f32>(dot(cross((b - c), (b + c)), direction_5), dot(cross((c - a), (c + a)), direction_5), dot(cross((a - b), (a + b)), direction_5));
+    // glimt_render_gpu/src/kernels/triangle.rs:112
+    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_5), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_5), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_5));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:88
-fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:124
+fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     var chosen_4: f32;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:89
-    let a_4 = (triangle.v0_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:90
-    let b_3 = (triangle.v1_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:91
-    let c_3 = (triangle.v2_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:92
-    let _e18 = edge_functions(a_4, b_3, c_3, ray_1.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:93
+    // glimt_render_gpu/src/kernels/triangle.rs:125
+    let a_4 = (triangle.v0_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:126
+    let b_3 = (triangle.v1_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:127
+    let c_3 = (triangle.v2_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:128
+    let _e18 = edge_functions(a_4, b_3, c_3, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:129
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:94
+        // glimt_render_gpu/src/kernels/triangle.rs:130
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:96
+    // glimt_render_gpu/src/kernels/triangle.rs:132
     let normal = cross((c_3 - a_4), (a_4 - b_3));
-    // glimt_render_gpu/src/kernels/triangle.rs:97
-    let slope = dot(normal, ray_1.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:98
+    // glimt_render_gpu/src/kernels/triangle.rs:133
+    let slope = dot(normal, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:134
     if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:99
+        // glimt_render_gpu/src/kernels/triangle.rs:135
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:101
-    let t_2 = (dot(a_4, normal) / slope);
-    // glimt_render_gpu/src/kernels/triangle.rs:102
-    if ((t_2 > 0f) && (t_2 < t_max)) {
-        chosen_4 = t_2;
+    // glimt_render_gpu/src/kernels/triangle.rs:137
+    let t_5 = (dot(a_4, normal) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:138
+    if ((t_5 > 0f) && (t_5 < t_max)) {
+        chosen_4 = t_5;
     } else {
         chosen_4 = 0x1.fffffep+127f;
     }
@@ -525,66 +635,430 @@ fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     return _e59;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:38
-fn Triangle_is_catcher(this_6: Triangle) -> bool {
+// glimt_render_gpu/src/kernels/triangle.rs:59
+fn Triangle_is_see_through(this_9: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:39
-    return ((this_6.object & 2147483648u) != 0u);
+    // glimt_render_gpu/src/kernels/triangle.rs:60
+    return ((this_9.object & 1073741824u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:145
-fn visit_leaf(leaf: BvhNode, ray_2: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
+// glimt_render_gpu/src/kernels/triangle.rs:144
+fn barycentrics(triangle_1: Triangle, ray_3: Ray) -> vec2<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:145
+    let _e14 = edge_functions((triangle_1.v0_ - ray_3.origin), (triangle_1.v1_ - ray_3.origin), (triangle_1.v2_ - ray_3.origin), ray_3.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:151
+    let sum_4 = ((_e14.x + _e14.y) + _e14.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:152
+    if (sum_4 == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:154
+        return vec2((1f / 3f));
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:156
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_4));
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:141
+fn Attributes_of_corner(first: u32) -> Attributes {
+
+    // glimt_render_gpu/src/kernels/material.rs:142
+    let _e7 = scene_surface[(first + 2u)];
+    let _e12 = scene_surface[(first + 3u)];
+    let _e13 = Tuple_u32_u32_(_e7, _e12);
+    let low = _e13.fa;
+    let high = _e13.fb;
+    // glimt_render_gpu/src/kernels/material.rs:143
+    let color = vec4<f32>(f32((low & 65535u)), f32((low >> 16u)), f32((high & 65535u)), f32((high >> 16u)));
+    // glimt_render_gpu/src/kernels/material.rs:149
+    let _e33 = scene_surface[first];
+    let _e39 = scene_surface[(first + 1u)];
+    return Attributes(vec2<f32>(bitcast<f32>(_e33), bitcast<f32>(_e39)), (color / vec4(65535f)));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:129
+fn Attributes_at(first_1: u32, u_1: f32, v_1: f32) -> Attributes {
+
+    // glimt_render_gpu/src/kernels/material.rs:130
+    let _e5 = Attributes_of_corner(first_1);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e9 = Attributes_of_corner((first_1 + 4u));
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let w_1 = ((1f - u_1) - v_1);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    return Attributes((((_e5.uv * w_1) + (_e9.uv * u_1)) + (_e15.uv * v_1)), (((_e5.color * w_1) + (_e9.color * u_1)) + (_e15.color * v_1)));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:172
+fn MaterialView_new(index: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:173
+    let first_2 = (256u + (index * 76u));
+    // glimt_render_gpu/src/kernels/material.rs:174
+    return Returned_MaterialView_new(first_2, ((first_2 + 76u) - first_2));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:181
+fn MaterialView_number(words_start: u32, words_len: u32, word: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/material.rs:182
+    let _e7 = scene_surface[(words_start + word)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:195
+fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_1: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:196
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    let _e13 = scene_surface[(words_start_1 + (word_1 + 1u))];
+    let _e19 = scene_surface[(words_start_1 + (word_1 + 2u))];
+    let _e25 = scene_surface[(words_start_1 + (word_1 + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:40
+fn TextureView_exists(this_10: TextureView) -> bool {
+
+    // glimt_render_gpu/src/kernels/texture.rs:41
+    return (this_10.width > 0u);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:90
+fn wrap(x_2: f32, mode: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:91
+    if (mode == 2u) {
+        // glimt_render_gpu/src/kernels/texture.rs:92
+        return clamp(x_2, 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:94
+    if (mode == 1u) {
+        // glimt_render_gpu/src/kernels/texture.rs:95
+        let folded = (x_2 - (2f * floor((0.5f * x_2))));
+        // glimt_render_gpu/src/kernels/texture.rs:96
+        return clamp(min(folded, (2f - folded)), 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:98
+    return clamp((x_2 - floor(x_2)), 0f, 1f);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:103
+fn neighbour(index_1: i32, size_4: u32, mode_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:104
+    let last = (i32(size_4) - 1i);
+    // glimt_render_gpu/src/kernels/texture.rs:105
+    if (mode_1 == 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:106
+        if (index_1 < 0i) {
+            // glimt_render_gpu/src/kernels/texture.rs:107
+            return u32(last);
+        }
+        // glimt_render_gpu/src/kernels/texture.rs:109
+        if (index_1 > last) {
+            // glimt_render_gpu/src/kernels/texture.rs:110
+            return 0u;
+        }
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:113
+    return u32(clamp(index_1, 0i, last));
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:69
+fn TextureView_texel(this_11: TextureView, index_2: u32) -> vec4<f32> {
+    var chosen_5: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/texture.rs:70
+    let word_3 = scene_surface[(this_11.first + index_2)];
+    // glimt_render_gpu/src/kernels/texture.rs:71
+    let r = (word_3 & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:72
+    let g = ((word_3 >> 8u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:73
+    let b_4 = ((word_3 >> 16u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:74
+    let alpha_1 = (f32((word_3 >> 24u)) / 255f);
+    // glimt_render_gpu/src/kernels/texture.rs:75
+    if ((this_11.flags & 1u) != 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:76
+        let _e38 = scene_surface[r];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b_4];
+        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_1);
+    } else {
+        // glimt_render_gpu/src/kernels/texture.rs:83
+        chosen_5 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_1);
+    }
+    let _e60 = chosen_5;
+    return _e60;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:49
+fn TextureView_sample(this_12: TextureView, uv: vec2<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/texture.rs:50
+    let wrap_u = ((this_12.flags >> 1u) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:51
+    let wrap_v = ((this_12.flags >> ((1u + 2u) & 31u)) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:52
+    let _e21 = wrap(uv.x, wrap_u);
+    let x_7 = ((_e21 * f32(this_12.width)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:53
+    let _e29 = wrap(uv.y, wrap_v);
+    let y_1 = ((_e29 * f32(this_12.height)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:54
+    let _e38 = Tuple_f32_f32_(floor(x_7), floor(y_1));
+    let left = _e38.fa;
+    let top = _e38.fb;
+    // glimt_render_gpu/src/kernels/texture.rs:55
+    let _e44 = neighbour(i32(left), this_12.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:56
+    let _e50 = neighbour((i32(left) + 1i), this_12.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:57
+    let _e54 = neighbour(i32(top), this_12.height, wrap_v);
+    let row0_ = (_e54 * this_12.width);
+    // glimt_render_gpu/src/kernels/texture.rs:58
+    let _e62 = neighbour((i32(top) + 1i), this_12.height, wrap_v);
+    let row1_ = (_e62 * this_12.width);
+    // glimt_render_gpu/src/kernels/texture.rs:59
+    let _e67 = TextureView_texel(this_12, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_12, (row0_ + _e50));
+    let _e70 = (x_7 - left);
+    let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
+    // glimt_render_gpu/src/kernels/texture.rs:62
+    let _e78 = TextureView_texel(this_12, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_12, (row1_ + _e50));
+    let _e81 = (x_7 - left);
+    let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
+    // glimt_render_gpu/src/kernels/texture.rs:65
+    let _e88 = (y_1 - top);
+    return ((upper * (1f - _e88)) + (lower * _e88));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:206
+fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, texture: TextureView, uv_1: vec2<f32>) -> vec4<f32> {
+    var place: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/material.rs:207
+    place = uv_1;
+    // glimt_render_gpu/src/kernels/material.rs:208
+    if ((texture.flags & 65536u) != 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:209
+        let t_6 = (word_2 + 4u);
+        // glimt_render_gpu/src/kernels/material.rs:210
+        let _e18 = MaterialView_number(words_start_2, words_len_2, t_6);
+        let _e21 = MaterialView_number(words_start_2, words_len_2, (t_6 + 1u));
+        let _e27 = MaterialView_number(words_start_2, words_len_2, (t_6 + 2u));
+        let _e30 = MaterialView_number(words_start_2, words_len_2, (t_6 + 3u));
+        let _e37 = MaterialView_number(words_start_2, words_len_2, (t_6 + 4u));
+        let _e40 = MaterialView_number(words_start_2, words_len_2, (t_6 + 5u));
+        place = (((vec2<f32>(_e18, _e21) * uv_1.x) + (vec2<f32>(_e27, _e30) * uv_1.y)) + vec2<f32>(_e37, _e40));
+    }
+    // glimt_render_gpu/src/kernels/material.rs:214
+    let _e44 = place;
+    let _e45 = TextureView_sample(texture, _e44);
+    return _e45;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:280
+fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
+    var alpha: f32;
+    var chosen_6: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:281
+    let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
+    alpha = (_e7 * vertex_alpha);
+    // glimt_render_gpu/src/kernels/material.rs:282
+    let _e12 = MaterialView_texture(words_start_3, words_len_3, 64u);
+    // glimt_render_gpu/src/kernels/material.rs:283
+    let _e14 = TextureView_exists(_e12);
+    if _e14 {
+        // glimt_render_gpu/src/kernels/material.rs:284
+        let _e17 = MaterialView_sample(words_start_3, words_len_3, 64u, _e12, uv_2);
+        let _e19 = alpha;
+        alpha = (_e19 * _e17.w);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:286
+    let _e23 = MaterialView_number(words_start_3, words_len_3, 15u);
+    // glimt_render_gpu/src/kernels/material.rs:287
+    if (_e23 < 0f) {
+        // glimt_render_gpu/src/kernels/material.rs:288
+        let _e28 = alpha;
+        return _e28;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:290
+    let _e31 = alpha;
+    if (_e31 >= _e23) {
+        chosen_6 = 1f;
+    } else {
+        chosen_6 = 0f;
+    }
+    let _e35 = chosen_6;
+    return _e35;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:14
+fn alpha_at(triangle_2: Triangle, u_2: f32, v_2: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:15
+    let _e6 = Attributes_at(triangle_2.attributes, u_2, v_2);
+    // glimt_render_gpu/src/kernels/opacity.rs:16
+    let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/opacity.rs:17
+    let _e18 = MaterialView_alpha(_e11.value_words_start, _e11.value_words_len, _e6.uv, _e6.color.w);
+    return _e18;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:26
+fn is_passed(index_3: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:27
+    let _e5 = barycentrics(triangle_3, ray_4);
+    // glimt_render_gpu/src/kernels/opacity.rs:28
+    let _e8 = hash2_(ray_4.key, index_3);
+    let _e9 = unit_f32_(_e8);
+    let _e12 = alpha_at(triangle_3, _e5.x, _e5.y);
+    return (_e9 >= _e12);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:45
+fn Triangle_is_catcher(this_13: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:46
+    return ((this_13.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:100
+fn Triangle_area_normal(this_14: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:101
+    return cross((this_14.v1_ - this_14.v0_), (this_14.v2_ - this_14.v0_));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:66
+fn Triangle_ray_offset(this_15: Triangle) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:67
+    let extent = max(max(abs(this_15.v0_), abs(this_15.v1_)), abs(this_15.v2_));
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:74
+fn Triangle_setback(this_16: Triangle, ray_5: Ray, t: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:75
+    let _e5 = Triangle_area_normal(this_16);
+    // glimt_render_gpu/src/kernels/triangle.rs:76
+    let across = abs(dot(_e5, ray_5.direction));
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let _e12 = Triangle_ray_offset(this_16);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_5.direction, ray_5.direction)))));
+    // glimt_render_gpu/src/kernels/triangle.rs:82
+    return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:187
+fn held(index_4: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
+    var both: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:195
+    let _e7 = Triangle_is_see_through(triangle_4);
+    both = _e7;
+    if _e7 {
+        let _e9 = is_passed(index_4, triangle_4, ray_6);
+        both = _e9;
+    }
+    let _e10 = both;
+    if _e10 {
+        // glimt_render_gpu/src/kernels/bvh.rs:196
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:198
+    let _e14 = Triangle_is_catcher(triangle_4);
+    if !(_e14) {
+        // glimt_render_gpu/src/kernels/bvh.rs:199
+        return t_1;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:201
+    if no_catcher {
+        // glimt_render_gpu/src/kernels/bvh.rs:202
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:204
+    let _e21 = Triangle_setback(triangle_4, ray_6, t_1);
+    return (t_1 + _e21);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:160
+fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
     var counter: u32;
-    var both: bool;
+    var t_2: f32;
     var both_1: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:153
+    // glimt_render_gpu/src/kernels/bvh.rs:169
     nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:154
+    // glimt_render_gpu/src/kernels/bvh.rs:170
     counter = leaf.first;
     loop {
         let i = counter;
         if (i >= (leaf.first + leaf.count)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:155
+        // glimt_render_gpu/src/kernels/bvh.rs:171
         let _e19 = scene_triangles[i];
         let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_2, _e20);
-        // glimt_render_gpu/src/kernels/bvh.rs:157
-        let _e23 = (*reach);
-        let _e24 = (_e21 < _e23);
-        both = _e24;
-        if _e24 {
-            both_1 = no_catcher;
-            if no_catcher {
-                let _e29 = scene_triangles[i];
-                let _e30 = Triangle_is_catcher(_e29);
-                both_1 = _e30;
-            }
-            let _e31 = both_1;
-            both = !(_e31);
+        let _e21 = intersect(_e19, ray_7, _e20);
+        t_2 = _e21;
+        // glimt_render_gpu/src/kernels/bvh.rs:173
+        let _e24 = t_2;
+        let _e25 = (*reach);
+        let _e26 = (_e24 < _e25);
+        both_1 = _e26;
+        if _e26 {
+            let _e31 = scene_triangles[i].object;
+            both_1 = (_e31 >= 1073741824u);
         }
-        let _e33 = both;
-        if _e33 {
-            // glimt_render_gpu/src/kernels/bvh.rs:158
-            (*reach) = _e21;
-            // glimt_render_gpu/src/kernels/bvh.rs:159
+        let _e34 = both_1;
+        if _e34 {
+            // glimt_render_gpu/src/kernels/bvh.rs:174
+            let _e38 = scene_triangles[i];
+            let _e39 = t_2;
+            let _e40 = held(i, _e38, ray_7, _e39, no_catcher_1);
+            t_2 = _e40;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:176
+        let _e42 = t_2;
+        let _e43 = (*reach);
+        if (_e42 < _e43) {
+            // glimt_render_gpu/src/kernels/bvh.rs:177
+            let _e46 = t_2;
+            (*reach) = _e46;
+            // glimt_render_gpu/src/kernels/bvh.rs:178
             nearest = i;
         }
         continuing {
-            let _e36 = counter;
-            counter = (_e36 + 1u);
+            let _e48 = counter;
+            counter = (_e48 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:162
-    let _e40 = nearest;
-    return _e40;
+    // glimt_render_gpu/src/kernels/bvh.rs:181
+    let _e52 = nearest;
+    return _e52;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:77
-fn traverse(ray_3: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+// glimt_render_gpu/src/kernels/bvh.rs:91
+fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     var either: bool;
     var best_1: u32;
     var stack: array<u32, 64>;
@@ -597,155 +1071,155 @@ fn traverse(ray_3: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     var into_near: bool;
     var into_far: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:84
+    // glimt_render_gpu/src/kernels/bvh.rs:99
     let _e8 = (arrayLength((&scene_nodes)) == 0u);
     either = _e8;
     if _e8 {
     } else {
         let _e13 = scene_nodes[0u];
-        let _e14 = box_distance(_e13, ray_3);
+        let _e14 = box_distance(_e13, ray_8);
         let _e15 = (*reach_1);
         either = (_e14 >= _e15);
     }
     let _e17 = either;
     if _e17 {
-        // glimt_render_gpu/src/kernels/bvh.rs:85
+        // glimt_render_gpu/src/kernels/bvh.rs:100
         return 4294967295u;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:87
+    // glimt_render_gpu/src/kernels/bvh.rs:102
     let root = scene_nodes[0u];
-    // glimt_render_gpu/src/kernels/bvh.rs:88
+    // glimt_render_gpu/src/kernels/bvh.rs:103
     if (root.count > 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:89
-        let _e31 = visit_leaf(root, ray_3, reach_1, 4294967295u, any_);
+        // glimt_render_gpu/src/kernels/bvh.rs:104
+        let _e31 = visit_leaf(root, ray_8, reach_1, 4294967295u, any_);
         return _e31;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:91
+    // glimt_render_gpu/src/kernels/bvh.rs:106
     best_1 = 4294967295u;
-    // glimt_render_gpu/src/kernels/bvh.rs:92
+    // glimt_render_gpu/src/kernels/bvh.rs:107
     stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:93
+    // glimt_render_gpu/src/kernels/bvh.rs:108
     height = 0u;
-    // glimt_render_gpu/src/kernels/bvh.rs:94
+    // glimt_render_gpu/src/kernels/bvh.rs:109
     pair = root.first;
-    // glimt_render_gpu/src/kernels/bvh.rs:95
+    // glimt_render_gpu/src/kernels/bvh.rs:110
     loop {
-        // glimt_render_gpu/src/kernels/bvh.rs:96
+        // glimt_render_gpu/src/kernels/bvh.rs:111
         let _e47 = pair;
         let _e50 = scene_nodes[_e47];
         near = _e50;
-        // glimt_render_gpu/src/kernels/bvh.rs:97
+        // glimt_render_gpu/src/kernels/bvh.rs:112
         let _e53 = pair;
         let _e58 = scene_nodes[(_e53 + 1u)];
         far = _e58;
-        // glimt_render_gpu/src/kernels/bvh.rs:98
+        // glimt_render_gpu/src/kernels/bvh.rs:113
         let _e61 = near;
-        let _e62 = box_distance(_e61, ray_3);
+        let _e62 = box_distance(_e61, ray_8);
         t_near = _e62;
-        // glimt_render_gpu/src/kernels/bvh.rs:99
+        // glimt_render_gpu/src/kernels/bvh.rs:114
         let _e65 = far;
-        let _e66 = box_distance(_e65, ray_3);
+        let _e66 = box_distance(_e65, ray_8);
         t_far = _e66;
-        // glimt_render_gpu/src/kernels/bvh.rs:101
+        // glimt_render_gpu/src/kernels/bvh.rs:116
         let _e69 = t_near;
         let _e70 = t_far;
         if (_e69 > _e70) {
-            // glimt_render_gpu/src/kernels/bvh.rs:102
+            // glimt_render_gpu/src/kernels/bvh.rs:117
             let node_1 = near;
-            // glimt_render_gpu/src/kernels/bvh.rs:103
+            // glimt_render_gpu/src/kernels/bvh.rs:118
             let _e75 = far;
             near = _e75;
-            // glimt_render_gpu/src/kernels/bvh.rs:104
+            // glimt_render_gpu/src/kernels/bvh.rs:119
             far = node_1;
-            // glimt_render_gpu/src/kernels/bvh.rs:105
-            let t_3 = t_near;
-            // glimt_render_gpu/src/kernels/bvh.rs:106
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let t_7 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:121
             let _e80 = t_far;
             t_near = _e80;
-            // glimt_render_gpu/src/kernels/bvh.rs:107
-            t_far = t_3;
+            // glimt_render_gpu/src/kernels/bvh.rs:122
+            t_far = t_7;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:109
+        // glimt_render_gpu/src/kernels/bvh.rs:124
         let _e83 = t_near;
         let _e84 = (*reach_1);
         into_near = (_e83 < _e84);
-        // glimt_render_gpu/src/kernels/bvh.rs:110
+        // glimt_render_gpu/src/kernels/bvh.rs:125
         let _e88 = into_near;
         let _e90 = near.count;
         if (_e88 && (_e90 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:111
+            // glimt_render_gpu/src/kernels/bvh.rs:126
             let _e95 = near;
             let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_3, reach_1, _e96, any_);
+            let _e97 = visit_leaf(_e95, ray_8, reach_1, _e96, any_);
             best_1 = _e97;
-            // glimt_render_gpu/src/kernels/bvh.rs:112
+            // glimt_render_gpu/src/kernels/bvh.rs:127
             let _e99 = best_1;
             if (any_ && (_e99 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:113
+                // glimt_render_gpu/src/kernels/bvh.rs:128
                 let _e104 = best_1;
                 return _e104;
             }
-            // glimt_render_gpu/src/kernels/bvh.rs:115
+            // glimt_render_gpu/src/kernels/bvh.rs:130
             into_near = false;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:117
+        // glimt_render_gpu/src/kernels/bvh.rs:132
         let _e108 = t_far;
         let _e109 = (*reach_1);
         into_far = (_e108 < _e109);
-        // glimt_render_gpu/src/kernels/bvh.rs:118
+        // glimt_render_gpu/src/kernels/bvh.rs:133
         let _e113 = into_far;
         let _e115 = far.count;
         if (_e113 && (_e115 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:119
+            // glimt_render_gpu/src/kernels/bvh.rs:134
             let _e120 = far;
             let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_3, reach_1, _e121, any_);
+            let _e122 = visit_leaf(_e120, ray_8, reach_1, _e121, any_);
             best_1 = _e122;
-            // glimt_render_gpu/src/kernels/bvh.rs:120
+            // glimt_render_gpu/src/kernels/bvh.rs:135
             let _e124 = best_1;
             if (any_ && (_e124 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:121
+                // glimt_render_gpu/src/kernels/bvh.rs:136
                 let _e129 = best_1;
                 return _e129;
             }
-            // glimt_render_gpu/src/kernels/bvh.rs:123
+            // glimt_render_gpu/src/kernels/bvh.rs:138
             into_far = false;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:125
+        // glimt_render_gpu/src/kernels/bvh.rs:140
         let _e133 = into_near;
         if _e133 {
-            // glimt_render_gpu/src/kernels/bvh.rs:126
+            // glimt_render_gpu/src/kernels/bvh.rs:141
             let _e136 = near.first;
             pair = _e136;
-            // glimt_render_gpu/src/kernels/bvh.rs:127
+            // glimt_render_gpu/src/kernels/bvh.rs:142
             let _e138 = into_far;
             if _e138 {
-                // glimt_render_gpu/src/kernels/bvh.rs:128
+                // glimt_render_gpu/src/kernels/bvh.rs:143
                 let _e141 = far.first;
                 let _e142 = height;
                 stack[_e142] = _e141;
-                // glimt_render_gpu/src/kernels/bvh.rs:129
+                // glimt_render_gpu/src/kernels/bvh.rs:144
                 let _e146 = height;
                 height = (_e146 + 1u);
             }
         } else {
             let _e148 = into_far;
             if _e148 {
-                // glimt_render_gpu/src/kernels/bvh.rs:132
+                // glimt_render_gpu/src/kernels/bvh.rs:147
                 let _e151 = far.first;
                 pair = _e151;
             } else {
                 let _e152 = height;
                 if (_e152 > 0u) {
-                    // glimt_render_gpu/src/kernels/bvh.rs:134
+                    // glimt_render_gpu/src/kernels/bvh.rs:149
                     let _e157 = height;
                     height = (_e157 - 1u);
-                    // glimt_render_gpu/src/kernels/bvh.rs:135
+                    // glimt_render_gpu/src/kernels/bvh.rs:150
                     let _e160 = height;
                     let _e162 = stack[_e160];
                     pair = _e162;
                 } else {
-                    // glimt_render_gpu/src/kernels/bvh.rs:137
+                    // glimt_render_gpu/src/kernels/bvh.rs:152
                     let _e164 = best_1;
                     return _e164;
                 }
@@ -755,118 +1229,118 @@ fn traverse(ray_3: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:65
-fn any_hit(ray_4: Ray, t_max_1: f32) -> bool {
-    var t: f32;
+// glimt_render_gpu/src/kernels/bvh.rs:73
+fn any_hit(ray_9: Ray, t_max_1: f32) -> bool {
+    var t_3: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:66
-    t = t_max_1;
-    // glimt_render_gpu/src/kernels/bvh.rs:67
-    let _e7 = traverse(ray_4, (&t), true);
+    // glimt_render_gpu/src/kernels/bvh.rs:80
+    t_3 = t_max_1;
+    // glimt_render_gpu/src/kernels/bvh.rs:81
+    let _e7 = traverse(ray_9, (&t_3), true);
     return (_e7 != 4294967295u);
 }
 
-// glimt_render_gpu/src/kernels/scene.rs:110
-fn Scene_is_lit(point_2: ShadingPoint, direction_6: vec3<f32>) -> bool {
+// glimt_render_gpu/src/kernels/scene.rs:136
+fn Scene_is_lit(point_2: ShadingPoint, direction_6: vec3<f32>, key_1: u32) -> bool {
 
-    // glimt_render_gpu/src/kernels/scene.rs:111
-    let _e5 = Ray_new(point_2.origin, direction_6);
-    // glimt_render_gpu/src/kernels/scene.rs:112
-    let _e8 = any_hit(_e5, 0x1.fffffep+127f);
-    return !(_e8);
+    // glimt_render_gpu/src/kernels/scene.rs:137
+    let _e6 = Ray_keyed(point_2.origin, direction_6, key_1);
+    // glimt_render_gpu/src/kernels/scene.rs:138
+    let _e9 = any_hit(_e6, 0x1.fffffep+127f);
+    return !(_e9);
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_7: LightSample, point_3: ShadingPoint) -> Reflected {
-    var chosen_5: Reflected;
+fn LightSample_traced(this_17: LightSample, point_3: ShadingPoint, key_2: u32) -> Reflected {
+    var chosen_7: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_7.contribution.x, this_7.contribution.y), this_7.contribution.z) > 0f)) {
+    if !((max(max(this_17.contribution.x, this_17.contribution.y), this_17.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e22 = Scene_is_lit(point_3, this_7.direction);
-    if _e22 {
+    let _e23 = Scene_is_lit(point_3, this_17.direction, key_2);
+    if _e23 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_5 = Reflected(this_7.contribution, vec3(0f));
+        chosen_7 = Reflected(this_17.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_5 = Reflected(vec3(0f), this_7.contribution);
+        chosen_7 = Reflected(vec3(0f), this_17.contribution);
     }
-    let _e33 = chosen_5;
-    return _e33;
+    let _e34 = chosen_7;
+    return _e34;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_8: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_18: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_8).lit;
-    (*this_8).lit = (_e6 + light.lit);
+    let _e6 = (*this_18).lit;
+    (*this_18).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_8).blocked;
-    (*this_8).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_18).blocked;
+    (*this_18).blocked = (_e11 + light.blocked);
     return;
 }
 
-// glimt_render_gpu/src/kernels/smc_gather.rs:17
-fn estimate(seen: SmcPoint, log_normaliser: f32, floor_: f32, env_size: vec2<u32>, env_rotation: vec2<f32>, particles_start: u32, particles_len: u32) -> Reflected {
+// glimt_render_gpu/src/kernels/smc_gather.rs:18
+fn estimate(seen: SmcPoint, log_normaliser: f32, floor_: f32, key_3: u32, env_size: vec2<u32>, env_rotation: vec2<f32>, particles_start: u32, particles_len: u32) -> Reflected {
     var sum: Reflected;
     var counter_1: u32;
 
-    // glimt_render_gpu/src/kernels/smc_gather.rs:25
+    // glimt_render_gpu/src/kernels/smc_gather.rs:27
     sum = Reflected(vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/smc_gather.rs:26
-    let _e16 = is_log_zero(log_normaliser);
-    if _e16 {
-        // glimt_render_gpu/src/kernels/smc_gather.rs:27
-        let _e18 = sum;
-        return _e18;
+    // glimt_render_gpu/src/kernels/smc_gather.rs:28
+    let _e17 = is_log_zero(log_normaliser);
+    if _e17 {
+        // glimt_render_gpu/src/kernels/smc_gather.rs:29
+        let _e19 = sum;
+        return _e19;
     }
-    // glimt_render_gpu/src/kernels/smc_gather.rs:29
-    let _e20 = SmcPoint_shading_point(seen);
-    // glimt_render_gpu/src/kernels/smc_gather.rs:30
-    let _e22 = LightLobe_of_point(_e20);
     // glimt_render_gpu/src/kernels/smc_gather.rs:31
+    let _e21 = SmcPoint_shading_point(seen);
+    // glimt_render_gpu/src/kernels/smc_gather.rs:32
+    let _e23 = LightLobe_of_point(_e21);
+    // glimt_render_gpu/src/kernels/smc_gather.rs:33
     counter_1 = 0u;
     loop {
         let i_1 = counter_1;
         if (i_1 >= particles_len) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc_gather.rs:32
+        // glimt_render_gpu/src/kernels/smc_gather.rs:34
         let particle = particles[(particles_start + i_1)];
-        // glimt_render_gpu/src/kernels/smc_gather.rs:33
-        let _e35 = is_log_zero(particle.log_weight);
-        if !(_e35) {
-            // glimt_render_gpu/src/kernels/smc_gather.rs:34
-            let direction_7 = particle.state;
-            // glimt_render_gpu/src/kernels/smc_gather.rs:35
-            let _e40 = Environment_texel(env_size, env_rotation, direction_7);
-            let _e41 = Environment_radiance(env_size, env_rotation, _e40);
+        // glimt_render_gpu/src/kernels/smc_gather.rs:35
+        let _e36 = is_log_zero(particle.log_weight);
+        if !(_e36) {
             // glimt_render_gpu/src/kernels/smc_gather.rs:36
-            let _e43 = luminance(_e41);
-            let _e45 = LightLobe_value(_e22, direction_7);
-            let target_ = ((_e43 + floor_) * _e45);
+            let direction_7 = particle.state;
             // glimt_render_gpu/src/kernels/smc_gather.rs:37
-            let density_1 = (target_ * exp(-((log_normaliser + particle.log_weight))));
+            let _e41 = Environment_texel(env_size, env_rotation, direction_7);
+            let _e42 = Environment_radiance(env_size, env_rotation, _e41);
             // glimt_render_gpu/src/kernels/smc_gather.rs:38
-            let _e55 = ShadingFrame_to_local(_e20.frame, direction_7);
+            let _e44 = luminance(_e42);
+            let _e46 = LightLobe_value(_e23, direction_7);
+            let target_ = ((_e44 + floor_) * _e46);
             // glimt_render_gpu/src/kernels/smc_gather.rs:39
-            let _e57 = LightSample_new(_e20, direction_7, _e55, _e41, density_1);
+            let density_1 = (target_ * exp(-((log_normaliser + particle.log_weight))));
             // glimt_render_gpu/src/kernels/smc_gather.rs:40
-            let _e59 = LightSample_traced(_e57, _e20);
-            Reflected_gather((&sum), _e59);
+            let _e56 = ShadingFrame_to_local(_e21.frame, direction_7);
+            // glimt_render_gpu/src/kernels/smc_gather.rs:41
+            let _e58 = LightSample_new(_e21, direction_7, _e56, _e42, density_1);
+            // glimt_render_gpu/src/kernels/smc_gather.rs:42
+            let _e61 = LightSample_traced(_e58, _e21, (key_3 + i_1));
+            Reflected_gather((&sum), _e61);
         }
         continuing {
-            let _e60 = counter_1;
-            counter_1 = (_e60 + 1u);
+            let _e62 = counter_1;
+            counter_1 = (_e62 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc_gather.rs:43
-    let _e64 = sum;
-    return _e64;
+    // glimt_render_gpu/src/kernels/smc_gather.rs:45
+    let _e66 = sum;
+    return _e66;
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:39
@@ -889,57 +1363,6 @@ fn LayerSample_of_surface(light_2: Reflected, is_catcher_1: bool) -> LayerSample
     return _e4;
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:115
-fn FrameParams_pattern_of(this_9: FrameParams, ray_5: u32) -> PixelPattern {
-
-    // glimt_render_gpu/src/kernels/frame.rs:116
-    return PixelPattern(this_9.pattern, this_9.seed, this_9.frame, (this_9.first_pixel + (ray_5 / this_9.rays_per_pixel)), (ray_5 % this_9.rays_per_pixel), this_9.rays_per_pixel);
-}
-
-// glimt_sampling/src/hash.rs:15
-fn hash_u32_(n_1: u32) -> u32 {
-    var x_1: u32;
-
-    // glimt_sampling/src/hash.rs:16
-    x_1 = (n_1 ^ 3875421163u);
-    // glimt_sampling/src/hash.rs:17
-    let _e7 = x_1;
-    let _e10 = x_1;
-    x_1 = (_e10 ^ (_e7 >> 16u));
-    // glimt_sampling/src/hash.rs:18
-    let _e13 = x_1;
-    x_1 = (_e13 * 2146121005u);
-    // glimt_sampling/src/hash.rs:19
-    let _e17 = x_1;
-    let _e20 = x_1;
-    x_1 = (_e20 ^ (_e17 >> 15u));
-    // glimt_sampling/src/hash.rs:20
-    let _e23 = x_1;
-    x_1 = (_e23 * 2221713035u);
-    // glimt_sampling/src/hash.rs:21
-    let _e27 = x_1;
-    let _e28 = x_1;
-    return (_e27 ^ (_e28 >> 16u));
-}
-
-// glimt_sampling/src/hash.rs:27
-fn hash2_(a_1: u32, b_1: u32) -> u32 {
-
-    // glimt_sampling/src/hash.rs:28
-    let _e4 = hash_u32_(a_1);
-    let _e6 = hash_u32_((_e4 + b_1));
-    return _e6;
-}
-
-// glimt_sampling/src/hash.rs:34
-fn hash3_(a_2: u32, b_2: u32, c_1: u32) -> u32 {
-
-    // glimt_sampling/src/hash.rs:35
-    let _e5 = hash2_(a_2, b_2);
-    let _e7 = hash_u32_((_e5 + c_1));
-    return _e7;
-}
-
 // glimt_sampling/src/sobol.rs:171
 fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
 
@@ -949,79 +1372,79 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:96
-fn PixelPattern_sobol_point(this_10: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+// glimt_render_gpu/src/kernels/pattern.rs:108
+fn PixelPattern_sobol_point(this_19: PixelPattern, purpose_2: u32, index_5: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:97
-    let _e6 = hash2_(this_10.seed, purpose);
-    let _e9 = OwenSobol_new(_e6, this_10.frame, this_10.pixel, index);
+    // glimt_render_gpu/src/kernels/pattern.rs:109
+    let _e6 = hash2_(this_19.seed, purpose_2);
+    let _e9 = OwenSobol_new(_e6, this_19.frame, this_19.pixel, index_5);
     return _e9;
 }
 
 // glimt_sampling/src/sobol.rs:21
 fn owen_scramble_reversed(n_2: u32, scramble: u32) -> u32 {
-    var x_2: u32;
+    var x_3: u32;
 
     // glimt_sampling/src/sobol.rs:22
-    x_2 = (n_2 ^ (n_2 * 1025551850u));
+    x_3 = (n_2 ^ (n_2 * 1025551850u));
     // glimt_sampling/src/sobol.rs:23
-    let _e9 = x_2;
-    x_2 = (_e9 + scramble);
+    let _e9 = x_3;
+    x_3 = (_e9 + scramble);
     // glimt_sampling/src/sobol.rs:24
-    let _e12 = x_2;
-    x_2 = (_e12 * ((scramble >> 16u) | 1u));
+    let _e12 = x_3;
+    x_3 = (_e12 * ((scramble >> 16u) | 1u));
     // glimt_sampling/src/sobol.rs:25
-    let _e19 = x_2;
-    let _e22 = x_2;
-    x_2 = (_e22 ^ (_e19 * 89287766u));
+    let _e19 = x_3;
+    let _e22 = x_3;
+    x_3 = (_e22 ^ (_e19 * 89287766u));
     // glimt_sampling/src/sobol.rs:26
-    let _e25 = x_2;
-    let _e26 = x_2;
+    let _e25 = x_3;
+    let _e26 = x_3;
     return (_e25 ^ (_e26 * 1403136100u));
 }
 
 // glimt_sampling/src/sobol.rs:103
-fn shuffle(index_1: u32, seed_1: u32) -> u32 {
+fn shuffle(index_6: u32, seed_1: u32) -> u32 {
 
     // glimt_sampling/src/sobol.rs:104
     let _e7 = hash_u32_((seed_1 ^ 2043055690u));
-    let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
+    let _e8 = owen_scramble_reversed(reverseBits(index_6), _e7);
     return reverseBits(_e8);
 }
 
 // glimt_sampling/src/sobol.rs:56
-fn pascal(index_2: u32) -> u32 {
-    var x_3: u32;
+fn pascal(index_7: u32) -> u32 {
+    var x_4: u32;
 
     // glimt_sampling/src/sobol.rs:57
-    x_3 = index_2;
+    x_4 = index_7;
     // glimt_sampling/src/sobol.rs:58
-    let _e5 = x_3;
-    let _e10 = x_3;
-    x_3 = (_e10 ^ ((_e5 >> 1u) & 21845u));
+    let _e5 = x_4;
+    let _e10 = x_4;
+    x_4 = (_e10 ^ ((_e5 >> 1u) & 21845u));
     // glimt_sampling/src/sobol.rs:59
-    let _e13 = x_3;
-    let _e18 = x_3;
-    x_3 = (_e18 ^ ((_e13 >> 2u) & 13107u));
+    let _e13 = x_4;
+    let _e18 = x_4;
+    x_4 = (_e18 ^ ((_e13 >> 2u) & 13107u));
     // glimt_sampling/src/sobol.rs:60
-    let _e21 = x_3;
-    let _e26 = x_3;
-    x_3 = (_e26 ^ ((_e21 >> 4u) & 3855u));
+    let _e21 = x_4;
+    let _e26 = x_4;
+    x_4 = (_e26 ^ ((_e21 >> 4u) & 3855u));
     // glimt_sampling/src/sobol.rs:61
-    let _e29 = x_3;
-    let _e30 = x_3;
+    let _e29 = x_4;
+    let _e30 = x_4;
     return (_e29 ^ ((_e30 >> 8u) & 255u));
 }
 
 // glimt_sampling/src/sobol.rs:66
-fn recurrence_2_(index_3: u32) -> u32 {
+fn recurrence_2_(index_8: u32) -> u32 {
     var bits: u32;
     var v0_: u32;
     var v1_: u32;
     var sum_1: u32;
 
     // glimt_sampling/src/sobol.rs:67
-    bits = index_3;
+    bits = index_8;
     // glimt_sampling/src/sobol.rs:68
     v0_ = 1u;
     // glimt_sampling/src/sobol.rs:69
@@ -1059,7 +1482,7 @@ fn recurrence_2_(index_3: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:83
-fn recurrence_3_(index_4: u32) -> u32 {
+fn recurrence_3_(index_9: u32) -> u32 {
     var bits_1: u32;
     var v0_1: u32;
     var v1_1: u32;
@@ -1067,7 +1490,7 @@ fn recurrence_3_(index_4: u32) -> u32 {
     var sum_2: u32;
 
     // glimt_sampling/src/sobol.rs:84
-    bits_1 = index_4;
+    bits_1 = index_9;
     // glimt_sampling/src/sobol.rs:85
     v0_1 = 1u;
     // glimt_sampling/src/sobol.rs:86
@@ -1110,61 +1533,61 @@ fn recurrence_3_(index_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:43
-fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
-    var chosen_6: u32;
+fn sobol_reversed(index_10: u32, dimension: u32) -> u32 {
+    var chosen_8: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_9 = (index_5 & 65535u);
+    let index_14 = (index_10 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen_6 = index_9;
+        chosen_8 = index_14;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_9);
-            chosen_6 = _e16;
+            let _e16 = pascal(index_14);
+            chosen_8 = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_9);
-                chosen_6 = _e20;
+                let _e20 = recurrence_2_(index_14);
+                chosen_8 = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_9);
-                chosen_6 = _e22;
+                let _e22 = recurrence_3_(index_14);
+                chosen_8 = _e22;
             }
         }
     }
-    let _e23 = chosen_6;
+    let _e23 = chosen_8;
     return _e23;
 }
 
 // glimt_sampling/src/sobol.rs:109
 fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
-    var chosen_7: u32;
+    var chosen_9: u32;
 
     // glimt_sampling/src/sobol.rs:110
     let _e6 = (dimension_1 & 3u);
     if (_e6 == 0u) {
         // glimt_sampling/src/sobol.rs:111
-        chosen_7 = 2435803578u;
+        chosen_9 = 2435803578u;
     } else {
         if (_e6 == 1u) {
             // glimt_sampling/src/sobol.rs:112
-            chosen_7 = 391059627u;
+            chosen_9 = 391059627u;
         } else {
             if (_e6 == 2u) {
                 // glimt_sampling/src/sobol.rs:113
-                chosen_7 = 1763603146u;
+                chosen_9 = 1763603146u;
             } else {
                 // glimt_sampling/src/sobol.rs:114
-                chosen_7 = 3020734904u;
+                chosen_9 = 3020734904u;
             }
         }
     }
-    let salt = chosen_7;
+    let salt = chosen_9;
     // glimt_sampling/src/sobol.rs:117
     let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
     // glimt_sampling/src/sobol.rs:118
@@ -1173,18 +1596,18 @@ fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_11: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_20: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_11).dimension;
+    let _e4 = (*this_20).dimension;
     let dimension_2 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:192
-    (*this_11).dimension = (dimension_2 + 2u);
+    (*this_20).dimension = (dimension_2 + 2u);
     // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_11).seed;
+    let _e15 = (*this_20).seed;
     let _e18 = hash2_(_e15, (dimension_2 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_11).index;
+    let _e21 = (*this_20).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
     let _e24 = sobol_reversed(_e22, dimension_2);
@@ -1195,37 +1618,37 @@ fn OwenSobol_next_uvec2_(this_11: ptr<function, OwenSobol>) -> vec2<u32> {
 }
 
 // glimt_sampling/src/hash.rs:50
-fn hash_uvec4_(v_1: vec4<u32>) -> vec4<u32> {
-    var x_4: u32;
+fn hash_uvec4_(v_3: vec4<u32>) -> vec4<u32> {
+    var x_5: u32;
     var y: u32;
     var z: u32;
     var w: u32;
 
     // glimt_sampling/src/hash.rs:51
-    let _e4 = hash_u32_(v_1.x);
-    x_4 = ((_e4 * 1664525u) + 1013904223u);
+    let _e4 = hash_u32_(v_3.x);
+    x_5 = ((_e4 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:54
-    let _e12 = hash_u32_(v_1.y);
+    let _e12 = hash_u32_(v_3.y);
     y = ((_e12 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:57
-    let _e20 = hash_u32_(v_1.z);
+    let _e20 = hash_u32_(v_3.z);
     z = ((_e20 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:60
-    let _e28 = hash_u32_(v_1.w);
+    let _e28 = hash_u32_(v_3.w);
     w = ((_e28 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:64
-    let _e35 = x_4;
+    let _e35 = x_5;
     let _e36 = y;
     let _e37 = w;
-    x_4 = (_e35 + (_e36 * _e37));
+    x_5 = (_e35 + (_e36 * _e37));
     // glimt_sampling/src/hash.rs:65
     let _e41 = y;
     let _e42 = z;
-    let _e43 = x_4;
+    let _e43 = x_5;
     y = (_e41 + (_e42 * _e43));
     // glimt_sampling/src/hash.rs:66
     let _e47 = z;
-    let _e48 = x_4;
+    let _e48 = x_5;
     let _e49 = y;
     z = (_e47 + (_e48 * _e49));
     // glimt_sampling/src/hash.rs:67
@@ -1234,9 +1657,9 @@ fn hash_uvec4_(v_1: vec4<u32>) -> vec4<u32> {
     let _e55 = z;
     w = (_e53 + (_e54 * _e55));
     // glimt_sampling/src/hash.rs:68
-    let _e59 = x_4;
-    let _e62 = x_4;
-    x_4 = (_e62 ^ (_e59 >> 16u));
+    let _e59 = x_5;
+    let _e62 = x_5;
+    x_5 = (_e62 ^ (_e59 >> 16u));
     // glimt_sampling/src/hash.rs:69
     let _e65 = y;
     let _e68 = y;
@@ -1250,18 +1673,18 @@ fn hash_uvec4_(v_1: vec4<u32>) -> vec4<u32> {
     let _e80 = w;
     w = (_e80 ^ (_e77 >> 16u));
     // glimt_sampling/src/hash.rs:72
-    let _e83 = x_4;
+    let _e83 = x_5;
     let _e84 = y;
     let _e85 = w;
-    x_4 = (_e83 + (_e84 * _e85));
+    x_5 = (_e83 + (_e84 * _e85));
     // glimt_sampling/src/hash.rs:73
     let _e89 = y;
     let _e90 = z;
-    let _e91 = x_4;
+    let _e91 = x_5;
     y = (_e89 + (_e90 * _e91));
     // glimt_sampling/src/hash.rs:74
     let _e95 = z;
-    let _e96 = x_4;
+    let _e96 = x_5;
     let _e97 = y;
     z = (_e95 + (_e96 * _e97));
     // glimt_sampling/src/hash.rs:75
@@ -1270,8 +1693,8 @@ fn hash_uvec4_(v_1: vec4<u32>) -> vec4<u32> {
     let _e103 = z;
     w = (_e101 + (_e102 * _e103));
     // glimt_sampling/src/hash.rs:76
-    let _e107 = x_4;
-    let _e108 = x_4;
+    let _e107 = x_5;
+    let _e108 = x_5;
     let _e112 = y;
     let _e113 = y;
     let _e117 = z;
@@ -1304,238 +1727,224 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:101
-fn PixelPattern_generator(this_12: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+// glimt_render_gpu/src/kernels/pattern.rs:113
+fn PixelPattern_generator(this_21: PixelPattern, purpose_3: u32, index_11: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:102
-    let _e6 = hash3_(this_12.seed, purpose_1, index_6);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_12.frame, this_12.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:114
+    let _e6 = hash3_(this_21.seed, purpose_3, index_11);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_21.frame, this_21.pixel);
     return _e9;
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_13: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_22: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s = (*this_13).state;
+    let s = (*this_22).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s.x + s.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
     // glimt_sampling/src/xoshiro.rs:59
     let z_1 = (s.z ^ s.x);
     // glimt_sampling/src/xoshiro.rs:60
-    let w_1 = (s.w ^ s.y);
+    let w_2 = (s.w ^ s.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_13).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_22).state = vec4<u32>((s.x ^ w_2), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_2 << 11u) | (w_2 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_14: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_14);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_23);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_14);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_23);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:106
-fn PixelPattern_key(this_15: PixelPattern, purpose_2: u32) -> u32 {
-
-    // glimt_render_gpu/src/kernels/pattern.rs:107
-    let _e5 = hash2_(this_15.seed, purpose_2);
-    let _e8 = hash3_(_e5, this_15.frame, this_15.pixel);
-    return _e8;
-}
-
-// glimt_render_gpu/src/kernels/pattern.rs:181
-fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
-    var x_5: u32;
+// glimt_render_gpu/src/kernels/pattern.rs:193
+fn permute(index_12: u32, length_: u32, key_4: u32) -> u32 {
+    var x_6: u32;
     var round_key: u32;
     var counter_2: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:182
+    // glimt_render_gpu/src/kernels/pattern.rs:194
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:183
+        // glimt_render_gpu/src/kernels/pattern.rs:195
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:198
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:187
-    x_5 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:199
+    x_6 = index_12;
+    // glimt_render_gpu/src/kernels/pattern.rs:200
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:189
-        round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:190
+        // glimt_render_gpu/src/kernels/pattern.rs:201
+        round_key = key_4;
+        // glimt_render_gpu/src/kernels/pattern.rs:202
         counter_2 = 0i;
         loop {
             let _e31 = counter_2;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:191
+            // glimt_render_gpu/src/kernels/pattern.rs:203
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:193
-            let _e37 = x_5;
+            // glimt_render_gpu/src/kernels/pattern.rs:205
+            let _e37 = x_6;
             let _e38 = round_key;
-            x_5 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:194
-            let _e44 = x_5;
+            x_6 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:206
+            let _e44 = x_6;
             let _e46 = (bits_2 / 2u);
-            let _e56 = x_5;
-            x_5 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            let _e56 = x_6;
+            x_6 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
             continuing {
                 let _e58 = counter_2;
                 counter_2 = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:196
-        let _e62 = x_5;
+        // glimt_render_gpu/src/kernels/pattern.rs:208
+        let _e62 = x_6;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:197
-            let _e65 = x_5;
-            let _e67 = hash_u32_(~(key));
+            // glimt_render_gpu/src/kernels/pattern.rs:209
+            let _e65 = x_6;
+            let _e67 = hash_u32_(~(key_4));
             return ((_e65 + (_e67 % length_)) % length_);
         }
     }
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:172
+// glimt_render_gpu/src/kernels/pattern.rs:184
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:173
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:152
-fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:164
+fn jittered_pair(index_13: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:153
+    // glimt_render_gpu/src/kernels/pattern.rs:165
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:154
+    // glimt_render_gpu/src/kernels/pattern.rs:166
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:155
-    let _e21 = hash2_(key_1, 1u);
-    let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:156
-    let _e26 = hash2_(key_1, 2u);
+    // glimt_render_gpu/src/kernels/pattern.rs:167
+    let _e21 = hash2_(key_5, 1u);
+    let _e22 = permute(index_13, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:168
+    let _e26 = hash2_(key_5, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:157
-    let _e31 = hash2_(key_1, 3u);
+    // glimt_render_gpu/src/kernels/pattern.rs:169
+    let _e31 = hash2_(key_5, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:158
+    // glimt_render_gpu/src/kernels/pattern.rs:170
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:51
-fn PixelPattern_pair(this_16: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:55
+fn PixelPattern_pair(this_24: PixelPattern, purpose_4: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:52
-    let index_10 = ((this_16.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:53
-    if (this_16.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:54
-        let _e14 = PixelPattern_sobol_point(this_16, purpose_3, index_10);
+    // glimt_render_gpu/src/kernels/pattern.rs:56
+    let index_15 = ((this_24.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:57
+    if (this_24.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:58
+        let _e14 = PixelPattern_sobol_point(this_24, purpose_4, index_15);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:56
-    let _e18 = PixelPattern_generator(this_16, purpose_3, index_10);
+    // glimt_render_gpu/src/kernels/pattern.rs:60
+    let _e18 = PixelPattern_generator(this_24, purpose_4, index_15);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:57
-    if (this_16.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:58
+    // glimt_render_gpu/src/kernels/pattern.rs:61
+    if (this_24.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:62
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:60
-    let _e29 = PixelPattern_key(this_16, purpose_3);
-    let _e30 = jittered_pair(index_10, (this_16.rays * samples), _e20, _e29);
+    // glimt_render_gpu/src/kernels/pattern.rs:64
+    let _e29 = PixelPattern_key(this_24, purpose_4);
+    let _e30 = jittered_pair(index_15, (this_24.rays * samples), _e20, _e29);
     return _e30;
 }
 
-// glimt_sampling/src/uniform.rs:15
-fn unit_f32_(u: u32) -> f32 {
-
-    // glimt_sampling/src/uniform.rs:16
-    return (f32((u >> 8u)) * (1f / 16777216f));
-}
-
 // glimt_sampling/src/uniform.rs:22
-fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+fn unit_vec2_(u_3: vec2<u32>) -> vec2<f32> {
 
     // glimt_sampling/src/uniform.rs:23
-    let _e4 = unit_f32_(u_1.x);
-    let _e6 = unit_f32_(u_1.y);
+    let _e4 = unit_f32_(u_3.x);
+    let _e6 = unit_f32_(u_3.y);
     return vec2<f32>(_e4, _e6);
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_17: CameraView, p: vec2<f32>, size_4: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_25: CameraView, p: vec2<f32>, size_5: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
-    let x_6 = (((2f * p.x) / f32(size_4.x)) - 1f);
+    let x_8 = (((2f * p.x) / f32(size_5.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
-    let y_1 = (((2f * p.y) / f32(size_4.y)) - 1f);
+    let y_2 = (((2f * p.y) / f32(size_5.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_17.forward + (this_17.right * x_6)) - (this_17.up * y_1)));
+    return normalize(((this_25.forward + (this_25.right * x_8)) - (this_25.up * y_2)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:145
-fn FrameParams_direction(this_18: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/frame.rs:151
+fn FrameParams_direction(this_26: FrameParams, pixel_2: u32, place_1: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:146
-    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_18.width), (pixel_2 / this_18.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:147
-    let view = CameraView(this_18.eye, this_18.forward, this_18.right, this_18.up);
+    // glimt_render_gpu/src/kernels/frame.rs:152
+    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_26.width), (pixel_2 / this_26.width)));
     // glimt_render_gpu/src/kernels/frame.rs:153
-    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_18.width, this_18.height));
+    let view = CameraView(this_26.eye, this_26.forward, this_26.right, this_26.up);
+    // glimt_render_gpu/src/kernels/frame.rs:159
+    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_26.width, this_26.height));
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:129
-fn FrameParams_camera_ray(this_19: FrameParams, pattern: PixelPattern) -> Ray {
-    var chosen_8: vec2<f32>;
+// glimt_render_gpu/src/kernels/frame.rs:134
+fn FrameParams_camera_ray(this_27: FrameParams, pattern: PixelPattern) -> Ray {
+    var chosen_10: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:130
-    if (this_19.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:131
-        chosen_8 = vec2(0.5f);
+    // glimt_render_gpu/src/kernels/frame.rs:135
+    let film = PixelPattern(pattern.kind, pattern.seed, this_27.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+    // glimt_render_gpu/src/kernels/frame.rs:139
+    if (this_27.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:140
+        chosen_10 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:133
-        let film = PixelPattern(pattern.kind, pattern.seed, this_19.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-        // glimt_render_gpu/src/kernels/frame.rs:137
+        // glimt_render_gpu/src/kernels/frame.rs:142
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
-        chosen_8 = _e24;
+        chosen_10 = _e24;
     }
-    let place_1 = chosen_8;
-    // glimt_render_gpu/src/kernels/frame.rs:139
-    let _e29 = FrameParams_direction(this_19, pattern.pixel, place_1);
-    let _e30 = Ray_new(this_19.eye, _e29);
-    return _e30;
+    let place_2 = chosen_10;
+    // glimt_render_gpu/src/kernels/frame.rs:144
+    let _e28 = FrameParams_direction(this_27, pattern.pixel, place_2);
+    // glimt_render_gpu/src/kernels/frame.rs:145
+    let _e32 = PixelPattern_ray_key(film, 8u);
+    let _e33 = Ray_keyed(this_27.eye, _e28, _e32);
+    return _e33;
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:56
-fn Environment_map(size_5: vec2<u32>, rotation_3: vec2<f32>) -> Returned_Environment_map {
+fn Environment_map(size_6: vec2<u32>, rotation_3: vec2<f32>) -> Returned_Environment_map {
 
     // glimt_render_gpu/src/kernels/environment.rs:57
-    return Returned_Environment_map(size_5, rotation_3);
+    return Returned_Environment_map(size_6, rotation_3);
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:46
@@ -1545,32 +1954,41 @@ fn LayerSample_of_background(_ray: Ray, _frame: FrameParams, _map_size: vec2<u32
     return LayerSample(vec3(0f), 0f, vec3(0f), 0f);
 }
 
-// glimt_render_gpu/src/kernels/smc_gather.rs:49
-fn gather_smc(ray_6: u32, frame_2: FrameParams, floor_1: f32, particles_per_ray: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LayerSample {
+// glimt_render_gpu/src/kernels/smc_gather.rs:51
+fn gather_smc(ray_10: u32, frame_2: FrameParams, floor_1: f32, particles_per_ray: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LayerSample {
+    var light_3: Reflected;
 
-    // glimt_render_gpu/src/kernels/smc_gather.rs:60
-    let seen_1 = points[ray_6];
-    // glimt_render_gpu/src/kernels/smc_gather.rs:61
+    // glimt_render_gpu/src/kernels/smc_gather.rs:62
+    let seen_1 = points[ray_10];
+    // glimt_render_gpu/src/kernels/smc_gather.rs:63
     let _e12 = SmcPoint_is_hit(seen_1);
     if _e12 {
-        // glimt_render_gpu/src/kernels/smc_gather.rs:62
-        let first = (ray_6 * particles_per_ray);
-        // glimt_render_gpu/src/kernels/smc_gather.rs:63
         // glimt_render_gpu/src/kernels/smc_gather.rs:64
-        let log_normaliser_1 = states[ray_6].log_normaliser;
+        let first_3 = (ray_10 * particles_per_ray);
         // glimt_render_gpu/src/kernels/smc_gather.rs:65
-        let _e24 = estimate(seen_1, log_normaliser_1, floor_1, env_size_1, env_rotation_1, first, ((first + particles_per_ray) - first));
         // glimt_render_gpu/src/kernels/smc_gather.rs:66
-        let _e29 = LayerSample_of_surface(_e24, (seen_1.catcher != 0u));
-        return _e29;
+        let log_normaliser_1 = states[ray_10].log_normaliser;
+        // glimt_render_gpu/src/kernels/smc_gather.rs:67
+        let _e24 = FrameParams_pattern_of(frame_2, ray_10);
+        let _e26 = PixelPattern_ray_key(_e24, 9u);
+        // glimt_render_gpu/src/kernels/smc_gather.rs:68
+        let _e28 = estimate(seen_1, log_normaliser_1, floor_1, _e26, env_size_1, env_rotation_1, first_3, ((first_3 + particles_per_ray) - first_3));
+        light_3 = _e28;
+        // glimt_render_gpu/src/kernels/smc_gather.rs:69
+        let _e33 = light_3.lit;
+        light_3.lit = (_e33 + seen_1.emission);
+        // glimt_render_gpu/src/kernels/smc_gather.rs:70
+        let _e36 = light_3;
+        let _e40 = LayerSample_of_surface(_e36, (seen_1.catcher != 0u));
+        return _e40;
     }
-    // glimt_render_gpu/src/kernels/smc_gather.rs:68
-    let _e31 = FrameParams_pattern_of(frame_2, ray_6);
-    let _e32 = FrameParams_camera_ray(frame_2, _e31);
-    // glimt_render_gpu/src/kernels/smc_gather.rs:69
-    let _e34 = Environment_map(env_size_1, env_rotation_1);
-    let _e37 = LayerSample_of_background(_e32, frame_2, _e34.value_size, _e34.value_rotation);
-    return _e37;
+    // glimt_render_gpu/src/kernels/smc_gather.rs:72
+    let _e42 = FrameParams_pattern_of(frame_2, ray_10);
+    let _e43 = FrameParams_camera_ray(frame_2, _e42);
+    // glimt_render_gpu/src/kernels/smc_gather.rs:73
+    let _e45 = Environment_map(env_size_1, env_rotation_1);
+    let _e48 = LayerSample_of_background(_e43, frame_2, _e45.value_size, _e45.value_rotation);
+    return _e48;
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -71,7 +71,7 @@ const _: () = {
     assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, hit) == 44);
     assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, specular) == 48);
     assert!(offset_of!(crate::kernels::diagnose::SurfaceRecord, unused) == 60);
-    assert!(size_of::<crate::kernels::frame::FrameParams>() == 112);
+    assert!(size_of::<crate::kernels::frame::FrameParams>() == 208);
     assert!(offset_of!(crate::kernels::frame::FrameParams, eye) == 0);
     assert!(offset_of!(crate::kernels::frame::FrameParams, width) == 12);
     assert!(offset_of!(crate::kernels::frame::FrameParams, forward) == 16);
@@ -92,6 +92,8 @@ const _: () = {
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_a) == 100);
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_b) == 104);
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_c) == 108);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, to_plate) == 112);
+    assert!(offset_of!(crate::kernels::frame::FrameParams, to_display) == 160);
     assert!(size_of::<crate::kernels::layers::LayerSample>() == 32);
     assert!(offset_of!(crate::kernels::layers::LayerSample, radiance) == 0);
     assert!(offset_of!(crate::kernels::layers::LayerSample, alpha) == 12);
@@ -189,7 +191,7 @@ const _: () = {
     assert!(offset_of!(crate::kernels::smc::SmcParams, unused_a) == 52);
     assert!(offset_of!(crate::kernels::smc::SmcParams, unused_b) == 56);
     assert!(offset_of!(crate::kernels::smc::SmcParams, unused_c) == 60);
-    assert!(size_of::<crate::kernels::smc_point::SmcPoint>() == 160);
+    assert!(size_of::<crate::kernels::smc_point::SmcPoint>() == 176);
     assert!(offset_of!(crate::kernels::smc_point::SmcPoint, origin) == 0);
     assert!(offset_of!(crate::kernels::smc_point::SmcPoint, depth) == 12);
     assert!(offset_of!(crate::kernels::smc_point::SmcPoint, geometric_normal) == 16);
@@ -202,7 +204,9 @@ const _: () = {
     assert!(offset_of!(crate::kernels::smc_point::SmcPoint, unused_a) == 76);
     assert!(offset_of!(crate::kernels::smc_point::SmcPoint, specular) == 80);
     assert!(offset_of!(crate::kernels::smc_point::SmcPoint, unused_b) == 92);
-    assert!(offset_of!(crate::kernels::smc_point::SmcPoint, before) == 96);
+    assert!(offset_of!(crate::kernels::smc_point::SmcPoint, emission) == 96);
+    assert!(offset_of!(crate::kernels::smc_point::SmcPoint, unused_c) == 108);
+    assert!(offset_of!(crate::kernels::smc_point::SmcPoint, before) == 112);
     assert!(size_of::<crate::kernels::stage::StageParams>() == 64);
     assert!(offset_of!(crate::kernels::stage::StageParams, half_size) == 0);
     assert!(offset_of!(crate::kernels::stage::StageParams, shape) == 12);
@@ -232,7 +236,7 @@ const _: () = {
     assert!(offset_of!(crate::kernels::triangle::Triangle, v1) == 16);
     assert!(offset_of!(crate::kernels::triangle::Triangle, object) == 28);
     assert!(offset_of!(crate::kernels::triangle::Triangle, v2) == 32);
-    assert!(offset_of!(crate::kernels::triangle::Triangle, ray_offset) == 44);
+    assert!(offset_of!(crate::kernels::triangle::Triangle, attributes) == 44);
     assert!(size_of::<glimt_smc::particle::Particle>() == 16);
     assert!(offset_of!(glimt_smc::particle::Particle, state) == 0);
     assert!(offset_of!(glimt_smc::particle::Particle, log_weight) == 12);

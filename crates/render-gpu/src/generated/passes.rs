@@ -856,10 +856,11 @@ impl<'a, M: Memory> Pass for GatherSmc<'a, M> {
         binder.slice(0, self.env.texels);
         binder.slice(1, self.scene.nodes);
         binder.slice(2, self.scene.triangles);
-        binder.slice(3, self.points);
-        binder.slice(4, self.states);
-        binder.slice(5, self.particles);
-        binder.out(6, &self.out);
+        binder.slice(3, self.scene.surface);
+        binder.slice(4, self.points);
+        binder.slice(5, self.states);
+        binder.slice(6, self.particles);
+        binder.out(7, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -933,10 +934,11 @@ impl<'a, M: Memory> Pass for GatherSmcLayers<'a, M> {
         binder.slice(0, self.env.texels);
         binder.slice(1, self.scene.nodes);
         binder.slice(2, self.scene.triangles);
-        binder.slice(3, self.points);
-        binder.slice(4, self.states);
-        binder.slice(5, self.particles);
-        binder.out(6, &self.out);
+        binder.slice(3, self.scene.surface);
+        binder.slice(4, self.points);
+        binder.slice(5, self.states);
+        binder.slice(6, self.particles);
+        binder.out(7, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -1714,6 +1716,8 @@ pub struct Transfer<'a, M: Memory> {
     pub nodes: M::Slice<'a, crate::kernels::bvh::BvhNode>,
     /// The kernel's `triangles`.
     pub triangles: M::Slice<'a, crate::kernels::triangle::Triangle>,
+    /// The kernel's `surface`.
+    pub surface: M::Slice<'a, u32>,
     /// The kernel's `vertices`.
     pub vertices: M::Slice<'a, crate::kernels::transfer::TransferVertex>,
     /// The kernel's own `state`.
@@ -1737,11 +1741,12 @@ impl<'a, M: Memory> Pass for Transfer<'a, M> {
         binder.value(5, self.params);
         binder.slice(0, self.nodes);
         binder.slice(1, self.triangles);
-        binder.slice(2, self.vertices);
-        binder.chunks(3, 2, &self.state);
-        binder.chunks(4, 3, &self.lit);
-        binder.chunks(5, 4, &self.blocked);
-        binder.out(6, &self.out);
+        binder.slice(2, self.surface);
+        binder.slice(3, self.vertices);
+        binder.chunks(4, 2, &self.state);
+        binder.chunks(5, 3, &self.lit);
+        binder.chunks(6, 4, &self.blocked);
+        binder.out(7, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -1760,8 +1765,8 @@ impl<'a, M: Memory> Pass for Transfer<'a, M> {
         let (blocked, rest_of_blocked) = M::split_at(self.blocked, at);
         let (out, rest_of_out) = M::split_at(self.out, at);
         (
-            Self { params: self.params, nodes: self.nodes, triangles: self.triangles, vertices: self.vertices, state, lit, blocked, out },
-            Self { params: self.params, nodes: self.nodes, triangles: self.triangles, vertices: self.vertices, state: rest_of_state, lit: rest_of_lit, blocked: rest_of_blocked, out: rest_of_out },
+            Self { params: self.params, nodes: self.nodes, triangles: self.triangles, surface: self.surface, vertices: self.vertices, state, lit, blocked, out },
+            Self { params: self.params, nodes: self.nodes, triangles: self.triangles, surface: self.surface, vertices: self.vertices, state: rest_of_state, lit: rest_of_lit, blocked: rest_of_blocked, out: rest_of_out },
         )
     }
 
@@ -1771,9 +1776,10 @@ impl<'a, M: Memory> Pass for Transfer<'a, M> {
     {
         let nodes = M::values(self.nodes);
         let triangles = M::values(self.triangles);
+        let surface = M::values(self.surface);
         let vertices = M::values(self.vertices);
         for ((((id, state), lit), blocked), out) in (first..).zip(M::each(self.state)).zip(M::each(self.lit)).zip(M::each(self.blocked)).zip(M::each(self.out)) {
-            out[0] = crate::kernels::transfer::transfer(id, self.params, nodes, triangles, vertices, state, lit, blocked);
+            out[0] = crate::kernels::transfer::transfer(id, self.params, nodes, triangles, surface, vertices, state, lit, blocked);
         }
     }
 }
@@ -2118,7 +2124,8 @@ impl<'a, M: Memory> Pass for DiagnosePrimaryHit<'a, M> {
         binder.value(2, self.frame);
         binder.slice(0, self.scene.nodes);
         binder.slice(1, self.scene.triangles);
-        binder.out(2, &self.out);
+        binder.slice(2, self.scene.surface);
+        binder.out(3, &self.out);
     }
 
     fn elements(&self) -> usize

@@ -1,5 +1,11 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -21,6 +27,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct Params {

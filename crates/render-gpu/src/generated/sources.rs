@@ -22,6 +22,7 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("kernels/material.rs", include_str!("../kernels/material.rs")),
     ("kernels/mis.rs", include_str!("../kernels/mis.rs")),
     ("kernels/mod.rs", include_str!("../kernels/mod.rs")),
+    ("kernels/opacity.rs", include_str!("../kernels/opacity.rs")),
     ("kernels/past.rs", include_str!("../kernels/past.rs")),
     ("kernels/pattern.rs", include_str!("../kernels/pattern.rs")),
     ("kernels/product.rs", include_str!("../kernels/product.rs")),

@@ -13,7 +13,7 @@ struct Triangle {
     v1_: vec3<f32>,
     object: u32,
     v2_: vec3<f32>,
-    ray_offset: f32,
+    attributes: u32,
 }
 
 struct TransferVertex {
@@ -43,6 +43,7 @@ struct Ray {
     origin: vec3<f32>,
     direction: vec3<f32>,
     inverse_direction: vec3<f32>,
+    key: u32,
 }
 
 struct Asked {
@@ -50,6 +51,28 @@ struct Asked {
     own: bool,
     near: f32,
     way: vec3<f32>,
+}
+
+struct Attributes {
+    uv: vec2<f32>,
+    color: vec4<f32>,
+}
+
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
+struct Tuple_f32_f32_ {
+    fa: f32,
+    fb: f32,
 }
 
 struct Xoshiro128PlusPlus {
@@ -70,113 +93,123 @@ var<storage> nodes: array<BvhNode>;
 @group(0) @binding(2) 
 var<storage> triangles: array<Triangle>;
 @group(0) @binding(3) 
-var<storage> vertices: array<TransferVertex>;
+var<storage> surface: array<u32>;
 @group(0) @binding(4) 
-var<storage, read_write> state_1: array<u32>;
+var<storage> vertices: array<TransferVertex>;
 @group(0) @binding(5) 
-var<storage, read_write> lit: array<f32>;
+var<storage, read_write> state_1: array<u32>;
 @group(0) @binding(6) 
-var<storage, read_write> blocked: array<f32>;
+var<storage, read_write> lit: array<f32>;
 @group(0) @binding(7) 
+var<storage, read_write> blocked: array<f32>;
+@group(0) @binding(8) 
 var<storage, read_write> out: array<u32>;
 @group(0) @binding(0) 
 var<uniform> params_2: Params;
 
-// glimt_render_gpu/src/kernels/ray.rs:48
+// glimt_render_gpu/src/kernels/ray.rs:59
 fn inverse(x: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/ray.rs:49
+    // glimt_render_gpu/src/kernels/ray.rs:60
     return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x) & 2147483648u))));
 }
 
-// glimt_render_gpu/src/kernels/ray.rs:34
-fn Ray_new(origin: vec3<f32>, direction: vec3<f32>) -> Ray {
+// glimt_render_gpu/src/kernels/ray.rs:44
+fn Ray_keyed(origin: vec3<f32>, direction: vec3<f32>, key: u32) -> Ray {
 
-    // glimt_render_gpu/src/kernels/ray.rs:35
-    let _e5 = inverse(direction.x);
-    let _e7 = inverse(direction.y);
-    let _e9 = inverse(direction.z);
-    return Ray(origin, direction, vec3<f32>(_e5, _e7, _e9));
+    // glimt_render_gpu/src/kernels/ray.rs:45
+    let _e6 = inverse(direction.x);
+    let _e8 = inverse(direction.y);
+    let _e10 = inverse(direction.z);
+    return Ray(origin, direction, vec3<f32>(_e6, _e8, _e10), key);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:29
+// glimt_render_gpu/src/kernels/ray.rs:37
+fn Ray_new(origin_1: vec3<f32>, direction_1: vec3<f32>) -> Ray {
+
+    // glimt_render_gpu/src/kernels/ray.rs:38
+    let _e5 = Ray_keyed(origin_1, direction_1, 0u);
+    return _e5;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:30
 fn box_distance(node: BvhNode, ray: Ray) -> f32 {
     var chosen: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:30
-    let to_min = ((node.min - ray.origin) * ray.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:31
-    let to_max = ((node.max - ray.origin) * ray.inverse_direction);
+    let to_min = ((node.min - ray.origin) * ray.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:32
+    let to_max = ((node.max - ray.origin) * ray.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
     let _e16 = min(to_min, to_max);
     let near_1 = max(max(_e16.x, _e16.y), _e16.z);
-    // glimt_render_gpu/src/kernels/bvh.rs:33
+    // glimt_render_gpu/src/kernels/bvh.rs:34
     let _e23 = max(to_min, to_max);
     let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
-    // glimt_render_gpu/src/kernels/bvh.rs:34
+    // glimt_render_gpu/src/kernels/bvh.rs:35
     if ((far_1 >= near_1) && (far_1 >= 0f)) {
-        // glimt_render_gpu/src/kernels/bvh.rs:35
+        // glimt_render_gpu/src/kernels/bvh.rs:36
         chosen = near_1;
     } else {
-        // glimt_render_gpu/src/kernels/bvh.rs:37
+        // glimt_render_gpu/src/kernels/bvh.rs:38
         chosen = 0x1.fffffep+127f;
     }
     let _e40 = chosen;
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:38
+// glimt_render_gpu/src/kernels/triangle.rs:45
 fn Triangle_is_catcher(this_: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:39
+    // glimt_render_gpu/src/kernels/triangle.rs:46
     return ((this_.object & 2147483648u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:45
+// glimt_render_gpu/src/kernels/triangle.rs:52
 fn Triangle_object_index(this_1: Triangle) -> u32 {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:46
-    return (this_1.object & 1073741823u);
+    // glimt_render_gpu/src/kernels/triangle.rs:53
+    return (this_1.object & 536870911u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:75
-fn edge_functions(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:111
+fn edge_functions(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, direction_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:76
-    return vec3<f32>(dot(cross((b - c), (b + c)), direction_1), dot(cross((c - a), (c + a)), direction_1), dot(cross((a - b), (a + b)), direction_1));
+    // glimt_render_gpu/src/kernels/triangle.rs:112
+    return vec3<f32>(dot(cross((b - c), (b + c)), direction_2), dot(cross((c - a), (c + a)), direction_2), dot(cross((a - b), (a + b)), direction_2));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:88
+// glimt_render_gpu/src/kernels/triangle.rs:124
 fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     var chosen_1: f32;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:89
-    let a_1 = (triangle.v0_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:90
-    let b_1 = (triangle.v1_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:91
-    let c_1 = (triangle.v2_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:92
-    let _e18 = edge_functions(a_1, b_1, c_1, ray_1.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:93
+    // glimt_render_gpu/src/kernels/triangle.rs:125
+    let a_3 = (triangle.v0_ - ray_1.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:126
+    let b_3 = (triangle.v1_ - ray_1.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:127
+    let c_2 = (triangle.v2_ - ray_1.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:128
+    let _e18 = edge_functions(a_3, b_3, c_2, ray_1.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:129
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:94
+        // glimt_render_gpu/src/kernels/triangle.rs:130
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:96
-    let normal = cross((c_1 - a_1), (a_1 - b_1));
-    // glimt_render_gpu/src/kernels/triangle.rs:97
+    // glimt_render_gpu/src/kernels/triangle.rs:132
+    let normal = cross((c_2 - a_3), (a_3 - b_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:133
     let slope = dot(normal, ray_1.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:98
+    // glimt_render_gpu/src/kernels/triangle.rs:134
     if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:99
+        // glimt_render_gpu/src/kernels/triangle.rs:135
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:101
-    let t_1 = (dot(a_1, normal) / slope);
-    // glimt_render_gpu/src/kernels/triangle.rs:102
-    if ((t_1 > 0f) && (t_1 < t_max)) {
-        chosen_1 = t_1;
+    // glimt_render_gpu/src/kernels/triangle.rs:137
+    let t_4 = (dot(a_3, normal) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:138
+    if ((t_4 > 0f) && (t_4 < t_max)) {
+        chosen_1 = t_4;
     } else {
         chosen_1 = 0x1.fffffep+127f;
     }
@@ -184,126 +217,27 @@ fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
     return _e59;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:64
-fn Triangle_area_normal(this_2: Triangle) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:59
+fn Triangle_is_see_through(this_2: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:65
-    return cross((this_2.v1_ - this_2.v0_), (this_2.v2_ - this_2.v0_));
+    // glimt_render_gpu/src/kernels/triangle.rs:60
+    return ((this_2.object & 1073741824u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:52
-fn Triangle_outward(this_3: Triangle) -> vec3<f32> {
-    var chosen_2: vec3<f32>;
+// glimt_render_gpu/src/kernels/triangle.rs:144
+fn barycentrics(triangle_1: Triangle, ray_2: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:53
-    let _e3 = Triangle_area_normal(this_3);
-    // glimt_render_gpu/src/kernels/triangle.rs:54
-    if ((this_3.object & 1073741824u) != 0u) {
-        // glimt_render_gpu/src/kernels/triangle.rs:55
-        chosen_2 = -(_e3);
-    } else {
-        // glimt_render_gpu/src/kernels/triangle.rs:57
-        chosen_2 = _e3;
+    // glimt_render_gpu/src/kernels/triangle.rs:145
+    let _e14 = edge_functions((triangle_1.v0_ - ray_2.origin), (triangle_1.v1_ - ray_2.origin), (triangle_1.v2_ - ray_2.origin), ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:151
+    let sum = ((_e14.x + _e14.y) + _e14.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:152
+    if (sum == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:154
+        return vec2((1f / 3f));
     }
-    let _e14 = chosen_2;
-    return _e14;
-}
-
-// glimt_render_gpu/src/kernels/bvh.rs:182
-fn any_hit_of(ray_2: Ray, t_max_1: f32, asked: Asked) -> bool {
-    var stack: array<u32, 64>;
-    var height: u32;
-    var counter: u32;
-    var both: bool;
-    var both_1: bool;
-    var both_2: bool;
-
-    // glimt_render_gpu/src/kernels/bvh.rs:189
-    if (arrayLength((&nodes)) == 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:190
-        return false;
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:192
-    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:193
-    height = 1u;
-    // glimt_render_gpu/src/kernels/bvh.rs:194
-    loop {
-        let _e19 = height;
-        if !((_e19 > 0u)) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:195
-        let _e25 = height;
-        height = (_e25 - 1u);
-        // glimt_render_gpu/src/kernels/bvh.rs:196
-        let _e28 = height;
-        let _e30 = stack[_e28];
-        let node_1 = nodes[_e30];
-        // glimt_render_gpu/src/kernels/bvh.rs:197
-        let _e35 = box_distance(node_1, ray_2);
-        if (_e35 < t_max_1) {
-            // glimt_render_gpu/src/kernels/bvh.rs:198
-            if (node_1.count == 0u) {
-                // glimt_render_gpu/src/kernels/bvh.rs:199
-                let _e43 = height;
-                stack[_e43] = node_1.first;
-                // glimt_render_gpu/src/kernels/bvh.rs:200
-                let _e49 = height;
-                stack[(_e49 + 1u)] = (node_1.first + 1u);
-                // glimt_render_gpu/src/kernels/bvh.rs:201
-                let _e55 = height;
-                height = (_e55 + 2u);
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:203
-            counter = node_1.first;
-            loop {
-                let i = counter;
-                if (i >= (node_1.first + node_1.count)) {
-                    break;
-                }
-                // glimt_render_gpu/src/kernels/bvh.rs:204
-                let triangle_1 = triangles[i];
-                // glimt_render_gpu/src/kernels/bvh.rs:205
-                let _e70 = Triangle_is_catcher(triangle_1);
-                let _e71 = !(_e70);
-                both = _e71;
-                if _e71 {
-                    let _e73 = Triangle_object_index(triangle_1);
-                    both = ((_e73 == asked.object) == asked.own);
-                }
-                let _e78 = both;
-                if _e78 {
-                    // glimt_render_gpu/src/kernels/bvh.rs:207
-                    let _e80 = intersect(triangle_1, ray_2, t_max_1);
-                    // glimt_render_gpu/src/kernels/bvh.rs:208
-                    let _e82 = (_e80 < t_max_1);
-                    both_1 = _e82;
-                    if _e82 {
-                        let _e85 = (_e80 < asked.near);
-                        both_2 = _e85;
-                        if _e85 {
-                            let _e87 = Triangle_outward(triangle_1);
-                            both_2 = (dot(_e87, asked.way) > 0f);
-                        }
-                        let _e92 = both_2;
-                        both_1 = !(_e92);
-                    }
-                    let _e94 = both_1;
-                    if _e94 {
-                        // glimt_render_gpu/src/kernels/bvh.rs:209
-                        return true;
-                    }
-                }
-                continuing {
-                    let _e97 = counter;
-                    counter = (_e97 + 1u);
-                }
-            }
-        }
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:215
-    return false;
+    // glimt_render_gpu/src/kernels/triangle.rs:156
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum));
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -332,38 +266,456 @@ fn hash_u32_(n: u32) -> u32 {
     return (_e27 ^ (_e28 >> 16u));
 }
 
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a_1: u32, b_1: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a_1);
+    let _e6 = hash_u32_((_e4 + b_1));
+    return _e6;
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:141
+fn Attributes_of_corner(first: u32) -> Attributes {
+
+    // glimt_render_gpu/src/kernels/material.rs:142
+    let _e7 = surface[(first + 2u)];
+    let _e12 = surface[(first + 3u)];
+    let _e13 = Tuple_u32_u32_(_e7, _e12);
+    let low = _e13.fa;
+    let high = _e13.fb;
+    // glimt_render_gpu/src/kernels/material.rs:143
+    let color = vec4<f32>(f32((low & 65535u)), f32((low >> 16u)), f32((high & 65535u)), f32((high >> 16u)));
+    // glimt_render_gpu/src/kernels/material.rs:149
+    let _e33 = surface[first];
+    let _e39 = surface[(first + 1u)];
+    return Attributes(vec2<f32>(bitcast<f32>(_e33), bitcast<f32>(_e39)), (color / vec4(65535f)));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:129
+fn Attributes_at(first_1: u32, u_1: f32, v: f32) -> Attributes {
+
+    // glimt_render_gpu/src/kernels/material.rs:130
+    let _e5 = Attributes_of_corner(first_1);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e9 = Attributes_of_corner((first_1 + 4u));
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let w_1 = ((1f - u_1) - v);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    return Attributes((((_e5.uv * w_1) + (_e9.uv * u_1)) + (_e15.uv * v)), (((_e5.color * w_1) + (_e9.color * u_1)) + (_e15.color * v)));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:172
+fn MaterialView_new(index: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:173
+    let first_3 = (256u + (index * 76u));
+    // glimt_render_gpu/src/kernels/material.rs:174
+    return Returned_MaterialView_new(first_3, ((first_3 + 76u) - first_3));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:181
+fn MaterialView_number(words_start: u32, words_len: u32, word: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/material.rs:182
+    let _e7 = surface[(words_start + word)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:195
+fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_1: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:196
+    let _e7 = surface[(words_start_1 + word_1)];
+    let _e13 = surface[(words_start_1 + (word_1 + 1u))];
+    let _e19 = surface[(words_start_1 + (word_1 + 2u))];
+    let _e25 = surface[(words_start_1 + (word_1 + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:40
+fn TextureView_exists(this_3: TextureView) -> bool {
+
+    // glimt_render_gpu/src/kernels/texture.rs:41
+    return (this_3.width > 0u);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:90
+fn wrap(x_2: f32, mode: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:91
+    if (mode == 2u) {
+        // glimt_render_gpu/src/kernels/texture.rs:92
+        return clamp(x_2, 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:94
+    if (mode == 1u) {
+        // glimt_render_gpu/src/kernels/texture.rs:95
+        let folded = (x_2 - (2f * floor((0.5f * x_2))));
+        // glimt_render_gpu/src/kernels/texture.rs:96
+        return clamp(min(folded, (2f - folded)), 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:98
+    return clamp((x_2 - floor(x_2)), 0f, 1f);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:103
+fn neighbour(index_1: i32, size: u32, mode_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:104
+    let last = (i32(size) - 1i);
+    // glimt_render_gpu/src/kernels/texture.rs:105
+    if (mode_1 == 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:106
+        if (index_1 < 0i) {
+            // glimt_render_gpu/src/kernels/texture.rs:107
+            return u32(last);
+        }
+        // glimt_render_gpu/src/kernels/texture.rs:109
+        if (index_1 > last) {
+            // glimt_render_gpu/src/kernels/texture.rs:110
+            return 0u;
+        }
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:113
+    return u32(clamp(index_1, 0i, last));
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:69
+fn TextureView_texel(this_4: TextureView, index_2: u32) -> vec4<f32> {
+    var chosen_2: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/texture.rs:70
+    let word_3 = surface[(this_4.first + index_2)];
+    // glimt_render_gpu/src/kernels/texture.rs:71
+    let r = (word_3 & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:72
+    let g = ((word_3 >> 8u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:73
+    let b_4 = ((word_3 >> 16u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:74
+    let alpha_1 = (f32((word_3 >> 24u)) / 255f);
+    // glimt_render_gpu/src/kernels/texture.rs:75
+    if ((this_4.flags & 1u) != 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:76
+        let _e38 = surface[r];
+        let _e42 = surface[g];
+        let _e46 = surface[b_4];
+        chosen_2 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_1);
+    } else {
+        // glimt_render_gpu/src/kernels/texture.rs:83
+        chosen_2 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_1);
+    }
+    let _e60 = chosen_2;
+    return _e60;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:49
+fn TextureView_sample(this_5: TextureView, uv: vec2<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/texture.rs:50
+    let wrap_u = ((this_5.flags >> 1u) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:51
+    let wrap_v = ((this_5.flags >> ((1u + 2u) & 31u)) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:52
+    let _e21 = wrap(uv.x, wrap_u);
+    let x_6 = ((_e21 * f32(this_5.width)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:53
+    let _e29 = wrap(uv.y, wrap_v);
+    let y_2 = ((_e29 * f32(this_5.height)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:54
+    let _e38 = Tuple_f32_f32_(floor(x_6), floor(y_2));
+    let left = _e38.fa;
+    let top = _e38.fb;
+    // glimt_render_gpu/src/kernels/texture.rs:55
+    let _e44 = neighbour(i32(left), this_5.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:56
+    let _e50 = neighbour((i32(left) + 1i), this_5.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:57
+    let _e54 = neighbour(i32(top), this_5.height, wrap_v);
+    let row0_ = (_e54 * this_5.width);
+    // glimt_render_gpu/src/kernels/texture.rs:58
+    let _e62 = neighbour((i32(top) + 1i), this_5.height, wrap_v);
+    let row1_ = (_e62 * this_5.width);
+    // glimt_render_gpu/src/kernels/texture.rs:59
+    let _e67 = TextureView_texel(this_5, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_5, (row0_ + _e50));
+    let _e70 = (x_6 - left);
+    let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
+    // glimt_render_gpu/src/kernels/texture.rs:62
+    let _e78 = TextureView_texel(this_5, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_5, (row1_ + _e50));
+    let _e81 = (x_6 - left);
+    let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
+    // glimt_render_gpu/src/kernels/texture.rs:65
+    let _e88 = (y_2 - top);
+    return ((upper * (1f - _e88)) + (lower * _e88));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:206
+fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, texture: TextureView, uv_1: vec2<f32>) -> vec4<f32> {
+    var place: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/material.rs:207
+    place = uv_1;
+    // glimt_render_gpu/src/kernels/material.rs:208
+    if ((texture.flags & 65536u) != 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:209
+        let t_5 = (word_2 + 4u);
+        // glimt_render_gpu/src/kernels/material.rs:210
+        let _e18 = MaterialView_number(words_start_2, words_len_2, t_5);
+        let _e21 = MaterialView_number(words_start_2, words_len_2, (t_5 + 1u));
+        let _e27 = MaterialView_number(words_start_2, words_len_2, (t_5 + 2u));
+        let _e30 = MaterialView_number(words_start_2, words_len_2, (t_5 + 3u));
+        let _e37 = MaterialView_number(words_start_2, words_len_2, (t_5 + 4u));
+        let _e40 = MaterialView_number(words_start_2, words_len_2, (t_5 + 5u));
+        place = (((vec2<f32>(_e18, _e21) * uv_1.x) + (vec2<f32>(_e27, _e30) * uv_1.y)) + vec2<f32>(_e37, _e40));
+    }
+    // glimt_render_gpu/src/kernels/material.rs:214
+    let _e44 = place;
+    let _e45 = TextureView_sample(texture, _e44);
+    return _e45;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:280
+fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
+    var alpha: f32;
+    var chosen_3: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:281
+    let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
+    alpha = (_e7 * vertex_alpha);
+    // glimt_render_gpu/src/kernels/material.rs:282
+    let _e12 = MaterialView_texture(words_start_3, words_len_3, 64u);
+    // glimt_render_gpu/src/kernels/material.rs:283
+    let _e14 = TextureView_exists(_e12);
+    if _e14 {
+        // glimt_render_gpu/src/kernels/material.rs:284
+        let _e17 = MaterialView_sample(words_start_3, words_len_3, 64u, _e12, uv_2);
+        let _e19 = alpha;
+        alpha = (_e19 * _e17.w);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:286
+    let _e23 = MaterialView_number(words_start_3, words_len_3, 15u);
+    // glimt_render_gpu/src/kernels/material.rs:287
+    if (_e23 < 0f) {
+        // glimt_render_gpu/src/kernels/material.rs:288
+        let _e28 = alpha;
+        return _e28;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:290
+    let _e31 = alpha;
+    if (_e31 >= _e23) {
+        chosen_3 = 1f;
+    } else {
+        chosen_3 = 0f;
+    }
+    let _e35 = chosen_3;
+    return _e35;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:14
+fn alpha_at(triangle_2: Triangle, u_2: f32, v_1: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:15
+    let _e6 = Attributes_at(triangle_2.attributes, u_2, v_1);
+    // glimt_render_gpu/src/kernels/opacity.rs:16
+    let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/opacity.rs:17
+    let _e18 = MaterialView_alpha(_e11.value_words_start, _e11.value_words_len, _e6.uv, _e6.color.w);
+    return _e18;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:26
+fn is_passed(index_3: u32, triangle_3: Triangle, ray_3: Ray) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:27
+    let _e5 = barycentrics(triangle_3, ray_3);
+    // glimt_render_gpu/src/kernels/opacity.rs:28
+    let _e8 = hash2_(ray_3.key, index_3);
+    let _e9 = unit_f32_(_e8);
+    let _e12 = alpha_at(triangle_3, _e5.x, _e5.y);
+    return (_e9 >= _e12);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:100
+fn Triangle_area_normal(this_6: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:101
+    return cross((this_6.v1_ - this_6.v0_), (this_6.v2_ - this_6.v0_));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:88
+fn Triangle_outward(this_7: Triangle) -> vec3<f32> {
+    var chosen_4: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:89
+    let _e3 = Triangle_area_normal(this_7);
+    // glimt_render_gpu/src/kernels/triangle.rs:90
+    if ((this_7.object & 536870912u) != 0u) {
+        // glimt_render_gpu/src/kernels/triangle.rs:91
+        chosen_4 = -(_e3);
+    } else {
+        // glimt_render_gpu/src/kernels/triangle.rs:93
+        chosen_4 = _e3;
+    }
+    let _e14 = chosen_4;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:225
+fn any_hit_of(ray_4: Ray, t_max_1: f32, asked: Asked) -> bool {
+    var stack: array<u32, 64>;
+    var height: u32;
+    var counter: u32;
+    var both: bool;
+    var both_1: bool;
+    var both_2: bool;
+    var both_3: bool;
+    var both_4: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:233
+    if (arrayLength((&nodes)) == 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:234
+        return false;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:236
+    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:237
+    height = 1u;
+    // glimt_render_gpu/src/kernels/bvh.rs:238
+    loop {
+        let _e19 = height;
+        if !((_e19 > 0u)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:239
+        let _e25 = height;
+        height = (_e25 - 1u);
+        // glimt_render_gpu/src/kernels/bvh.rs:240
+        let _e28 = height;
+        let _e30 = stack[_e28];
+        let node_1 = nodes[_e30];
+        // glimt_render_gpu/src/kernels/bvh.rs:241
+        let _e35 = box_distance(node_1, ray_4);
+        if (_e35 < t_max_1) {
+            // glimt_render_gpu/src/kernels/bvh.rs:242
+            if (node_1.count == 0u) {
+                // glimt_render_gpu/src/kernels/bvh.rs:243
+                let _e43 = height;
+                stack[_e43] = node_1.first;
+                // glimt_render_gpu/src/kernels/bvh.rs:244
+                let _e49 = height;
+                stack[(_e49 + 1u)] = (node_1.first + 1u);
+                // glimt_render_gpu/src/kernels/bvh.rs:245
+                let _e55 = height;
+                height = (_e55 + 2u);
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:247
+            counter = node_1.first;
+            loop {
+                let i = counter;
+                if (i >= (node_1.first + node_1.count)) {
+                    break;
+                }
+                // glimt_render_gpu/src/kernels/bvh.rs:248
+                let triangle_5 = triangles[i];
+                // glimt_render_gpu/src/kernels/bvh.rs:249
+                let _e70 = Triangle_is_catcher(triangle_5);
+                let _e71 = !(_e70);
+                both = _e71;
+                if _e71 {
+                    let _e73 = Triangle_object_index(triangle_5);
+                    both = ((_e73 == asked.object) == asked.own);
+                }
+                let _e78 = both;
+                if _e78 {
+                    // glimt_render_gpu/src/kernels/bvh.rs:251
+                    let _e80 = intersect(triangle_5, ray_4, t_max_1);
+                    // glimt_render_gpu/src/kernels/bvh.rs:252
+                    let _e82 = (_e80 < t_max_1);
+                    both_1 = _e82;
+                    if _e82 {
+                        let _e84 = Triangle_is_see_through(triangle_5);
+                        both_2 = _e84;
+                        if _e84 {
+                            let _e86 = is_passed(i, triangle_5, ray_4);
+                            both_2 = _e86;
+                        }
+                        let _e87 = both_2;
+                        both_1 = !(_e87);
+                    }
+                    let is_met = both_1;
+                    // glimt_render_gpu/src/kernels/bvh.rs:254
+                    both_3 = is_met;
+                    if is_met {
+                        let _e93 = (_e80 < asked.near);
+                        both_4 = _e93;
+                        if _e93 {
+                            let _e95 = Triangle_outward(triangle_5);
+                            both_4 = (dot(_e95, asked.way) > 0f);
+                        }
+                        let _e100 = both_4;
+                        both_3 = !(_e100);
+                    }
+                    let _e102 = both_3;
+                    if _e102 {
+                        // glimt_render_gpu/src/kernels/bvh.rs:255
+                        return true;
+                    }
+                }
+                continuing {
+                    let _e105 = counter;
+                    counter = (_e105 + 1u);
+                }
+            }
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:261
+    return false;
+}
+
 // glimt_sampling/src/hash.rs:50
-fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
-    var x_2: u32;
+fn hash_uvec4_(v_2: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
     var y: u32;
     var z: u32;
     var w: u32;
 
     // glimt_sampling/src/hash.rs:51
-    let _e4 = hash_u32_(v.x);
-    x_2 = ((_e4 * 1664525u) + 1013904223u);
+    let _e4 = hash_u32_(v_2.x);
+    x_3 = ((_e4 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:54
-    let _e12 = hash_u32_(v.y);
+    let _e12 = hash_u32_(v_2.y);
     y = ((_e12 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:57
-    let _e20 = hash_u32_(v.z);
+    let _e20 = hash_u32_(v_2.z);
     z = ((_e20 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:60
-    let _e28 = hash_u32_(v.w);
+    let _e28 = hash_u32_(v_2.w);
     w = ((_e28 * 1664525u) + 1013904223u);
     // glimt_sampling/src/hash.rs:64
-    let _e35 = x_2;
+    let _e35 = x_3;
     let _e36 = y;
     let _e37 = w;
-    x_2 = (_e35 + (_e36 * _e37));
+    x_3 = (_e35 + (_e36 * _e37));
     // glimt_sampling/src/hash.rs:65
     let _e41 = y;
     let _e42 = z;
-    let _e43 = x_2;
+    let _e43 = x_3;
     y = (_e41 + (_e42 * _e43));
     // glimt_sampling/src/hash.rs:66
     let _e47 = z;
-    let _e48 = x_2;
+    let _e48 = x_3;
     let _e49 = y;
     z = (_e47 + (_e48 * _e49));
     // glimt_sampling/src/hash.rs:67
@@ -372,9 +724,9 @@ fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
     let _e55 = z;
     w = (_e53 + (_e54 * _e55));
     // glimt_sampling/src/hash.rs:68
-    let _e59 = x_2;
-    let _e62 = x_2;
-    x_2 = (_e62 ^ (_e59 >> 16u));
+    let _e59 = x_3;
+    let _e62 = x_3;
+    x_3 = (_e62 ^ (_e59 >> 16u));
     // glimt_sampling/src/hash.rs:69
     let _e65 = y;
     let _e68 = y;
@@ -388,18 +740,18 @@ fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
     let _e80 = w;
     w = (_e80 ^ (_e77 >> 16u));
     // glimt_sampling/src/hash.rs:72
-    let _e83 = x_2;
+    let _e83 = x_3;
     let _e84 = y;
     let _e85 = w;
-    x_2 = (_e83 + (_e84 * _e85));
+    x_3 = (_e83 + (_e84 * _e85));
     // glimt_sampling/src/hash.rs:73
     let _e89 = y;
     let _e90 = z;
-    let _e91 = x_2;
+    let _e91 = x_3;
     y = (_e89 + (_e90 * _e91));
     // glimt_sampling/src/hash.rs:74
     let _e95 = z;
-    let _e96 = x_2;
+    let _e96 = x_3;
     let _e97 = y;
     z = (_e95 + (_e96 * _e97));
     // glimt_sampling/src/hash.rs:75
@@ -408,8 +760,8 @@ fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
     let _e103 = z;
     w = (_e101 + (_e102 * _e103));
     // glimt_sampling/src/hash.rs:76
-    let _e107 = x_2;
-    let _e108 = x_2;
+    let _e107 = x_3;
+    let _e108 = x_3;
     let _e112 = y;
     let _e113 = y;
     let _e117 = z;
@@ -442,166 +794,230 @@ fn Xoshiro128PlusPlus_stream(seed: u32, frame: u32, pixel: u32) -> Xoshiro128Plu
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:157
+// glimt_render_gpu/src/kernels/transfer.rs:160
 fn strata_of_row(params: TransferParams, row: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/transfer.rs:158
-    let first_1 = ((row * params.directions) / params.rows);
-    // glimt_render_gpu/src/kernels/transfer.rs:159
+    // glimt_render_gpu/src/kernels/transfer.rs:161
+    let first_4 = ((row * params.directions) / params.rows);
+    // glimt_render_gpu/src/kernels/transfer.rs:162
     let next = (((row + 1u) * params.directions) / params.rows);
-    // glimt_render_gpu/src/kernels/transfer.rs:160
-    return vec2<u32>(first_1, (next - first_1));
+    // glimt_render_gpu/src/kernels/transfer.rs:163
+    return vec2<u32>(first_4, (next - first_4));
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_8: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s = (*this_4).state;
+    let s = (*this_8).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s.x + s.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
     // glimt_sampling/src/xoshiro.rs:59
     let z_5 = (s.z ^ s.x);
     // glimt_sampling/src/xoshiro.rs:60
-    let w_1 = (s.w ^ s.y);
+    let w_2 = (s.w ^ s.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_5), (z_5 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_8).state = vec4<u32>((s.x ^ w_2), (s.y ^ z_5), (z_5 ^ (s.y << 9u)), ((w_2 << 11u) | (w_2 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_9: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_9);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_9);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_sampling/src/uniform.rs:15
-fn unit_f32_(u: u32) -> f32 {
-
-    // glimt_sampling/src/uniform.rs:16
-    return (f32((u >> 8u)) * (1f / 16777216f));
-}
-
 // glimt_sampling/src/uniform.rs:22
-fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+fn unit_vec2_(u_3: vec2<u32>) -> vec2<f32> {
 
     // glimt_sampling/src/uniform.rs:23
-    let _e4 = unit_f32_(u_1.x);
-    let _e6 = unit_f32_(u_1.y);
+    let _e4 = unit_f32_(u_3.x);
+    let _e6 = unit_f32_(u_3.y);
     return vec2<f32>(_e4, _e6);
 }
 
 // glimt_probe/src/trig.rs:25
-fn cos_sin_pi(x_3: f32) -> vec2<f32> {
-    var chosen_3: vec2<f32>;
+fn cos_sin_pi(x_4: f32) -> vec2<f32> {
+    var chosen_5: vec2<f32>;
 
     // glimt_probe/src/trig.rs:27
-    let quarter = floor(((2f * x_3) + 0.5f));
+    let quarter = floor(((2f * x_4) + 0.5f));
     // glimt_probe/src/trig.rs:28
-    let y_2 = (x_3 - (0.5f * quarter));
+    let y_3 = (x_4 - (0.5f * quarter));
     // glimt_probe/src/trig.rs:29
-    let y2_ = (y_2 * y_2);
+    let y2_ = (y_3 * y_3);
     // glimt_probe/src/trig.rs:31
-    let c_2 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
+    let c_3 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
     // glimt_probe/src/trig.rs:34
-    let s_1 = (y_2 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    let s_1 = (y_3 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
     // glimt_probe/src/trig.rs:37
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_3 = vec2<f32>(c_2, (s_1 + 0f));
+        chosen_5 = vec2<f32>(c_3, (s_1 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_3 = vec2<f32>((0f - s_1), c_2);
+            chosen_5 = vec2<f32>((0f - s_1), c_3);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_3 = vec2<f32>((0f - c_2), (0f - s_1));
+                chosen_5 = vec2<f32>((0f - c_3), (0f - s_1));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_3 = vec2<f32>((s_1 + 0f), (0f - c_2));
+                chosen_5 = vec2<f32>((s_1 + 0f), (0f - c_3));
             }
         }
     }
-    let _e77 = chosen_3;
+    let _e77 = chosen_5;
     return _e77;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:169
-fn direction_in_row(n_1: u32, first: u32, columns: u32, column: u32, u_2: vec2<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/transfer.rs:172
+fn direction_in_row(n_1: u32, first_2: u32, columns: u32, column: u32, u_4: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/transfer.rs:170
-    let down = ((f32(first) + (u_2.x * f32(columns))) / f32(n_1));
-    // glimt_render_gpu/src/kernels/transfer.rs:171
-    let radius = (2f * sqrt((down * (1f - down))));
-    // glimt_render_gpu/src/kernels/transfer.rs:172
-    let _e31 = cos_sin_pi((((f32(column) + u_2.y) * (2f / f32(columns))) - 1f));
-    let around = (_e31 * radius);
     // glimt_render_gpu/src/kernels/transfer.rs:173
+    let down = ((f32(first_2) + (u_4.x * f32(columns))) / f32(n_1));
+    // glimt_render_gpu/src/kernels/transfer.rs:174
+    let radius = (2f * sqrt((down * (1f - down))));
+    // glimt_render_gpu/src/kernels/transfer.rs:175
+    let _e31 = cos_sin_pi((((f32(column) + u_4.y) * (2f / f32(columns))) - 1f));
+    let around = (_e31 * radius);
+    // glimt_render_gpu/src/kernels/transfer.rs:176
     return vec3<f32>(around.x, around.y, (1f - (2f * down)));
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:145
-fn visit_leaf(leaf: BvhNode, ray_3: Ray, reach: ptr<function, f32>, best: u32, no_catcher: bool) -> u32 {
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_2: u32, b_2: u32, c_1: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_2, b_2);
+    let _e7 = hash_u32_((_e5 + c_1));
+    return _e7;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:66
+fn Triangle_ray_offset(this_10: Triangle) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:67
+    let extent = max(max(abs(this_10.v0_), abs(this_10.v1_)), abs(this_10.v2_));
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:74
+fn Triangle_setback(this_11: Triangle, ray_5: Ray, t: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:75
+    let _e5 = Triangle_area_normal(this_11);
+    // glimt_render_gpu/src/kernels/triangle.rs:76
+    let across = abs(dot(_e5, ray_5.direction));
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let _e12 = Triangle_ray_offset(this_11);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_5.direction, ray_5.direction)))));
+    // glimt_render_gpu/src/kernels/triangle.rs:82
+    return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:187
+fn held(index_4: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
+    var both_5: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:195
+    let _e7 = Triangle_is_see_through(triangle_4);
+    both_5 = _e7;
+    if _e7 {
+        let _e9 = is_passed(index_4, triangle_4, ray_6);
+        both_5 = _e9;
+    }
+    let _e10 = both_5;
+    if _e10 {
+        // glimt_render_gpu/src/kernels/bvh.rs:196
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:198
+    let _e14 = Triangle_is_catcher(triangle_4);
+    if !(_e14) {
+        // glimt_render_gpu/src/kernels/bvh.rs:199
+        return t_1;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:201
+    if no_catcher {
+        // glimt_render_gpu/src/kernels/bvh.rs:202
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:204
+    let _e21 = Triangle_setback(triangle_4, ray_6, t_1);
+    return (t_1 + _e21);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:160
+fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
     var counter_1: u32;
-    var both_3: bool;
-    var both_4: bool;
+    var t_2: f32;
+    var both_6: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:153
+    // glimt_render_gpu/src/kernels/bvh.rs:169
     nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:154
+    // glimt_render_gpu/src/kernels/bvh.rs:170
     counter_1 = leaf.first;
     loop {
         let i_1 = counter_1;
         if (i_1 >= (leaf.first + leaf.count)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:155
+        // glimt_render_gpu/src/kernels/bvh.rs:171
         let _e19 = triangles[i_1];
         let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_3, _e20);
-        // glimt_render_gpu/src/kernels/bvh.rs:157
-        let _e23 = (*reach);
-        let _e24 = (_e21 < _e23);
-        both_3 = _e24;
-        if _e24 {
-            both_4 = no_catcher;
-            if no_catcher {
-                let _e29 = triangles[i_1];
-                let _e30 = Triangle_is_catcher(_e29);
-                both_4 = _e30;
-            }
-            let _e31 = both_4;
-            both_3 = !(_e31);
+        let _e21 = intersect(_e19, ray_7, _e20);
+        t_2 = _e21;
+        // glimt_render_gpu/src/kernels/bvh.rs:173
+        let _e24 = t_2;
+        let _e25 = (*reach);
+        let _e26 = (_e24 < _e25);
+        both_6 = _e26;
+        if _e26 {
+            let _e31 = triangles[i_1].object;
+            both_6 = (_e31 >= 1073741824u);
         }
-        let _e33 = both_3;
-        if _e33 {
-            // glimt_render_gpu/src/kernels/bvh.rs:158
-            (*reach) = _e21;
-            // glimt_render_gpu/src/kernels/bvh.rs:159
+        let _e34 = both_6;
+        if _e34 {
+            // glimt_render_gpu/src/kernels/bvh.rs:174
+            let _e38 = triangles[i_1];
+            let _e39 = t_2;
+            let _e40 = held(i_1, _e38, ray_7, _e39, no_catcher_1);
+            t_2 = _e40;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:176
+        let _e42 = t_2;
+        let _e43 = (*reach);
+        if (_e42 < _e43) {
+            // glimt_render_gpu/src/kernels/bvh.rs:177
+            let _e46 = t_2;
+            (*reach) = _e46;
+            // glimt_render_gpu/src/kernels/bvh.rs:178
             nearest = i_1;
         }
         continuing {
-            let _e36 = counter_1;
-            counter_1 = (_e36 + 1u);
+            let _e48 = counter_1;
+            counter_1 = (_e48 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:162
-    let _e40 = nearest;
-    return _e40;
+    // glimt_render_gpu/src/kernels/bvh.rs:181
+    let _e52 = nearest;
+    return _e52;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:77
-fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+// glimt_render_gpu/src/kernels/bvh.rs:91
+fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     var either: bool;
     var best_1: u32;
     var stack_1: array<u32, 64>;
@@ -614,155 +1030,155 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     var into_near: bool;
     var into_far: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:84
+    // glimt_render_gpu/src/kernels/bvh.rs:99
     let _e8 = (arrayLength((&nodes)) == 0u);
     either = _e8;
     if _e8 {
     } else {
         let _e13 = nodes[0u];
-        let _e14 = box_distance(_e13, ray_4);
+        let _e14 = box_distance(_e13, ray_8);
         let _e15 = (*reach_1);
         either = (_e14 >= _e15);
     }
     let _e17 = either;
     if _e17 {
-        // glimt_render_gpu/src/kernels/bvh.rs:85
+        // glimt_render_gpu/src/kernels/bvh.rs:100
         return 4294967295u;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:87
+    // glimt_render_gpu/src/kernels/bvh.rs:102
     let root = nodes[0u];
-    // glimt_render_gpu/src/kernels/bvh.rs:88
+    // glimt_render_gpu/src/kernels/bvh.rs:103
     if (root.count > 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:89
-        let _e31 = visit_leaf(root, ray_4, reach_1, 4294967295u, any_);
+        // glimt_render_gpu/src/kernels/bvh.rs:104
+        let _e31 = visit_leaf(root, ray_8, reach_1, 4294967295u, any_);
         return _e31;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:91
+    // glimt_render_gpu/src/kernels/bvh.rs:106
     best_1 = 4294967295u;
-    // glimt_render_gpu/src/kernels/bvh.rs:92
+    // glimt_render_gpu/src/kernels/bvh.rs:107
     stack_1 = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:93
+    // glimt_render_gpu/src/kernels/bvh.rs:108
     height_1 = 0u;
-    // glimt_render_gpu/src/kernels/bvh.rs:94
+    // glimt_render_gpu/src/kernels/bvh.rs:109
     pair = root.first;
-    // glimt_render_gpu/src/kernels/bvh.rs:95
+    // glimt_render_gpu/src/kernels/bvh.rs:110
     loop {
-        // glimt_render_gpu/src/kernels/bvh.rs:96
+        // glimt_render_gpu/src/kernels/bvh.rs:111
         let _e47 = pair;
         let _e50 = nodes[_e47];
         near = _e50;
-        // glimt_render_gpu/src/kernels/bvh.rs:97
+        // glimt_render_gpu/src/kernels/bvh.rs:112
         let _e53 = pair;
         let _e58 = nodes[(_e53 + 1u)];
         far = _e58;
-        // glimt_render_gpu/src/kernels/bvh.rs:98
+        // glimt_render_gpu/src/kernels/bvh.rs:113
         let _e61 = near;
-        let _e62 = box_distance(_e61, ray_4);
+        let _e62 = box_distance(_e61, ray_8);
         t_near = _e62;
-        // glimt_render_gpu/src/kernels/bvh.rs:99
+        // glimt_render_gpu/src/kernels/bvh.rs:114
         let _e65 = far;
-        let _e66 = box_distance(_e65, ray_4);
+        let _e66 = box_distance(_e65, ray_8);
         t_far = _e66;
-        // glimt_render_gpu/src/kernels/bvh.rs:101
+        // glimt_render_gpu/src/kernels/bvh.rs:116
         let _e69 = t_near;
         let _e70 = t_far;
         if (_e69 > _e70) {
-            // glimt_render_gpu/src/kernels/bvh.rs:102
+            // glimt_render_gpu/src/kernels/bvh.rs:117
             let node_2 = near;
-            // glimt_render_gpu/src/kernels/bvh.rs:103
+            // glimt_render_gpu/src/kernels/bvh.rs:118
             let _e75 = far;
             near = _e75;
-            // glimt_render_gpu/src/kernels/bvh.rs:104
+            // glimt_render_gpu/src/kernels/bvh.rs:119
             far = node_2;
-            // glimt_render_gpu/src/kernels/bvh.rs:105
-            let t_2 = t_near;
-            // glimt_render_gpu/src/kernels/bvh.rs:106
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let t_6 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:121
             let _e80 = t_far;
             t_near = _e80;
-            // glimt_render_gpu/src/kernels/bvh.rs:107
-            t_far = t_2;
+            // glimt_render_gpu/src/kernels/bvh.rs:122
+            t_far = t_6;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:109
+        // glimt_render_gpu/src/kernels/bvh.rs:124
         let _e83 = t_near;
         let _e84 = (*reach_1);
         into_near = (_e83 < _e84);
-        // glimt_render_gpu/src/kernels/bvh.rs:110
+        // glimt_render_gpu/src/kernels/bvh.rs:125
         let _e88 = into_near;
         let _e90 = near.count;
         if (_e88 && (_e90 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:111
+            // glimt_render_gpu/src/kernels/bvh.rs:126
             let _e95 = near;
             let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_4, reach_1, _e96, any_);
+            let _e97 = visit_leaf(_e95, ray_8, reach_1, _e96, any_);
             best_1 = _e97;
-            // glimt_render_gpu/src/kernels/bvh.rs:112
+            // glimt_render_gpu/src/kernels/bvh.rs:127
             let _e99 = best_1;
             if (any_ && (_e99 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:113
+                // glimt_render_gpu/src/kernels/bvh.rs:128
                 let _e104 = best_1;
                 return _e104;
             }
-            // glimt_render_gpu/src/kernels/bvh.rs:115
+            // glimt_render_gpu/src/kernels/bvh.rs:130
             into_near = false;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:117
+        // glimt_render_gpu/src/kernels/bvh.rs:132
         let _e108 = t_far;
         let _e109 = (*reach_1);
         into_far = (_e108 < _e109);
-        // glimt_render_gpu/src/kernels/bvh.rs:118
+        // glimt_render_gpu/src/kernels/bvh.rs:133
         let _e113 = into_far;
         let _e115 = far.count;
         if (_e113 && (_e115 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:119
+            // glimt_render_gpu/src/kernels/bvh.rs:134
             let _e120 = far;
             let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_4, reach_1, _e121, any_);
+            let _e122 = visit_leaf(_e120, ray_8, reach_1, _e121, any_);
             best_1 = _e122;
-            // glimt_render_gpu/src/kernels/bvh.rs:120
+            // glimt_render_gpu/src/kernels/bvh.rs:135
             let _e124 = best_1;
             if (any_ && (_e124 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:121
+                // glimt_render_gpu/src/kernels/bvh.rs:136
                 let _e129 = best_1;
                 return _e129;
             }
-            // glimt_render_gpu/src/kernels/bvh.rs:123
+            // glimt_render_gpu/src/kernels/bvh.rs:138
             into_far = false;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:125
+        // glimt_render_gpu/src/kernels/bvh.rs:140
         let _e133 = into_near;
         if _e133 {
-            // glimt_render_gpu/src/kernels/bvh.rs:126
+            // glimt_render_gpu/src/kernels/bvh.rs:141
             let _e136 = near.first;
             pair = _e136;
-            // glimt_render_gpu/src/kernels/bvh.rs:127
+            // glimt_render_gpu/src/kernels/bvh.rs:142
             let _e138 = into_far;
             if _e138 {
-                // glimt_render_gpu/src/kernels/bvh.rs:128
+                // glimt_render_gpu/src/kernels/bvh.rs:143
                 let _e141 = far.first;
                 let _e142 = height_1;
                 stack_1[_e142] = _e141;
-                // glimt_render_gpu/src/kernels/bvh.rs:129
+                // glimt_render_gpu/src/kernels/bvh.rs:144
                 let _e146 = height_1;
                 height_1 = (_e146 + 1u);
             }
         } else {
             let _e148 = into_far;
             if _e148 {
-                // glimt_render_gpu/src/kernels/bvh.rs:132
+                // glimt_render_gpu/src/kernels/bvh.rs:147
                 let _e151 = far.first;
                 pair = _e151;
             } else {
                 let _e152 = height_1;
                 if (_e152 > 0u) {
-                    // glimt_render_gpu/src/kernels/bvh.rs:134
+                    // glimt_render_gpu/src/kernels/bvh.rs:149
                     let _e157 = height_1;
                     height_1 = (_e157 - 1u);
-                    // glimt_render_gpu/src/kernels/bvh.rs:135
+                    // glimt_render_gpu/src/kernels/bvh.rs:150
                     let _e160 = height_1;
                     let _e162 = stack_1[_e160];
                     pair = _e162;
                 } else {
-                    // glimt_render_gpu/src/kernels/bvh.rs:137
+                    // glimt_render_gpu/src/kernels/bvh.rs:152
                     let _e164 = best_1;
                     return _e164;
                 }
@@ -772,22 +1188,22 @@ fn traverse(ray_4: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:65
-fn any_hit(ray_5: Ray, t_max_2: f32) -> bool {
-    var t: f32;
+// glimt_render_gpu/src/kernels/bvh.rs:73
+fn any_hit(ray_9: Ray, t_max_2: f32) -> bool {
+    var t_3: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:66
-    t = t_max_2;
-    // glimt_render_gpu/src/kernels/bvh.rs:67
-    let _e7 = traverse(ray_5, (&t), true);
+    // glimt_render_gpu/src/kernels/bvh.rs:80
+    t_3 = t_max_2;
+    // glimt_render_gpu/src/kernels/bvh.rs:81
+    let _e7 = traverse(ray_9, (&t_3), true);
     return (_e7 != 4294967295u);
 }
 
 // glimt_sh/src/basis.rs:132
-fn turn(p: vec2<f32>, x_4: f32, y_1: f32) -> vec2<f32> {
+fn turn(p: vec2<f32>, x_5: f32, y_1: f32) -> vec2<f32> {
 
     // glimt_sh/src/basis.rs:133
-    return vec2<f32>(((p.x * x_4) - (p.y * y_1)), ((p.x * y_1) + (p.y * x_4)));
+    return vec2<f32>(((p.x * x_5) - (p.y * y_1)), ((p.x * y_1) + (p.y * x_5)));
 }
 
 // glimt_sh/src/basis.rs:79
@@ -801,27 +1217,27 @@ fn zonal_2_(z_1: f32) -> array<f32, 3> {
 fn zonal_3_(z_2: f32) -> array<f32, 4> {
 
     // glimt_sh/src/basis.rs:91
-    let t_3 = (z_2 * z_2);
+    let t_7 = (z_2 * z_2);
     // glimt_sh/src/basis.rs:92
-    return array<f32, 4>(((0.37317634f * z_2) * ((5f * t_3) - 3f)), (0.4570458f * ((5f * t_3) - 1f)), (1.4453057f * z_2), 0.5900436f);
+    return array<f32, 4>(((0.37317634f * z_2) * ((5f * t_7) - 3f)), (0.4570458f * ((5f * t_7) - 1f)), (1.4453057f * z_2), 0.5900436f);
 }
 
 // glimt_sh/src/basis.rs:103
 fn zonal_4_(z_3: f32) -> array<f32, 5> {
 
     // glimt_sh/src/basis.rs:104
-    let t_4 = (z_3 * z_3);
+    let t_8 = (z_3 * z_3);
     // glimt_sh/src/basis.rs:105
-    return array<f32, 5>((0.10578555f * ((((35f * t_4) - 30f) * t_4) + 3f)), ((0.6690465f * z_3) * ((7f * t_4) - 3f)), (0.47308734f * ((7f * t_4) - 1f)), (1.7701308f * z_3), 0.6258357f);
+    return array<f32, 5>((0.10578555f * ((((35f * t_8) - 30f) * t_8) + 3f)), ((0.6690465f * z_3) * ((7f * t_8) - 3f)), (0.47308734f * ((7f * t_8) - 1f)), (1.7701308f * z_3), 0.6258357f);
 }
 
 // glimt_sh/src/basis.rs:117
 fn zonal_5_(z_4: f32) -> array<f32, 6> {
 
     // glimt_sh/src/basis.rs:118
-    let t_5 = (z_4 * z_4);
+    let t_9 = (z_4 * z_4);
     // glimt_sh/src/basis.rs:119
-    return array<f32, 6>(((0.116950326f * z_4) * ((((63f * t_5) - 70f) * t_5) + 15f)), (0.45294666f * ((((21f * t_5) - 14f) * t_5) + 1f)), ((2.3967683f * z_4) * ((3f * t_5) - 1f)), (0.4892383f * ((9f * t_5) - 1f)), (2.0756624f * z_4), 0.6563821f);
+    return array<f32, 6>(((0.116950326f * z_4) * ((((63f * t_9) - 70f) * t_9) + 15f)), (0.45294666f * ((((21f * t_9) - 14f) * t_9) + 1f)), ((2.3967683f * z_4) * ((3f * t_9) - 1f)), (0.4892383f * ((9f * t_9) - 1f)), (2.0756624f * z_4), 0.6563821f);
 }
 
 // glimt_sh/src/basis.rs:224
@@ -1014,162 +1430,162 @@ fn add_basis(bands: u32, d: vec3<f32>, weight: f32, sums: ptr<function, array<f3
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:177
+// glimt_render_gpu/src/kernels/transfer.rs:180
 fn store(bands_1: u32, kept: f32, scale: f32, sums_1: array<f32, 36>, out_start: u32, out_len: u32) {
     var sums_2: array<f32, 36>;
 
     sums_2 = sums_1;
-    // glimt_render_gpu/src/kernels/transfer.rs:178
+    // glimt_render_gpu/src/kernels/transfer.rs:181
     let _e12 = lit[(out_start + 0u)];
     let _e15 = sums_2[0];
     lit[(out_start + 0u)] = ((kept * _e12) + (scale * _e15));
-    // glimt_render_gpu/src/kernels/transfer.rs:179
+    // glimt_render_gpu/src/kernels/transfer.rs:182
     if (bands_1 > 1u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:180
+        // glimt_render_gpu/src/kernels/transfer.rs:183
         let _e30 = lit[(out_start + 1u)];
         let _e33 = sums_2[1];
         lit[(out_start + 1u)] = ((kept * _e30) + (scale * _e33));
-        // glimt_render_gpu/src/kernels/transfer.rs:181
+        // glimt_render_gpu/src/kernels/transfer.rs:184
         let _e45 = lit[(out_start + 2u)];
         let _e48 = sums_2[2];
         lit[(out_start + 2u)] = ((kept * _e45) + (scale * _e48));
-        // glimt_render_gpu/src/kernels/transfer.rs:182
+        // glimt_render_gpu/src/kernels/transfer.rs:185
         let _e60 = lit[(out_start + 3u)];
         let _e63 = sums_2[3];
         lit[(out_start + 3u)] = ((kept * _e60) + (scale * _e63));
-        // glimt_render_gpu/src/kernels/transfer.rs:183
+        // glimt_render_gpu/src/kernels/transfer.rs:186
         if (bands_1 > 2u) {
-            // glimt_render_gpu/src/kernels/transfer.rs:184
+            // glimt_render_gpu/src/kernels/transfer.rs:187
             let _e78 = lit[(out_start + 4u)];
             let _e81 = sums_2[4];
             lit[(out_start + 4u)] = ((kept * _e78) + (scale * _e81));
-            // glimt_render_gpu/src/kernels/transfer.rs:185
+            // glimt_render_gpu/src/kernels/transfer.rs:188
             let _e93 = lit[(out_start + 5u)];
             let _e96 = sums_2[5];
             lit[(out_start + 5u)] = ((kept * _e93) + (scale * _e96));
-            // glimt_render_gpu/src/kernels/transfer.rs:186
+            // glimt_render_gpu/src/kernels/transfer.rs:189
             let _e108 = lit[(out_start + 6u)];
             let _e111 = sums_2[6];
             lit[(out_start + 6u)] = ((kept * _e108) + (scale * _e111));
-            // glimt_render_gpu/src/kernels/transfer.rs:187
+            // glimt_render_gpu/src/kernels/transfer.rs:190
             let _e123 = lit[(out_start + 7u)];
             let _e126 = sums_2[7];
             lit[(out_start + 7u)] = ((kept * _e123) + (scale * _e126));
-            // glimt_render_gpu/src/kernels/transfer.rs:188
+            // glimt_render_gpu/src/kernels/transfer.rs:191
             let _e138 = lit[(out_start + 8u)];
             let _e141 = sums_2[8];
             lit[(out_start + 8u)] = ((kept * _e138) + (scale * _e141));
-            // glimt_render_gpu/src/kernels/transfer.rs:189
+            // glimt_render_gpu/src/kernels/transfer.rs:192
             if (bands_1 > 3u) {
-                // glimt_render_gpu/src/kernels/transfer.rs:190
+                // glimt_render_gpu/src/kernels/transfer.rs:193
                 let _e156 = lit[(out_start + 9u)];
                 let _e159 = sums_2[9];
                 lit[(out_start + 9u)] = ((kept * _e156) + (scale * _e159));
-                // glimt_render_gpu/src/kernels/transfer.rs:191
+                // glimt_render_gpu/src/kernels/transfer.rs:194
                 let _e171 = lit[(out_start + 10u)];
                 let _e174 = sums_2[10];
                 lit[(out_start + 10u)] = ((kept * _e171) + (scale * _e174));
-                // glimt_render_gpu/src/kernels/transfer.rs:192
+                // glimt_render_gpu/src/kernels/transfer.rs:195
                 let _e186 = lit[(out_start + 11u)];
                 let _e189 = sums_2[11];
                 lit[(out_start + 11u)] = ((kept * _e186) + (scale * _e189));
-                // glimt_render_gpu/src/kernels/transfer.rs:193
+                // glimt_render_gpu/src/kernels/transfer.rs:196
                 let _e201 = lit[(out_start + 12u)];
                 let _e204 = sums_2[12];
                 lit[(out_start + 12u)] = ((kept * _e201) + (scale * _e204));
-                // glimt_render_gpu/src/kernels/transfer.rs:194
+                // glimt_render_gpu/src/kernels/transfer.rs:197
                 let _e216 = lit[(out_start + 13u)];
                 let _e219 = sums_2[13];
                 lit[(out_start + 13u)] = ((kept * _e216) + (scale * _e219));
-                // glimt_render_gpu/src/kernels/transfer.rs:195
+                // glimt_render_gpu/src/kernels/transfer.rs:198
                 let _e231 = lit[(out_start + 14u)];
                 let _e234 = sums_2[14];
                 lit[(out_start + 14u)] = ((kept * _e231) + (scale * _e234));
-                // glimt_render_gpu/src/kernels/transfer.rs:196
+                // glimt_render_gpu/src/kernels/transfer.rs:199
                 let _e246 = lit[(out_start + 15u)];
                 let _e249 = sums_2[15];
                 lit[(out_start + 15u)] = ((kept * _e246) + (scale * _e249));
-                // glimt_render_gpu/src/kernels/transfer.rs:197
+                // glimt_render_gpu/src/kernels/transfer.rs:200
                 if (bands_1 > 4u) {
-                    // glimt_render_gpu/src/kernels/transfer.rs:198
+                    // glimt_render_gpu/src/kernels/transfer.rs:201
                     let _e264 = lit[(out_start + 16u)];
                     let _e267 = sums_2[16];
                     lit[(out_start + 16u)] = ((kept * _e264) + (scale * _e267));
-                    // glimt_render_gpu/src/kernels/transfer.rs:199
+                    // glimt_render_gpu/src/kernels/transfer.rs:202
                     let _e279 = lit[(out_start + 17u)];
                     let _e282 = sums_2[17];
                     lit[(out_start + 17u)] = ((kept * _e279) + (scale * _e282));
-                    // glimt_render_gpu/src/kernels/transfer.rs:200
+                    // glimt_render_gpu/src/kernels/transfer.rs:203
                     let _e294 = lit[(out_start + 18u)];
                     let _e297 = sums_2[18];
                     lit[(out_start + 18u)] = ((kept * _e294) + (scale * _e297));
-                    // glimt_render_gpu/src/kernels/transfer.rs:201
+                    // glimt_render_gpu/src/kernels/transfer.rs:204
                     let _e309 = lit[(out_start + 19u)];
                     let _e312 = sums_2[19];
                     lit[(out_start + 19u)] = ((kept * _e309) + (scale * _e312));
-                    // glimt_render_gpu/src/kernels/transfer.rs:202
+                    // glimt_render_gpu/src/kernels/transfer.rs:205
                     let _e324 = lit[(out_start + 20u)];
                     let _e327 = sums_2[20];
                     lit[(out_start + 20u)] = ((kept * _e324) + (scale * _e327));
-                    // glimt_render_gpu/src/kernels/transfer.rs:203
+                    // glimt_render_gpu/src/kernels/transfer.rs:206
                     let _e339 = lit[(out_start + 21u)];
                     let _e342 = sums_2[21];
                     lit[(out_start + 21u)] = ((kept * _e339) + (scale * _e342));
-                    // glimt_render_gpu/src/kernels/transfer.rs:204
+                    // glimt_render_gpu/src/kernels/transfer.rs:207
                     let _e354 = lit[(out_start + 22u)];
                     let _e357 = sums_2[22];
                     lit[(out_start + 22u)] = ((kept * _e354) + (scale * _e357));
-                    // glimt_render_gpu/src/kernels/transfer.rs:205
+                    // glimt_render_gpu/src/kernels/transfer.rs:208
                     let _e369 = lit[(out_start + 23u)];
                     let _e372 = sums_2[23];
                     lit[(out_start + 23u)] = ((kept * _e369) + (scale * _e372));
-                    // glimt_render_gpu/src/kernels/transfer.rs:206
+                    // glimt_render_gpu/src/kernels/transfer.rs:209
                     let _e384 = lit[(out_start + 24u)];
                     let _e387 = sums_2[24];
                     lit[(out_start + 24u)] = ((kept * _e384) + (scale * _e387));
-                    // glimt_render_gpu/src/kernels/transfer.rs:207
+                    // glimt_render_gpu/src/kernels/transfer.rs:210
                     if (bands_1 > 5u) {
-                        // glimt_render_gpu/src/kernels/transfer.rs:208
+                        // glimt_render_gpu/src/kernels/transfer.rs:211
                         let _e402 = lit[(out_start + 25u)];
                         let _e405 = sums_2[25];
                         lit[(out_start + 25u)] = ((kept * _e402) + (scale * _e405));
-                        // glimt_render_gpu/src/kernels/transfer.rs:209
+                        // glimt_render_gpu/src/kernels/transfer.rs:212
                         let _e417 = lit[(out_start + 26u)];
                         let _e420 = sums_2[26];
                         lit[(out_start + 26u)] = ((kept * _e417) + (scale * _e420));
-                        // glimt_render_gpu/src/kernels/transfer.rs:210
+                        // glimt_render_gpu/src/kernels/transfer.rs:213
                         let _e432 = lit[(out_start + 27u)];
                         let _e435 = sums_2[27];
                         lit[(out_start + 27u)] = ((kept * _e432) + (scale * _e435));
-                        // glimt_render_gpu/src/kernels/transfer.rs:211
+                        // glimt_render_gpu/src/kernels/transfer.rs:214
                         let _e447 = lit[(out_start + 28u)];
                         let _e450 = sums_2[28];
                         lit[(out_start + 28u)] = ((kept * _e447) + (scale * _e450));
-                        // glimt_render_gpu/src/kernels/transfer.rs:212
+                        // glimt_render_gpu/src/kernels/transfer.rs:215
                         let _e462 = lit[(out_start + 29u)];
                         let _e465 = sums_2[29];
                         lit[(out_start + 29u)] = ((kept * _e462) + (scale * _e465));
-                        // glimt_render_gpu/src/kernels/transfer.rs:213
+                        // glimt_render_gpu/src/kernels/transfer.rs:216
                         let _e477 = lit[(out_start + 30u)];
                         let _e480 = sums_2[30];
                         lit[(out_start + 30u)] = ((kept * _e477) + (scale * _e480));
-                        // glimt_render_gpu/src/kernels/transfer.rs:214
+                        // glimt_render_gpu/src/kernels/transfer.rs:217
                         let _e492 = lit[(out_start + 31u)];
                         let _e495 = sums_2[31];
                         lit[(out_start + 31u)] = ((kept * _e492) + (scale * _e495));
-                        // glimt_render_gpu/src/kernels/transfer.rs:215
+                        // glimt_render_gpu/src/kernels/transfer.rs:218
                         let _e507 = lit[(out_start + 32u)];
                         let _e510 = sums_2[32];
                         lit[(out_start + 32u)] = ((kept * _e507) + (scale * _e510));
-                        // glimt_render_gpu/src/kernels/transfer.rs:216
+                        // glimt_render_gpu/src/kernels/transfer.rs:219
                         let _e522 = lit[(out_start + 33u)];
                         let _e525 = sums_2[33];
                         lit[(out_start + 33u)] = ((kept * _e522) + (scale * _e525));
-                        // glimt_render_gpu/src/kernels/transfer.rs:217
+                        // glimt_render_gpu/src/kernels/transfer.rs:220
                         let _e537 = lit[(out_start + 34u)];
                         let _e540 = sums_2[34];
                         lit[(out_start + 34u)] = ((kept * _e537) + (scale * _e540));
-                        // glimt_render_gpu/src/kernels/transfer.rs:218
+                        // glimt_render_gpu/src/kernels/transfer.rs:221
                         let _e552 = lit[(out_start + 35u)];
                         let _e555 = sums_2[35];
                         lit[(out_start + 35u)] = ((kept * _e552) + (scale * _e555));
@@ -1181,162 +1597,162 @@ fn store(bands_1: u32, kept: f32, scale: f32, sums_1: array<f32, 36>, out_start:
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:177
+// glimt_render_gpu/src/kernels/transfer.rs:180
 fn store_1(bands_2: u32, kept_1: f32, scale_1: f32, sums_3: array<f32, 36>, out_start_1: u32, out_len_1: u32) {
     var sums_4: array<f32, 36>;
 
     sums_4 = sums_3;
-    // glimt_render_gpu/src/kernels/transfer.rs:178
+    // glimt_render_gpu/src/kernels/transfer.rs:181
     let _e12 = blocked[(out_start_1 + 0u)];
     let _e15 = sums_4[0];
     blocked[(out_start_1 + 0u)] = ((kept_1 * _e12) + (scale_1 * _e15));
-    // glimt_render_gpu/src/kernels/transfer.rs:179
+    // glimt_render_gpu/src/kernels/transfer.rs:182
     if (bands_2 > 1u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:180
+        // glimt_render_gpu/src/kernels/transfer.rs:183
         let _e30 = blocked[(out_start_1 + 1u)];
         let _e33 = sums_4[1];
         blocked[(out_start_1 + 1u)] = ((kept_1 * _e30) + (scale_1 * _e33));
-        // glimt_render_gpu/src/kernels/transfer.rs:181
+        // glimt_render_gpu/src/kernels/transfer.rs:184
         let _e45 = blocked[(out_start_1 + 2u)];
         let _e48 = sums_4[2];
         blocked[(out_start_1 + 2u)] = ((kept_1 * _e45) + (scale_1 * _e48));
-        // glimt_render_gpu/src/kernels/transfer.rs:182
+        // glimt_render_gpu/src/kernels/transfer.rs:185
         let _e60 = blocked[(out_start_1 + 3u)];
         let _e63 = sums_4[3];
         blocked[(out_start_1 + 3u)] = ((kept_1 * _e60) + (scale_1 * _e63));
-        // glimt_render_gpu/src/kernels/transfer.rs:183
+        // glimt_render_gpu/src/kernels/transfer.rs:186
         if (bands_2 > 2u) {
-            // glimt_render_gpu/src/kernels/transfer.rs:184
+            // glimt_render_gpu/src/kernels/transfer.rs:187
             let _e78 = blocked[(out_start_1 + 4u)];
             let _e81 = sums_4[4];
             blocked[(out_start_1 + 4u)] = ((kept_1 * _e78) + (scale_1 * _e81));
-            // glimt_render_gpu/src/kernels/transfer.rs:185
+            // glimt_render_gpu/src/kernels/transfer.rs:188
             let _e93 = blocked[(out_start_1 + 5u)];
             let _e96 = sums_4[5];
             blocked[(out_start_1 + 5u)] = ((kept_1 * _e93) + (scale_1 * _e96));
-            // glimt_render_gpu/src/kernels/transfer.rs:186
+            // glimt_render_gpu/src/kernels/transfer.rs:189
             let _e108 = blocked[(out_start_1 + 6u)];
             let _e111 = sums_4[6];
             blocked[(out_start_1 + 6u)] = ((kept_1 * _e108) + (scale_1 * _e111));
-            // glimt_render_gpu/src/kernels/transfer.rs:187
+            // glimt_render_gpu/src/kernels/transfer.rs:190
             let _e123 = blocked[(out_start_1 + 7u)];
             let _e126 = sums_4[7];
             blocked[(out_start_1 + 7u)] = ((kept_1 * _e123) + (scale_1 * _e126));
-            // glimt_render_gpu/src/kernels/transfer.rs:188
+            // glimt_render_gpu/src/kernels/transfer.rs:191
             let _e138 = blocked[(out_start_1 + 8u)];
             let _e141 = sums_4[8];
             blocked[(out_start_1 + 8u)] = ((kept_1 * _e138) + (scale_1 * _e141));
-            // glimt_render_gpu/src/kernels/transfer.rs:189
+            // glimt_render_gpu/src/kernels/transfer.rs:192
             if (bands_2 > 3u) {
-                // glimt_render_gpu/src/kernels/transfer.rs:190
+                // glimt_render_gpu/src/kernels/transfer.rs:193
                 let _e156 = blocked[(out_start_1 + 9u)];
                 let _e159 = sums_4[9];
                 blocked[(out_start_1 + 9u)] = ((kept_1 * _e156) + (scale_1 * _e159));
-                // glimt_render_gpu/src/kernels/transfer.rs:191
+                // glimt_render_gpu/src/kernels/transfer.rs:194
                 let _e171 = blocked[(out_start_1 + 10u)];
                 let _e174 = sums_4[10];
                 blocked[(out_start_1 + 10u)] = ((kept_1 * _e171) + (scale_1 * _e174));
-                // glimt_render_gpu/src/kernels/transfer.rs:192
+                // glimt_render_gpu/src/kernels/transfer.rs:195
                 let _e186 = blocked[(out_start_1 + 11u)];
                 let _e189 = sums_4[11];
                 blocked[(out_start_1 + 11u)] = ((kept_1 * _e186) + (scale_1 * _e189));
-                // glimt_render_gpu/src/kernels/transfer.rs:193
+                // glimt_render_gpu/src/kernels/transfer.rs:196
                 let _e201 = blocked[(out_start_1 + 12u)];
                 let _e204 = sums_4[12];
                 blocked[(out_start_1 + 12u)] = ((kept_1 * _e201) + (scale_1 * _e204));
-                // glimt_render_gpu/src/kernels/transfer.rs:194
+                // glimt_render_gpu/src/kernels/transfer.rs:197
                 let _e216 = blocked[(out_start_1 + 13u)];
                 let _e219 = sums_4[13];
                 blocked[(out_start_1 + 13u)] = ((kept_1 * _e216) + (scale_1 * _e219));
-                // glimt_render_gpu/src/kernels/transfer.rs:195
+                // glimt_render_gpu/src/kernels/transfer.rs:198
                 let _e231 = blocked[(out_start_1 + 14u)];
                 let _e234 = sums_4[14];
                 blocked[(out_start_1 + 14u)] = ((kept_1 * _e231) + (scale_1 * _e234));
-                // glimt_render_gpu/src/kernels/transfer.rs:196
+                // glimt_render_gpu/src/kernels/transfer.rs:199
                 let _e246 = blocked[(out_start_1 + 15u)];
                 let _e249 = sums_4[15];
                 blocked[(out_start_1 + 15u)] = ((kept_1 * _e246) + (scale_1 * _e249));
-                // glimt_render_gpu/src/kernels/transfer.rs:197
+                // glimt_render_gpu/src/kernels/transfer.rs:200
                 if (bands_2 > 4u) {
-                    // glimt_render_gpu/src/kernels/transfer.rs:198
+                    // glimt_render_gpu/src/kernels/transfer.rs:201
                     let _e264 = blocked[(out_start_1 + 16u)];
                     let _e267 = sums_4[16];
                     blocked[(out_start_1 + 16u)] = ((kept_1 * _e264) + (scale_1 * _e267));
-                    // glimt_render_gpu/src/kernels/transfer.rs:199
+                    // glimt_render_gpu/src/kernels/transfer.rs:202
                     let _e279 = blocked[(out_start_1 + 17u)];
                     let _e282 = sums_4[17];
                     blocked[(out_start_1 + 17u)] = ((kept_1 * _e279) + (scale_1 * _e282));
-                    // glimt_render_gpu/src/kernels/transfer.rs:200
+                    // glimt_render_gpu/src/kernels/transfer.rs:203
                     let _e294 = blocked[(out_start_1 + 18u)];
                     let _e297 = sums_4[18];
                     blocked[(out_start_1 + 18u)] = ((kept_1 * _e294) + (scale_1 * _e297));
-                    // glimt_render_gpu/src/kernels/transfer.rs:201
+                    // glimt_render_gpu/src/kernels/transfer.rs:204
                     let _e309 = blocked[(out_start_1 + 19u)];
                     let _e312 = sums_4[19];
                     blocked[(out_start_1 + 19u)] = ((kept_1 * _e309) + (scale_1 * _e312));
-                    // glimt_render_gpu/src/kernels/transfer.rs:202
+                    // glimt_render_gpu/src/kernels/transfer.rs:205
                     let _e324 = blocked[(out_start_1 + 20u)];
                     let _e327 = sums_4[20];
                     blocked[(out_start_1 + 20u)] = ((kept_1 * _e324) + (scale_1 * _e327));
-                    // glimt_render_gpu/src/kernels/transfer.rs:203
+                    // glimt_render_gpu/src/kernels/transfer.rs:206
                     let _e339 = blocked[(out_start_1 + 21u)];
                     let _e342 = sums_4[21];
                     blocked[(out_start_1 + 21u)] = ((kept_1 * _e339) + (scale_1 * _e342));
-                    // glimt_render_gpu/src/kernels/transfer.rs:204
+                    // glimt_render_gpu/src/kernels/transfer.rs:207
                     let _e354 = blocked[(out_start_1 + 22u)];
                     let _e357 = sums_4[22];
                     blocked[(out_start_1 + 22u)] = ((kept_1 * _e354) + (scale_1 * _e357));
-                    // glimt_render_gpu/src/kernels/transfer.rs:205
+                    // glimt_render_gpu/src/kernels/transfer.rs:208
                     let _e369 = blocked[(out_start_1 + 23u)];
                     let _e372 = sums_4[23];
                     blocked[(out_start_1 + 23u)] = ((kept_1 * _e369) + (scale_1 * _e372));
-                    // glimt_render_gpu/src/kernels/transfer.rs:206
+                    // glimt_render_gpu/src/kernels/transfer.rs:209
                     let _e384 = blocked[(out_start_1 + 24u)];
                     let _e387 = sums_4[24];
                     blocked[(out_start_1 + 24u)] = ((kept_1 * _e384) + (scale_1 * _e387));
-                    // glimt_render_gpu/src/kernels/transfer.rs:207
+                    // glimt_render_gpu/src/kernels/transfer.rs:210
                     if (bands_2 > 5u) {
-                        // glimt_render_gpu/src/kernels/transfer.rs:208
+                        // glimt_render_gpu/src/kernels/transfer.rs:211
                         let _e402 = blocked[(out_start_1 + 25u)];
                         let _e405 = sums_4[25];
                         blocked[(out_start_1 + 25u)] = ((kept_1 * _e402) + (scale_1 * _e405));
-                        // glimt_render_gpu/src/kernels/transfer.rs:209
+                        // glimt_render_gpu/src/kernels/transfer.rs:212
                         let _e417 = blocked[(out_start_1 + 26u)];
                         let _e420 = sums_4[26];
                         blocked[(out_start_1 + 26u)] = ((kept_1 * _e417) + (scale_1 * _e420));
-                        // glimt_render_gpu/src/kernels/transfer.rs:210
+                        // glimt_render_gpu/src/kernels/transfer.rs:213
                         let _e432 = blocked[(out_start_1 + 27u)];
                         let _e435 = sums_4[27];
                         blocked[(out_start_1 + 27u)] = ((kept_1 * _e432) + (scale_1 * _e435));
-                        // glimt_render_gpu/src/kernels/transfer.rs:211
+                        // glimt_render_gpu/src/kernels/transfer.rs:214
                         let _e447 = blocked[(out_start_1 + 28u)];
                         let _e450 = sums_4[28];
                         blocked[(out_start_1 + 28u)] = ((kept_1 * _e447) + (scale_1 * _e450));
-                        // glimt_render_gpu/src/kernels/transfer.rs:212
+                        // glimt_render_gpu/src/kernels/transfer.rs:215
                         let _e462 = blocked[(out_start_1 + 29u)];
                         let _e465 = sums_4[29];
                         blocked[(out_start_1 + 29u)] = ((kept_1 * _e462) + (scale_1 * _e465));
-                        // glimt_render_gpu/src/kernels/transfer.rs:213
+                        // glimt_render_gpu/src/kernels/transfer.rs:216
                         let _e477 = blocked[(out_start_1 + 30u)];
                         let _e480 = sums_4[30];
                         blocked[(out_start_1 + 30u)] = ((kept_1 * _e477) + (scale_1 * _e480));
-                        // glimt_render_gpu/src/kernels/transfer.rs:214
+                        // glimt_render_gpu/src/kernels/transfer.rs:217
                         let _e492 = blocked[(out_start_1 + 31u)];
                         let _e495 = sums_4[31];
                         blocked[(out_start_1 + 31u)] = ((kept_1 * _e492) + (scale_1 * _e495));
-                        // glimt_render_gpu/src/kernels/transfer.rs:215
+                        // glimt_render_gpu/src/kernels/transfer.rs:218
                         let _e507 = blocked[(out_start_1 + 32u)];
                         let _e510 = sums_4[32];
                         blocked[(out_start_1 + 32u)] = ((kept_1 * _e507) + (scale_1 * _e510));
-                        // glimt_render_gpu/src/kernels/transfer.rs:216
+                        // glimt_render_gpu/src/kernels/transfer.rs:219
                         let _e522 = blocked[(out_start_1 + 33u)];
                         let _e525 = sums_4[33];
                         blocked[(out_start_1 + 33u)] = ((kept_1 * _e522) + (scale_1 * _e525));
-                        // glimt_render_gpu/src/kernels/transfer.rs:217
+                        // glimt_render_gpu/src/kernels/transfer.rs:220
                         let _e537 = blocked[(out_start_1 + 34u)];
                         let _e540 = sums_4[34];
                         blocked[(out_start_1 + 34u)] = ((kept_1 * _e537) + (scale_1 * _e540));
-                        // glimt_render_gpu/src/kernels/transfer.rs:218
+                        // glimt_render_gpu/src/kernels/transfer.rs:221
                         let _e552 = blocked[(out_start_1 + 35u)];
                         let _e555 = sums_4[35];
                         blocked[(out_start_1 + 35u)] = ((kept_1 * _e552) + (scale_1 * _e555));
@@ -1348,7 +1764,7 @@ fn store_1(bands_2: u32, kept_1: f32, scale_1: f32, sums_3: array<f32, 36>, out_
     return;
 }
 
-// glimt_render_gpu/src/kernels/transfer.rs:68
+// glimt_render_gpu/src/kernels/transfer.rs:69
 fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len: u32, lit_start: u32, lit_len: u32, blocked_start: u32, blocked_len: u32) -> u32 {
     var arrives: array<f32, 36>;
     var kept_away: array<f32, 36>;
@@ -1358,163 +1774,166 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
     var gone: u32;
     var counter_2: u32;
     var counter_3: u32;
-    var chosen_4: bool;
+    var chosen_6: bool;
     var either_1: bool;
 
-    // glimt_render_gpu/src/kernels/transfer.rs:78
+    // glimt_render_gpu/src/kernels/transfer.rs:80
     let at = vertices[vertex];
-    // glimt_render_gpu/src/kernels/transfer.rs:79
+    // glimt_render_gpu/src/kernels/transfer.rs:81
     let _e15 = Tuple_u32_u32_(params_1.directions, params_1.bands);
     let n_2 = _e15.fa;
     let bands_3 = _e15.fb;
-    // glimt_render_gpu/src/kernels/transfer.rs:80
-    arrives = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/transfer.rs:81
-    kept_away = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
     // glimt_render_gpu/src/kernels/transfer.rs:82
+    arrives = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/transfer.rs:83
+    kept_away = array<f32, 36>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/transfer.rs:84
     rays = 0u;
-    // glimt_render_gpu/src/kernels/transfer.rs:85
-    let way = (at.origin - at.inner);
-    // glimt_render_gpu/src/kernels/transfer.rs:86
-    let _e35 = Ray_new(at.inner, way);
     // glimt_render_gpu/src/kernels/transfer.rs:87
+    let way = (at.origin - at.inner);
+    // glimt_render_gpu/src/kernels/transfer.rs:88
+    let _e35 = Ray_new(at.inner, way);
+    // glimt_render_gpu/src/kernels/transfer.rs:89
     let others = Asked(at.object, false, 1f, way);
-    // glimt_render_gpu/src/kernels/transfer.rs:93
+    // glimt_render_gpu/src/kernels/transfer.rs:95
     let _e43 = any_hit_of(_e35, 1f, others);
-    // glimt_render_gpu/src/kernels/transfer.rs:94
+    // glimt_render_gpu/src/kernels/transfer.rs:96
     let own = Asked(others.object, true, 0f, others.way);
-    // glimt_render_gpu/src/kernels/transfer.rs:99
+    // glimt_render_gpu/src/kernels/transfer.rs:101
     let height_2 = dot(at.normal, way);
-    // glimt_render_gpu/src/kernels/transfer.rs:100
+    // glimt_render_gpu/src/kernels/transfer.rs:102
     let _e57 = Xoshiro128PlusPlus_stream(params_1.seed, 1953653102u, at.number);
     source = _e57;
-    // glimt_render_gpu/src/kernels/transfer.rs:101
-    kept_2 = 0f;
-    // glimt_render_gpu/src/kernels/transfer.rs:102
-    gone = 0u;
     // glimt_render_gpu/src/kernels/transfer.rs:103
+    kept_2 = 0f;
+    // glimt_render_gpu/src/kernels/transfer.rs:104
+    gone = 0u;
+    // glimt_render_gpu/src/kernels/transfer.rs:105
     if (params_1.first_row > 0u) {
-        // glimt_render_gpu/src/kernels/transfer.rs:104
+        // glimt_render_gpu/src/kernels/transfer.rs:106
         let _e74 = state_1[(state_start + 0u)];
         let _e79 = state_1[(state_start + 1u)];
         let _e84 = state_1[(state_start + 2u)];
         let _e89 = state_1[(state_start + 3u)];
         let words = vec4<u32>(_e74, _e79, _e84, _e89);
-        // glimt_render_gpu/src/kernels/transfer.rs:105
+        // glimt_render_gpu/src/kernels/transfer.rs:107
         let _e92 = Xoshiro128PlusPlus_from_state(words);
         source = _e92;
-        // glimt_render_gpu/src/kernels/transfer.rs:106
+        // glimt_render_gpu/src/kernels/transfer.rs:108
         kept_2 = 1f;
-        // glimt_render_gpu/src/kernels/transfer.rs:107
+        // glimt_render_gpu/src/kernels/transfer.rs:109
         let _e100 = state_1[(state_start + 4u)];
         gone = _e100;
     }
-    // glimt_render_gpu/src/kernels/transfer.rs:109
+    // glimt_render_gpu/src/kernels/transfer.rs:111
     counter_2 = params_1.first_row;
     loop {
         let row_1 = counter_2;
         if (row_1 >= params_1.end_row) {
             break;
         }
-        // glimt_render_gpu/src/kernels/transfer.rs:110
-        let _e108 = strata_of_row(params_1, row_1);
-        // glimt_render_gpu/src/kernels/transfer.rs:111
-        let _e112 = Tuple_u32_u32_(_e108.x, _e108.y);
-        let first_2 = _e112.fa;
-        let columns_1 = _e112.fb;
         // glimt_render_gpu/src/kernels/transfer.rs:112
+        let _e108 = strata_of_row(params_1, row_1);
+        // glimt_render_gpu/src/kernels/transfer.rs:113
+        let _e112 = Tuple_u32_u32_(_e108.x, _e108.y);
+        let first_5 = _e112.fa;
+        let columns_1 = _e112.fb;
+        // glimt_render_gpu/src/kernels/transfer.rs:114
         counter_3 = 0u;
         loop {
             let column_1 = counter_3;
             if (column_1 >= columns_1) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/transfer.rs:113
+            // glimt_render_gpu/src/kernels/transfer.rs:115
             let _e122 = gone;
             gone = (_e122 + 1u);
-            // glimt_render_gpu/src/kernels/transfer.rs:114
+            // glimt_render_gpu/src/kernels/transfer.rs:116
             let _e125 = Xoshiro128PlusPlus_next_uvec2_((&source));
             let _e126 = unit_vec2_(_e125);
-            // glimt_render_gpu/src/kernels/transfer.rs:115
-            let _e128 = direction_in_row(n_2, first_2, columns_1, column_1, _e126);
-            // glimt_render_gpu/src/kernels/transfer.rs:116
-            let cosine = dot(at.normal, _e128);
             // glimt_render_gpu/src/kernels/transfer.rs:117
+            let _e128 = direction_in_row(n_2, first_5, columns_1, column_1, _e126);
+            // glimt_render_gpu/src/kernels/transfer.rs:118
+            let cosine = dot(at.normal, _e128);
+            // glimt_render_gpu/src/kernels/transfer.rs:119
             if (cosine > 0f) {
-                // glimt_render_gpu/src/kernels/transfer.rs:118
+                // glimt_render_gpu/src/kernels/transfer.rs:120
                 let _e137 = rays;
                 rays = (_e137 + 1u);
-                // glimt_render_gpu/src/kernels/transfer.rs:119
-                let _e141 = Ray_new(at.origin, _e128);
-                // glimt_render_gpu/src/kernels/transfer.rs:120
+                // glimt_render_gpu/src/kernels/transfer.rs:121
+                let _e142 = gone;
+                let _e143 = hash3_(params_1.seed, at.number, _e142);
+                // glimt_render_gpu/src/kernels/transfer.rs:122
+                let _e146 = Ray_keyed(at.origin, _e128, _e143);
+                // glimt_render_gpu/src/kernels/transfer.rs:123
                 if _e43 {
-                    // glimt_render_gpu/src/kernels/transfer.rs:122
+                    // glimt_render_gpu/src/kernels/transfer.rs:125
                     let above = Asked(others.object, others.own, (height_2 / cosine), others.way);
-                    // glimt_render_gpu/src/kernels/transfer.rs:126
-                    let _e152 = Ray_new(at.inner, _e128);
-                    // glimt_render_gpu/src/kernels/transfer.rs:127
-                    let _e155 = any_hit_of(_e152, 0x1.fffffep+127f, above);
-                    either_1 = _e155;
-                    if _e155 {
-                    } else {
-                        let _e158 = any_hit_of(_e141, 0x1.fffffep+127f, own);
-                        either_1 = _e158;
-                    }
-                    let _e159 = either_1;
-                    chosen_4 = _e159;
-                } else {
+                    // glimt_render_gpu/src/kernels/transfer.rs:129
+                    let _e157 = Ray_keyed(at.inner, _e128, _e143);
                     // glimt_render_gpu/src/kernels/transfer.rs:130
-                    let _e162 = any_hit(_e141, 0x1.fffffep+127f);
-                    chosen_4 = _e162;
-                }
-                let is_blocked = chosen_4;
-                // glimt_render_gpu/src/kernels/transfer.rs:132
-                if is_blocked {
+                    let _e160 = any_hit_of(_e157, 0x1.fffffep+127f, above);
+                    either_1 = _e160;
+                    if _e160 {
+                    } else {
+                        let _e163 = any_hit_of(_e146, 0x1.fffffep+127f, own);
+                        either_1 = _e163;
+                    }
+                    let _e164 = either_1;
+                    chosen_6 = _e164;
+                } else {
                     // glimt_render_gpu/src/kernels/transfer.rs:133
+                    let _e167 = any_hit(_e146, 0x1.fffffep+127f);
+                    chosen_6 = _e167;
+                }
+                let is_blocked = chosen_6;
+                // glimt_render_gpu/src/kernels/transfer.rs:135
+                if is_blocked {
+                    // glimt_render_gpu/src/kernels/transfer.rs:136
                     add_basis(bands_3, _e128, cosine, (&kept_away));
                 } else {
-                    // glimt_render_gpu/src/kernels/transfer.rs:135
+                    // glimt_render_gpu/src/kernels/transfer.rs:138
                     add_basis(bands_3, _e128, cosine, (&arrives));
                 }
             }
             continuing {
-                let _e167 = counter_3;
-                counter_3 = (_e167 + 1u);
+                let _e172 = counter_3;
+                counter_3 = (_e172 + 1u);
             }
         }
         continuing {
-            let _e170 = counter_2;
-            counter_2 = (_e170 + 1u);
+            let _e175 = counter_2;
+            counter_2 = (_e175 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/transfer.rs:140
-    let scale_2 = ((4f * 3.1415927f) / f32(n_2));
-    // glimt_render_gpu/src/kernels/transfer.rs:141
-    let _e180 = kept_2;
-    let _e181 = arrives;
-    store(bands_3, _e180, scale_2, _e181, lit_start, lit_len);
-    // glimt_render_gpu/src/kernels/transfer.rs:142
-    let _e183 = kept_2;
-    let _e184 = kept_away;
-    store_1(bands_3, _e183, scale_2, _e184, blocked_start, blocked_len);
     // glimt_render_gpu/src/kernels/transfer.rs:143
-    let _e188 = source.state.x;
-    state_1[(state_start + 0u)] = _e188;
+    let scale_2 = ((4f * 3.1415927f) / f32(n_2));
     // glimt_render_gpu/src/kernels/transfer.rs:144
-    let _e196 = source.state.y;
-    state_1[(state_start + 1u)] = _e196;
+    let _e185 = kept_2;
+    let _e186 = arrives;
+    store(bands_3, _e185, scale_2, _e186, lit_start, lit_len);
     // glimt_render_gpu/src/kernels/transfer.rs:145
-    let _e204 = source.state.z;
-    state_1[(state_start + 2u)] = _e204;
+    let _e188 = kept_2;
+    let _e189 = kept_away;
+    store_1(bands_3, _e188, scale_2, _e189, blocked_start, blocked_len);
     // glimt_render_gpu/src/kernels/transfer.rs:146
-    let _e212 = source.state.w;
-    state_1[(state_start + 3u)] = _e212;
+    let _e193 = source.state.x;
+    state_1[(state_start + 0u)] = _e193;
     // glimt_render_gpu/src/kernels/transfer.rs:147
-    let _e218 = gone;
-    state_1[(state_start + 4u)] = _e218;
+    let _e201 = source.state.y;
+    state_1[(state_start + 1u)] = _e201;
     // glimt_render_gpu/src/kernels/transfer.rs:148
-    let _e224 = rays;
-    return _e224;
+    let _e209 = source.state.z;
+    state_1[(state_start + 2u)] = _e209;
+    // glimt_render_gpu/src/kernels/transfer.rs:149
+    let _e217 = source.state.w;
+    state_1[(state_start + 3u)] = _e217;
+    // glimt_render_gpu/src/kernels/transfer.rs:150
+    let _e223 = gone;
+    state_1[(state_start + 4u)] = _e223;
+    // glimt_render_gpu/src/kernels/transfer.rs:151
+    let _e229 = rays;
+    return _e229;
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -1,5 +1,11 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -21,6 +27,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct DrawnLayout {
@@ -67,21 +75,21 @@ var<storage, read_write> out: array<PixelLayers>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/raster.rs:216
+// glimt_render_gpu/src/kernels/raster.rs:268
 fn half(word: u32) -> f32 {
     var value: f32;
     var chosen: f32;
 
-    // glimt_render_gpu/src/kernels/raster.rs:217
+    // glimt_render_gpu/src/kernels/raster.rs:269
     let bits = (word & 32767u);
-    // glimt_render_gpu/src/kernels/raster.rs:218
+    // glimt_render_gpu/src/kernels/raster.rs:270
     value = (f32(bits) * (1f / 16777216f));
-    // glimt_render_gpu/src/kernels/raster.rs:219
+    // glimt_render_gpu/src/kernels/raster.rs:271
     if (bits >= 1024u) {
-        // glimt_render_gpu/src/kernels/raster.rs:221
+        // glimt_render_gpu/src/kernels/raster.rs:273
         value = bitcast<f32>(((bits << 13u) + 939524096u));
     }
-    // glimt_render_gpu/src/kernels/raster.rs:223
+    // glimt_render_gpu/src/kernels/raster.rs:275
     if ((word & 32768u) != 0u) {
         let _e27 = value;
         chosen = -(_e27);
@@ -93,15 +101,15 @@ fn half(word: u32) -> f32 {
     return _e30;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:201
+// glimt_render_gpu/src/kernels/raster.rs:253
 fn unpack(words: vec2<u32>, scale: f32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/raster.rs:202
+    // glimt_render_gpu/src/kernels/raster.rs:254
     let _e5 = half(words.x);
     let _e9 = half((words.x >> 16u));
     let _e11 = half(words.y);
     let radiance = vec3<f32>(_e5, _e9, _e11);
-    // glimt_render_gpu/src/kernels/raster.rs:203
+    // glimt_render_gpu/src/kernels/raster.rs:255
     let _e19 = half((words.y >> 16u));
     return vec4<f32>((radiance / vec3(scale)), _e19);
 }
@@ -117,14 +125,14 @@ fn CameraView_direction(this_: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec
     return normalize(((this_.forward + (this_.right * x)) - (this_.up * y)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:145
+// glimt_render_gpu/src/kernels/frame.rs:151
 fn FrameParams_direction(this_1: FrameParams, pixel: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:146
+    // glimt_render_gpu/src/kernels/frame.rs:152
     let corner = vec2<f32>(vec2<u32>((pixel % this_1.width), (pixel / this_1.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:147
-    let view = CameraView(this_1.eye, this_1.forward, this_1.right, this_1.up);
     // glimt_render_gpu/src/kernels/frame.rs:153
+    let view = CameraView(this_1.eye, this_1.forward, this_1.right, this_1.up);
+    // glimt_render_gpu/src/kernels/frame.rs:159
     let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_1.width, this_1.height));
     return _e22;
 }
@@ -210,33 +218,33 @@ fn RadianceMap_background(size_2: vec2<u32>, rotation: vec2<f32>, direction: vec
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:164
+// glimt_render_gpu/src/kernels/raster.rs:216
 fn unpack_layers_1(pixel_1: u32, frame: FrameParams, layout_: DrawnLayout, map_rotation: vec2<f32>) -> PixelLayers {
     var behind: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/raster.rs:174
+    // glimt_render_gpu/src/kernels/raster.rs:226
     let at = (((pixel_1 / frame.width) * layout_.pitch) + (pixel_1 % frame.width));
-    // glimt_render_gpu/src/kernels/raster.rs:175
+    // glimt_render_gpu/src/kernels/raster.rs:227
     let _e16 = object[at];
     let _e18 = unpack(_e16, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:176
+    // glimt_render_gpu/src/kernels/raster.rs:228
     let _e22 = lit[at];
     let _e24 = unpack(_e22, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:177
+    // glimt_render_gpu/src/kernels/raster.rs:229
     let _e28 = blocked[at];
     let _e30 = unpack(_e28, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:178
+    // glimt_render_gpu/src/kernels/raster.rs:230
     behind = vec3(0f);
-    // glimt_render_gpu/src/kernels/raster.rs:179
+    // glimt_render_gpu/src/kernels/raster.rs:231
     if ((frame.background == 0u) && (_e18.w < 1f)) {
-        // glimt_render_gpu/src/kernels/raster.rs:180
-        // glimt_render_gpu/src/kernels/raster.rs:185
+        // glimt_render_gpu/src/kernels/raster.rs:232
+        // glimt_render_gpu/src/kernels/raster.rs:237
         let _e50 = FrameParams_direction(frame, (frame.first_pixel + pixel_1), vec2(0.5f));
-        // glimt_render_gpu/src/kernels/raster.rs:186
+        // glimt_render_gpu/src/kernels/raster.rs:238
         let _e52 = RadianceMap_background(layout_.map_size, map_rotation, _e50);
         behind = _e52;
     }
-    // glimt_render_gpu/src/kernels/raster.rs:188
+    // glimt_render_gpu/src/kernels/raster.rs:240
     let _e58 = behind;
     return PixelLayers(_e18, _e24.xyz, _e24.w, _e30.xyz, 0u, _e58, 0u);
 }

@@ -49,7 +49,7 @@ pub fn bake(
         let length = if first == 0 { FIRST } else { block };
         let own = &vertices[first..(first + length).min(total)];
         context.write(&known, &for_kernels(own, first))?;
-        let (nodes, triangles) = uploaded.tree();
+        let scene = uploaded.arg();
         let part = match context.adapter().is_software() {
             true => SOFTWARE_PART,
             false => PART,
@@ -62,8 +62,9 @@ pub fn bake(
             };
             let pass = Transfer {
                 params: &params,
-                nodes,
-                triangles,
+                nodes: scene.nodes,
+                triangles: scene.triangles,
+                surface: scene.surface,
                 vertices: known.all(),
                 state: state.all().written(STATE as u32),
                 lit: lit.all().written(count as u32),

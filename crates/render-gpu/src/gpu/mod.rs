@@ -62,8 +62,8 @@ mod tests {
             ("map_rotation", offset_of!(RasterParams, map_rotation)),
             ("near", offset_of!(RasterParams, near)),
             ("scale", offset_of!(RasterParams, scale)),
-            ("unused_a", offset_of!(RasterParams, unused_a)),
-            ("unused_b", offset_of!(RasterParams, unused_b)),
+            ("samples", offset_of!(RasterParams, samples)),
+            ("unused", offset_of!(RasterParams, unused)),
         ]);
         let size = size_of::<RasterParams>() as u32;
         assert_eq!(layout(raster::WGSL, "RasterParams"), (raster, size));

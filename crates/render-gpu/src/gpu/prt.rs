@@ -62,8 +62,8 @@ pub struct DrawTimes {
 pub struct GpuPrt {
     light: GpuLight,
     transfer: Option<GpuTransfer>,
-    /// For one sample, and for several.
-    rasterisers: [Option<Rasteriser>; 2],
+    /// For one sample, and for several; the same for scenes with surfaces that let light pass.
+    rasterisers: [Option<Rasteriser>; 4],
     canvas: Option<Canvas>,
     pool: ParamsPool,
     marks: Option<Stopwatch>,
@@ -87,7 +87,7 @@ impl GpuPrt {
         Ok(Self {
             light: GpuLight::new(context, UVec2::ONE)?,
             transfer: None,
-            rasterisers: [None, None],
+            rasterisers: [const { None }; 4],
             canvas: None,
             pool: ParamsPool::default(),
             marks,
@@ -132,7 +132,8 @@ impl GpuPrt {
         let known = scene.transfer().ok_or(SettingsError::NoTransfer)?;
         self.drawn = None;
         self.keep_transfer(context, known).map_err(device)?;
-        self.keep_canvas(context, settings, plate).map_err(device)?;
+        self.keep_canvas(context, settings, plate, scene.is_see_through())
+            .map_err(device)?;
         let started = Instant::now();
         self.light.upload(context, env).map_err(device)?;
         if let (Some(plate), Some(canvas)) = (plate, &self.canvas) {
@@ -214,14 +215,15 @@ impl GpuPrt {
         context: &GpuContext,
         settings: &RenderSettings,
         plate: Option<&Plate>,
+        is_see_through: bool,
     ) -> Result<(), GpuError> {
         let samples = match settings.rays_per_pixel == 1 || settings.filter == Filter::Centre {
             true => 1,
             false => SAMPLES,
         };
-        let rasteriser = &mut self.rasterisers[usize::from(samples > 1)];
+        let rasteriser = &mut self.rasterisers[rasteriser_index(samples, is_see_through)];
         if rasteriser.is_none() {
-            *rasteriser = Some(Rasteriser::new(context, samples)?);
+            *rasteriser = Some(Rasteriser::new(context, samples, is_see_through)?);
         }
         let fits = |canvas: &Canvas| {
             canvas.size == settings.size
@@ -248,7 +250,8 @@ impl GpuPrt {
         let (Some(transfer), Some(canvas)) = (&self.transfer, &mut self.canvas) else {
             unreachable!("both are kept before");
         };
-        let Some(rasteriser) = &self.rasterisers[usize::from(canvas.samples > 1)] else {
+        let index = rasteriser_index(canvas.samples, scene.is_see_through());
+        let Some(rasteriser) = &self.rasterisers[index] else {
             unreachable!("it is kept with the canvas");
         };
         let mut recording = Recording::new(context, pool);
@@ -265,8 +268,8 @@ impl GpuPrt {
             map_rotation: self.light.rotation,
             near: work.near,
             scale,
-            unused_a: 0.0,
-            unused_b: 0.0,
+            samples: canvas.samples,
+            unused: 0,
         };
         let buffers: [&GpuBuffer; 7] = [
             &scene.triangles,
@@ -286,6 +289,11 @@ impl GpuPrt {
         }
         recording.submit()
     }
+}
+
+/// Where the rasteriser for so many samples a pixel stands among them.
+fn rasteriser_index(samples: u32, is_see_through: bool) -> usize {
+    2 * usize::from(is_see_through) + usize::from(samples > 1)
 }
 
 /// The factor on radiance in the drawn layers, which have 16 bits: the exposure, or the power of two below it, within what the light

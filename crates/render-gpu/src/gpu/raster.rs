@@ -23,7 +23,7 @@ pub(super) const WGSL: &str = concat!(
 /// Storage buffers of the stages, bindings 1 to this.
 pub(super) const BUFFERS: usize = 7;
 
-/// The compiled stages, for one number of samples a pixel.
+/// The compiled stages, for one number of samples a pixel, and for scenes with or without surfaces that let light pass.
 #[derive(Debug)]
 pub(super) struct Rasteriser {
     pipeline: wgpu::RenderPipeline,
@@ -32,7 +32,11 @@ pub(super) struct Rasteriser {
 }
 
 impl Rasteriser {
-    pub(super) fn new(context: &GpuContext, samples: u32) -> Result<Self, GpuError> {
+    pub(super) fn new(
+        context: &GpuContext,
+        samples: u32,
+        is_see_through: bool,
+    ) -> Result<Self, GpuError> {
         let limits = context.limits();
         if limits.max_storage_buffers_per_shader_stage < BUFFERS as u32 {
             return Err(context.limit_error(
@@ -108,7 +112,10 @@ impl Rasteriser {
                     },
                     fragment: Some(wgpu::FragmentState {
                         module: &module,
-                        entry_point: Some("shade_layers"),
+                        entry_point: Some(match is_see_through {
+                            true => "shade_kept_layers",
+                            false => "shade_layers",
+                        }),
                         compilation_options: wgpu::PipelineCompilationOptions::default(),
                         targets: &[target.clone(), target.clone(), target],
                     }),

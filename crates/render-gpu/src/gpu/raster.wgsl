@@ -18,7 +18,8 @@ struct Layers {
 
 @vertex
 fn place_corner(@builtin(vertex_index) corner: u32) -> DrawnCorner {
-    let position = clip_position(params.frame, params.near, corner_position(corner));
+    let near = corner_near(corner, params.near);
+    let position = clip_position(params.frame, near, corner_position(corner));
     return DrawnCorner(position, corner_weights(corner), corner / 3u);
 }
 
@@ -26,4 +27,19 @@ fn place_corner(@builtin(vertex_index) corner: u32) -> DrawnCorner {
 fn shade_layers(in: DrawnCorner) -> Layers {
     let drawn = draw(in.triangle, in.weights, params);
     return Layers(drawn.object, drawn.lit, drawn.blocked);
+}
+
+// For scenes with surfaces that let light pass: a stage that chooses samples keeps the GPU from testing depth before it.
+struct KeptLayers {
+    @location(0) object: vec4<f32>,
+    @location(1) lit: vec4<f32>,
+    @location(2) blocked: vec4<f32>,
+    @builtin(sample_mask) kept: u32,
+}
+
+@fragment
+fn shade_kept_layers(in: DrawnCorner) -> KeptLayers {
+    let kept = kept_samples(in.triangle, in.weights, vec2<u32>(in.position.xy), params);
+    let drawn = draw(in.triangle, in.weights, params);
+    return KeptLayers(drawn.object, drawn.lit, drawn.blocked, kept);
 }

@@ -2,7 +2,7 @@
 
 use glam::{UVec2, Vec2, Vec4};
 use glimt_executor::Element;
-use glimt_executor::gpu::{Arg, Gpu, GpuContext, GpuError, GpuSlice, GpuVec};
+use glimt_executor::gpu::{Arg, Gpu, GpuContext, GpuError, GpuVec};
 
 use crate::generated::passes::{EnvironmentArg, SceneArg};
 use crate::kernels::bvh::BvhNode;
@@ -16,6 +16,7 @@ use crate::prepare::scene_build::SceneBuffers;
 pub struct GpuScene {
     id: u64,
     surface_id: u64,
+    is_see_through: bool,
     nodes: GpuVec<BvhNode>,
     pub(super) triangles: GpuVec<Triangle>,
     pub(super) corners: GpuVec<Corner>,
@@ -33,6 +34,7 @@ impl GpuScene {
         Ok(Self {
             id: scene.id(),
             surface_id: scene.surface_id(),
+            is_see_through: scene.is_see_through(),
             nodes: context.binding_of("scene.nodes", view.nodes)?,
             triangles: context.binding_of("scene.triangles", view.triangles)?,
             corners: context.binding_of("scene.corners", view.corners)?,
@@ -74,6 +76,11 @@ impl GpuScene {
         self.surface_id
     }
 
+    /// Whether some surface lets light pass.
+    pub(super) fn is_see_through(&self) -> bool {
+        self.is_see_through
+    }
+
     /// How many triangles there are.
     pub(super) fn triangles(&self) -> u32 {
         self.triangles.count() as u32
@@ -90,11 +97,6 @@ impl GpuScene {
         }
     }
 
-    /// The tree alone: nodes and triangles.
-    pub(super) fn tree(&self) -> (GpuSlice<'_, BvhNode>, GpuSlice<'_, Triangle>) {
-        (self.nodes.all(), self.triangles.all())
-    }
-
     /// The arguments of a kernel that takes `scene`.
     #[must_use]
     pub fn args(&self) -> [(&'static str, Arg<'_>); 4] {
@@ -106,12 +108,13 @@ impl GpuScene {
         ]
     }
 
-    /// The arguments of a kernel that takes the tree alone, as `nodes` and `triangles`.
+    /// The arguments of a kernel that finds what blocks rays, as `nodes`, `triangles` and `surface`.
     #[must_use]
-    pub fn tree_args(&self) -> [(&'static str, Arg<'_>); 2] {
+    pub fn tree_args(&self) -> [(&'static str, Arg<'_>); 3] {
         [
             ("nodes", Arg::Buffer(&self.nodes)),
             ("triangles", Arg::Buffer(&self.triangles)),
+            ("surface", Arg::Buffer(&self.surface)),
         ]
     }
 }

@@ -5,7 +5,7 @@ use glimt_sampling::ris::{RisPicks, RisSum};
 use super::candidates::{CandidateSource, Candidates};
 use super::environment::Environment;
 use super::estimator::{Estimator, LightSample, Reflected};
-use super::pattern::{PixelPattern, RESAMPLE};
+use super::pattern::{LIT_THROUGH, PixelPattern, RESAMPLE};
 use super::scene::{Scene, ShadingPoint};
 
 /// Sampling-importance-resampling for the product of light and reflection: of M candidates, N directions are picked in
@@ -46,6 +46,7 @@ impl Estimator for Bis {
         for j in 0..self.candidates {
             weights.add(candidates.draw(j, point, pattern, env).weight);
         }
+        let key = pattern.ray_key(LIT_THROUGH);
         let mut sum = Reflected::NONE;
         let mut picks = RisPicks::new(&weights, self.samples, pattern.pair(RESAMPLE, 0, 1).x);
         let scale = self.samples as f32 / weights.normaliser().max(f32::MIN_POSITIVE);
@@ -62,7 +63,7 @@ impl Estimator for Bis {
                     candidate.radiance,
                     density,
                 );
-                sum.gather(sample.traced(point, scene));
+                sum.gather(sample.traced(point, scene, key.wrapping_add(j)));
             }
             j += 1;
         }

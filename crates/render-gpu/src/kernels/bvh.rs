@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 
+use super::opacity::is_passed;
 use super::ray::{Hit, Ray};
-use super::triangle::{Triangle, barycentrics, intersect};
+use super::triangle::{SEE_THROUGH, Triangle, barycentrics, intersect};
 
 /// Entries of the traversal's stack. No tree is built deeper.
 pub const STACK_SIZE: usize = 64;
@@ -38,33 +39,46 @@ fn box_distance(node: &BvhNode, ray: &Ray) -> f32 {
     }
 }
 
-/// What the ray hits first at a distance in `(0, t_max)`.
+/// What the ray hits first at a distance in `(0, t_max)`. Surfaces that let it pass are not hit. What lies in the plane of a catcher is
+/// hit before it.
 ///
-/// `nodes[0]` is the root. An empty tree is never hit.
+/// `nodes[0]` is the root, `surface` the buffer of [`material`](super::material). An empty tree is never hit.
 #[must_use]
 pub fn closest_hit(
     nodes: &[BvhNode],
     triangles: &[Triangle],
+    surface: &[u32],
     ray: &Ray,
     t_max: f32,
 ) -> Option<Hit> {
     let mut t = t_max;
-    let triangle = traverse(nodes, triangles, ray, &mut t, false);
-    if triangle == NONE {
+    let index = traverse(nodes, triangles, surface, ray, &mut t, false);
+    if index == NONE {
         return None;
     }
+    let triangle = &triangles[index as usize];
+    if triangle.is_catcher() {
+        // Without the setback that its distance had.
+        t = intersect(triangle, ray, f32::MAX);
+    }
     Some(Hit {
-        triangle,
+        triangle: index,
         t,
-        barycentrics: barycentrics(&triangles[triangle as usize], ray),
+        barycentrics: barycentrics(triangle, ray),
     })
 }
 
-/// Whether anything blocks the ray at a distance in `(0, t_max)`. Catchers do not.
+/// Whether anything blocks the ray at a distance in `(0, t_max)`. Catchers do not, nor do surfaces that let it pass.
 #[must_use]
-pub fn any_hit(nodes: &[BvhNode], triangles: &[Triangle], ray: &Ray, t_max: f32) -> bool {
+pub fn any_hit(
+    nodes: &[BvhNode],
+    triangles: &[Triangle],
+    surface: &[u32],
+    ray: &Ray,
+    t_max: f32,
+) -> bool {
     let mut t = t_max;
-    traverse(nodes, triangles, ray, &mut t, true) != NONE
+    traverse(nodes, triangles, surface, ray, &mut t, true) != NONE
 }
 
 /// Index of no triangle.
@@ -77,6 +91,7 @@ const NONE: u32 = u32::MAX;
 fn traverse(
     nodes: &[BvhNode],
     triangles: &[Triangle],
+    surface: &[u32],
     ray: &Ray,
     reach: &mut f32,
     any: bool,
@@ -86,7 +101,7 @@ fn traverse(
     }
     let root = nodes[0];
     if root.count > 0 {
-        return visit_leaf(triangles, &root, ray, reach, NONE, any);
+        return visit_leaf(triangles, surface, &root, ray, reach, NONE, any);
     }
     let mut best = NONE;
     let mut stack = [0u32; STACK_SIZE];
@@ -108,7 +123,7 @@ fn traverse(
         }
         let mut into_near = t_near < *reach;
         if into_near && near.count > 0 {
-            best = visit_leaf(triangles, &near, ray, reach, best, any);
+            best = visit_leaf(triangles, surface, &near, ray, reach, best, any);
             if any && best != NONE {
                 return best;
             }
@@ -116,7 +131,7 @@ fn traverse(
         }
         let mut into_far = t_far < *reach;
         if into_far && far.count > 0 {
-            best = visit_leaf(triangles, &far, ray, reach, best, any);
+            best = visit_leaf(triangles, surface, &far, ray, reach, best, any);
             if any && best != NONE {
                 return best;
             }
@@ -144,6 +159,7 @@ fn traverse(
 #[inline(always)]
 fn visit_leaf(
     triangles: &[Triangle],
+    surface: &[u32],
     leaf: &BvhNode,
     ray: &Ray,
     reach: &mut f32,
@@ -152,14 +168,40 @@ fn visit_leaf(
 ) -> u32 {
     let mut nearest = best;
     for i in leaf.first..leaf.first + leaf.count {
-        let t = intersect(&triangles[i as usize], ray, *reach);
-        // Asked only of a triangle that is hit, so that the test costs nothing on the way.
-        if t < *reach && !(no_catcher && triangles[i as usize].is_catcher()) {
+        let mut t = intersect(&triangles[i as usize], ray, *reach);
+        // Asked only of a triangle that is hit, so that the tests cost nothing on the way.
+        if t < *reach && triangles[i as usize].object >= SEE_THROUGH {
+            t = held(i, &triangles[i as usize], surface, ray, t, no_catcher);
+        }
+        if t < *reach {
             *reach = t;
             nearest = i;
         }
     }
     nearest
+}
+
+/// The distance at which a triangle that is hit at `t` counts, which is of a catcher or may let the ray pass: [`f32::MAX`] where it lets
+/// it pass, or, with `no_catcher` set, is a catcher.
+#[inline(never)]
+fn held(
+    index: u32,
+    triangle: &Triangle,
+    surface: &[u32],
+    ray: &Ray,
+    t: f32,
+    no_catcher: bool,
+) -> f32 {
+    if triangle.is_see_through() && is_passed(index, triangle, surface, ray) {
+        return f32::MAX;
+    }
+    if !triangle.is_catcher() {
+        return t;
+    }
+    if no_catcher {
+        return f32::MAX;
+    }
+    t + triangle.setback(ray, t)
 }
 
 /// Of which triangles [`any_hit_of`] asks.
@@ -175,13 +217,15 @@ pub struct Asked {
     pub way: Vec3,
 }
 
-/// Whether one of the triangles that are asked of blocks the ray at a distance in `(0, t_max)`. Catchers do not.
+/// Whether one of the triangles that are asked of blocks the ray at a distance in `(0, t_max)`. Catchers do not, nor do surfaces that
+/// let it pass.
 ///
 /// For few rays: it visits nodes in no order.
 #[must_use]
 pub fn any_hit_of(
     nodes: &[BvhNode],
     triangles: &[Triangle],
+    surface: &[u32],
     ray: &Ray,
     t_max: f32,
     asked: &Asked,
@@ -205,7 +249,9 @@ pub fn any_hit_of(
                 if !triangle.is_catcher() && (triangle.object_index() == asked.object) == asked.own
                 {
                     let t = intersect(triangle, ray, t_max);
-                    if t < t_max && !(t < asked.near && triangle.outward().dot(asked.way) > 0.0) {
+                    let is_met = t < t_max
+                        && !(triangle.is_see_through() && is_passed(i, triangle, surface, ray));
+                    if is_met && !(t < asked.near && triangle.outward().dot(asked.way) > 0.0) {
                         return true;
                     }
                 }

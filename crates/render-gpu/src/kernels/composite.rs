@@ -1,9 +1,10 @@
 //! Shared file: layers laid over a plate, or made ready to be laid over one. One element is one pixel.
 
 use glam::{Vec3, Vec4};
+use glimt_probe::gather::ColourMatrix;
 use glimt_sampling::math::luminance;
 
-use super::film::{display_code, tone_curve};
+use super::film::{display_code, displayed, tone_curve};
 use super::frame::{Background, FrameParams, Shadow};
 use super::layers::PixelLayers;
 
@@ -29,11 +30,11 @@ pub fn composite_over_plate(
     layers: &[PixelLayers],
     plate: &[PlatePixel],
 ) -> Vec4 {
-    let layer = layers[pixel as usize];
     let behind = plate[pixel as usize].linear;
-    if layer.is_plate() {
+    if layers[pixel as usize].is_plate() {
         return behind.extend(1.0);
     }
+    let layer = in_primaries(&frame.to_plate, &layers[pixel as usize]);
     over(
         frame,
         &layer,
@@ -46,7 +47,7 @@ pub fn composite_over_plate(
 /// Display value of the tile's pixel `pixel` over the plate, red in the lowest byte and 255 in the highest.
 ///
 /// The formulas are those of [`composite_over_plate`], for the objects' colours after the tonemap and the plate's clipped to
-/// [0, 1], both linear; then the sRGB curve. An untouched plate keeps its codes.
+/// [0, 1], both linear and with the display's primaries; then the sRGB curve. An untouched plate keeps its codes.
 #[must_use]
 pub fn display_over_plate(
     pixel: u32,
@@ -54,18 +55,34 @@ pub fn display_over_plate(
     layers: &[PixelLayers],
     plate: &[PlatePixel],
 ) -> u32 {
-    let layer = layers[pixel as usize];
-    if layer.is_plate() {
+    if layers[pixel as usize].is_plate() {
         return plate[pixel as usize].code;
     }
+    let layer = in_primaries(&frame.to_plate, &layers[pixel as usize]);
     let alpha = layer.object.w;
     let mut object = Vec3::ZERO;
     if alpha > 0.0 {
-        object = tone_curve(frame, exposed(frame, layer.object.truncate() / alpha)) * alpha;
+        let radiance = exposed(frame, layer.object.truncate() / alpha);
+        object = tone_curve(frame, displayed(frame, radiance)) * alpha;
     }
-    let behind = plate[pixel as usize].linear.clamp(Vec3::ZERO, Vec3::ONE);
+    let behind = displayed(frame, plate[pixel as usize].linear).min(Vec3::ONE);
     let linear = over(frame, &layer, object, behind);
     display_code(linear.clamp(Vec3::ZERO, Vec3::ONE), 1.0)
+}
+
+/// Layers with other primaries. Channels that are negative there, of colours outside the gamut, become 0.
+#[must_use]
+pub fn in_primaries(matrix: &ColourMatrix, layer: &PixelLayers) -> PixelLayers {
+    let object = matrix.apply(layer.object).truncate();
+    PixelLayers {
+        object: object.extend(layer.object.w),
+        lit: matrix.apply(layer.lit.extend(1.0)).truncate(),
+        catcher: layer.catcher,
+        blocked: matrix.apply(layer.blocked.extend(1.0)).truncate(),
+        unused_a: 0,
+        behind: layer.behind,
+        unused_b: 0,
+    }
 }
 
 /// Radiance in the plate's units, at least 0. The bound keeps what any exposure makes of any radiance finite.

@@ -92,14 +92,14 @@ impl LightSample {
         }
     }
 
-    /// The contribution, by whether it arrives. The shadow ray is traced only where there is one.
+    /// The contribution, by whether it arrives along a shadow ray with this key, which is traced only where there is one.
     #[inline]
     #[must_use]
-    pub fn traced(&self, point: &ShadingPoint, scene: Scene<'_>) -> Reflected {
+    pub fn traced(&self, point: &ShadingPoint, scene: Scene<'_>, key: u32) -> Reflected {
         if !(self.contribution.max_element() > 0.0) {
             return Reflected::NONE;
         }
-        if scene.is_lit(point, self.direction) {
+        if scene.is_lit(point, self.direction, key) {
             Reflected {
                 lit: self.contribution,
                 blocked: Vec3::ZERO,

@@ -26,8 +26,15 @@ pub fn tonemap(pixel: u32, frame: &FrameParams, linear: &[Vec4]) -> u32 {
     if alpha == 0.0 {
         return 0;
     }
-    let exposed = (value.truncate() / alpha * frame.exposure).max(Vec3::ZERO);
-    display_code(tone_curve(frame, exposed), alpha)
+    let exposed = (value.truncate() / alpha * frame.exposure).clamp(Vec3::ZERO, Vec3::splat(1e37));
+    display_code(tone_curve(frame, displayed(frame, exposed)), alpha)
+}
+
+/// A colour, at most 1e37, with the primaries of the display, at least 0.
+#[inline]
+#[must_use]
+pub fn displayed(frame: &FrameParams, colour: Vec3) -> Vec3 {
+    frame.to_display.apply(colour.extend(1.0)).truncate()
 }
 
 /// The tonemap's curve: from exposed values, at least 0, to linear display values in [0, 1].

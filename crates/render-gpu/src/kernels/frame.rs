@@ -1,10 +1,11 @@
 //! Shared file: the numbers that a frame's kernels share.
 
 use glam::{UVec2, Vec2, Vec3};
+use glimt_probe::gather::ColourMatrix;
 use glimt_sampling::uniform::unit_vec2;
 
 use super::camera::CameraView;
-use super::pattern::{FILM, PixelPattern};
+use super::pattern::{FILM, PixelPattern, SEEN_THROUGH};
 use super::ray::Ray;
 
 /// A sample pattern.
@@ -61,7 +62,7 @@ pub enum Shadow {
     Add = 1,
 }
 
-/// All that a frame's kernels know beside the scene and its light. 112 bytes.
+/// All that a frame's kernels know beside the scene and its light. 208 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::NoUninit)]
 #[repr(C)]
 pub struct FrameParams {
@@ -106,6 +107,10 @@ pub struct FrameParams {
     pub unused_b: u32,
     /// See above.
     pub unused_c: u32,
+    /// From the primaries that light and materials have to those of the plate.
+    pub to_plate: ColourMatrix,
+    /// From the primaries of the plate, or without one those of light and materials, to those of the display: Rec. 709.
+    pub to_display: ColourMatrix,
 }
 
 impl FrameParams {
@@ -127,16 +132,17 @@ impl FrameParams {
     #[inline]
     #[must_use]
     pub fn camera_ray(&self, pattern: &PixelPattern) -> Ray {
+        let film = PixelPattern {
+            frame: self.film_frame,
+            ..*pattern
+        };
         let place = if self.filter == Filter::Centre {
             Vec2::splat(0.5)
         } else {
-            let film = PixelPattern {
-                frame: self.film_frame,
-                ..*pattern
-            };
             unit_vec2(film.pair(FILM, 0, 1))
         };
-        Ray::new(self.eye, self.direction(pattern.pixel, place))
+        let direction = self.direction(pattern.pixel, place);
+        Ray::keyed(self.eye, direction, film.ray_key(SEEN_THROUGH))
     }
 
     /// Unit direction from the eye through pixel `pixel` of the image, at `place` in it: (0, 0) is its upper left corner.
@@ -160,7 +166,9 @@ mod tests {
 
     #[test]
     fn layout_is_that_of_wgsl() {
-        assert_eq!(core::mem::size_of::<FrameParams>(), 112);
+        assert_eq!(core::mem::size_of::<FrameParams>(), 208);
+        assert_eq!(core::mem::offset_of!(FrameParams, to_plate), 112);
+        assert_eq!(core::mem::offset_of!(FrameParams, to_display), 160);
         assert_eq!(core::mem::offset_of!(FrameParams, forward), 16);
         assert_eq!(core::mem::offset_of!(FrameParams, right), 32);
         assert_eq!(core::mem::offset_of!(FrameParams, up), 48);

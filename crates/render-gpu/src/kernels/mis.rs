@@ -5,7 +5,7 @@ use glimt_sampling::uniform::unit_vec2;
 
 use super::environment::Environment;
 use super::estimator::{Estimator, LightSample, Reflected};
-use super::pattern::{BRDF, ENVIRONMENT, PixelPattern};
+use super::pattern::{BRDF, ENVIRONMENT, LIT_THROUGH, PixelPattern};
 use super::scene::{Scene, ShadingPoint};
 
 /// `L̂ = Σ L(ω) ρ(ωo, ω) V(ω) ⟨ω·n⟩ / (N_ρ q_ρ(ω) + N_L q_L(ω))` over N_ρ samples of the BRDF and N_L of the
@@ -86,14 +86,15 @@ impl Estimator for Mis {
         env: Environment<'_>,
         scene: Scene<'_>,
     ) -> Reflected {
+        let key = pattern.ray_key(LIT_THROUGH);
         let mut sum = Reflected::NONE;
         for i in 0..self.brdf_samples {
             let sample = self.brdf_sample(i, point, pattern, env);
-            sum.gather(sample.traced(point, scene));
+            sum.gather(sample.traced(point, scene, key.wrapping_add(i)));
         }
         for i in 0..self.env_samples {
             let sample = self.env_sample(i, point, pattern, env);
-            sum.gather(sample.traced(point, scene));
+            sum.gather(sample.traced(point, scene, key.wrapping_add(self.brdf_samples + i)));
         }
         sum
     }

@@ -22,6 +22,7 @@ pub mod light_sh;
 pub mod light_target;
 pub mod material;
 pub mod mis;
+pub mod opacity;
 pub mod past;
 pub mod pattern;
 pub mod product;

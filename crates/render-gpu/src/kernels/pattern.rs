@@ -23,6 +23,10 @@ pub const CANDIDATE_ENVIRONMENT: u32 = 5;
 pub const RESAMPLE: u32 = 6;
 /// What uniforms are for: leading particles from one frame to the next.
 pub const PARTICLES: u32 = 7;
+/// What uniforms are for: the camera's way through surfaces that let light pass.
+pub const SEEN_THROUGH: u32 = 8;
+/// What uniforms are for: that of shadow rays.
+pub const LIT_THROUGH: u32 = 9;
 
 /// The pattern of one pixel, as one of its rays sees it.
 ///
@@ -90,6 +94,14 @@ impl PixelPattern {
             point: self.sobol_point(purpose, self.ray),
             generator: self.generator(purpose, self.ray),
         }
+    }
+
+    /// The [key](super::ray::Ray::key) of rays for a purpose: of this ray, the number is its own for each ray that it sends out. Keys of
+    /// neighbouring numbers are neighbours.
+    #[inline]
+    #[must_use]
+    pub fn ray_key(&self, purpose: u32) -> u32 {
+        hash2(self.key(purpose), self.ray)
     }
 
     #[inline]

@@ -13,7 +13,7 @@ use glimt_sampling::uniform::{unit_f32, unit_vec2};
 
 use super::environment::{Environment, cdf_words, marginal_words};
 use super::estimator::{Estimator, LightSample, Reflected};
-use super::pattern::{BRDF, ENVIRONMENT, PixelPattern};
+use super::pattern::{BRDF, ENVIRONMENT, LIT_THROUGH, PixelPattern};
 use super::scene::{Scene, ShadingPoint};
 
 /// Columns of cells.
@@ -362,15 +362,16 @@ impl Estimator for Product {
     ) -> Reflected {
         let lobe = CellLobe::new(point, env);
         let total = self.total(&lobe, env);
+        let key = pattern.ray_key(LIT_THROUGH);
         let mut sum = Reflected::NONE;
         for i in 0..self.brdf_samples {
             let sample = self.brdf_sample(i, total, &lobe, point, pattern, env);
-            sum.gather(sample.traced(point, scene));
+            sum.gather(sample.traced(point, scene, key.wrapping_add(i)));
         }
         if total > 0.0 {
             for i in 0..self.env_samples {
                 let sample = self.product_sample(i, total, &lobe, point, pattern, env);
-                sum.gather(sample.traced(point, scene));
+                sum.gather(sample.traced(point, scene, key.wrapping_add(self.brdf_samples + i)));
             }
         }
         sum

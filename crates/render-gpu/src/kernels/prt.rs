@@ -162,9 +162,14 @@ pub fn at_hit(
     surface: Surface<'_>,
 ) -> Reflected {
     let point = scene.shading_point(ray, hit);
+    let triangle = &scene.triangles[hit.triangle as usize];
     let at = surface.light_at(hit);
-    let c_k = surface.reflection(scene.triangles[hit.triangle as usize].object_index());
-    reflected(&point, at.lit, at.blocked, c_k, map)
+    let c_k = surface.reflection(triangle.object_index());
+    let mut light = reflected(&point, at.lit, at.blocked, c_k, map);
+    if !triangle.is_catcher() {
+        light.lit += point.emission;
+    }
+    light
 }
 
 #[cfg(test)]

@@ -6,9 +6,14 @@
 
 use glam::{UVec2, Vec2, Vec3, Vec4};
 
+use glimt_sampling::hash::hash2;
+use glimt_sampling::uniform::unit_f32;
+
 use super::environment::RadianceMap;
 use super::frame::{Background, FrameParams};
 use super::layers::{LayerSample, PixelLayers};
+use super::opacity::alpha_at;
+use super::pattern::{PixelPattern, SEEN_THROUGH};
 use super::prt::{Surface, at_hit};
 use super::ray::{Hit, Ray};
 use super::scene::Scene;
@@ -30,11 +35,14 @@ pub struct RasterParams {
     pub near: f32,
     /// Factor on radiance in the drawn layers, which have 16 bits.
     pub scale: f32,
+    /// Samples of a pixel.
+    pub samples: u32,
     /// Fills 16 bytes.
-    pub unused_a: f32,
-    /// Fills 16 bytes.
-    pub unused_b: f32,
+    pub unused: u32,
 }
+
+/// How much further than it is a catcher is drawn, as a share of its distance, so that what lies on it is seen before it.
+const SETBACK: f32 = 1.0 / 65_536.0;
 
 /// What is drawn at a point: values of the layers, at most [`HALF_MAX`]. What would be more is darkened in all channels alike, and a
 /// catcher's two layers together, so that its share of light stays what it is.
@@ -69,6 +77,50 @@ pub fn corner_weights(corner: u32) -> Vec2 {
         1 => Vec2::X,
         _ => Vec2::Y,
     }
+}
+
+/// What [`clip_position`] takes as `near` for corner `corner % 3` of triangle `corner / 3`.
+#[inline]
+#[must_use]
+pub fn corner_near(corner: u32, near: f32, scene: Scene<'_>) -> f32 {
+    if scene.triangles[(corner / 3) as usize].is_catcher() {
+        return near * (1.0 - SETBACK);
+    }
+    near
+}
+
+/// Which of a pixel's samples triangle `triangle` keeps, where its second and third corner have these weights: bit i for sample i, each
+/// with probability alpha. The pixel has the coordinates `pixel` in the image.
+#[must_use]
+pub fn kept_samples(
+    triangle: u32,
+    weights: Vec2,
+    pixel: UVec2,
+    raster: &RasterParams,
+    scene: Scene<'_>,
+) -> u32 {
+    let at = &scene.triangles[triangle as usize];
+    if !at.is_see_through() {
+        return u32::MAX;
+    }
+    let u = weights.x.clamp(0.0, 1.0);
+    let v = weights.y.clamp(0.0, 1.0 - u);
+    let alpha = alpha_at(at, scene.surface, u, v);
+    let mut kept = 0;
+    for sample in 0..raster.samples {
+        let pattern = PixelPattern {
+            kind: raster.frame.pattern,
+            seed: raster.frame.seed,
+            frame: raster.frame.film_frame,
+            pixel: pixel.y * raster.frame.width + pixel.x,
+            ray: sample,
+            rays: raster.samples,
+        };
+        if unit_f32(hash2(pattern.ray_key(SEEN_THROUGH), triangle)) < alpha {
+            kept |= 1 << sample;
+        }
+    }
+    kept
 }
 
 /// Homogeneous clip coordinates of the world point `p`: x and y in [−w, w] inside the image, y up, w the distance along the

@@ -11,6 +11,9 @@ pub struct Ray {
     pub direction: Vec3,
     /// One over each component of `direction`, of which none counts as nearer to zero than [`Ray::SMALLEST`].
     pub inverse_direction: Vec3,
+    /// What decides, with a triangle's number, whether the ray passes a surface that lets light through: equal rays with equal keys
+    /// pass the same surfaces.
+    pub key: u32,
 }
 
 /// What a ray hits first.
@@ -28,10 +31,17 @@ impl Ray {
     /// Components of a direction nearer to zero count as this in box tests, so that no infinity appears.
     pub const SMALLEST: f32 = 1e-18;
 
-    /// The ray from `origin` towards `direction`.
+    /// The ray from `origin` towards `direction`, with the key 0.
     #[inline]
     #[must_use]
     pub fn new(origin: Vec3, direction: Vec3) -> Ray {
+        Ray::keyed(origin, direction, 0)
+    }
+
+    /// The ray from `origin` towards `direction`, with a key.
+    #[inline]
+    #[must_use]
+    pub fn keyed(origin: Vec3, direction: Vec3, key: u32) -> Ray {
         Ray {
             origin,
             direction,
@@ -40,6 +50,7 @@ impl Ray {
                 inverse(direction.y),
                 inverse(direction.z),
             ),
+            key,
         }
     }
 }

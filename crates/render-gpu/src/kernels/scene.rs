@@ -5,7 +5,7 @@ use glimt_brdf::BlinnPhong;
 use glimt_sampling::math::ShadingFrame;
 
 use super::bvh::{BvhNode, any_hit, closest_hit};
-use super::material::MaterialView;
+use super::material::{Attributes, MaterialView};
 use super::ray::{Hit, Ray};
 use super::triangle::Triangle;
 
@@ -35,7 +35,7 @@ pub struct Scene<'a> {
     pub triangles: &'a [Triangle],
     /// Three corners for each triangle.
     pub corners: &'a [Corner],
-    /// Materials and textures: the surface buffer of [`material`](super::material).
+    /// Materials, textures and colours: the surface buffer of [`material`](super::material).
     pub surface: &'a [u32],
 }
 
@@ -52,6 +52,27 @@ pub struct ShadingPoint {
     pub wo: Vec3,
     /// The reflection model, in that frame.
     pub brdf: BlinnPhong,
+    /// Radiance that the surface itself sends to all sides.
+    pub emission: Vec3,
+}
+
+/// The least cosine between the shading normal and ωo, as far as the face itself is not seen more flatly.
+const LEAST_COSINE: f32 = 0.01;
+
+/// The shading normal as the eye may see it: `normal`, which lies on the side of the face that faces the eye, or, where it leans away
+/// from the eye, bent towards it as far as needed.
+///
+/// The eye sees the face, so a normal that leans away is an artefact of interpolation. A normal that were turned round in its place would
+/// be lit from the wrong side. Cycles bends normals for the same reason.
+#[inline]
+#[must_use]
+pub fn bent_towards(normal: Vec3, to_eye: Vec3, geometric_normal: Vec3) -> Vec3 {
+    let least = LEAST_COSINE.min(0.9 * geometric_normal.dot(to_eye));
+    let cosine = normal.dot(to_eye);
+    if cosine >= least {
+        return normal;
+    }
+    unit_or(normal + to_eye * (least - cosine), geometric_normal)
 }
 
 impl Scene<'_> {
@@ -59,7 +80,7 @@ impl Scene<'_> {
     #[inline]
     #[must_use]
     pub fn closest_hit(&self, ray: &Ray) -> Option<Hit> {
-        closest_hit(self.nodes, self.triangles, ray, f32::MAX)
+        closest_hit(self.nodes, self.triangles, self.surface, ray, f32::MAX)
     }
 
     /// The shading point where a ray of unit direction hits.
@@ -74,9 +95,10 @@ impl Scene<'_> {
         let w = 1.0 - u - v;
 
         let to_eye = -ray.direction;
-        let face = triangle.area_normal().normalize();
-        let geometric_normal = if face.dot(to_eye) < 0.0 { -face } else { face };
-        let smooth = unit_or(a.normal * w + b.normal * u + c.normal * v, face);
+        let outward = triangle.outward().normalize();
+        let is_inside = outward.dot(to_eye) < 0.0;
+        let geometric_normal = if is_inside { -outward } else { outward };
+        let smooth = unit_or(a.normal * w + b.normal * u + c.normal * v, outward);
 
         let uv = Vec2::new(a.u * w + b.u * u + c.u * v, a.v * w + b.v * u + c.v * v);
         let material = MaterialView::new(self.surface, triangle.material & !MIRRORED);
@@ -87,29 +109,33 @@ impl Scene<'_> {
             1.0
         };
         let bumped = material.bumped_normal(uv, smooth, tangent, handedness);
-        let normal = if bumped.dot(to_eye) < 0.0 {
-            -bumped
-        } else {
-            bumped
-        };
+        // The face decides which side is seen: the normal itself may lean beyond its horizon.
+        let sided = if is_inside { -bumped } else { bumped };
+        let normal = bent_towards(sided, to_eye, geometric_normal);
 
+        let mut vertex_color = Vec3::ONE;
+        if triangle.attributes != 0 {
+            let attributes = Attributes::at(self.surface, triangle.attributes, u, v);
+            vertex_color = attributes.color.truncate();
+        }
         let frame = ShadingFrame::from_normal(normal);
         let edges = (triangle.v1 - triangle.v0) * u + (triangle.v2 - triangle.v0) * v;
         ShadingPoint {
-            origin: triangle.v0 + edges + geometric_normal * triangle.ray_offset,
+            origin: triangle.v0 + edges + geometric_normal * triangle.ray_offset(),
             geometric_normal,
             frame,
             wo: frame.to_local(to_eye),
-            brdf: material.brdf(uv),
+            brdf: material.brdf(uv, vertex_color),
+            emission: material.emission(uv, vertex_color),
         }
     }
 
-    /// Whether light from `direction` reaches the point.
+    /// Whether light from `direction` reaches the point, by a ray with this key.
     #[inline]
     #[must_use]
-    pub fn is_lit(&self, point: &ShadingPoint, direction: Vec3) -> bool {
-        let ray = Ray::new(point.origin, direction);
-        !any_hit(self.nodes, self.triangles, &ray, f32::MAX)
+    pub fn is_lit(&self, point: &ShadingPoint, direction: Vec3, key: u32) -> bool {
+        let ray = Ray::keyed(point.origin, direction, key);
+        !any_hit(self.nodes, self.triangles, self.surface, &ray, f32::MAX)
     }
 }
 

@@ -61,8 +61,11 @@ pub fn shade<E: Estimator, S: RaySample>(
     let camera_ray = frame.camera_ray(&pattern);
     if let Some(hit) = scene.closest_hit(&camera_ray) {
         let point = scene.shading_point(&camera_ray, &hit);
-        let light = estimator.reflected(&point, &pattern, env, scene);
+        let mut light = estimator.reflected(&point, &pattern, env, scene);
         let is_catcher = scene.triangles[hit.triangle as usize].is_catcher();
+        if !is_catcher {
+            light.lit += point.emission;
+        }
         return S::of_surface(&light, is_catcher);
     }
     S::of_background(&camera_ray, frame, env.map())

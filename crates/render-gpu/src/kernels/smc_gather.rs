@@ -8,6 +8,7 @@ use super::estimator::{LightSample, Reflected};
 use super::frame::FrameParams;
 use super::light_target::LightLobe;
 use super::past::RayState;
+use super::pattern::LIT_THROUGH;
 use super::scene::Scene;
 use super::shade::RaySample;
 use super::smc_point::SmcPoint;
@@ -18,6 +19,7 @@ fn estimate(
     seen: &SmcPoint,
     log_normaliser: f32,
     floor: f32,
+    key: u32,
     env: Environment<'_>,
     scene: Scene<'_>,
     particles: &[Particle],
@@ -37,7 +39,7 @@ fn estimate(
             let density = target * libm::expf(-(log_normaliser + particle.log_weight));
             let wi = point.frame.to_local(direction);
             let sample = LightSample::new(&point, direction, wi, radiance, density);
-            sum.gather(sample.traced(&point, scene));
+            sum.gather(sample.traced(&point, scene, key.wrapping_add(i as u32)));
         }
     }
     sum
@@ -62,7 +64,9 @@ pub fn gather_smc<S: RaySample>(
         let first = (ray * particles_per_ray) as usize;
         let own = &particles[first..first + particles_per_ray as usize];
         let log_normaliser = states[ray as usize].log_normaliser;
-        let light = estimate(seen, log_normaliser, floor, env, scene, own);
+        let key = frame.pattern_of(ray).ray_key(LIT_THROUGH);
+        let mut light = estimate(seen, log_normaliser, floor, key, env, scene, own);
+        light.lit += seen.emission;
         return S::of_surface(&light, seen.catcher != 0);
     }
     let camera_ray = frame.camera_ray(&frame.pattern_of(ray));

@@ -11,7 +11,7 @@ use super::scene::{Scene, ShadingPoint};
 /// [`SmcPoint::predecessor`] of a point that was not seen in the frame before.
 pub const NO_PREDECESSOR: u32 = u32::MAX;
 
-/// What a ray hits, and what it continues from. 160 bytes; all 0 for a ray that hits nothing.
+/// What a ray hits, and what it continues from. 176 bytes; all 0 for a ray that hits nothing.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct SmcPoint {
@@ -39,6 +39,10 @@ pub struct SmcPoint {
     pub specular: Vec3,
     /// Fills 16 bytes.
     pub unused_b: u32,
+    /// [`ShadingPoint::emission`]; 0 on a catcher.
+    pub emission: Vec3,
+    /// Fills 16 bytes.
+    pub unused_c: u32,
     /// What the predecessor kept; [`RayState::NONE`] without one.
     pub before: RayState,
 }
@@ -58,6 +62,8 @@ impl SmcPoint {
         unused_a: 0,
         specular: Vec3::ZERO,
         unused_b: 0,
+        emission: Vec3::ZERO,
+        unused_c: 0,
         before: RayState::NONE,
     };
 
@@ -83,6 +89,7 @@ impl SmcPoint {
                 specular: self.specular,
                 exponent: self.exponent,
             },
+            emission: self.emission,
         }
     }
 }
@@ -122,6 +129,12 @@ pub fn find_smc(
         unused_a: 0,
         specular: point.brdf.specular,
         unused_b: 0,
+        emission: if triangle.is_catcher() {
+            Vec3::ZERO
+        } else {
+            point.emission
+        },
+        unused_c: 0,
         before,
     }
 }
@@ -132,11 +145,11 @@ mod tests {
 
     #[test]
     fn layout_is_that_of_wgsl() {
-        assert_eq!(core::mem::size_of::<SmcPoint>(), 160);
+        assert_eq!(core::mem::size_of::<SmcPoint>(), 176);
         assert_eq!(core::mem::offset_of!(SmcPoint, geometric_normal), 16);
         assert_eq!(core::mem::offset_of!(SmcPoint, wo), 48);
         assert_eq!(core::mem::offset_of!(SmcPoint, specular), 80);
-        assert_eq!(core::mem::offset_of!(SmcPoint, before), 96);
+        assert_eq!(core::mem::offset_of!(SmcPoint, before), 112);
     }
 
     #[test]

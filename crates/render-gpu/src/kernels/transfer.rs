@@ -4,6 +4,7 @@ use core::f32::consts::PI;
 
 use glam::{UVec2, UVec4, Vec2, Vec3};
 use glimt_probe::trig::cos_sin_pi;
+use glimt_sampling::hash::hash3;
 use glimt_sampling::uniform::{UniformSource, unit_vec2};
 use glimt_sampling::xoshiro::Xoshiro128PlusPlus;
 use glimt_sh::basis::add_basis;
@@ -70,6 +71,7 @@ pub fn transfer(
     params: &TransferParams,
     nodes: &[BvhNode],
     triangles: &[Triangle],
+    surface: &[u32],
     vertices: &[TransferVertex],
     state: &mut [u32],
     lit: &mut [f32],
@@ -90,7 +92,7 @@ pub fn transfer(
         near: 1.0,
         way,
     };
-    let touched = any_hit_of(nodes, triangles, &across, 1.0, &others);
+    let touched = any_hit_of(nodes, triangles, surface, &across, 1.0, &others);
     let own = Asked {
         own: true,
         near: 0.0,
@@ -116,18 +118,19 @@ pub fn transfer(
             let cosine = at.normal.dot(direction);
             if cosine > 0.0 {
                 rays += 1;
-                let ray = Ray::new(at.origin, direction);
+                let key = hash3(params.seed, at.number, gone);
+                let ray = Ray::keyed(at.origin, direction, key);
                 let is_blocked = if touched {
                     // What lies under the surface is passed over until the ray has come through it.
                     let above = Asked {
                         near: height / cosine,
                         ..others
                     };
-                    let beneath = Ray::new(at.inner, direction);
-                    any_hit_of(nodes, triangles, &beneath, f32::MAX, &above)
-                        || any_hit_of(nodes, triangles, &ray, f32::MAX, &own)
+                    let beneath = Ray::keyed(at.inner, direction, key);
+                    any_hit_of(nodes, triangles, surface, &beneath, f32::MAX, &above)
+                        || any_hit_of(nodes, triangles, surface, &ray, f32::MAX, &own)
                 } else {
-                    any_hit(nodes, triangles, &ray, f32::MAX)
+                    any_hit(nodes, triangles, surface, &ray, f32::MAX)
                 };
                 if is_blocked {
                     add_basis(bands, direction, cosine, &mut kept_away);

@@ -8,9 +8,16 @@ use super::ray::Ray;
 /// light, since the light map was filmed with it in place. The rest is the object's index.
 pub const CATCHER: u32 = 1 << 31;
 
+/// Bit of [`Triangle::object`] that says that its material lets light pass somewhere (glTF's alpha modes `MASK` and `BLEND`).
+pub const SEE_THROUGH: u32 = 1 << 30;
+
+/// How far from a surface a ray starts that leaves it, as a share of the triangle's largest coordinate: 64 units in the last place, of
+/// which about ten may be lost in the hit and in the next ray's test.
+pub const RAY_OFFSET: f32 = 1.0 / 262_144.0;
+
 /// Bit of [`Triangle::object`] that says that its corners run clockwise seen from where its vertices' normals point, as in a mesh
 /// that is mirrored.
-pub const INSIDE_OUT: u32 = 1 << 30;
+pub const INSIDE_OUT: u32 = 1 << 29;
 
 /// A triangle in world coordinates, in the order of the tree's leaves.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -22,13 +29,13 @@ pub struct Triangle {
     pub material: u32,
     /// Second corner.
     pub v1: Vec3,
-    /// Index of the object that it belongs to, below 2³⁰; with the bits [`CATCHER`], where that is a shadow catcher, and
-    /// [`INSIDE_OUT`].
+    /// Index of the object that it belongs to, below 2²⁹; with the bits [`CATCHER`], where that is a shadow catcher,
+    /// [`INSIDE_OUT`] and [`SEE_THROUGH`].
     pub object: u32,
     /// Third corner.
     pub v2: Vec3,
-    /// How far from the surface a ray starts that leaves it, along the geometric normal.
-    pub ray_offset: f32,
+    /// Word of the surface buffer at which the [attributes](super::material::Attributes) of its corners begin; 0 where it has none.
+    pub attributes: u32,
 }
 
 impl Triangle {
@@ -43,7 +50,36 @@ impl Triangle {
     #[inline]
     #[must_use]
     pub fn object_index(&self) -> u32 {
-        self.object & !(CATCHER | INSIDE_OUT)
+        self.object & !(CATCHER | INSIDE_OUT | SEE_THROUGH)
+    }
+
+    /// Whether its material lets light pass somewhere.
+    #[inline]
+    #[must_use]
+    pub fn is_see_through(&self) -> bool {
+        self.object & SEE_THROUGH != 0
+    }
+
+    /// How far from the surface a ray starts that leaves it, along the geometric normal.
+    #[inline]
+    #[must_use]
+    pub fn ray_offset(&self) -> f32 {
+        let extent = self.v0.abs().max(self.v1.abs()).max(self.v2.abs());
+        RAY_OFFSET * extent.max_element()
+    }
+
+    /// How much further than it is a catcher counts as being along a ray that hits it at `t`, so that what lies on it is seen before it.
+    #[inline]
+    #[must_use]
+    pub fn setback(&self, ray: &Ray, t: f32) -> f32 {
+        let normal = self.area_normal();
+        let across = normal.dot(ray.direction).abs();
+        let apart = 2.0
+            * self
+                .ray_offset()
+                .max(RAY_OFFSET * t * libm::sqrtf(ray.direction.length_squared()));
+        // Seen at a flat angle, a small gap is a long way; but no longer than the way so far.
+        (apart * libm::sqrtf(normal.length_squared()) / across.max(f32::MIN_POSITIVE)).min(t)
     }
 
     /// Where its outside is: the face's normal on the side of its vertices' normals. Of any length.
@@ -124,6 +160,19 @@ pub fn barycentrics(triangle: &Triangle, ray: &Ray) -> Vec2 {
 mod tests {
     use super::*;
 
+    #[test]
+    fn a_catcher_counts_as_a_little_further() {
+        let face = triangle(Vec3::ZERO, Vec3::X * 8.0, Vec3::Y * 8.0);
+        let straight = Ray::new(Vec3::new(1.0, 1.0, 2.0), Vec3::NEG_Z);
+        let expected = 2.0 * 8.0 * RAY_OFFSET;
+        assert_eq!(face.setback(&straight, 2.0), expected);
+        // Half as long a direction: twice as many of them.
+        let half = Ray::new(Vec3::new(1.0, 1.0, 2.0), Vec3::NEG_Z * 0.5);
+        assert_eq!(face.setback(&half, 4.0), 2.0 * expected);
+        let flat = Ray::new(Vec3::new(1.0, 1.0, 2.0), Vec3::X);
+        assert_eq!(face.setback(&flat, 2.0), 2.0);
+    }
+
     fn triangle(v0: Vec3, v1: Vec3, v2: Vec3) -> Triangle {
         Triangle {
             v0,
@@ -131,7 +180,7 @@ mod tests {
             v1,
             object: 0,
             v2,
-            ray_offset: 0.0,
+            attributes: 0,
         }
     }
 
@@ -142,7 +191,7 @@ mod tests {
         assert_eq!(core::mem::offset_of!(Triangle, v1), 16);
         assert_eq!(core::mem::offset_of!(Triangle, object), 28);
         assert_eq!(core::mem::offset_of!(Triangle, v2), 32);
-        assert_eq!(core::mem::offset_of!(Triangle, ray_offset), 44);
+        assert_eq!(core::mem::offset_of!(Triangle, attributes), 44);
     }
 
     #[test]

@@ -299,7 +299,7 @@ impl<M: Memory> Following<M> {
         let key = SmcKey::new(settings, own, scene);
         let now = env.view();
         let mean = env.mean_luminance();
-        let view = settings.camera.view(settings.size)?;
+        let view = settings.view()?;
         let failed = RenderError::device::<D::Error>;
         let mut made = match known.filter(|known| known.key == key) {
             Some(known) => known,

@@ -205,10 +205,10 @@ pub fn bake(
             let known = for_kernels(own, first);
             let chunks = lit.chunks_mut(count).zip(blocked.chunks_mut(count));
             let traced = (0..).zip(chunks).map(|(i, (lit, blocked))| {
-                let (nodes, triangles) = (view.nodes, view.triangles);
+                let (nodes, triangles, surface) = (view.nodes, view.triangles, view.surface);
                 let state = &mut [0; STATE];
                 u64::from(transfer(
-                    i, &params, nodes, triangles, &known, state, lit, blocked,
+                    i, &params, nodes, triangles, surface, &known, state, lit, blocked,
                 ))
             });
             rays.fetch_add(traced.sum(), Ordering::Relaxed);

@@ -1,39 +1,71 @@
 //! Host file: the objects of a scene with their meshes, and their triangles in the world at given transforms.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 use glam::{DMat3, Mat3, Mat4, Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 
-use super::scene::{Mesh, SceneDescription};
+use super::materials::{FACE_WORDS, append_attributes, may_pass};
+use super::scene::{Mesh, Opacity, SceneDescription, Shape};
 use super::scene_build::MAX_COORDINATE;
 use super::scene_error::SceneError;
 use super::transfer::SurfaceVertex;
 use super::vertex_fans::Fans;
 use crate::kernels::scene::{Corner, MIRRORED};
-use crate::kernels::triangle::{CATCHER, INSIDE_OUT, Triangle};
-
-/// Rays that leave a surface start this fraction of the triangle's largest coordinate away from it: 64 units in the
-/// last place, of which about ten may be lost in the hit and in the next ray's test.
-pub(super) const RAY_OFFSET: f32 = 1.0 / 262_144.0;
+use crate::kernels::triangle::{CATCHER, INSIDE_OUT, SEE_THROUGH, Triangle};
 
 /// A triangle is dropped when it is this many times longer than high: rounding alone decides where such a face looks.
 const MAX_ASPECT: f64 = 1e7;
 
-/// What does not change when the objects of a scene move.
+/// What does not change when the objects of a scene move, but for the shapes that they take.
 #[derive(Debug)]
 pub(super) struct Geometry {
     bodies: Vec<Body>,
 }
 
 /// An object without its place.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Body {
     /// With normals, and with tangents where it has texture coordinates.
     mesh: Arc<Mesh>,
     material: Option<u32>,
     catcher: bool,
+    /// Word of the surface buffer at which the attributes of its first face begin; 0 where it has none.
+    attributes: u32,
+    /// Of each material of the scene, whether light may pass it here.
+    passes: Arc<[bool]>,
+}
+
+/// Of each material of a scene, whether light may pass it.
+struct Opacities {
+    /// Where the vertices' alpha is 1.
+    of_material: Arc<[bool]>,
+    /// Where it is less.
+    of_vertices: Arc<[bool]>,
+}
+
+impl Opacities {
+    fn of(description: &SceneDescription) -> Self {
+        let materials = || description.materials.iter();
+        Self {
+            of_material: materials()
+                .map(|material| may_pass(material, &description.textures))
+                .collect(),
+            of_vertices: materials()
+                .map(|material| material.opacity != Opacity::Opaque)
+                .collect(),
+        }
+    }
+
+    fn of_mesh(&self, mesh: &Mesh) -> Arc<[bool]> {
+        let is_thin = mesh.colors.iter().any(|color| color.w < 1.0);
+        Arc::clone(match is_thin {
+            true => &self.of_vertices,
+            false => &self.of_material,
+        })
+    }
 }
 
 /// Triangles of an object in the world, in the order of its mesh.
@@ -46,11 +78,15 @@ pub(super) struct Flat {
 }
 
 impl Geometry {
-    /// Checks the meshes of a scene that has `materials` materials, and makes the normals and tangents that they lack.
+    /// Checks the meshes of a scene, and makes the normals and tangents that they lack. Appends the attributes that kernels want of
+    /// them to the surface buffer.
     pub(super) fn new(
         description: &SceneDescription,
-        materials: usize,
+        surface: &mut Vec<u32>,
     ) -> Result<Self, SceneError> {
+        let materials = description.materials.len();
+        let opacity = Opacities::of(description);
+        let mut attributes: HashMap<u32, u32> = HashMap::new();
         let mut meshes: HashMap<u32, Arc<Mesh>> = HashMap::new();
         let mut bodies = Vec::with_capacity(description.objects.len());
         for (index, object) in description.objects.iter().enumerate() {
@@ -80,13 +116,73 @@ impl Geometry {
                 Some(_) => {}
                 None => check_materials(mesh, materials)?,
             }
+            let passes = opacity.of_mesh(&complete);
+            let seen_through = match object.material {
+                Some(own) => passes[own as usize],
+                None => {
+                    let mut named = complete.materials.iter();
+                    named.any(|&m| passes.get(m as usize).is_some_and(|&passes| passes))
+                }
+            };
+            // A material of the object's own takes the place of colours, too.
+            let is_coloured = object.material.is_none() && !complete.colors.is_empty();
+            let attributes = match (seen_through || is_coloured, attributes.entry(object.mesh)) {
+                (false, _) => 0,
+                (true, Entry::Occupied(known)) => *known.get(),
+                (true, Entry::Vacant(new)) => *new.insert(append_attributes(surface, &complete)?),
+            };
             bodies.push(Body {
                 mesh: complete,
                 material: object.material,
                 catcher: object.catcher,
+                attributes,
+                passes,
             });
         }
         Ok(Self { bodies })
+    }
+
+    /// The same objects, of which some have another shape. What `current` has in the same shape is taken from there.
+    pub(super) fn shaped(&self, shapes: &[Shape], current: &Self) -> Result<Self, SceneError> {
+        let mut bodies = self.bodies.clone();
+        for shape in shapes {
+            let object = shape.object;
+            let Some(body) = bodies.get_mut(object) else {
+                return Err(SceneError::Missing {
+                    object,
+                    what: "object of that number; a shape has index",
+                    index: object as u32,
+                });
+            };
+            let mut mesh = Mesh {
+                positions: shape.positions.clone(),
+                normals: shape.normals.clone(),
+                tangents: shape.tangents.clone(),
+                ..(*body.mesh).clone()
+            };
+            let (found, expected) = (mesh.positions.len(), body.mesh.positions.len());
+            if found != expected {
+                return Err(SceneError::Length {
+                    mesh: mesh.name,
+                    what: "positions of a shape",
+                    found,
+                    expected,
+                });
+            }
+            check_mesh(&mesh)?;
+            mesh.complete();
+            let known = &current.bodies[object].mesh;
+            body.mesh = match is_same_shape(&mesh, known) {
+                true => Arc::clone(known),
+                false => Arc::new(mesh),
+            };
+        }
+        Ok(Self { bodies })
+    }
+
+    /// Whether an object has the very shape that it has in `other`.
+    pub(super) fn is_same(&self, other: &Self, object: usize) -> bool {
+        Arc::ptr_eq(&self.bodies[object].mesh, &other.bodies[object].mesh)
     }
 
     /// Whether there is a catcher with a triangle.
@@ -182,9 +278,15 @@ impl Geometry {
                 .get(face[0] as usize)
                 .map_or(1.0, |t| f64::from(t.w));
             let mirrored = handedness * determinant < 0.0;
-            let extent = v0.abs().max(v1.abs()).max(v2.abs()).max_element();
             let up: Vec3 = face.iter().map(|i| corners[*i as usize].normal).sum();
             let is_inside_out = (v1 - v0).cross(v2 - v0).dot(up) < 0.0;
+            let mut bits = number;
+            if is_inside_out {
+                bits |= INSIDE_OUT;
+            }
+            if body.passes[material as usize] {
+                bits |= SEE_THROUGH;
+            }
             Some(Triangle {
                 v0,
                 material: if mirrored {
@@ -193,12 +295,12 @@ impl Geometry {
                     material
                 },
                 v1,
-                object: match is_inside_out {
-                    true => number | INSIDE_OUT,
-                    false => number,
-                },
+                object: bits,
                 v2,
-                ray_offset: RAY_OFFSET * extent,
+                attributes: match body.attributes {
+                    0 => 0,
+                    first => first + (index * FACE_WORDS) as u32,
+                },
             })
         };
         let made: Vec<Option<Triangle>> = mesh
@@ -222,6 +324,16 @@ impl Geometry {
         }
         Ok(flat)
     }
+}
+
+/// Whether the vertices of two meshes are the same to the bit.
+fn is_same_shape(a: &Mesh, b: &Mesh) -> bool {
+    fn bytes<T: bytemuck::NoUninit>(list: &[T]) -> &[u8] {
+        bytemuck::cast_slice(list)
+    }
+    bytes(&a.positions) == bytes(&b.positions)
+        && bytes(&a.normals) == bytes(&b.normals)
+        && bytes(&a.tangents) == bytes(&b.tangents)
 }
 
 /// The materials that a mesh names itself.
@@ -322,6 +434,10 @@ fn check_mesh(mesh: &Mesh) -> Result<(), SceneError> {
     if !mesh.tangents.is_empty() {
         length("tangents", mesh.tangents.len(), vertices)?;
         finite("tangent", mesh.tangents.iter().position(|t| !t.is_finite()))?;
+    }
+    if !mesh.colors.is_empty() {
+        length("colours", mesh.colors.len(), vertices)?;
+        finite("colour", mesh.colors.iter().position(|c| !c.is_finite()))?;
     }
     if mesh.materials.len() != 1 {
         length("materials", mesh.materials.len(), mesh.indices.len())?;

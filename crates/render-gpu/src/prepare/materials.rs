@@ -1,14 +1,20 @@
 //! Host file: materials and textures, checked and packed into the surface buffer.
 
-use glam::UVec2;
+use glam::{Affine2, UVec2, Vec2, Vec3, Vec4};
 use glimt_brdf::BlinnPhong;
 
-use super::scene::{Material, Reflection, Texture, TextureRef, Wrap};
+use super::scene::{Material, Mesh, Opacity, Reflection, Texture, TextureRef, Wrap};
 use super::scene_error::SceneError;
-use crate::kernels::material::{self as kernel, BLINN_PHONG, MATERIAL_WORDS, METALLIC_ROUGHNESS};
+use crate::kernels::material::{
+    self as kernel, BLINN_PHONG, CORNER_WORDS, EMITS, FLAG_TRANSFORMED, MATERIAL_WORDS,
+    METALLIC_ROUGHNESS, TexturePlace, UNLIT,
+};
 use crate::kernels::texture::{
     FLAG_SRGB, SRGB_TABLE_LEN, TextureView, WRAP_CLAMP, WRAP_MIRROR, WRAP_REPEAT, WRAP_SHIFT,
 };
+
+/// Words of the attributes of a face.
+pub(super) const FACE_WORDS: usize = 3 * CORNER_WORDS;
 
 /// The surface buffer of a scene with these materials and textures.
 pub(super) fn pack_surface(
@@ -91,34 +97,72 @@ fn srgb_decode(code: u32) -> f32 {
     linear as f32
 }
 
+/// Whether light may pass a material somewhere, as far as vertex colours do not matter.
+pub(super) fn may_pass(material: &Material, textures: &[Texture]) -> bool {
+    let (least, alpha) = match material.opacity {
+        Opacity::Opaque => return false,
+        Opacity::Mask { cutoff, alpha } => (cutoff, alpha),
+        Opacity::Blend { alpha } => (1.0, alpha),
+    };
+    let texture = alpha.texture.and_then(|t| textures.get(t.texture as usize));
+    // Many files say that opaque pictures are see-through.
+    let thinnest = texture.map_or(u8::MAX, |texture| {
+        let alphas = texture.texels.iter().map(|texel| texel[3]);
+        alphas.min().unwrap_or(u8::MAX)
+    });
+    alpha.factor * (f32::from(thinnest) / 255.0) < least
+}
+
+/// A factor that must be finite and not negative.
+fn factor(material: usize, what: &'static str, value: f32) -> Result<f32, SceneError> {
+    if value >= 0.0 && value <= f32::MAX {
+        Ok(value)
+    } else {
+        Err(SceneError::Factor { material, what })
+    }
+}
+
+/// A colour of which each channel is such a factor.
+fn color(material: usize, what: &'static str, value: Vec3) -> Result<Vec3, SceneError> {
+    for channel in value.to_array() {
+        factor(material, what, channel)?;
+    }
+    Ok(value)
+}
+
 /// A material as kernels read it.
 fn pack_material(
     index: usize,
     material: &Material,
     textures: &[TextureView],
 ) -> Result<kernel::Material, SceneError> {
-    let view = |texture: Option<TextureRef>| match texture {
-        None => Ok(TextureView::default()),
-        Some(TextureRef { texture, .. }) => {
-            textures
-                .get(texture as usize)
-                .copied()
-                .ok_or(SceneError::MissingTexture {
-                    material: index,
-                    texture,
-                })
-        }
-    };
-    let factor = |what, value: f32| {
-        if value >= 0.0 && value <= f32::MAX {
-            Ok(value)
-        } else {
-            Err(SceneError::Factor {
+    let place = |texture: Option<TextureRef>| match texture {
+        None => Ok(TexturePlace::default()),
+        Some(TextureRef { texture, transform }) => {
+            let view = textures.get(texture as usize);
+            let mut view = *view.ok_or(SceneError::MissingTexture {
                 material: index,
-                what,
+                texture,
+            })?;
+            if !transform.is_finite() {
+                let what = "transform of texture coordinates";
+                return Err(SceneError::Factor {
+                    material: index,
+                    what,
+                });
+            }
+            if transform != Affine2::IDENTITY {
+                view.flags |= FLAG_TRANSFORMED;
+            }
+            Ok(TexturePlace {
+                view,
+                transform: transform.to_cols_array(),
+                unused: [0; 2],
             })
         }
     };
+    let factor = |what, value| factor(index, what, value);
+    let color = |what, value| color(index, what, value);
     let mut packed: kernel::Material = bytemuck::Zeroable::zeroed();
     match material.reflection {
         Reflection::BlinnPhong {
@@ -146,19 +190,58 @@ fn pack_material(
             normal_texture,
             normal_scale,
         } => {
-            for channel in base_color.to_array() {
-                factor("base colour", channel)?;
-            }
             packed.kind = METALLIC_ROUGHNESS;
-            packed.color = base_color;
+            packed.color = color("base colour", base_color)?;
             packed.metallic = factor("metallic factor", metallic)?;
             packed.roughness = factor("roughness factor", roughness)?;
             packed.normal_scale = factor("normal scale", normal_scale)?;
-            packed.base_color_texture = view(base_color_texture)?;
-            packed.metallic_roughness_texture = view(metallic_roughness_texture)?;
-            packed.normal_texture = view(normal_texture)?;
+            packed.color_texture = place(base_color_texture)?;
+            packed.metallic_roughness_texture = place(metallic_roughness_texture)?;
+            packed.normal_texture = place(normal_texture)?;
         }
-        Reflection::Unlit { .. } => {}
+        Reflection::Unlit {
+            color: radiance,
+            color_texture,
+        } => {
+            packed.kind = UNLIT;
+            packed.color = color("colour", radiance)?;
+            packed.color_texture = place(color_texture)?;
+        }
     }
+    if material.emission != Vec3::ZERO {
+        packed.kind |= EMITS;
+        packed.emission = color("emission", material.emission)?;
+        packed.emission_texture = place(material.emission_texture)?;
+    }
+    let (alpha, cutoff) = match material.opacity {
+        Opacity::Opaque => return Ok(packed),
+        Opacity::Mask { cutoff, alpha } => (alpha, factor("alpha cutoff", cutoff)?),
+        Opacity::Blend { alpha } => (alpha, -1.0),
+    };
+    packed.alpha = factor("alpha", alpha.factor)?;
+    packed.alpha_cutoff = cutoff;
+    packed.alpha_texture = place(alpha.texture)?;
     Ok(packed)
+}
+
+/// Appends the kernels' [`Attributes`](kernel::Attributes) of all faces of a mesh to the surface buffer. Returns the word at which those
+/// of the first face begin.
+pub(super) fn append_attributes(words: &mut Vec<u32>, mesh: &Mesh) -> Result<u32, SceneError> {
+    let first = words.len();
+    let added = mesh.indices.len() * FACE_WORDS;
+    // The last word, too, must have a number.
+    if first + added > u32::MAX as usize {
+        let what = "vertex colours";
+        return Err(SceneError::TooLarge { what });
+    }
+    words.reserve_exact(added);
+    let of_vertex = |&vertex: &u32| {
+        let uv = mesh.uvs.get(vertex as usize).copied().unwrap_or(Vec2::ZERO);
+        let color = mesh.colors.get(vertex as usize).copied();
+        let color = color.unwrap_or(Vec4::ONE).clamp(Vec4::ZERO, Vec4::ONE);
+        let [r, g, b, a] = color.to_array().map(|c| (c * 65_535.0).round() as u32);
+        [uv.x.to_bits(), uv.y.to_bits(), r | g << 16, b | a << 16]
+    };
+    words.extend(mesh.indices.as_flattened().iter().flat_map(of_vertex));
+    Ok(first as u32)
 }

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use glam::{UVec2, Vec4};
+use glimt_probe::gather::ColourMatrix;
 use glimt_sh::ShError;
 
 use super::env::PreparedEnv;
@@ -45,6 +46,10 @@ pub struct RenderSettings {
     pub tonemap: Tonemap,
     /// How a plate takes shadows.
     pub shadow: Shadow,
+    /// Width of a pixel over its height; 1 for square pixels.
+    pub pixel_aspect: f32,
+    /// From the primaries of light and materials to those of the display, Rec. 709. A plate has its own: [`Plate::own_to_display`].
+    pub to_display: ColourMatrix,
     /// Whether the image comes with its layers.
     pub layers: bool,
     /// Whether the image is to have [`FrameImage::diagnostics`].
@@ -180,6 +185,9 @@ pub enum SettingsError {
     /// The field of view is not in (0, π).
     #[error("the horizontal field of view must lie between 0 and 180 degrees")]
     FieldOfView,
+    /// The pixels' aspect is not above 0, or not finite.
+    #[error("the aspect of a pixel must be above 0 and finite")]
+    PixelAspect,
     /// The exposure's factor outgrows 32 bits.
     #[error("2 to the power of the exposure must be finite")]
     Exposure,
@@ -215,6 +223,8 @@ impl RenderSettings {
             exposure_ev: 0.0,
             tonemap: Tonemap::Srgb,
             shadow: Shadow::Multiply,
+            pixel_aspect: 1.0,
+            to_display: ColourMatrix::IDENTITY,
             layers: false,
             diagnostics: false,
         }
@@ -242,7 +252,11 @@ impl RenderSettings {
             background: Background::Transparent,
             ..*self
         };
-        over.frame_params()
+        Ok(FrameParams {
+            to_plate: *plate.scene_to_own(),
+            to_display: *plate.own_to_display(),
+            ..over.frame_params()?
+        })
     }
 
     /// Checks the settings and makes of them what kernels read, with the first tile at pixel 0.
@@ -267,7 +281,7 @@ impl RenderSettings {
         if !(exposure <= f32::MAX) {
             return Err(SettingsError::Exposure);
         }
-        let view = self.camera.view(self.size)?;
+        let view = self.view()?;
         Ok(FrameParams {
             eye: view.eye,
             width: self.size.x,
@@ -294,7 +308,26 @@ impl RenderSettings {
             unused_a: 0,
             unused_b: 0,
             unused_c: 0,
+            to_plate: ColourMatrix::IDENTITY,
+            to_display: self.to_display,
         })
+    }
+
+    /// The camera as kernels see it.
+    ///
+    /// # Errors
+    /// As [`Camera::view`]; [`SettingsError::PixelAspect`].
+    pub fn view(&self) -> Result<CameraView, SettingsError> {
+        let aspect = self.pixel_aspect;
+        if !(aspect > 0.0 && aspect.is_finite()) {
+            return Err(SettingsError::PixelAspect);
+        }
+        let mut view = self.camera.view(self.size)?;
+        // The field of view is that of the image's width, so wide pixels make the image lower.
+        if aspect != 1.0 {
+            view.up /= aspect;
+        }
+        Ok(view)
     }
 }
 

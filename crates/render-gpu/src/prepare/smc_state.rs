@@ -92,7 +92,7 @@ impl PastFrame {
         Ok(Self {
             key: SmcKey::new(settings, smc, scene),
             frame: settings.frame,
-            view: settings.camera.view(settings.size)?,
+            view: settings.view()?,
             transforms: scene.transforms().to_vec(),
             light_size: light.size,
             light_rotation: light.rotation,

@@ -5,9 +5,9 @@
 
 use glam::Vec3;
 
-use super::geometry::RAY_OFFSET;
 use super::scene::Mesh;
 use super::transfer::SurfaceVertex;
+use crate::kernels::triangle::RAY_OFFSET;
 
 /// How far rays start inside an edge of the surface, in units of their height above it, were the surface all on one side of the
 /// vertex.

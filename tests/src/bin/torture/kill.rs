@@ -270,6 +270,7 @@ fn once(bench: &Bench, job: &Job, whole: &Whole, random: &mut Random) -> Outcome
         fs::create_dir_all(&folder).map_err(|e| e.to_string())?;
     }
     let kills = 1 + random.next() % 2;
+    let mut was_signalled = false;
     for _ in 0..kills {
         let end = match random.next() % 4 {
             0 => End::Signal("INT", 130),
@@ -297,8 +298,9 @@ fn once(bench: &Bench, job: &Job, whole: &Whole, random: &mut Random) -> Outcome
             }
         }
         let mut files = files;
-        if matches!(end, End::Signal(..)) && job.args.contains(&"--follow") {
-            // A video of the frames that came is whole, but it is another one.
+        was_signalled |= matches!(end, End::Signal(..));
+        if was_signalled && job.args.contains(&"--follow") {
+            // A video of the frames that came is whole, but it is another one. It stays until a run has made the whole one.
             files.remove("shot.mp4");
         }
         check_whole(job, whole, &files)?;
