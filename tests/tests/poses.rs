@@ -6,7 +6,7 @@ use glimt_render_gpu::gpu::{AdapterPreference, GpuRenderer};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{FrameImage, RenderSettings, Renderer};
 use glimt_render_gpu::prepare::scene::{
-    Camera, Material, Mesh, Object, Reflection, SceneDescription, Texture, Wrap,
+    Camera, Material, Mesh, Object, Reflection, SceneDescription, Shape, Texture, Wrap,
 };
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_render_gpu::prepare::scene_error::SceneError;
@@ -244,6 +244,80 @@ fn poses_between_leave_no_trace() {
     assert_eq!(tree(&wanderer), reference);
     wanderer.pose(&scattered()).unwrap();
     assert_ne!(tree(&wanderer), reference);
+}
+
+/// The first torus bent by `t`, with normals of its faces, and the second blade longer.
+fn shapes(t: f32) -> [Shape; 2] {
+    let shape = |object, mesh: Mesh, moved: &dyn Fn(Vec3) -> Vec3| Shape {
+        object,
+        positions: mesh.positions.iter().map(|p| moved(*p)).collect(),
+        normals: Vec::new(),
+        tangents: Vec::new(),
+    };
+    let bend = |p: Vec3| p + Vec3::new(0.0, t * p.x * p.x, t * p.z);
+    [
+        shape(0, torus(), &bend),
+        shape(3, blade(), &|p| p * Vec3::new(1.0 + t, 1.0, 1.0)),
+    ]
+}
+
+/// The scene with these shapes, as one that is built so.
+fn describe_shaped(transforms: &[Mat4], shapes: &[Shape]) -> SceneDescription {
+    let mut scene = describe(transforms);
+    for shape in shapes {
+        let object = &mut scene.objects[shape.object];
+        let mesh = scene.meshes[object.mesh as usize].clone();
+        object.mesh = scene.meshes.len() as u32;
+        scene.meshes.push(Mesh {
+            positions: shape.positions.clone(),
+            ..mesh
+        });
+    }
+    scene
+}
+
+#[test]
+fn a_deformed_scene_is_what_is_built_so() {
+    let mut scene = SceneBuffers::build(&describe(&pose(0.0))).unwrap();
+    let reference = content(&scene);
+    for t in [0.02, 1.5, 0.02, 0.7] {
+        let shapes = shapes(t);
+        for transforms in [pose(0.0), pose(t), scattered()] {
+            scene.pose_shaped(&transforms, &shapes).unwrap();
+            let fresh = SceneBuffers::build(&describe_shaped(&transforms, &shapes)).unwrap();
+            assert!(content(&scene) == content(&fresh), "{t}");
+            assert_eq!(scene.bounds(), fresh.bounds());
+            assert_eq!(scene.mesh(0).positions, shapes[0].positions);
+            assert_eq!(
+                scene.vertices().unwrap().len(),
+                fresh.vertices().unwrap().len()
+            );
+            // Poses between leave no trace.
+            let mut direct = SceneBuffers::build(&describe(&pose(0.0))).unwrap();
+            direct.pose_shaped(&transforms, &shapes).unwrap();
+            assert_eq!(scene.view().nodes, direct.view().nodes);
+            assert_eq!(scene.view().triangles, direct.view().triangles);
+            assert_eq!(scene.view().corners, direct.view().corners);
+        }
+    }
+    // The same shapes again cost nothing; without shapes the reference comes back.
+    let id = scene.id();
+    scene.pose_shaped(&scattered(), &shapes(0.7)).unwrap();
+    assert_eq!(scene.id(), id);
+    scene.pose(&pose(0.0)).unwrap();
+    assert!(content(&scene) == reference);
+    // What does not fit is refused, and changes nothing.
+    let mut bad = shapes(1.0);
+    bad[1].positions.pop();
+    let error = scene.pose_shaped(&pose(1.0), &bad).unwrap_err();
+    assert!(matches!(error, SceneError::Length { .. }), "{error}");
+    bad[1].object = 99;
+    let error = scene.pose_shaped(&pose(1.0), &bad).unwrap_err();
+    assert!(
+        matches!(error, SceneError::Missing { object: 99, .. }),
+        "{error}"
+    );
+    assert!(content(&scene) == reference);
 }
 
 #[test]

@@ -367,7 +367,10 @@ fn render_frames(
                 }
                 let pose = setup.pose(stamp.frame)?;
                 let refused = |e| setup.refused_scene(stamp.frame, &e);
-                ready.scene.pose(&pose.transforms).map_err(refused)?;
+                ready
+                    .scene
+                    .pose_shaped(&pose.transforms, &pose.shapes)
+                    .map_err(refused)?;
                 let settings = setup.settings(stamp.frame, pose.camera);
                 let part = |fraction| reporter.part(done, fraction);
                 let renderer = ready.renderers.of(&setup.shot)?;

@@ -3,6 +3,7 @@
 use crate::cli::RenderFlags;
 use crate::error::{Error, Kind, Result};
 use crate::memory;
+use crate::mesh::node::NodePose;
 use crate::notes::Notes;
 use crate::output::aov;
 use crate::output::target::Guard;
@@ -14,7 +15,7 @@ use crate::shot::{Shot, check};
 use glam::{Mat4, UVec2};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{RenderSettings, SettingsError, Shadow};
-use glimt_render_gpu::prepare::scene::{Camera, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Camera, SceneDescription, Shape};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_render_gpu::prepare::scene_error::SceneError;
 use std::path::{Path, PathBuf};
@@ -57,6 +58,8 @@ pub struct Pose {
     pub camera: Camera,
     /// From the mesh of each object of the scene to the world.
     pub transforms: Vec<Mat4>,
+    /// The objects that are deformed then.
+    pub shapes: Vec<Shape>,
 }
 
 impl Setup {
@@ -121,11 +124,29 @@ impl Setup {
     /// # Errors
     /// The camera sees nothing then.
     pub fn pose(&self, frame: i32) -> Result<Pose> {
-        let nodes = self.nodes_at(frame);
-        let pairs = self.movers.iter().zip(&nodes);
+        let poses = self.nodes_at(frame);
+        let pairs = || self.movers.iter().zip(&poses);
+        // What never moves keeps the shape that it has in the scene.
+        let meshes = pairs().flat_map(|(mover, pose)| {
+            let moves = mover.motion.is_moving();
+            mover.parts.iter().map(move |part| {
+                let deformer = part.deformer.as_ref().filter(|_| moves)?;
+                Some(deformer.mesh_at(pose))
+            })
+        });
+        let shapes = meshes.enumerate().filter_map(|(object, mesh)| {
+            let mesh = mesh?;
+            Some(Shape {
+                object,
+                positions: mesh.positions,
+                normals: mesh.normals,
+                tangents: mesh.tangents,
+            })
+        });
         Ok(Pose {
-            camera: self.camera_among(frame, &nodes)?,
-            transforms: pairs.flat_map(|(m, nodes)| m.parts_at(nodes)).collect(),
+            camera: self.camera_among(frame, &poses)?,
+            shapes: shapes.collect(),
+            transforms: pairs().flat_map(|(m, pose)| m.parts_at(pose)).collect(),
         })
     }
 
@@ -159,15 +180,19 @@ impl Setup {
         }
     }
 
-    fn nodes_at(&self, frame: i32) -> Vec<Vec<Mat4>> {
+    /// How the nodes of each object's file stand in a frame.
+    fn nodes_at(&self, frame: i32) -> Vec<NodePose> {
         let frames = i64::from(frame) - i64::from(self.first);
         let fps = self.shot.probe.fps;
         let movers = self.movers.iter();
-        movers.map(|m| m.nodes_at(frames, fps)).collect()
+        movers.map(|m| m.motion.nodes_at(frames, fps)).collect()
     }
 
-    fn camera_among(&self, frame: i32, nodes: &[Vec<Mat4>]) -> Result<Camera> {
-        let place = |object: usize, node: usize| nodes[object][node];
+    fn camera_among(&self, frame: i32, poses: &[NodePose]) -> Result<Camera> {
+        let place = |object: usize, node: usize| {
+            let to_file = poses[object].to_file[node];
+            (self.movers[object].to_world * to_file.as_dmat4()).as_mat4()
+        };
         self.view.at(frame, &self.source, place)
     }
 

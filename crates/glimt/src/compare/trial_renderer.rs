@@ -146,8 +146,9 @@ impl<'a> TrialRenderer<'a> {
         self.load_transfer(shot)?;
         let setup = &self.job.setup;
         let refused = |e| setup.refused_scene(frame, &e);
+        let pose = setup.pose(frame)?;
         self.scene
-            .pose(&setup.pose(frame)?.transforms)
+            .pose_shaped(&pose.transforms, &pose.shapes)
             .map_err(refused)?;
         let renderer = self.renderers.of(shot)?;
         let began = Instant::now();

@@ -247,7 +247,9 @@ impl Follow<'_> {
                     let setup = &self.setup;
                     let pose = setup.pose(stamp.frame)?;
                     let refused = |e| setup.refused_scene(stamp.frame, &e);
-                    scene.pose(&pose.transforms).map_err(refused)?;
+                    scene
+                        .pose_shaped(&pose.transforms, &pose.shapes)
+                        .map_err(refused)?;
                     let settings = setup.settings(stamp.frame, pose.camera);
                     let plate = inputs.plate.as_deref();
                     let image = renderer

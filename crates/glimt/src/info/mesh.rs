@@ -61,6 +61,18 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
     for name in names(&model.nodes) {
         line("node", name.to_owned());
     }
+    for (mesh, deform) in &model.deforms {
+        let (name, targets) = (&model.meshes[*mesh].name, deform.targets.len());
+        if targets > 0 {
+            line("morph", format!("{name}: {targets} targets"));
+        }
+    }
+    for skin in &model.skins {
+        line(
+            "skin",
+            format!("{}: {} joints", skin.name, skin.joints.len()),
+        );
+    }
     for animation in &model.animations {
         let (seconds, channels) = (animation.duration_s(), animation.channels.len());
         line(
@@ -68,6 +80,17 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
             format!("{}: {seconds} s, {channels} channels", animation.name),
         );
     }
+    let skins = model.skins.iter();
+    let skins: Vec<Value> = skins
+        .map(|skin| json!({"name": skin.name, "joints": skin.joints.len()}))
+        .collect();
+    let morphs = model.deforms.iter();
+    let morphs: Vec<Value> = morphs
+        .filter(|(_, deform)| !deform.targets.is_empty())
+        .map(|(mesh, deform)| {
+            json!({"mesh": model.meshes[*mesh].name, "targets": deform.targets.len()})
+        })
+        .collect();
     let cameras: Vec<&str> = model.cameras.iter().map(|c| c.name.as_str()).collect();
     let animations: Vec<Value> = model
         .animations
@@ -89,7 +112,7 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
         "meshes": model.meshes.len(), "parts": model.parts.len(),
         "bounds": [low.to_array(), high.to_array()], "materials": model.material_names,
         "textures": model.textures.len(), "cameras": cameras, "nodes": names(&model.nodes), "animations": animations,
-        "files": files, "origin": model.origin.to_array(), "alpha": alpha,
+        "files": files, "origin": model.origin.to_array(), "alpha": alpha, "skins": skins, "morphs": morphs,
         "colours": model.meshes.iter().filter(|mesh| !mesh.colors.is_empty()).count(),
         "normals": {"flat": model.made_normals.flat, "grouped": model.made_normals.grouped,
             "creased": model.made_normals.creased},

@@ -1,4 +1,4 @@
-//! Host file: animations of nodes, sampled at a time (glTF 2.0, Appendix C).
+//! Host file: animations of nodes and of morph targets, sampled at a time (glTF 2.0, Appendix C).
 
 use super::node::Trs;
 use glam::{Quat, Vec3, Vec4};
@@ -30,7 +30,8 @@ pub struct Channel {
     pub times_s: Vec<f32>,
     /// What is between two keys.
     pub interpolation: Interpolation,
-    /// The property, with a value for each key; with [`Interpolation::CubicSpline`] three: in-tangent, value, out-tangent.
+    /// The property, with a value for each key; with [`Interpolation::CubicSpline`] three: in-tangent, value, out-tangent. Weights
+    /// have such a value for each morph target: of each key first the in-tangents of all.
     pub values: Values,
 }
 
@@ -54,25 +55,53 @@ pub enum Values {
     Rotation(Vec<Quat>),
     /// Its size along each axis.
     Scale(Vec<Vec3>),
+    /// How far the morph targets of its mesh have come.
+    Weights(Vec<f32>),
+}
+
+impl Values {
+    /// How many numbers, vectors or rotations there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Translation(list) | Self::Scale(list) => list.len(),
+            Self::Rotation(list) => list.len(),
+            Self::Weights(list) => list.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Whether each of them is finite.
+    pub fn is_finite(&self) -> bool {
+        match self {
+            Self::Translation(list) | Self::Scale(list) => list.iter().all(|v| v.is_finite()),
+            Self::Rotation(list) => list.iter().all(|q| q.is_finite()),
+            Self::Weights(list) => list.iter().all(|w| w.is_finite()),
+        }
+    }
 }
 
 impl Channel {
-    /// Puts the property's value at a time into `parts`. Before the first key it is the first one's, after the last the last's.
-    pub fn apply(&self, time_s: f32, parts: &mut Trs) {
+    /// Puts the property's value at a time into `parts`, or into `weights`. Before the first key it is the first one's, after the
+    /// last the last's.
+    pub fn apply(&self, time_s: f32, parts: &mut Trs, weights: &mut [f32]) {
         match &self.values {
             Values::Translation(values) => {
-                parts.translation = self.sample(values, time_s, |a, b, s| a.lerp(b, s));
+                parts.translation = self.sample(|i| values[i], time_s, |a, b, s| a.lerp(b, s));
             }
             Values::Scale(values) => {
-                parts.scale = self.sample(values, time_s, |a, b, s| a.lerp(b, s));
+                parts.scale = self.sample(|i| values[i], time_s, |a, b, s| a.lerp(b, s));
             }
             Values::Rotation(values) => {
                 let sampled = match self.interpolation {
                     Interpolation::CubicSpline => {
-                        let plain: Vec<Vec4> = values.iter().map(|q| Vec4::from(*q)).collect();
-                        Quat::from_vec4(self.sample(&plain, time_s, |a, b, s| a.lerp(b, s)))
+                        let plain = |i: usize| Vec4::from(values[i]);
+                        Quat::from_vec4(self.sample(plain, time_s, |a, b, s| a.lerp(b, s)))
                     }
-                    _ => self.sample(values, time_s, Quat::slerp),
+                    _ => self.sample(|i| values[i], time_s, Quat::slerp),
                 };
                 // A spline may pass through 0, where no direction is better than another.
                 let length = sampled.length();
@@ -81,15 +110,28 @@ impl Channel {
                     false => Quat::IDENTITY,
                 };
             }
+            Values::Weights(values) => {
+                let targets = weights.len();
+                for (target, weight) in weights.iter_mut().enumerate() {
+                    let value = |i: usize| values[i * targets + target];
+                    *weight = self.sample(value, time_s, |a, b, s| a + (b - a) * s);
+                }
+            }
         }
     }
 
-    fn sample<T>(&self, values: &[T], time_s: f32, between: impl Fn(T, T, f32) -> T) -> T
+    /// The value at a time, of `values` by their numbers.
+    fn sample<T>(
+        &self,
+        values: impl Fn(usize) -> T,
+        time_s: f32,
+        between: impl Fn(T, T, f32) -> T,
+    ) -> T
     where
         T: Copy + Add<Output = T> + Mul<f32, Output = T>,
     {
         let is_cubic = self.interpolation == Interpolation::CubicSpline;
-        let value = |key: usize| values[if is_cubic { 3 * key + 1 } else { key }];
+        let value = |key: usize| values(if is_cubic { 3 * key + 1 } else { key });
         let after = self.times_s.partition_point(|&key| key <= time_s);
         if after == 0 {
             return value(0);
@@ -106,7 +148,7 @@ impl Channel {
             Interpolation::CubicSpline => hermite(
                 s,
                 [value(key), value(after)],
-                [values[3 * key + 2] * span, values[3 * after] * span],
+                [values(3 * key + 2) * span, values(3 * after) * span],
             ),
         }
     }

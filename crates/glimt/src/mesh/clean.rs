@@ -15,10 +15,13 @@ use std::path::Path;
 /// area.
 pub fn clean(model: &mut Model, file: &Path, notes: &mut Notes) -> Result<()> {
     let mut degenerate = 0;
-    for mesh in &mut model.meshes {
+    for (index, mesh) in model.meshes.iter_mut().enumerate() {
         check_vertices(mesh, file)?;
         check_indices(mesh, file)?;
-        degenerate += drop_degenerate(mesh);
+        // Others may have an area in another pose.
+        if !model.deforms.contains_key(&index) {
+            degenerate += drop_degenerate(mesh);
+        }
         mend_normals(mesh, file, notes);
     }
     let total = model.triangles();

@@ -5,6 +5,7 @@ pub mod builtin;
 pub mod clean;
 pub mod colors;
 pub mod contents;
+pub mod deform;
 pub mod gltf;
 pub mod joiner;
 pub mod lines;

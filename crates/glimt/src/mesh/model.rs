@@ -1,11 +1,14 @@
 //! Host file: what a mesh file holds, whatever its format: meshes, materials, textures, nodes, cameras, animations.
 
 use super::animation::Animation;
-use super::node::{self, Node};
+use super::deform::{Deform, Deformer, Skin};
+use super::node::{self, Node, NodePose};
 use crate::error::{Error, Result};
 use crate::shot::digest::{self, Hash};
 use glam::{DVec3, Mat4, Vec3};
 use glimt_render_gpu::prepare::scene::{Material, Mesh, Opacity, Reflection, Texture};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// What a mesh file holds. Indices are into its own lists.
@@ -13,6 +16,10 @@ use std::path::PathBuf;
 pub struct Model {
     /// Geometry.
     pub meshes: Vec<Mesh>,
+    /// What the vertices of meshes follow, by the meshes' indices.
+    pub deforms: BTreeMap<usize, Deform>,
+    /// Joints that move meshes.
+    pub skins: Vec<Skin>,
     /// Reflection models; at least one where there is a mesh.
     pub materials: Vec<Material>,
     /// Name of each material.
@@ -55,6 +62,8 @@ pub struct Part {
     pub mesh: usize,
     /// Index of the node that it stands at.
     pub node: usize,
+    /// Index of the skin that moves it in place of its node.
+    pub skin: Option<usize>,
 }
 
 /// A perspective camera of a file.
@@ -76,7 +85,11 @@ impl Model {
             meshes: vec![mesh],
             materials: vec![default_material()],
             material_names: vec!["grey".to_owned()],
-            parts: vec![Part { mesh: 0, node: 0 }],
+            parts: vec![Part {
+                mesh: 0,
+                node: 0,
+                skin: None,
+            }],
             ..Model::default()
         }
     }
@@ -87,21 +100,44 @@ impl Model {
         self.parts.iter().map(count).sum()
     }
 
-    /// From each node to the file's world, as the file has it.
-    pub fn rest(&self) -> Vec<Mat4> {
-        node::to_file(&self.nodes, |_, node| node.local)
+    /// How the nodes stand, as the file has it.
+    pub fn rest(&self) -> NodePose {
+        NodePose {
+            to_file: node::to_file(&self.nodes, |_, node| node.local),
+            weights: self.nodes.iter().map(|node| node.weights.clone()).collect(),
+        }
     }
 
-    /// Bounds of all its parts, with each node where `nodes` says, after a further transform; `None` without any. Parts that
-    /// are scaled to nothing have none.
-    pub fn bounds(&self, nodes: &[Mat4], transform: Mat4) -> Option<(Vec3, Vec3)> {
+    /// What deforms a part, if something does.
+    pub fn deformer(&self, part: &Part) -> Option<Deformer> {
+        let deform = self.deforms.get(&part.mesh)?;
+        let skin = part.skin.map(|skin| self.skins[skin].clone());
+        let deforms = skin.is_some() || !deform.targets.is_empty();
+        deforms.then(|| Deformer {
+            mesh: self.meshes[part.mesh].clone(),
+            deform: deform.clone(),
+            skin,
+            node: part.node,
+            subdivide: 0,
+        })
+    }
+
+    /// Bounds of all its parts, where the nodes stand so, after a further transform; `None` without any. Parts that are scaled to
+    /// nothing have none.
+    pub fn bounds(&self, pose: &NodePose, transform: Mat4) -> Option<(Vec3, Vec3)> {
         let mut bounds: Option<(Vec3, Vec3)> = None;
         for part in &self.parts {
-            let to_world = transform * nodes[part.node];
+            let to_world = match part.skin {
+                Some(_) => transform,
+                None => transform * pose.to_file[part.node],
+            };
             if to_world.determinant() == 0.0 {
                 continue;
             }
-            let mesh = &self.meshes[part.mesh];
+            let mesh = match self.deformer(part) {
+                Some(deformer) => Cow::Owned(deformer.mesh_at(pose)),
+                None => Cow::Borrowed(&self.meshes[part.mesh]),
+            };
             for &index in mesh.indices.as_flattened() {
                 let p = to_world.transform_point3(mesh.positions[index as usize]);
                 let (low, high) = bounds.unwrap_or((p, p));

@@ -14,6 +14,17 @@ pub struct Node {
     pub local: Mat4,
     /// The same in parts, which animations replace.
     pub parts: Trs,
+    /// Weights of the morph targets of its mesh; empty where that has none.
+    pub weights: Vec<f32>,
+}
+
+/// How the nodes of a file stand at a time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NodePose {
+    /// From each node to the file's world.
+    pub to_file: Vec<Mat4>,
+    /// Of each node the weights of its mesh's morph targets.
+    pub weights: Vec<Vec<f32>>,
 }
 
 /// Scale, then rotation, then translation.
@@ -52,6 +63,7 @@ impl Node {
                 translation,
                 ..Trs::IDENTITY
             },
+            weights: Vec::new(),
         }
     }
 }

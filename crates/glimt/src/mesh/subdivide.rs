@@ -1,6 +1,5 @@
 //! Host file: triangles cut in four by the middles of their edges.
 
-use super::model::Model;
 use glam::Vec3;
 use glimt_render_gpu::prepare::scene::Mesh;
 use std::collections::HashMap;
@@ -14,16 +13,14 @@ pub fn triangles_after(triangles: u64, times: u32) -> u64 {
     triangles.saturating_mul(1u64.checked_shl(2 * times).unwrap_or(u64::MAX))
 }
 
-/// Cuts each triangle of a model in four, so many times. The surface looks as before: what a mesh lacks of normals and tangents is
+/// Cuts each triangle of a mesh in four, so many times. The surface looks as before: what a mesh lacks of normals and tangents is
 /// made of the faces that it came with.
-pub fn subdivide(model: &mut Model, times: u32) {
-    for mesh in &mut model.meshes {
-        if times > 0 {
-            mesh.complete();
-        }
-        for _ in 0..times {
-            *mesh = once(mesh);
-        }
+pub fn subdivide(mesh: &mut Mesh, times: u32) {
+    if times > 0 {
+        mesh.complete();
+    }
+    for _ in 0..times {
+        *mesh = once(mesh);
     }
 }
 
@@ -87,10 +84,13 @@ fn direction(v: Vec3) -> Vec3 {
 mod tests {
     use super::*;
     use crate::mesh::builtin;
+    use crate::mesh::model::Model;
 
     fn model(name: &str, times: u32) -> Model {
         let mut model = builtin::load(name).expect("a built-in mesh");
-        subdivide(&mut model, times);
+        for mesh in &mut model.meshes {
+            subdivide(mesh, times);
+        }
         model
     }
 
@@ -157,12 +157,8 @@ mod tests {
         };
         let mut smooth = mesh.clone();
         smooth.complete();
-        let mut model = Model {
-            meshes: vec![mesh],
-            ..builtin::load("plane").expect("a built-in mesh")
-        };
-        subdivide(&mut model, 2);
-        let cut = &model.meshes[0];
+        let mut cut = mesh;
+        subdivide(&mut cut, 2);
         assert_eq!(cut.normals.len(), cut.positions.len());
         let along = |i: usize| smooth.normals[i].normalize();
         for (p, n) in cut.positions.iter().zip(&cut.normals) {

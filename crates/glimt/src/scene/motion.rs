@@ -1,12 +1,15 @@
 //! Host file: how an object of a shot moves: the animations of its file, and the nodes that the shot spins.
 
 use crate::error::Result;
-use crate::mesh::animation::Animation;
+use crate::mesh::animation::{Animation, Channel, Values};
 use crate::mesh::model::Model;
-use crate::mesh::node::{Node, names, to_file};
+use crate::mesh::node::{Node, NodePose, Trs, names, to_file};
+use crate::notes::Notes;
 use crate::shot::parse::Source;
 use crate::shot::{self, ANIMATION_OFF};
 use glam::{Mat4, Quat, Vec3};
+use std::collections::HashSet;
+use std::path::Path;
 
 /// The nodes of an object, and what moves them.
 #[derive(Clone, Debug, Default)]
@@ -17,8 +20,10 @@ pub struct Motion {
     is_looped: bool,
     offset_s: f64,
     spins: Vec<Spin>,
-    /// Of each node, whether a part of the model stands at it, or within it.
+    /// Of each node, whether it moves a part of the model: one that stands at it, or within it, or follows it as a joint.
     carries: Vec<bool>,
+    /// Of each node, whether a part stands at it that has morph targets.
+    morphs: Vec<bool>,
 }
 
 /// A node that turns at a constant rate.
@@ -31,7 +36,8 @@ struct Spin {
 }
 
 impl Motion {
-    /// What the keys of object number `index` say of its model.
+    /// What the keys of object number `index` say of its model. Of animations that move the same nodes the first plays, if none is
+    /// named.
     ///
     /// # Errors
     /// The model has no such animation or node; the message names those that it has.
@@ -40,10 +46,11 @@ impl Motion {
         index: usize,
         model: &Model,
         source: &Source,
+        notes: &mut Notes,
     ) -> Result<Self> {
         let animations = match object.animation.as_str() {
             ANIMATION_OFF => Vec::new(),
-            "" => model.animations.clone(),
+            "" => compatible(object, model, notes),
             name => {
                 let found = model.animations.iter().find(|a| a.name == name);
                 let known: Vec<&str> = model.animations.iter().map(|a| a.name.as_str()).collect();
@@ -80,6 +87,7 @@ impl Motion {
             offset_s: object.animation_offset_s.into(),
             spins,
             carries: carriers(model),
+            morphs: morphed(model),
         })
     }
 
@@ -91,20 +99,23 @@ impl Motion {
 
     /// What moves, in words; nothing where nothing does.
     pub fn describe(&self) -> Vec<String> {
-        let any = |_| true;
-        self.played(any).chain(self.spun(any)).collect()
+        self.played(|_| true).chain(self.spun(|_| true)).collect()
     }
 
     /// What moves a part first: the object's key that makes it, and in words. Cameras of the file may move alone.
     pub fn moving_part(&self) -> Option<(&'static str, String)> {
-        let carries = |node: usize| self.carries[node];
-        let played = self.played(carries).map(|what| ("animation", what));
-        let spun = self.spun(carries).map(|what| ("spin", what));
+        let moves = |channel: &Channel| match channel.values {
+            Values::Weights(_) => self.morphs[channel.node],
+            _ => self.carries[channel.node],
+        };
+        let played = self.played(moves).map(|what| ("animation", what));
+        let spun = self.spun(|node| self.carries[node]);
+        let spun = spun.map(|what| ("spin", what));
         played.chain(spun).next()
     }
 
-    /// The animations that move such a node.
-    fn played(&self, is_meant: impl Fn(usize) -> bool) -> impl Iterator<Item = String> {
+    /// The animations that have such a channel.
+    fn played(&self, is_meant: impl Fn(&Channel) -> bool) -> impl Iterator<Item = String> {
         let again = if self.is_looped {
             ", again and again"
         } else {
@@ -113,7 +124,7 @@ impl Motion {
         let playing = self
             .animations
             .iter()
-            .filter(move |a| a.channels.iter().any(|c| is_meant(c.node)));
+            .filter(move |a| a.channels.iter().any(&is_meant));
         playing.map(move |a| format!("animation `{}`, {} s{again}", a.name, a.duration_s()))
     }
 
@@ -129,9 +140,11 @@ impl Motion {
         })
     }
 
-    /// From each node to the file's world, `frames` frames after the shot's first.
-    pub fn nodes_at(&self, frames: i64, fps: f32) -> Vec<Mat4> {
-        let mut moved = vec![None; self.nodes.len()];
+    /// How the nodes stand `frames` frames after the shot's first.
+    pub fn nodes_at(&self, frames: i64, fps: f32) -> NodePose {
+        let mut moved: Vec<Option<Trs>> = vec![None; self.nodes.len()];
+        let weights = self.nodes.iter().map(|node| node.weights.clone());
+        let mut weights: Vec<Vec<f32>> = weights.collect();
         let time_s = frames as f64 / f64::from(fps) + self.offset_s;
         for animation in &self.animations {
             let duration_s = f64::from(animation.duration_s());
@@ -142,8 +155,11 @@ impl Motion {
             // As its keys are stored, so that a frame on a key is neither before nor behind it.
             let time_s = time_s as f32;
             for channel in &animation.channels {
-                let rest = self.nodes[channel.node].parts;
-                channel.apply(time_s, moved[channel.node].get_or_insert(rest));
+                let mut parts = moved[channel.node].unwrap_or(self.nodes[channel.node].parts);
+                channel.apply(time_s, &mut parts, &mut weights[channel.node]);
+                if !matches!(channel.values, Values::Weights(_)) {
+                    moved[channel.node] = Some(parts);
+                }
             }
         }
         let mut spun = vec![Mat4::IDENTITY; self.nodes.len()];
@@ -155,21 +171,58 @@ impl Motion {
                 * Mat4::from_quat(turn)
                 * Mat4::from_translation(-spin.centre);
         }
-        to_file(&self.nodes, |index, node| {
+        let to_file = to_file(&self.nodes, |index, node| {
             let local = moved[index].map_or(node.local, |parts| parts.matrix());
             match spun[index] == Mat4::IDENTITY {
                 true => local,
                 false => local * spun[index],
             }
-        })
+        });
+        NodePose { to_file, weights }
     }
 }
 
-/// Of each node of a model, whether a part stands at it, or at a node within it.
+/// The animations of a model but for those that move a node which an earlier one moves, with a warning.
+fn compatible(object: &shot::Object, model: &Model, notes: &mut Notes) -> Vec<Animation> {
+    let mut nodes = HashSet::new();
+    let mut playing: Vec<Animation> = Vec::new();
+    let mut left_out = Vec::new();
+    for animation in &model.animations {
+        let own: HashSet<usize> = animation.channels.iter().map(|c| c.node).collect();
+        if nodes.is_disjoint(&own) {
+            nodes.extend(own);
+            playing.push(animation.clone());
+        } else {
+            left_out.push(format!("`{}`", animation.name));
+        }
+    }
+    if let Some(first) = playing.first().filter(|_| !left_out.is_empty()) {
+        let file = model
+            .files
+            .first()
+            .map_or(Path::new(&object.mesh), |file| file);
+        let what = format!(
+            "its animations move the same nodes: `{}` plays, and {} do not; name one with the object's key `animation`",
+            first.name,
+            left_out.join(", ")
+        );
+        notes.warn(file, what);
+    }
+    playing
+}
+
+/// Of each node of a model, whether it moves a part.
 fn carriers(model: &Model) -> Vec<bool> {
     let mut carries = vec![false; model.nodes.len()];
     for part in &model.parts {
-        carries[part.node] = true;
+        match part.skin {
+            None => carries[part.node] = true,
+            Some(skin) => {
+                for &joint in &model.skins[skin].joints {
+                    carries[joint] = true;
+                }
+            }
+        }
     }
     // Nodes come after those that they stand in.
     for (index, node) in model.nodes.iter().enumerate().rev() {
@@ -180,4 +233,14 @@ fn carriers(model: &Model) -> Vec<bool> {
         }
     }
     carries
+}
+
+/// Of each node of a model, whether a part stands at it that has morph targets.
+fn morphed(model: &Model) -> Vec<bool> {
+    let mut morphs = vec![false; model.nodes.len()];
+    for part in &model.parts {
+        let deform = model.deforms.get(&part.mesh);
+        morphs[part.node] |= deform.is_some_and(|deform| !deform.targets.is_empty());
+    }
+    morphs
 }

@@ -3,8 +3,10 @@
 use super::motion::Motion;
 use super::view::{FileCamera, View};
 use crate::error::Result;
+use crate::mesh::deform::Deformer;
 use crate::mesh::load;
 use crate::mesh::model::Model;
+use crate::mesh::node::NodePose;
 use crate::mesh::origin;
 use crate::mesh::subdivide::{MOST_TRIANGLES, subdivide, triangles_after};
 use crate::notes::Notes;
@@ -12,7 +14,7 @@ use crate::shot::digest::{Hash, join, of_file};
 use crate::shot::parse::Source;
 use crate::shot::{self, Shot, Up};
 use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot, Mat4, Vec3};
-use glimt_render_gpu::prepare::scene::{Material, Object, Reflection, SceneDescription};
+use glimt_render_gpu::prepare::scene::{Material, Mesh, Object, Reflection, SceneDescription};
 use glimt_render_gpu::prepare::scene_build::MAX_COORDINATE;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -44,23 +46,33 @@ pub struct Mover {
     pub to_world: DMat4,
     /// What moves its nodes.
     pub motion: Motion,
-    /// The node of each of its parts, which are the next objects of the scene.
-    pub parts: Vec<usize>,
+    /// Its parts, which are the next objects of the scene.
+    pub parts: Vec<MoverPart>,
+}
+
+/// A part of an object of a shot.
+#[derive(Clone, Debug)]
+pub struct MoverPart {
+    /// The node that it stands at.
+    pub node: usize,
+    /// What deforms it, if something does.
+    pub deformer: Option<Deformer>,
 }
 
 impl Mover {
-    /// From each node to the world, `frames` frames after the first.
-    pub fn nodes_at(&self, frames: i64, fps: f32) -> Vec<Mat4> {
-        let mut nodes = self.motion.nodes_at(frames, fps);
-        for node in &mut nodes {
-            *node = (self.to_world * node.as_dmat4()).as_mat4();
-        }
-        nodes
+    /// From the mesh of each part to the world, where the nodes of its file stand so.
+    pub fn parts_at(&self, pose: &NodePose) -> impl Iterator<Item = Mat4> {
+        self.parts.iter().map(|part| match &part.deformer {
+            // Its joints bring it into the file's world.
+            Some(deformer) if deformer.skin.is_some() => self.to_world.as_mat4(),
+            _ => unfolded((self.to_world * pose.to_file[part.node].as_dmat4()).as_mat4()),
+        })
     }
 
-    /// From the mesh of each part to the world, where `nodes` stand so.
-    pub fn parts_at(&self, nodes: &[Mat4]) -> impl Iterator<Item = Mat4> {
-        self.parts.iter().map(|&node| unfolded(nodes[node]))
+    /// The mesh of each part as it is deformed where the nodes stand so; `None` where nothing deforms it.
+    pub fn meshes_at(&self, pose: &NodePose) -> impl Iterator<Item = Option<Mesh>> {
+        let deformers = self.parts.iter().map(|part| part.deformer.as_ref());
+        deformers.map(|deformer| Some(deformer?.mesh_at(pose)))
     }
 }
 
@@ -99,27 +111,33 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
                 &*vacant.insert(Loaded::new(model, digest, &mut placing.scene))
             }
         };
-        let motion = Motion::new(object, index, &entry.model, source)?;
-        let nodes = motion.nodes_at(0, shot.probe.fps);
-        let to_world = transform(object, &entry.model, &nodes);
-        let bounds = bounds(&entry.model, &nodes, to_world);
-        let parts = entry.model.parts.iter().map(|part| part.node).collect();
+        let motion = Motion::new(object, index, &entry.model, source, notes)?;
+        let pose = motion.nodes_at(0, shot.probe.fps);
+        let to_world = transform(object, &entry.model, &pose);
+        let bounds = bounds(&entry.model, &pose, to_world);
+        let parts = entry.model.parts.iter().map(|part| MoverPart {
+            node: part.node,
+            deformer: entry.model.deformer(part).map(|deformer| Deformer {
+                subdivide: object.subdivide,
+                ..deformer
+            }),
+        });
         let mover = Mover {
             to_world,
+            parts: parts.collect(),
             motion,
-            parts,
         };
-        standing.push((key, mover, bounds));
+        standing.push((key, mover, pose, bounds));
     }
     // Where all is far away, it is rendered relative to its middle: 32 bits hold it there.
     let corners: Vec<DVec3> = standing
         .iter()
-        .flat_map(|(_, _, bounds)| *bounds)
+        .flat_map(|(_, _, _, bounds)| *bounds)
         .flat_map(|(low, high)| [low, high])
         .collect();
     let origin = origin::of(&corners);
     let shift = DMat4::from_translation(-origin);
-    for ((index, object), (key, mut mover, bounds)) in shot.objects.iter().enumerate().zip(standing)
+    for ((index, object), (key, mut mover, pose, bounds)) in shot.objects.iter().enumerate().zip(standing)
     {
         let entry = &loaded[&key];
         mover.to_world = shift * mover.to_world;
@@ -136,7 +154,7 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
         }
         placing.digests.push(entry.digest);
         placing.files.push(entry.model.files.clone());
-        placing.add(object, entry, mover, shot.probe.fps);
+        placing.add(object, entry, mover, &pose);
     }
     let bounds = placing.subject.or(placing.all);
     let bounds = bounds.unwrap_or((Vec3::NEG_ONE, Vec3::ONE));
@@ -182,7 +200,7 @@ struct Placing {
 
 impl Placing {
     /// Adds the parts and the cameras of the shot's next object.
-    fn add(&mut self, object: &shot::Object, entry: &Loaded, mover: Mover, fps: f32) {
+    fn add(&mut self, object: &shot::Object, entry: &Loaded, mover: Mover, pose: &NodePose) {
         let index = self.movers.len();
         let model = &entry.model;
         let scene = &mut self.scene;
@@ -194,14 +212,25 @@ impl Placing {
             }));
             scene.materials.len() as u32 - 1
         });
-        let in_world = mover.nodes_at(0, fps);
-        let pairs = model.parts.iter().zip(mover.parts_at(&in_world));
-        scene.objects.extend(pairs.map(|(part, transform)| Object {
-            mesh: entry.first_mesh + part.mesh as u32,
-            transform,
-            material,
-            catcher: object.catcher,
-        }));
+        let places = model.parts.iter().zip(mover.parts_at(pose));
+        for ((part, transform), deformed) in places.zip(mover.meshes_at(pose)) {
+            let mut mesh = entry.first_mesh + part.mesh as u32;
+            if let Some(deformed) = deformed {
+                let materials = scene.meshes[mesh as usize].materials.clone();
+                mesh = scene.meshes.len() as u32;
+                scene.meshes.push(Mesh {
+                    materials,
+                    ..deformed
+                });
+            }
+            self.triangles += scene.meshes[mesh as usize].indices.len();
+            scene.objects.push(Object {
+                mesh,
+                transform,
+                material,
+                catcher: object.catcher,
+            });
+        }
         self.owners.resize(scene.objects.len(), index);
         let cameras = model.cameras.iter().map(|camera| FileCamera {
             name: camera.name.clone(),
@@ -210,7 +239,6 @@ impl Placing {
             fov_y: camera.fov_y,
         });
         self.cameras.extend(cameras);
-        self.triangles += model.triangles();
         self.movers.push(mover);
     }
 
@@ -247,7 +275,12 @@ fn cut(model: &mut Model, times: u32, index: usize, source: &Source) -> Result<(
             .error(&format!("object.{index}.subdivide"), what)
             .fix("lower it: each step makes four triangles of one"));
     }
-    subdivide(model, times);
+    for (index, mesh) in model.meshes.iter_mut().enumerate() {
+        // Others are cut once they are deformed.
+        if !model.deforms.contains_key(&index) {
+            subdivide(mesh, times);
+        }
+    }
     Ok(())
 }
 
@@ -295,15 +328,15 @@ fn grow(bounds: &mut Option<(Vec3, Vec3)>, (low, high): (Vec3, Vec3)) {
 }
 
 /// Bounds of a model in the world, in 64 bits.
-fn bounds(model: &Model, nodes: &[Mat4], to_world: DMat4) -> Option<(DVec3, DVec3)> {
+fn bounds(model: &Model, pose: &NodePose, to_world: DMat4) -> Option<(DVec3, DVec3)> {
     let place = to_world.w_axis.truncate();
     let turned = DMat4::from_mat3(DMat3::from_mat4(to_world)).as_mat4();
-    let (low, high) = model.bounds(nodes, turned)?;
+    let (low, high) = model.bounds(pose, turned)?;
     Some((place + low.as_dvec3(), place + high.as_dvec3()))
 }
 
 /// From the model's origin: to the world's axes, scaled, turned about x, y, z (fixed axes), set on the ground, moved.
-fn transform(object: &shot::Object, model: &Model, nodes: &[Mat4]) -> DMat4 {
+fn transform(object: &shot::Object, model: &Model, pose: &NodePose) -> DMat4 {
     let default_up = if model.z_up { Up::Z } else { Up::Y };
     let up = match object.up.unwrap_or(default_up) {
         Up::Y => DMat4::from_mat3(DMat3::from_cols(DVec3::X, DVec3::Z, DVec3::NEG_Y)),
@@ -316,7 +349,7 @@ fn transform(object: &shot::Object, model: &Model, nodes: &[Mat4]) -> DMat4 {
     let turned = rotation * scale * up * DMat4::from_translation(model.origin);
     let mut translate = DVec3::from(object.translate);
     if object.ground
-        && let Some((low, _)) = bounds(model, nodes, turned)
+        && let Some((low, _)) = bounds(model, pose, turned)
     {
         translate.z -= low.z;
     }
@@ -336,7 +369,7 @@ mod tests {
             up: Some(Up::Z),
             ..shot::Object::default()
         };
-        let matrix = transform(&object, &Model::default(), &[]);
+        let matrix = transform(&object, &Model::default(), &Model::default().rest());
         // y → z by the turn about x, and stays so about z; x → y about z.
         let y = matrix.transform_point3(DVec3::Y);
         assert!((y - DVec3::new(0.0, 0.0, 3.0)).length() < 1e-12, "{y}");
@@ -346,7 +379,8 @@ mod tests {
 
     #[test]
     fn y_up_becomes_z_up() {
-        let matrix = transform(&shot::Object::default(), &Model::default(), &[]);
+        let model = Model::default();
+        let matrix = transform(&shot::Object::default(), &model, &model.rest());
         assert_eq!(matrix.transform_point3(DVec3::Y), DVec3::Z);
         assert_eq!(matrix.transform_point3(DVec3::Z), DVec3::NEG_Y);
     }

@@ -8,7 +8,7 @@ use glam::{DMat3, Mat3, Mat4, Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 
 use super::materials::{FACE_WORDS, append_attributes, may_pass};
-use super::scene::{Mesh, Opacity, SceneDescription};
+use super::scene::{Mesh, Opacity, SceneDescription, Shape};
 use super::scene_build::MAX_COORDINATE;
 use super::scene_error::SceneError;
 use super::transfer::SurfaceVertex;
@@ -19,14 +19,14 @@ use crate::kernels::triangle::{CATCHER, INSIDE_OUT, SEE_THROUGH, Triangle};
 /// A triangle is dropped when it is this many times longer than high: rounding alone decides where such a face looks.
 const MAX_ASPECT: f64 = 1e7;
 
-/// What does not change when the objects of a scene move.
+/// What does not change when the objects of a scene move, but for the shapes that they take.
 #[derive(Debug)]
 pub(super) struct Geometry {
     bodies: Vec<Body>,
 }
 
 /// An object without its place.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Body {
     /// With normals, and with tangents where it has texture coordinates.
     mesh: Arc<Mesh>,
@@ -140,6 +140,49 @@ impl Geometry {
             });
         }
         Ok(Self { bodies })
+    }
+
+    /// The same objects, of which some have another shape. What `current` has in the same shape is taken from there.
+    pub(super) fn shaped(&self, shapes: &[Shape], current: &Self) -> Result<Self, SceneError> {
+        let mut bodies = self.bodies.clone();
+        for shape in shapes {
+            let object = shape.object;
+            let Some(body) = bodies.get_mut(object) else {
+                return Err(SceneError::Missing {
+                    object,
+                    what: "object of that number; a shape has index",
+                    index: object as u32,
+                });
+            };
+            let mut mesh = Mesh {
+                positions: shape.positions.clone(),
+                normals: shape.normals.clone(),
+                tangents: shape.tangents.clone(),
+                ..(*body.mesh).clone()
+            };
+            let (found, expected) = (mesh.positions.len(), body.mesh.positions.len());
+            if found != expected {
+                return Err(SceneError::Length {
+                    mesh: mesh.name,
+                    what: "positions of a shape",
+                    found,
+                    expected,
+                });
+            }
+            check_mesh(&mesh)?;
+            mesh.complete();
+            let known = &current.bodies[object].mesh;
+            body.mesh = match is_same_shape(&mesh, known) {
+                true => Arc::clone(known),
+                false => Arc::new(mesh),
+            };
+        }
+        Ok(Self { bodies })
+    }
+
+    /// Whether an object has the very shape that it has in `other`.
+    pub(super) fn is_same(&self, other: &Self, object: usize) -> bool {
+        Arc::ptr_eq(&self.bodies[object].mesh, &other.bodies[object].mesh)
     }
 
     /// Whether there is a catcher with a triangle.
@@ -281,6 +324,16 @@ impl Geometry {
         }
         Ok(flat)
     }
+}
+
+/// Whether the vertices of two meshes are the same to the bit.
+fn is_same_shape(a: &Mesh, b: &Mesh) -> bool {
+    fn bytes<T: bytemuck::NoUninit>(list: &[T]) -> &[u8] {
+        bytemuck::cast_slice(list)
+    }
+    bytes(&a.positions) == bytes(&b.positions)
+        && bytes(&a.normals) == bytes(&b.normals)
+        && bytes(&a.tangents) == bytes(&b.tangents)
 }
 
 /// The materials that a mesh names itself.

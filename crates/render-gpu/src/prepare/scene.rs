@@ -217,6 +217,19 @@ pub struct Object {
     pub catcher: bool,
 }
 
+/// The vertices of an object's mesh in a pose, in the mesh's coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// Index of the object.
+    pub object: usize,
+    /// As many as the mesh has.
+    pub positions: Vec<Vec3>,
+    /// As many; or empty, and they are made as those of a [`Mesh`].
+    pub normals: Vec<Vec3>,
+    /// As many; or empty, and they are made as those of a [`Mesh`].
+    pub tangents: Vec<Vec4>,
+}
+
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {

@@ -8,7 +8,7 @@ use glam::{Mat4, Vec3};
 
 use super::geometry::{Flat, Geometry};
 use super::materials::pack_surface;
-use super::scene::{Mesh, SceneDescription};
+use super::scene::{Mesh, SceneDescription, Shape};
 use super::scene_error::SceneError;
 use super::transfer::{SceneTransfer, SurfaceVertex, Transfer, TransferError};
 use super::tree::{build_tree, refit, sah_cost};
@@ -26,8 +26,9 @@ const REBUILD_COST: f64 = 1.1;
 
 /// A scene as executors take it: the buffers that kernels read, all of them with at least one element.
 ///
-/// The transforms of its description are the *reference pose*; [`pose`](Self::pose) moves the objects elsewhere. What the
-/// buffers hold then depends on the reference pose and on that pose alone, not on the ones between.
+/// The transforms and meshes of its description are the *reference pose*; [`pose`](Self::pose) and
+/// [`pose_shaped`](Self::pose_shaped) move and deform the objects. What the buffers hold then depends on the reference pose and on
+/// that pose alone, not on the ones between.
 #[derive(Clone, Debug)]
 pub struct SceneBuffers {
     id: u64,
@@ -60,6 +61,7 @@ pub enum Tree {
 /// What poses are refitted from.
 #[derive(Debug)]
 struct Reference {
+    geometry: Arc<Geometry>,
     nodes: Vec<BvhNode>,
     cost: f64,
     /// The place among the triangles of each one in the order of the description.
@@ -98,7 +100,9 @@ impl SceneBuffers {
             *next += flat.triangles.len();
             Some(start)
         });
+        let geometry = Arc::new(geometry);
         let reference = Reference {
+            geometry: Arc::clone(&geometry),
             cost: sah_cost(&nodes),
             nodes: nodes.clone(),
             places,
@@ -115,7 +119,7 @@ impl SceneBuffers {
             corners,
             surface: Arc::new(surface),
             dropped: count_dropped(&flats),
-            geometry: Arc::new(geometry),
+            geometry,
             transforms,
             reference: Arc::new(reference),
             in_reference_order: true,
@@ -136,17 +140,38 @@ impl SceneBuffers {
         self.pose_by(transforms, Tree::Best)
     }
 
+    /// As [`pose`](Self::pose), and deforms objects: those of which there is no shape have the reference pose's.
+    ///
+    /// # Errors
+    /// As [`pose`](Self::pose); a shape that does not fit the mesh of its object.
+    pub fn pose_shaped(&mut self, transforms: &[Mat4], shapes: &[Shape]) -> Result<(), SceneError> {
+        self.pose_to(transforms, shapes, Tree::Best)
+    }
+
     /// As [`pose`](Self::pose), with a choice of the tree: to measure what each costs.
     ///
     /// # Errors
     /// As [`pose`](Self::pose).
     pub fn pose_by(&mut self, transforms: &[Mat4], tree: Tree) -> Result<(), SceneError> {
+        self.pose_to(transforms, &[], tree)
+    }
+
+    fn pose_to(
+        &mut self,
+        transforms: &[Mat4],
+        shapes: &[Shape],
+        tree: Tree,
+    ) -> Result<(), SceneError> {
         let (found, expected) = (transforms.len(), self.transforms.len());
         if found != expected {
             return Err(SceneError::Pose { found, expected });
         }
+        let geometry = self.reference.geometry.shaped(shapes, &self.geometry)?;
         let bits = |m: &Mat4| m.to_cols_array().map(f32::to_bits);
-        let has_moved = |i: &usize| bits(&transforms[*i]) != bits(&self.transforms[*i]);
+        let has_moved = |i: &usize| {
+            bits(&transforms[*i]) != bits(&self.transforms[*i])
+                || !geometry.is_same(&self.geometry, *i)
+        };
         let mut moved: Vec<usize> = (0..expected).filter(has_moved).collect();
         if moved.is_empty() {
             return Ok(());
@@ -156,14 +181,15 @@ impl SceneBuffers {
         }
         let flats = moved
             .iter()
-            .map(|&i| self.geometry.flatten(i, &transforms[i]))
+            .map(|&i| geometry.flatten(i, &transforms[i]))
             .collect::<Result<Vec<_>, _>>()?;
         let mut pairs = moved.iter().zip(&flats);
         let same_faces = pairs.all(|(&i, flat)| flat.dropped == self.reference.dropped[i]);
         let may_refit = same_faces && tree != Tree::Rebuilt;
         if !(may_refit && (self.refit(&moved, &flats) || tree == Tree::Refitted)) {
-            self.rebuild(transforms)?;
+            self.rebuild(&geometry, transforms)?;
         }
+        self.geometry = Arc::new(geometry);
         self.transforms.copy_from_slice(transforms);
         self.id = new_id();
         self.transfer = None;
@@ -257,6 +283,7 @@ impl SceneBuffers {
             places,
             starts,
             dropped,
+            ..
         } = &*self.reference;
         self.triangles.resize(places.len(), Zeroable::zeroed());
         self.corners.resize(3 * places.len(), Zeroable::zeroed());
@@ -278,8 +305,8 @@ impl SceneBuffers {
     }
 
     /// Builds a tree of this pose's own.
-    fn rebuild(&mut self, transforms: &[Mat4]) -> Result<(), SceneError> {
-        let flats = flatten_all(&self.geometry, transforms)?;
+    fn rebuild(&mut self, geometry: &Geometry, transforms: &[Mat4]) -> Result<(), SceneError> {
+        let flats = flatten_all(geometry, transforms)?;
         let Ordered {
             nodes,
             triangles,

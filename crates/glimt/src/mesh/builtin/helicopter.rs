@@ -68,6 +68,7 @@ pub(super) fn model() -> Model {
             .map(|mesh| Part {
                 mesh,
                 node: mesh + 1,
+                skin: None,
             })
             .collect(),
         nodes,

@@ -1,17 +1,25 @@
-//! Host file: animations of a glTF file, as far as they move nodes.
+//! Host file: animations of a glTF file: what moves its nodes, and the weights of morph targets.
 
 use super::Reader;
+use super::accessor::Whole;
 use crate::error::Result;
 use crate::mesh::animation::{Animation, Channel, Interpolation, Values};
-use ::gltf::accessor::{Accessor, DataType, Dimensions};
-use ::gltf::animation::util::ReadOutputs;
+use ::gltf::accessor::DataType;
 use ::gltf::animation::{Interpolation as Between, Property};
 use glam::{Quat, Vec3};
 use std::collections::HashMap;
 
+const FLOATS: [DataType; 1] = [DataType::F32];
+const FRACTIONS: [DataType; 5] = [
+    DataType::F32,
+    DataType::I8,
+    DataType::U8,
+    DataType::I16,
+    DataType::U16,
+];
+
 impl Reader<'_> {
-    /// Reads the animations. Channels of nodes that are not in the scene, whose indices `nodes` gives, and of morph targets
-    /// are left out.
+    /// Reads the animations. Channels of nodes that are not in the scene, whose indices `nodes` gives, are left out.
     pub(super) fn read_animations(&mut self, nodes: &HashMap<usize, usize>) -> Result<()> {
         for animation in self.document.animations() {
             let unnamed = format!("animation {}", animation.index());
@@ -20,13 +28,10 @@ impl Reader<'_> {
                 channels: Vec::new(),
             };
             for (index, channel) in animation.channels().enumerate() {
-                if channel.target().property() == Property::MorphTargetWeights {
-                    continue;
-                }
                 if let Some(&node) = nodes.get(&channel.target().node().index()) {
                     let place = format!("animation `{}`, channel {index}", read.name);
-                    read.channels
-                        .push(self.read_channel(&channel, node, &place)?);
+                    let channel = self.read_channel(&channel, node);
+                    read.channels.extend(channel.map_err(|e| e.at(&place))?);
                 }
             }
             self.model.animations.push(read);
@@ -34,79 +39,69 @@ impl Reader<'_> {
         Ok(())
     }
 
+    /// A channel; `None` of weights where there is nothing to weigh.
     fn read_channel(
         &self,
         channel: &::gltf::animation::Channel<'_>,
         node: usize,
-        place: &str,
-    ) -> Result<Channel> {
-        let error = |what: &str| self.error(what).at(place);
+    ) -> Result<Option<Channel>> {
         let sampler = channel.sampler();
-        let (input, output) = (sampler.input(), sampler.output());
-        let is = |a: &Accessor<'_>, dimensions, types: &[DataType]| {
-            a.dimensions() == dimensions && types.contains(&a.data_type())
-        };
-        let floats = [DataType::F32];
-        let quaternions = [
-            DataType::F32,
-            DataType::I8,
-            DataType::U8,
-            DataType::I16,
-            DataType::U16,
-        ];
-        if !is(&input, Dimensions::Scalar, &floats) {
-            return Err(error("its times are not floats"));
-        }
-        let fits = match channel.target().property() {
-            Property::Rotation => is(&output, Dimensions::Vec4, &quaternions),
-            _ => is(&output, Dimensions::Vec3, &floats),
-        };
-        if !fits {
-            return Err(error("its values are of the wrong type"));
-        }
         let interpolation = match sampler.interpolation() {
             Between::Step => Interpolation::Step,
             Between::Linear => Interpolation::Linear,
             Between::CubicSpline => Interpolation::CubicSpline,
         };
-        let each = match interpolation {
-            Interpolation::CubicSpline => 3,
-            _ => 1,
-        };
-        if input.count() == 0 || output.count() != each * input.count() {
-            let (keys, values) = (input.count(), output.count());
-            return Err(error(&format!("it has {values} values for {keys} keys")));
-        }
-        let reader = channel.reader(|buffer| Some(&self.buffers[buffer.index()]));
-        let beyond = || error("its keys reach beyond their buffer");
-        let times_s: Vec<f32> = reader.read_inputs().ok_or_else(beyond)?.collect();
+        let times = self.floats(
+            &sampler.input(),
+            &FLOATS,
+            Whole::AsMarked,
+            "the list of its times",
+        )?;
+        let times_s: Vec<f32> = times.into_iter().map(|[time]| time).collect();
         let grows = times_s.windows(2).all(|pair| pair[0] < pair[1]);
         if !grows || times_s.iter().any(|t| !t.is_finite()) {
-            return Err(error("the times of its keys do not grow"));
+            return Err(self.error("the times of its keys do not grow"));
         }
-        let vectors =
-            |list: Vec<[f32; 3]>| -> Vec<Vec3> { list.into_iter().map(Vec3::from).collect() };
-        let values = match reader.read_outputs().ok_or_else(beyond)? {
-            ReadOutputs::Translations(list) => Values::Translation(vectors(list.collect())),
-            ReadOutputs::Scales(list) => Values::Scale(vectors(list.collect())),
-            ReadOutputs::Rotations(list) => {
-                let list = list.into_f32().map(Quat::from_array);
-                Values::Rotation(list.collect())
+        let output = sampler.output();
+        let (what, fractions) = ("the list of its values", Whole::Fractions);
+        let vectors = || -> Result<Vec<Vec3>> {
+            let read = self.floats(&output, &FLOATS, Whole::AsMarked, what)?;
+            Ok(read.into_iter().map(Vec3::from_array).collect())
+        };
+        let (values, of_key) = match channel.target().property() {
+            Property::Translation => (Values::Translation(vectors()?), 1),
+            Property::Scale => (Values::Scale(vectors()?), 1),
+            Property::Rotation => {
+                let read = self.floats(&output, &FRACTIONS, fractions, what)?;
+                let read = read.into_iter().map(Quat::from_array);
+                (Values::Rotation(read.collect()), 1)
             }
-            ReadOutputs::MorphTargetWeights(_) => return Err(error("its values are not places")),
+            Property::MorphTargetWeights => {
+                let targets = self.model.nodes[node].weights.len();
+                if targets == 0 {
+                    return Ok(None);
+                }
+                let read = self.floats(&output, &FRACTIONS, fractions, what)?;
+                let read = read.into_iter().map(|[weight]| weight);
+                (Values::Weights(read.collect()), targets)
+            }
         };
-        let is_finite = match &values {
-            Values::Translation(list) | Values::Scale(list) => list.iter().all(|v| v.is_finite()),
-            Values::Rotation(list) => list.iter().all(|q| q.is_finite()),
+        let each = match interpolation {
+            Interpolation::CubicSpline => 3 * of_key,
+            _ => of_key,
         };
-        if !is_finite {
-            return Err(error("a value is not finite"));
+        if times_s.is_empty() || times_s.len().checked_mul(each) != Some(values.len()) {
+            let (keys, values) = (times_s.len(), values.len());
+            return Err(self.error(format!("it has {values} values for {keys} keys")));
         }
-        Ok(Channel {
+        if !values.is_finite() {
+            return Err(self.error("a value is not finite"));
+        }
+        Ok(Some(Channel {
             node,
             times_s,
             interpolation,
             values,
-        })
+        }))
     }
 }

@@ -1,31 +1,92 @@
-//! Host file: glTF materials and their textures.
+//! Host file: glTF materials.
 
 use super::Reader;
-use crate::error::{Error, Result};
-use ::gltf::image::{Data, Format, Source};
+use super::texture::Use;
+use crate::error::Result;
+use ::gltf::Material as Source;
 use ::gltf::material::AlphaMode;
-use ::gltf::texture::WrappingMode;
-use glam::{UVec2, Vec3};
-use glimt_render_gpu::prepare::scene::{Material, Reflection, Texture, TextureRef, Wrap};
+use glam::Vec3;
+use glimt_render_gpu::prepare::scene::{Alpha, Material, Opacity, Reflection, TextureRef};
+use serde_json::Value;
 
-/// The set of texture coordinates that a material's base colour is looked up by, or else its other textures.
-pub(super) fn texture_set(material: &::gltf::Material<'_>) -> u32 {
-    sets(material).first().copied().unwrap_or(0)
+/// Roughness below this acts as this.
+const LEAST_ROUGHNESS: f32 = 0.12;
+
+/// Extensions that change the look of a material and are not supported, with the factor that switches each on and its default.
+const UNSUPPORTED: [(&str, &str, f64); 10] = [
+    ("KHR_materials_transmission", "transmissionFactor", 0.0),
+    (
+        "KHR_materials_diffuse_transmission",
+        "diffuseTransmissionFactor",
+        0.0,
+    ),
+    ("KHR_materials_volume", "thicknessFactor", 0.0),
+    ("KHR_materials_volume_scatter", "", 1.0),
+    ("KHR_materials_clearcoat", "clearcoatFactor", 0.0),
+    ("KHR_materials_sheen", "sheenColorFactor", 0.0),
+    ("KHR_materials_iridescence", "iridescenceFactor", 0.0),
+    ("KHR_materials_anisotropy", "anisotropyStrength", 0.0),
+    ("KHR_materials_dispersion", "dispersion", 0.0),
+    ("KHR_materials_pbrSpecularGlossiness", "", 1.0),
+];
+
+/// Whether an extension of materials is remarked on where a material uses it.
+pub(super) fn is_remarked(extension: &str) -> bool {
+    UNSUPPORTED.iter().any(|(name, ..)| *name == extension)
 }
 
-fn sets(material: &::gltf::Material<'_>) -> Vec<u32> {
-    let pbr = material.pbr_metallic_roughness();
-    let textures = [
-        pbr.base_color_texture().map(|t| t.tex_coord()),
-        pbr.metallic_roughness_texture().map(|t| t.tex_coord()),
-        material.normal_texture().map(|t| t.tex_coord()),
-    ];
-    textures.into_iter().flatten().collect()
+/// The textures of a material that are used.
+struct Uses {
+    base_color: Option<Use>,
+    metallic_roughness: Option<Use>,
+    normal: Option<Use>,
+    emission: Option<Use>,
+}
+
+impl Uses {
+    fn of(material: &Source<'_>) -> Self {
+        let pbr = material.pbr_metallic_roughness();
+        let is_lit = !is_unlit(material);
+        Self {
+            base_color: pbr.base_color_texture().map(|t| Use::of(&t)),
+            metallic_roughness: pbr
+                .metallic_roughness_texture()
+                .filter(|_| is_lit)
+                .map(|t| Use::of(&t)),
+            normal: material
+                .normal_texture()
+                .filter(|_| is_lit)
+                .map(|t| Use::of_normals(&t)),
+            emission: material
+                .emissive_texture()
+                .filter(|_| is_lit && material.emissive_factor() != [0.0; 3])
+                .map(|t| Use::of(&t)),
+        }
+    }
+
+    fn sets(&self) -> impl Iterator<Item = u32> {
+        let all = [
+            self.base_color,
+            self.metallic_roughness,
+            self.normal,
+            self.emission,
+        ];
+        all.into_iter().flatten().map(|of| of.set)
+    }
+}
+
+/// The set of texture coordinates that a material's base colour is looked up by, or else its other textures; `None` without any.
+pub(super) fn texture_set(material: &Source<'_>) -> Option<u32> {
+    Uses::of(material).sets().next()
+}
+
+fn is_unlit(material: &Source<'_>) -> bool {
+    material.extension_value("KHR_materials_unlit").is_some()
 }
 
 impl Reader<'_> {
     /// The index of a material, which is read when it is first used.
-    pub(super) fn material(&mut self, material: &::gltf::Material<'_>) -> Result<u32> {
+    pub(super) fn material(&mut self, material: &Source<'_>) -> Result<u32> {
         if let Some(&index) = self.materials.get(&material.index()) {
             return Ok(index);
         }
@@ -34,23 +95,15 @@ impl Reader<'_> {
             (None, Some(index)) => format!("material {index}"),
             (None, None) => "default".to_owned(),
         };
-        self.remark_on(material, &name);
-        let pbr = material.pbr_metallic_roughness();
-        let base_color = pbr.base_color_texture().map(|t| t.texture());
-        let metallic_roughness = pbr.metallic_roughness_texture().map(|t| t.texture());
-        let normal = material.normal_texture();
-        let [r, g, b, _] = pbr.base_color_factor();
-        let read = Material::from(Reflection::MetallicRoughness {
-            base_color: Vec3::new(r, g, b),
-            metallic: pbr.metallic_factor(),
-            roughness: pbr.roughness_factor(),
-            base_color_texture: self.optional(base_color, true)?,
-            metallic_roughness_texture: self.optional(metallic_roughness, false)?,
-            normal_scale: normal
-                .as_ref()
-                .map_or(1.0, ::gltf::material::NormalTexture::scale),
-            normal_texture: self.optional(normal.map(|t| t.texture()), false)?,
-        });
+        let uses = Uses::of(material);
+        let base_color_texture = self.texture_ref(uses.base_color, true)?;
+        let read = Material {
+            opacity: opacity(material, base_color_texture),
+            emission: emission(material),
+            emission_texture: self.texture_ref(uses.emission, true)?,
+            reflection: self.reflection(material, &uses, base_color_texture)?,
+        };
+        self.remark_on(material, &uses, &read, &name);
         let index = self.model.materials.len() as u32;
         self.model.materials.push(read);
         self.model.material_names.push(name);
@@ -58,115 +111,106 @@ impl Reader<'_> {
         Ok(index)
     }
 
-    fn remark_on(&mut self, material: &::gltf::Material<'_>, name: &str) {
-        let mut note = |what: &str| {
-            self.notes
-                .note(self.file, format!("material `{name}` {what}"));
-        };
-        if material.alpha_mode() != AlphaMode::Opaque {
-            note("is see-through; taken as opaque");
-        }
-        if material.emissive_texture().is_some() || material.emissive_factor() != [0.0; 3] {
-            note("glows; the light comes from the probe alone");
-        }
-        if sets(material).windows(2).any(|pair| pair[0] != pair[1]) {
-            note("uses several sets of texture coordinates; the base colour's is taken for all");
-        }
-    }
-
-    fn optional(
+    fn reflection(
         &mut self,
-        texture: Option<::gltf::Texture<'_>>,
-        srgb: bool,
-    ) -> Result<Option<TextureRef>> {
-        let read = texture.map(|t| self.texture(&t, srgb)).transpose()?;
-        Ok(read.map(TextureRef::from))
+        material: &Source<'_>,
+        uses: &Uses,
+        base_color_texture: Option<TextureRef>,
+    ) -> Result<Reflection> {
+        let pbr = material.pbr_metallic_roughness();
+        let [r, g, b, _] = pbr.base_color_factor();
+        let base_color = Vec3::new(r, g, b);
+        if is_unlit(material) {
+            return Ok(Reflection::Unlit {
+                color: base_color,
+                color_texture: base_color_texture,
+            });
+        }
+        Ok(Reflection::MetallicRoughness {
+            base_color,
+            metallic: pbr.metallic_factor(),
+            roughness: pbr.roughness_factor(),
+            base_color_texture,
+            metallic_roughness_texture: self.texture_ref(uses.metallic_roughness, false)?,
+            normal_texture: self.texture_ref(uses.normal, false)?,
+            normal_scale: material.normal_texture().map_or(1.0, |t| t.scale()),
+        })
     }
 
-    fn texture(&mut self, texture: &::gltf::Texture<'_>, srgb: bool) -> Result<u32> {
-        let key = (texture.index(), srgb);
-        if let Some(&index) = self.textures.get(&key) {
-            return Ok(index);
-        }
-        let image = texture.source();
-        let name = format!("image {}", image.index());
-        let file = match image.source() {
-            Source::Uri { uri, .. } => self.external(uri).unwrap_or_else(|| self.file.to_owned()),
-            Source::View { view, .. } => {
-                let end = view.offset().checked_add(view.length());
-                if end.is_none_or(|end| end > self.buffers[view.buffer().index()].len()) {
-                    return Err(self.error("it reaches beyond its buffer").at(name));
-                }
-                self.file.to_owned()
+    fn remark_on(&mut self, source: &Source<'_>, uses: &Uses, read: &Material, name: &str) {
+        let (file, notes) = (self.file, &mut *self.notes);
+        let said = |what: &str| format!("material `{name}` {what}");
+        for (extension, key, default) in UNSUPPORTED {
+            let value = source.extension_value(extension);
+            if value.is_some_and(|value| is_on(&value[key], default)) {
+                let what = format!("uses {extension}, which is not supported; rendered without it");
+                notes.warn(file, said(&what));
             }
-        };
-        let data =
-            Data::from_source(image.source(), Some(self.folder), &self.buffers).map_err(|e| {
-                match e {
-                    ::gltf::Error::Io(e) => Error::reading(&file, &e),
-                    e => Error::input(&file, format!("it cannot be decoded: {e}"))
-                        .fix("glTF images are PNG or JPEG: export it again"),
-                }
-                .at(&name)
-            })?;
-        let texels = rgba(&data).ok_or_else(|| {
-            Error::input(&file, "it has float texels")
-                .at(&name)
-                .fix("glTF images are PNG or JPEG: export it again")
-        })?;
-        let sampler = texture.sampler();
-        self.model.textures.push(Texture {
-            size: UVec2::new(data.width, data.height),
-            texels,
-            srgb,
-            wrap: [wrap(sampler.wrap_s()), wrap(sampler.wrap_t())],
-        });
-        let index = self.model.textures.len() as u32 - 1;
-        self.textures.insert(key, index);
-        Ok(index)
-    }
-}
-
-fn wrap(mode: WrappingMode) -> Wrap {
-    match mode {
-        WrappingMode::ClampToEdge => Wrap::Clamp,
-        WrappingMode::MirroredRepeat => Wrap::Mirror,
-        WrappingMode::Repeat => Wrap::Repeat,
-    }
-}
-
-/// 8-bit RGBA of any whole-number format; grey fills all three channels.
-fn rgba(data: &Data) -> Option<Vec<[u8; 4]>> {
-    // Channels, bytes in each; of 16-bit values the high byte counts, which is the second.
-    let (channels, bytes) = match data.format {
-        Format::R8 => (1, 1),
-        Format::R8G8 => (2, 1),
-        Format::R8G8B8 => (3, 1),
-        Format::R8G8B8A8 => (4, 1),
-        Format::R16 => (1, 2),
-        Format::R16G16 => (2, 2),
-        Format::R16G16B16 => (3, 2),
-        Format::R16G16B16A16 => (4, 2),
-        Format::R32G32B32FLOAT | Format::R32G32B32A32FLOAT => return None,
-    };
-    let high = if cfg!(target_endian = "little") {
-        bytes - 1
-    } else {
-        0
-    };
-    let texel = |t: &[u8]| {
-        let c = |i: usize| t[i * bytes + high];
-        match channels {
-            1 => [c(0), c(0), c(0), 255],
-            2 => [c(0), c(0), c(0), c(1)],
-            3 => [c(0), c(1), c(2), 255],
-            _ => [c(0), c(1), c(2), c(3)],
         }
+        if read.emission != Vec3::ZERO {
+            notes.note(file, said("glows: it is seen, and lights nothing else"));
+        }
+        if uses.sets().any(|set| Some(set) != uses.sets().next()) {
+            let what =
+                "uses several sets of texture coordinates; the base colour's is taken for all";
+            notes.warn(file, said(what));
+        }
+        if let Reflection::MetallicRoughness {
+            roughness,
+            metallic_roughness_texture,
+            ..
+        } = read.reflection
+        {
+            // With a texture, as its mean is.
+            let factor = metallic_roughness_texture.map_or(1.0, |t| {
+                let texels = &self.model.textures[t.texture as usize].texels;
+                let sum: u64 = texels.iter().map(|t| u64::from(t[1])).sum();
+                sum as f32 / (255 * texels.len().max(1)) as f32
+            });
+            let roughness = roughness * factor;
+            if roughness < LEAST_ROUGHNESS {
+                let what = format!(
+                    "has roughness {roughness:.2}; rendered with the least that there is, {LEAST_ROUGHNESS}: mirrors look blurred"
+                );
+                notes.warn(file, said(&what));
+            }
+        }
+    }
+}
+
+/// Whether a factor, or a channel of it, is not 0.
+fn is_on(factor: &Value, default: f64) -> bool {
+    let is_on = |value: &Value| value.as_f64() != Some(0.0);
+    match factor {
+        Value::Null => default != 0.0,
+        Value::Array(channels) => channels.iter().any(is_on),
+        value => is_on(value),
+    }
+}
+
+/// The factor times the strength of `KHR_materials_emissive_strength`; what is unlit emits nothing besides.
+fn emission(material: &Source<'_>) -> Vec3 {
+    if is_unlit(material) {
+        return Vec3::ZERO;
+    }
+    let extension = material.extension_value("KHR_materials_emissive_strength");
+    let strength = extension.and_then(|e| e["emissiveStrength"].as_f64());
+    let factor = Vec3::from(material.emissive_factor()) * strength.unwrap_or(1.0) as f32;
+    factor.clamp(Vec3::ZERO, Vec3::MAX)
+}
+
+fn opacity(material: &Source<'_>, base_color_texture: Option<TextureRef>) -> Opacity {
+    let [.., factor] = material.pbr_metallic_roughness().base_color_factor();
+    let alpha = Alpha {
+        factor: factor.clamp(0.0, 1.0),
+        texture: base_color_texture,
     };
-    Some(
-        data.pixels
-            .chunks_exact(channels * bytes)
-            .map(texel)
-            .collect(),
-    )
+    match material.alpha_mode() {
+        AlphaMode::Opaque => Opacity::Opaque,
+        AlphaMode::Mask => Opacity::Mask {
+            cutoff: material.alpha_cutoff().unwrap_or(0.5),
+            alpha,
+        },
+        AlphaMode::Blend => Opacity::Blend { alpha },
+    }
 }

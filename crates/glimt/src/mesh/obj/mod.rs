@@ -34,7 +34,11 @@ pub fn load(file: &Path, crease_deg: f32, notes: &mut Notes) -> Result<Model> {
     let mut model = Model {
         files: vec![file.to_owned()],
         nodes: vec![Node::at(&name, None, Vec3::ZERO)],
-        parts: vec![Part { mesh: 0, node: 0 }],
+        parts: vec![Part {
+            mesh: 0,
+            node: 0,
+            skin: None,
+        }],
         origin: origin::of(&parsed.positions),
         ..Model::default()
     };
