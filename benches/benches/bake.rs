@@ -264,7 +264,12 @@ fn object(name: &str, vertices: usize) -> TriangleMesh {
         "buddha" => "happy_buddha_100k.obj",
         _ => "dragon_vrip_res3.ply.gz",
     };
-    let mut mesh = match mesh::load(&data_dir().join("models"), file, CREASE_DEG, &mut Notes::default()) {
+    let mut mesh = match mesh::load(
+        &data_dir().join("models"),
+        file,
+        CREASE_DEG,
+        &mut Notes::default(),
+    ) {
         Ok(model) => of_model(file, &model),
         Err(error) => {
             println!("{error}; a knot stands in");

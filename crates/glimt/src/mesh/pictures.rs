@@ -49,7 +49,13 @@ impl<'a> Pictures<'a> {
 
     /// The pixels of a picture; a warning and `None` if it cannot be read.
     pub fn read(&mut self, name: &str) -> Option<(PathBuf, RgbaImage)> {
-        let Some(path) = find(self.file.parent().unwrap_or(Path::new("")), name) else {
+        // Some programs mean the folder of the mesh, wherever the material library lies.
+        let folders = [
+            Some(self.file),
+            self.model.files.first().map(PathBuf::as_path),
+        ];
+        let mut folders = folders.into_iter().flatten().filter_map(Path::parent);
+        let Some(path) = folders.find_map(|folder| find(folder, name)) else {
             let what = format!("its picture {name} is missing; left out");
             self.notes.warn(self.file, what);
             return None;

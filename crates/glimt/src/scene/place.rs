@@ -137,7 +137,8 @@ pub fn place(shot: &Shot, source: &Source, notes: &mut Notes) -> Result<Placed> 
         .collect();
     let origin = origin::of(&corners);
     let shift = DMat4::from_translation(-origin);
-    for ((index, object), (key, mut mover, pose, bounds)) in shot.objects.iter().enumerate().zip(standing)
+    for ((index, object), (key, mut mover, pose, bounds)) in
+        shot.objects.iter().enumerate().zip(standing)
     {
         let entry = &loaded[&key];
         mover.to_world = shift * mover.to_world;
