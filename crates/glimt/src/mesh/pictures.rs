@@ -47,15 +47,17 @@ impl<'a> Pictures<'a> {
         }
     }
 
+    fn locate(&self, name: &str) -> Option<PathBuf> {
+        // Some programs mean the folder of the mesh, wherever the material library lies.
+        let mesh = self.model.files.first().map(PathBuf::as_path);
+        let folders = [Some(self.file), mesh].into_iter().flatten();
+        let mut folders = folders.filter_map(Path::parent);
+        folders.find_map(|folder| find(folder, name))
+    }
+
     /// The pixels of a picture; a warning and `None` if it cannot be read.
     pub fn read(&mut self, name: &str) -> Option<(PathBuf, RgbaImage)> {
-        // Some programs mean the folder of the mesh, wherever the material library lies.
-        let folders = [
-            Some(self.file),
-            self.model.files.first().map(PathBuf::as_path),
-        ];
-        let mut folders = folders.into_iter().flatten().filter_map(Path::parent);
-        let Some(path) = folders.find_map(|folder| find(folder, name)) else {
+        let Some(path) = self.locate(name) else {
             let what = format!("its picture {name} is missing; left out");
             self.notes.warn(self.file, what);
             return None;
