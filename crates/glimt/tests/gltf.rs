@@ -161,7 +161,7 @@ impl File {
     fn load(&self, t: &Scratch) -> (Result<Model>, Notes) {
         t.put("a.glb", self.bytes());
         let mut notes = Notes::new(false);
-        (mesh::load(&t.path, "a.glb", &mut notes), notes)
+        (mesh::load(&t.path, "a.glb", 40.0, &mut notes), notes)
     }
 
     /// Loads what is right; no remark is more than a note.
