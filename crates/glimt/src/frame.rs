@@ -2,14 +2,30 @@
 
 use crate::error::{Error, Kind, Result};
 use crate::input::frames::FrameFiles;
+use crate::input::primaries::Primaries;
 use crate::output::{Stamp, aov, exr, png};
 use crate::setup::Setup;
 use crate::shot::digest;
+use glam::Vec4;
 use glimt_render_gpu::kernels::film::tonemap;
 use glimt_render_gpu::prepare::render::FrameImage;
+use rayon::prelude::*;
 use sha2::{Digest, Sha256};
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
+
+/// Premultiplied colours with other primaries, whatever their sign.
+fn converted(pixels: &[Vec4], from: Primaries, to: Primaries) -> Cow<'_, [Vec4]> {
+    let Some(matrix) = from.matrix_to(&to) else {
+        return Cow::Borrowed(pixels);
+    };
+    let convert = |p: &Vec4| {
+        let colour = matrix * p.truncate().as_dvec3();
+        colour.as_vec3().extend(p.w)
+    };
+    Cow::Owned(pixels.par_iter().map(convert).collect())
+}
 
 /// The files of the frames of a shot.
 #[derive(Clone, Copy)]
@@ -63,20 +79,22 @@ impl<'a> Frames<'a> {
         listed.into_iter().flatten().collect()
     }
 
-    /// Writes the files of a frame.
+    /// Writes the files of a frame, whose linear image has these primaries.
     ///
     /// # Errors
     /// One cannot be written.
-    pub fn write(self, image: &FrameImage, stamp: &Stamp) -> Result<()> {
+    pub fn write(self, image: &FrameImage, own: Primaries, stamp: &Stamp) -> Result<()> {
         let output = &self.setup.shot.output;
         let target = |extension| self.setup.guard.target(&self.file(stamp.frame, extension));
         if output.exr {
             let file = target("exr")?;
-            let layers = self.layers(image, stamp.frame)?;
-            exr::write(&file, image.size, &image.linear, layers, stamp)?;
+            let layers = self.layers(image, own, stamp.frame)?;
+            let linear = converted(&image.linear, own, layers.picture.primaries);
+            exr::write(&file, image.size, &linear, layers, stamp)?;
         }
         if output.png {
-            png::write(&target("png")?, image, stamp)?;
+            let aspect = self.setup.shot.image.pixel_aspect;
+            png::write(&target("png")?, image, aspect, stamp)?;
         }
         Ok(())
     }
@@ -97,23 +115,45 @@ impl<'a> Frames<'a> {
     }
 
     /// Whether what is displayed goes into the EXR: a video may have to be made of frames that are there, and what the plate and
-    /// the tonemapped objects gave cannot be had from their sum.
+    /// the tonemapped objects gave cannot be had from their sum, nor what is displayed from other primaries.
     fn keeps_display(self) -> bool {
-        let output = &self.setup.shot.output;
-        self.setup.has_plate() && output.exr && !output.png && !output.video.is_empty()
+        let shot = &self.setup.shot;
+        let output = &shot.output;
+        let working = shot.image.primaries.primaries();
+        let is_converted = output.primaries.primaries().is_some_and(|p| p != working);
+        (self.setup.has_plate() || is_converted)
+            && output.exr
+            && !output.png
+            && !output.video.is_empty()
     }
 
     /// The layers that go into a frame's EXR beside the image.
-    fn layers(self, image: &FrameImage, frame: i32) -> Result<exr::Layers> {
+    fn layers(self, image: &FrameImage, own: Primaries, frame: i32) -> Result<exr::Layers> {
         let settings = self.setup.settings(frame, self.setup.camera(frame)?);
         let aovs = &self.setup.shot.output.aovs;
-        let mut channels = aov::channels(image, aovs, &settings, self.setup.has_plate());
+        // Over a plate everything has the primaries that the plate was brought to.
+        let over_plate = self.setup.has_plate();
+        let shot = &self.setup.shot;
+        let written = match shot.output.primaries.primaries() {
+            Some(chosen) if !over_plate => chosen,
+            _ => own,
+        };
+        let to_written = shot.image.primaries.primaries().colour_matrix_to(&written);
+        let mut channels = aov::channels(image, aovs, &settings, over_plate, &to_written);
         if self.keeps_display() {
             channels.extend(aov::display(image));
         }
         let shadow = self.setup.shot.backplate.as_ref().map(|plate| plate.shadow);
         let formula = aov::any_layer(aovs).then(|| aov::formula(shadow.unwrap_or_default()));
-        Ok(exr::Layers { channels, formula })
+        let picture = exr::Picture {
+            primaries: written,
+            pixel_aspect: shot.image.pixel_aspect,
+        };
+        Ok(exr::Layers {
+            channels,
+            formula,
+            picture,
+        })
     }
 
     /// The display image of a frame that is there already: its PNG, or else its EXR, by its layer of that name over a plate, once

@@ -5,6 +5,7 @@ use crate::cli::Device;
 use crate::device::{self, Renderers};
 use crate::error::{Error, Kind, Result};
 use crate::frame::Frames;
+use crate::input::primaries::Primaries;
 use crate::interrupt;
 use crate::job::{Chain, Job};
 use crate::notes::{Note, Notes};
@@ -32,8 +33,8 @@ use std::time::Instant;
 enum Finished {
     /// It was there already.
     Skipped(i32),
-    /// It was rendered, in this many seconds.
-    Rendered(Stamp, FrameImage, f64),
+    /// It was rendered with these primaries, in this many seconds.
+    Rendered(Stamp, FrameImage, Primaries, f64),
     /// There is nothing more to come.
     End,
 }
@@ -383,7 +384,8 @@ fn render_frames(
                     false => {
                         rendered += 1;
                         let seconds = began.elapsed().as_secs_f64();
-                        Finished::Rendered(stamp, image, seconds)
+                        let primaries = setup.primaries_over(plate.as_deref());
+                        Finished::Rendered(stamp, image, primaries, seconds)
                     }
                 }
             }
@@ -421,8 +423,8 @@ fn write_frames(plan: &Plan<'_>, reporter: &Reporter, finished: Receiver<Finishe
     };
     for (done, frame) in (1..).zip(finished) {
         let (number, status) = match frame {
-            Finished::Rendered(stamp, image, seconds) => {
-                files.write(&image, &stamp)?;
+            Finished::Rendered(stamp, image, primaries, seconds) => {
+                files.write(&image, primaries, &stamp)?;
                 if let Some(video) = &mut video {
                     video.push(&rgb_over_black(&image.display))?;
                 }

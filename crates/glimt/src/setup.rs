@@ -2,11 +2,13 @@
 
 use crate::cli::RenderFlags;
 use crate::error::{Error, Kind, Result};
+use crate::input::primaries::{Primaries, REC_709};
 use crate::memory;
 use crate::mesh::node::NodePose;
 use crate::notes::Notes;
 use crate::output::aov;
 use crate::output::target::Guard;
+use crate::scene::colours;
 use crate::scene::place::{self, Mover};
 use crate::scene::view::View;
 use crate::shot::digest::{self, Hash};
@@ -14,6 +16,7 @@ use crate::shot::parse::Source;
 use crate::shot::{Shot, check};
 use glam::{Mat4, UVec2};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::plate::Plate;
 use glimt_render_gpu::prepare::render::{RenderSettings, SettingsError, Shadow};
 use glimt_render_gpu::prepare::scene::{Camera, SceneDescription, Shape};
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
@@ -75,7 +78,8 @@ impl Setup {
         flags: &RenderFlags,
         notes: &mut Notes,
     ) -> Result<Self> {
-        let placed = place::place(&shot, &source, notes)?;
+        let mut placed = place::place(&shot, &source, notes)?;
+        colours::convert(&mut placed.scene, &shot.image.primaries.primaries());
         let mut guard = Guard::new(flags.write.overwrite);
         guard.reads("the shot", &source.file);
         for (object, files) in placed.files.iter().enumerate() {
@@ -117,6 +121,12 @@ impl Setup {
     /// Whether frames are laid over footage.
     pub fn has_plate(&self) -> bool {
         self.shot.backplate.is_some()
+    }
+
+    /// The primaries of an image over this plate: the plate's, or those that are rendered with.
+    pub fn primaries_over(&self, plate: Option<&Plate>) -> Primaries {
+        let of_plate = plate.and_then(Plate::primaries).map(Primaries);
+        of_plate.unwrap_or(self.shot.image.primaries.primaries())
     }
 
     /// Where everything stands in a frame, whatever frames are rendered beside it.
@@ -228,6 +238,7 @@ impl Setup {
                 SettingsError::TooMany | SettingsError::Memory => "render",
                 SettingsError::Exposure => "image.exposure_ev",
                 SettingsError::FieldOfView => "camera.fov_x_deg",
+                SettingsError::PixelAspect => "image.pixel_aspect",
                 SettingsError::Camera => "camera",
                 SettingsError::Harmonics(_) | SettingsError::NoTransfer => "render.prt",
                 SettingsError::PlateSize => "backplate",
@@ -305,6 +316,8 @@ impl Setup {
                 .backplate
                 .as_ref()
                 .map_or(Shadow::Multiply, |plate| plate.shadow),
+            pixel_aspect: image.pixel_aspect,
+            to_display: image.primaries.primaries().colour_matrix_to(&REC_709),
             layers: aov::any_layer(&shot.output.aovs),
             diagnostics: aov::any_diagnostic(&shot.output.aovs),
         }

@@ -4,8 +4,9 @@ use crate::capture::{Capture, Poses, locate};
 use crate::cli::UnwarpFlags;
 use crate::device::{self, Processor};
 use crate::error::{Error, Kind, Result};
+use crate::input::Reading;
 use crate::input::frames::{FrameFiles, check_size};
-use crate::input::light_image::{LightImage, read_photo, read_photo_size};
+use crate::input::light_image::{LightImage, read_photo, read_size};
 use crate::interrupt;
 use crate::notes::Notes;
 use crate::output::atomic::Folder;
@@ -61,7 +62,14 @@ pub fn run(frames: &Path, flags: &UnwarpFlags, reporter: &Reporter) -> Result<()
                 true => numbers.clone(),
                 false => files.existing()?,
             };
-            let tracked = locate::track(&files, &all, ball.steady, &mut notes, &found);
+            let tracked = locate::track(
+                &files,
+                &all,
+                ball.steady,
+                &Reading::default(),
+                &mut notes,
+                &found,
+            );
             reporter.notes(notes.take());
             let tracked = tracked?;
             let poses = locate::of_track(&tracked);
@@ -124,10 +132,10 @@ fn frames_of(files: &FrameFiles, flags: &UnwarpFlags) -> Result<Vec<i32>> {
         })?,
     };
     let first = files.path(numbers[0]);
-    let size = read_photo_size(&first)?;
+    let size = read_size(&first, &Reading::default())?;
     for &frame in &numbers[1..] {
         let file = files.path(frame);
-        check_size(&file, read_photo_size(&file)?, size, &first)?;
+        check_size(&file, read_size(&file, &Reading::default())?, size, &first)?;
     }
     Ok(numbers)
 }
@@ -172,16 +180,16 @@ impl Maps<'_> {
         if exr::read_hash(&map_file, &[]).as_ref() == Some(&there.hash) && mask_is_there() {
             // Frames whose ball was looked for were read already. What is there may have been made without --strict.
             if self.flags.strict && matches!(self.capture.poses(), Poses::Fixed(_)) {
-                read_photo(file, notes)?;
+                read_photo(file, &Reading::default(), notes)?;
             }
             self.last = Some(LastFrame {
                 number: frame,
-                photo: read_photo_size(file)?,
+                photo: read_size(file, &Reading::default())?,
                 mask: None,
             });
             return Ok(FrameStatus::Skipped);
         }
-        let photo = read_photo(file, notes)?;
+        let photo = read_photo(file, &Reading::default(), notes)?;
         let stamp = stamp(&photo.hash, frame, &self.ball, &self.capture)?;
         let map = self.capture.map(frame, file, photo.size)?;
         let look = self.capture.look(&ColourMatrix::IDENTITY);

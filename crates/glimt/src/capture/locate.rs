@@ -2,6 +2,7 @@
 
 use super::Poses;
 use crate::error::{Error, Result};
+use crate::input::Reading;
 use crate::input::frames::FrameFiles;
 use crate::input::light_image::read_photo;
 use crate::notes::Notes;
@@ -23,6 +24,7 @@ pub fn track(
     files: &FrameFiles,
     frames: &[i32],
     steady: bool,
+    reading: &Reading,
     notes: &mut Notes,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Tracked> {
@@ -36,7 +38,7 @@ pub fn track(
         frames
     };
     for (done, &frame) in looked_at.iter().enumerate() {
-        let photo = read_photo(&files.path(frame), notes)?;
+        let photo = read_photo(&files.path(frame), reading, notes)?;
         let Look {
             found,
             levels,
@@ -100,10 +102,11 @@ pub fn poses(
     files: &FrameFiles,
     frames: &[i32],
     keys: &shot::Ball,
+    reading: &Reading,
     notes: &mut Notes,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Poses> {
-    let tracked = track(files, frames, keys.steady, notes, progress)?;
+    let tracked = track(files, frames, keys.steady, reading, notes, progress)?;
     if files.is_still() {
         return Ok(Poses::Fixed(pose(&tracked.poses[0])));
     }

@@ -2,6 +2,7 @@
 
 use super::frame_file;
 use crate::error::{Error, Result};
+use crate::input::Reading;
 use crate::input::light_image::read_photo;
 use crate::input::plate;
 use crate::input::read_image;
@@ -92,7 +93,7 @@ pub(super) fn write(file: &Target, out: &Path, frames: &[i32]) -> Result<()> {
 /// The photograph around the ball.
 fn probe(out: &Path, frame: i32) -> Result<Panel> {
     let file = frame_file(&out.join("film/capture"), "ball", frame, "exr");
-    let photo = read_photo(&file, &mut Notes::default())?;
+    let photo = read_photo(&file, &Reading::default(), &mut Notes::default())?;
     let pixels: Vec<Vec3> = photo
         .pixels
         .iter()
@@ -156,7 +157,7 @@ fn render(out: &Path, frame: i32) -> Result<Panel> {
 /// The frame as it is shown.
 fn composite(out: &Path, frame: i32) -> Result<Panel> {
     let file = frame_file(out, "frame", frame, "png");
-    let image = plate::read(&file, &mut Notes::default())?;
+    let image = plate::read(&file, &Reading::default(), &mut Notes::default())?;
     let size = image.size;
     let pixels = image.colours.into_linear();
     Ok(Panel::fitted(size, &pixels, Window::whole(size)))

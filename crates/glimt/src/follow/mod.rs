@@ -14,7 +14,9 @@ use crate::cli::{Device, FollowFlags, RenderFlags};
 use crate::device;
 use crate::error::{Error, Result};
 use crate::frame::Frames;
+use crate::input::Reading;
 use crate::input::frames::FrameFiles;
+use crate::input::primaries::Primaries;
 use crate::interrupt;
 use crate::job::probe_files;
 use crate::notes::Notes;
@@ -56,8 +58,8 @@ pub struct Follow<'a> {
 struct Finished {
     stamp: Stamp,
     arrived: SystemTime,
-    /// What was rendered, in this many seconds; nothing where its files are there.
-    image: Option<(FrameImage, f64)>,
+    /// What was rendered, with these primaries, in this many seconds; nothing where its files are there.
+    image: Option<(FrameImage, Primaries, f64)>,
 }
 
 /// Renders the frames of a shot as they appear, until none has come for `live.wait` or the last one asked for is done.
@@ -95,7 +97,11 @@ pub fn render(
     watch.look();
     let mut plates = Plates::of(&shot, &source, wait / 2)?;
     if let Some(plates) = plates.as_mut().filter(|_| !source.gives("image.size")) {
-        shot.image.size = plates.size(wait)?.to_array();
+        let header = plates.header(&Reading::of_plate(&shot), wait)?;
+        shot.image.size = header.size.to_array();
+        if !source.gives("image.pixel_aspect") {
+            shot.image.pixel_aspect = header.pixel_aspect;
+        }
         check::check(&shot, &source)?;
     }
     let first = first_frame(&shot, &watch)?;
@@ -255,7 +261,8 @@ impl Follow<'_> {
                     let image = renderer
                         .render_over(scene, &inputs.light, plate, &settings, &|_| ())
                         .map_err(device::failure)?;
-                    Some((image, began.elapsed().as_secs_f64()))
+                    let primaries = setup.primaries_over(plate);
+                    Some((image, primaries, began.elapsed().as_secs_f64()))
                 }
             };
             let finished = Finished {
@@ -288,8 +295,8 @@ impl Follow<'_> {
         } in finished
         {
             let mut status = FrameStatus::Skipped;
-            if let Some((image, seconds)) = image {
-                files.write(&image, &stamp)?;
+            if let Some((image, primaries, seconds)) = image {
+                files.write(&image, primaries, &stamp)?;
                 if let Some(film) = film.filter(|_| !self.has_files()) {
                     let video = match &mut video {
                         Some(video) => video,

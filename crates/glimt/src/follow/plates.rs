@@ -2,15 +2,15 @@
 
 use super::watch::Watcher;
 use crate::error::{Error, Result};
+use crate::input::Reading;
 use crate::input::footage::{self, Footage, LightSpan};
 use crate::input::frames::FrameFiles;
-use crate::input::plate;
+use crate::input::plate::{PlateHeader, read_plate_header};
 use crate::notes::Notes;
 use crate::setup::Setup;
 use crate::shot::Shot;
 use crate::shot::digest::Hash;
 use crate::shot::parse::Source;
-use glam::UVec2;
 use glimt_render_gpu::prepare::plate::Plate;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -67,18 +67,18 @@ impl Plates {
         self.watch.look();
     }
 
-    /// The size of the first one, waiting for it at most so long.
+    /// The header of the first one, waiting for it at most so long.
     ///
     /// # Errors
     /// None came.
-    pub(super) fn size(&mut self, most: Duration) -> Result<UVec2> {
+    pub(super) fn header(&mut self, reading: &Reading, most: Duration) -> Result<PlateHeader> {
         let until = Instant::now() + most;
         loop {
             self.watch.look();
             if let Some(number) = self.watch.whole_before(i32::MAX)
-                && let Ok(size) = plate::read_size(&self.watch.files().path(number))
+                && let Ok(header) = read_plate_header(&self.watch.files().path(number), reading)
             {
-                return Ok(size);
+                return Ok(header);
             }
             if Instant::now() > until {
                 let seconds = most.as_secs_f64();

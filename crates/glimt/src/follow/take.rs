@@ -7,6 +7,7 @@ use super::watch::{State, Waiting, Watcher, choose};
 use super::{Follow, read_live};
 use crate::error::{Error, Result};
 use crate::frame::Frames;
+use crate::input::Reading;
 use crate::input::light_image::LightImage;
 use crate::interrupt;
 use crate::light::{self, FirstImage, Probe, colour};
@@ -85,7 +86,7 @@ impl<'a> Taker<'a> {
     ) -> Self {
         watch.begin();
         let keys = &follow.setup.shot.probe;
-        let ball = (keys.mapping == Mapping::MirrorBall)
+        let ball = (keys.mapping == Some(Mapping::MirrorBall))
             .then(|| Ball::new(&keys.ball.clone().unwrap_or_default()));
         Self {
             follow,
@@ -176,9 +177,10 @@ impl<'a> Taker<'a> {
     fn take(&mut self, frame: i32) -> Result<Option<Taken>> {
         let began = Instant::now();
         let file = self.watch.files().path(frame);
-        let mapping = self.follow.setup.shot.probe.mapping;
+        let shot = &self.follow.setup.shot;
+        let (mapping, reading) = (shot.probe.mapping, Reading::of_probe(shot));
         let read = read_live(&mut self.notes, |notes| {
-            light::read_frame(mapping, &file, notes)
+            light::read_frame(mapping, &file, &reading, notes)
         })?;
         let image = match read {
             Ok(image) => image,
@@ -231,10 +233,10 @@ impl<'a> Taker<'a> {
             let files = self.watch.files().clone();
             let first = FirstImage {
                 file,
-                size: image.size,
+                image: &image,
                 pose,
             };
-            let probe = Probe::live(files, &setup.shot.probe, &first, &mut self.notes)?;
+            let probe = Probe::live(files, &setup.shot, &first, &mut self.notes)?;
             self.probe = Some(probe);
         }
         self.match_colours(frame, file, plate.as_ref())?;
@@ -301,7 +303,7 @@ impl<'a> Taker<'a> {
             self.notes.note(file, what);
         }
         let plate = plate.map(|plate| plate.file.as_path());
-        let colour = colour::correction(keys, &setup.source, file, plate, &mut self.notes)?;
+        let colour = colour::correction(&setup.shot, &setup.source, file, plate, &mut self.notes)?;
         probe.set_colour(colour);
         self.has_colour = true;
         Ok(())

@@ -1,8 +1,9 @@
-//! Host file: what an HDR image holds.
+//! Host file: what an image holds.
 
 use crate::error::Result;
-use crate::input::BadTexels;
-use crate::input::read_image;
+use crate::input::plate::{self, Colours};
+use crate::input::primaries::REC_709;
+use crate::input::{BadTexels, Header, Reading, format_of, read_as};
 use crate::notes::Notes;
 use crate::report::shown;
 use glam::{UVec2, Vec4};
@@ -27,24 +28,36 @@ struct Light {
     brightest_direction: [f32; 3],
 }
 
+/// Lines of names and texts.
+#[derive(Default)]
+struct Lines(Vec<String>);
+
+impl Lines {
+    fn line(&mut self, name: &str, text: String) {
+        self.0.push(format!("{name:<12}{text}"));
+    }
+}
+
 pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)> {
-    let image = read_image(file, notes)?;
-    let header = &image.header;
+    if !format_of(file)?.is_hdr() {
+        return describe_display(file, notes);
+    }
+    let mut image = read_as(file, &Reading::default(), notes)?;
     let bad = BadTexels::count(&image.texels);
+    image.convert_to(&REC_709);
+    let header = &image.header;
     let light = measure(header.size, &image.texels);
 
-    let mut lines = Vec::new();
-    let mut line = |name: &str, text: String| lines.push(format!("{name:<12}{text}"));
+    let mut lines = Lines::default();
+    let mut line = |name: &str, text: String| lines.line(name, text);
     line("format", format!("{}, {}", header.format, header.storage));
-    let shape = match header.size.x == 2 * header.size.y {
-        true => " (2:1)",
-        false => "",
-    };
-    line(
-        "size",
-        format!("{} × {}{shape}", header.size.x, header.size.y),
-    );
+    line("size", size(header.size, header.pixel_aspect));
     line("channels", header.channels.join(", "));
+    for (name, text) in layers(header) {
+        line(name, text);
+    }
+    line("primaries", header.primaries.clone());
+    line("transfer", header.transfer.clone());
     if !header.data_is_display() {
         line(
             "windows",
@@ -53,9 +66,6 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
                 header.data_size.x, header.data_size.y, header.data_origin, header.display_origin
             ),
         );
-    }
-    if header.layers > 1 {
-        line("parts", header.layers.to_string());
     }
     for remark in &header.remarks {
         line("", remark.clone());
@@ -89,7 +99,57 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
         }
     }
     let value = json!({"file": shown(file), "kind": "image", "header": header, "bad_texels": bad, "light": light});
-    Ok((value, lines.join("\n")))
+    Ok((value, lines.0.join("\n")))
+}
+
+/// Width and height, and the shape of pixels that are no squares.
+fn size(size: UVec2, pixel_aspect: f32) -> String {
+    let shape = match size.x == 2 * size.y {
+        true => " (2:1)",
+        false => "",
+    };
+    let pixels = match pixel_aspect == 1.0 {
+        true => String::new(),
+        false => format!(", pixels {pixel_aspect} times as wide as high"),
+    };
+    format!("{} × {}{shape}{pixels}", size.x, size.y)
+}
+
+/// The parts and layers of a file that has more than one.
+fn layers(header: &Header) -> Vec<(&'static str, String)> {
+    let mut lines = Vec::new();
+    if header.parts > 1 {
+        lines.push(("parts", header.parts.to_string()));
+    }
+    if !header.layer.is_empty() {
+        lines.push(("layer", format!("{} (the one that is read)", header.layer)));
+    }
+    if !header.other_layers.is_empty() {
+        lines.push(("layers", header.other_layers.join(", ")));
+    }
+    lines
+}
+
+/// An image of a display, as plates are: PNG, JPEG or TIFF.
+fn describe_display(file: &Path, notes: &mut Notes) -> Result<(Value, String)> {
+    let reading = Reading::default();
+    let header = plate::read_plate_header(file, &reading)?;
+    let image = plate::read(file, &reading, notes)?;
+    let bits = match image.colours {
+        Colours::Srgb8(_) => "codes of 8 bits",
+        Colours::Linear(_) => "linear when read",
+    };
+    let mut lines = Lines::default();
+    let mut line = |name: &str, text: String| lines.line(name, text);
+    line("format", format!("{}, {bits}", header.storage));
+    line("size", size(header.size, header.pixel_aspect));
+    line("primaries", header.primaries.clone());
+    line("transfer", header.transfer.clone());
+    let value = json!({
+        "file": shown(file), "kind": "display image", "storage": header.storage, "size": header.size.to_array(),
+        "primaries": header.primaries, "transfer": header.transfer, "pixel_aspect": header.pixel_aspect,
+    });
+    Ok((value, lines.0.join("\n")))
 }
 
 /// Bad texels count as black. `None` for a black image.

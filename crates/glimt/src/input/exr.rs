@@ -1,112 +1,201 @@
 //! Host file: OpenEXR images of any channel layout, tiled or not, of which the largest level is read.
 
-use super::primaries::{is_rec_709, luminance_weights, to_rec_709};
-use super::{HdrImage, Header, MAX_TEXELS, require_room};
+mod layers;
+mod planes;
+
+use super::encoding::{self, Space, Transfer};
+use super::primaries::{Primaries, REC_709};
+use super::{HdrImage, Header, Reading, apply_transfer, require_bound, require_room};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest;
-use ::exr::image::read::read;
-use ::exr::image::{AnyChannel, FlatSamples};
-use ::exr::math::Vec2;
-use ::exr::meta::attribute::EnvironmentMap;
-use ::exr::meta::attribute::LevelMode;
+use ::exr::meta::attribute::{AttributeValue, Chromaticities, EnvironmentMap, LevelMode, Text};
 use ::exr::meta::header::Header as Part;
 use ::exr::meta::{BlockDescription, MetaData};
-use ::exr::prelude::{ReadChannels, ReadLayers};
 use glam::{I64Vec2, IVec2, UVec2, Vec3, Vec4};
+use layers::{Choice, Colour, choose};
 use rayon::prelude::*;
-use std::io::Cursor;
 use std::path::Path;
-
-/// How the channels of a part make a colour.
-#[derive(Clone, Debug, PartialEq, Eq)]
-enum Colour {
-    /// Three channels: red, green, blue.
-    Rgb([usize; 3]),
-    /// Luminance, red minus and blue minus luminance over luminance.
-    Chroma([usize; 3]),
-    /// One channel for all three.
-    Grey(usize),
-}
 
 /// Reads the header.
 ///
 /// # Errors
-/// It is broken or truncated.
-pub fn read_header(file: &Path) -> Result<Header> {
-    let meta = read_meta(file)?;
-    let (part, _) = choose(file, &meta)?;
-    header(file, &meta, part)
+/// It is broken or truncated, or of an image that is larger than `reading` allows.
+pub fn read_header(file: &Path, reading: &Reading) -> Result<Header> {
+    let meta = check_meta(file, MetaData::read_from_file(file, false), reading)?;
+    let choice = choose(file, &meta, reading)?;
+    let colours = colours(&meta.headers[choice.part]);
+    header(file, &meta, &choice, &colours, reading)
 }
 
-/// Decodes the image that was read from `file`: the first part and layer that holds a colour, converted to Rec. 709 primaries.
+/// Decodes the image that was read from `file`: the layer that `reading` names, or the one that is a picture. Its colours have the
+/// primaries of the file.
 ///
 /// # Errors
-/// It is broken or truncated, or holds no colour that is understood.
-pub fn decode(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<HdrImage> {
-    let meta = check_meta(file, MetaData::read_from_buffered(bytes, false))?;
-    let (part, colour) = choose(file, &meta)?;
-    let header = header(file, &meta, part)?;
-    if meta.headers[part].own_attributes.environment_map == Some(EnvironmentMap::Cube) {
-        return Err(Error::input(file, "it is a cube map").fix("convert it to a lat-long map"));
-    }
-    require_room(file, header.size)?;
-    require_room(file, header.data_size)?;
-    let image = read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .all_channels()
-        .all_layers()
-        .all_attributes()
-        .from_buffered(Cursor::new(bytes))
-        .map_err(|e| broken(file, &e))?;
-    let channels = &image.layer_data[part].channel_data.list;
-
+/// It is broken or truncated, holds no colour that is understood, or is larger than `reading` allows.
+pub fn decode(file: &Path, bytes: &[u8], reading: &Reading, notes: &mut Notes) -> Result<HdrImage> {
+    let meta = check_meta(file, MetaData::read_from_buffered(bytes, false), reading)?;
+    let choice = choose(file, &meta, reading)?;
+    choice.note(file, reading, notes);
+    let Choice { part, colour, .. } = &choice;
+    let colours = colours(&meta.headers[*part]);
+    let header = header(file, &meta, &choice, &colours, reading)?;
+    require_room(file, header.size, reading)?;
+    require_room(file, header.data_size, reading)?;
+    let (primaries, transfer) = colours.resolve(file, reading, notes)?;
     let size = header.data_size;
-    let plane = |index: usize| Plane::new(file, &channels[index], size);
-    let chromaticities = image.attributes.chromaticities;
-    let texels = match colour {
+    let at = |x: u32, y: u32| y as usize * size.x as usize + x as usize;
+    let mut texels = match colour {
         Colour::Rgb(rgb) => {
-            let [r, g, b] = [plane(rgb[0])?, plane(rgb[1])?, plane(rgb[2])?];
-            texels(size, |x, y| Vec3::new(r.at(x, y), g.at(x, y), b.at(x, y)))
+            let planes = planes::read(file, bytes, *part, rgb)?;
+            texels(size, |x, y| {
+                let at = at(x, y);
+                Vec3::new(planes[0][at], planes[1][at], planes[2][at])
+            })
         }
         Colour::Chroma(yc) => {
-            let [luma, red, blue] = [plane(yc[0])?, plane(yc[1])?, plane(yc[2])?];
-            let weights = luminance_weights(chromaticities);
+            let planes = planes::read(file, bytes, *part, yc)?;
+            let weights = primaries.luminance_weights();
             texels(size, |x, y| {
-                let y0 = luma.at(x, y);
-                let r = (red.at(x, y) + 1.0) * y0;
-                let b = (blue.at(x, y) + 1.0) * y0;
+                let at = at(x, y);
+                let y0 = planes[0][at];
+                let r = (planes[1][at] + 1.0) * y0;
+                let b = (planes[2][at] + 1.0) * y0;
                 let g = (y0 - r * weights.x - b * weights.z) / weights.y;
                 Vec3::new(r, g, b)
             })
         }
         Colour::Grey(index) => {
-            let grey = plane(index)?;
-            let name = channels[index].name.to_string();
+            let planes = planes::read(file, bytes, *part, &[*index])?;
+            let name = meta.headers[*part].channels.list[*index].name.to_string();
             notes.note(
                 file,
                 format!("its channel {name} alone is taken as grey light"),
             );
-            texels(size, |x, y| Vec3::splat(grey.at(x, y)))
+            texels(size, |x, y| Vec3::splat(planes[0][at(x, y)]))
         }
     };
-    let texels = match header.data_is_display() {
-        true => texels,
-        false => {
-            notes.note(file, windows(&header));
-            in_display_window(&header, &texels)
-        }
-    };
-    let mut image = HdrImage {
+    apply_transfer(&mut texels, transfer);
+    if !header.data_is_display() {
+        notes.note(file, windows(&header));
+        texels = in_display_window(&header, &texels);
+    }
+    Ok(HdrImage {
         header,
         texels,
+        primaries: match colour {
+            // Grey is grey with any primaries.
+            Colour::Grey(_) => REC_709,
+            _ => primaries,
+        },
         hash: digest::of_bytes(bytes),
+    })
+}
+
+/// What the attributes of a part say of its colours.
+struct Colours {
+    chromaticities: Option<Primaries>,
+    interop_id: Option<String>,
+    colour_space: Option<String>,
+}
+
+fn colours(part: &Part) -> Colours {
+    let text = |name: &str| {
+        let name = Text::from(name);
+        let own = part.own_attributes.other.get(&name);
+        let value = own.or_else(|| part.shared_attributes.other.get(&name));
+        match value {
+            Some(AttributeValue::Text(text)) => Some(text.to_string()),
+            _ => None,
+        }
     };
-    if let (Some(chromaticities), false) = (chromaticities, matches!(colour, Colour::Grey(_))) {
-        to_rec_709(file, &mut image.texels, chromaticities, notes);
+    let points =
+        |c: Chromaticities| Primaries([c.red, c.green, c.blue, c.white].map(|v| [v.x(), v.y()]));
+    Colours {
+        chromaticities: part.shared_attributes.chromaticities.map(points),
+        interop_id: text("colorInteropID"),
+        colour_space: text("oiio:ColorSpace"),
     }
-    Ok(image)
+}
+
+impl Colours {
+    /// The primaries, the curve, and which attribute says so: `colorInteropID` before `chromaticities` before `oiio:ColorSpace`.
+    /// What is not understood is told to `say`.
+    fn read(&self, say: &mut dyn FnMut(String)) -> (Primaries, Space, &'static str) {
+        let mut named = None;
+        for (key, value, space) in [
+            (
+                "colorInteropID",
+                &self.interop_id,
+                encoding::of_interop_id as fn(&str) -> Space,
+            ),
+            (
+                "oiio:ColorSpace",
+                &self.colour_space,
+                encoding::of_colour_space,
+            ),
+        ] {
+            let Some(value) = value else { continue };
+            match space(value) {
+                Space::Unknown => say(format!("its {key} `{value}` is not known, and not used")),
+                known => named = named.or(Some((key, known))),
+            }
+        }
+        let possible = self.chromaticities.filter(Primaries::are_possible);
+        if possible.is_none() && self.chromaticities.is_some() {
+            say("its chromaticities are impossible, and not used".to_owned());
+        }
+        let of_name = match named {
+            Some((_, Space::Known(_, primaries))) => primaries,
+            _ => None,
+        };
+        let space = named.map_or(Space::Known(Transfer::Linear, None), |(_, space)| space);
+        match (named, of_name, possible) {
+            (Some((key @ "colorInteropID", _)), Some(of_name), own) => {
+                if own.is_some_and(|own| !own.is(&of_name)) {
+                    say(format!(
+                        "its chromaticities are not those of its {key}, which is used"
+                    ));
+                }
+                (of_name, space, key)
+            }
+            (_, _, Some(own)) => (own, space, "chromaticities"),
+            (Some((key, _)), Some(of_name), None) => (of_name, space, key),
+            _ => (REC_709, space, "no attribute names them"),
+        }
+    }
+
+    /// The primaries and the curve that the image is read with.
+    fn resolve(
+        &self,
+        file: &Path,
+        reading: &Reading,
+        notes: &mut Notes,
+    ) -> Result<(Primaries, Transfer)> {
+        let (primaries, space, _) = self.read(&mut |what| {
+            if reading.primaries.is_none() {
+                notes.warn(
+                    file,
+                    format!("{what}; {} overrides it", reading.key("primaries")),
+                );
+            }
+        });
+        let transfer = match (reading.transfer, space) {
+            (Some(given), _) => given,
+            (None, Space::Known(transfer, _)) => transfer,
+            (None, _) => {
+                return Err(Error::input(file, format!("its colours are encoded as {}", self.told()))
+                    .fix("convert it to linear light, as ACEScg, with ffmpeg, OpenColorIO or the program that made it"));
+            }
+        };
+        Ok((reading.primaries.unwrap_or(primaries), transfer))
+    }
+
+    fn told(&self) -> String {
+        let names = [&self.interop_id, &self.colour_space];
+        let names: Vec<&str> = names.into_iter().flatten().map(String::as_str).collect();
+        names.join(", ")
+    }
 }
 
 /// What became of an image whose windows differ.
@@ -149,49 +238,23 @@ fn texels(size: UVec2, colour: impl Fn(u32, u32) -> Vec3 + Sync) -> Vec<Vec4> {
     texels
 }
 
-/// The samples of one channel, which may be stored for every nth texel only.
-struct Plane<'a> {
-    samples: &'a FlatSamples,
-    step: UVec2,
-    width: u32,
-}
-
-impl<'a> Plane<'a> {
-    fn new(file: &Path, channel: &'a AnyChannel<FlatSamples>, size: UVec2) -> Result<Self> {
-        let step = UVec2::new(channel.sampling.x() as u32, channel.sampling.y() as u32);
-        let stored = size / step.max(UVec2::ONE);
-        let samples = &channel.sample_data;
-        if samples.len() as u64 != u64::from(stored.x) * u64::from(stored.y)
-            || step * stored != size
-        {
-            let what = format!("channel {} is subsampled unevenly", channel.name);
-            return Err(Error::input(file, what).fix("export it with plain R, G, B channels"));
-        }
-        Ok(Self {
-            samples,
-            step,
-            width: stored.x,
-        })
-    }
-
-    fn at(&self, x: u32, y: u32) -> f32 {
-        let index = (y / self.step.y * self.width + x / self.step.x) as usize;
-        match self.samples {
-            FlatSamples::F16(s) => s[index].to_f32(),
-            FlatSamples::F32(s) => s[index],
-            FlatSamples::U32(s) => s[index] as f32,
-        }
-    }
-}
-
-fn read_meta(file: &Path) -> Result<MetaData> {
-    check_meta(file, MetaData::read_from_file(file, false))
-}
-
-fn check_meta(file: &Path, meta: ::exr::error::Result<MetaData>) -> Result<MetaData> {
+fn check_meta(
+    file: &Path,
+    meta: ::exr::error::Result<MetaData>,
+    reading: &Reading,
+) -> Result<MetaData> {
     let meta = meta.map_err(|e| broken(file, &e))?;
     if meta.headers.iter().all(|part| part.deep) {
         return Err(Error::input(file, "deep images are not supported").fix("flatten it first"));
+    }
+    // Of all parts: the reader walks through the blocks of each.
+    for part in &meta.headers {
+        let side = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+        let stored = UVec2::new(side(part.layer_size.x()), side(part.layer_size.y()));
+        require_bound(file, stored, reading).map_err(|e| e.at("data window"))?;
+        let display = part.shared_attributes.display_window.size;
+        let shown = UVec2::new(side(display.x()), side(display.y()));
+        require_bound(file, shown, reading).map_err(|e| e.at("display window"))?;
     }
     Ok(meta)
 }
@@ -210,101 +273,26 @@ fn broken(file: &Path, error: &::exr::error::Error) -> Error {
     }
 }
 
-/// Finds a colour among the names of a part's channels.
-type Rule = fn(&[String]) -> Option<Colour>;
-
-/// The part and the channels to read: plain R, G, B before Y, before those of a layer, before a lone channel.
-fn choose(file: &Path, meta: &MetaData) -> Result<(usize, Colour)> {
-    let names = |part: &Part| -> Vec<String> {
-        let list = part.channels.list.iter();
-        list.map(|c| c.name.to_string()).collect()
-    };
-    let parts: Vec<(usize, Vec<String>)> = meta
-        .headers
-        .iter()
-        .enumerate()
-        .filter(|(_, part)| !part.deep)
-        .map(|(i, part)| (i, names(part)))
-        .collect();
-    let rules: [Rule; 4] = [plain_rgb, luminance, layer_rgb, lone];
-    rules
-        .iter()
-        .find_map(|rule| parts.iter().find_map(|(i, n)| rule(n).map(|c| (*i, c))))
-        .ok_or_else(|| {
-            let all: Vec<String> = parts.into_iter().flat_map(|(_, n)| n).collect();
-            let what = format!("its channels ({}) hold no colour", all.join(", "));
-            Error::input(file, what).fix("export it with channels R, G, B, or Y alone")
-        })
-}
-
-fn find(names: &[String], wanted: &str) -> Option<usize> {
-    names.iter().position(|n| n.eq_ignore_ascii_case(wanted))
-}
-
-fn rgb(names: &[String], prefix: &str) -> Option<Colour> {
-    let channel = |c: &str| find(names, &format!("{prefix}{c}"));
-    let long = |c: &str, name: &str| channel(c).or_else(|| channel(name));
-    Some(Colour::Rgb([
-        long("R", "red")?,
-        long("G", "green")?,
-        long("B", "blue")?,
-    ]))
-}
-
-fn plain_rgb(names: &[String]) -> Option<Colour> {
-    rgb(names, "")
-}
-
-fn luminance(names: &[String]) -> Option<Colour> {
-    let y = find(names, "Y")?;
-    match (find(names, "RY"), find(names, "BY")) {
-        (Some(ry), Some(by)) => Some(Colour::Chroma([y, ry, by])),
-        _ => Some(Colour::Grey(y)),
-    }
-}
-
-fn layer_rgb(names: &[String]) -> Option<Colour> {
-    let prefixes = names.iter().filter_map(|n| n.rfind('.').map(|i| &n[..=i]));
-    prefixes.into_iter().find_map(|prefix| rgb(names, prefix))
-}
-
-/// A single channel that is not alpha or depth.
-fn lone(names: &[String]) -> Option<Colour> {
-    let is_light = |n: &str| {
-        let last = n.rsplit('.').next().unwrap_or(n);
-        !["A", "Z", "id"]
-            .iter()
-            .any(|x| last.eq_ignore_ascii_case(x))
-    };
-    let mut light = (0..names.len()).filter(|&i| is_light(&names[i]));
-    match (light.next(), light.next()) {
-        (Some(only), None) => Some(Colour::Grey(only)),
-        _ => None,
-    }
-}
-
-fn header(file: &Path, meta: &MetaData, index: usize) -> Result<Header> {
-    let part = &meta.headers[index];
-    let display = part.shared_attributes.display_window;
-    let size = [display.size.x(), display.size.y()];
-    if size[0].saturating_mul(size[1]) as u64 > MAX_TEXELS || size.contains(&0) {
-        let what = format!("its display window is {} × {} texels", size[0], size[1]);
-        return Err(
-            Error::input(file, what).fix("copy or export it again, with a sound display window")
-        );
-    }
-    let mut remarks = Vec::new();
-    if let Some(c) = part.shared_attributes.chromaticities
-        && !is_rec_709(c)
+fn header(
+    file: &Path,
+    meta: &MetaData,
+    choice: &Choice,
+    colours: &Colours,
+    reading: &Reading,
+) -> Result<Header> {
+    let part = &meta.headers[choice.part];
+    if part.own_attributes.environment_map == Some(EnvironmentMap::Cube)
+        && reading.table != "backplate"
     {
-        remarks.push(format!(
-            "primaries R {} G {} B {} W {} (converted to Rec. 709)",
-            xy(c.red),
-            xy(c.green),
-            xy(c.blue),
-            xy(c.white)
-        ));
+        return Err(Error::input(
+            file,
+            "its envmap attribute says that it is a cube map of OpenEXR's own layout",
+        )
+        .fix("convert it to a lat-long map with exrenvmap -latlong"));
     }
+    let display = part.shared_attributes.display_window;
+    let size = UVec2::new(display.size.x() as u32, display.size.y() as u32);
+    let mut remarks = Vec::new();
     if let Some(map) = part.own_attributes.environment_map {
         remarks.push(match map {
             EnvironmentMap::LatitudeLongitude => "marked as a lat-long map".to_owned(),
@@ -333,9 +321,15 @@ fn header(file: &Path, meta: &MetaData, index: usize) -> Result<Header> {
         let kind = format!("{:?}", c.sample_type).to_lowercase();
         format!("{} {kind}", c.name)
     };
+    let (of_file, space, source) = colours.read(&mut |what| remarks.push(what));
+    let transfer = match (reading.transfer, space) {
+        (Some(given), _) => given.to_string(),
+        (None, Space::Known(transfer, _)) => transfer.to_string(),
+        (None, _) => format!("{} (not read)", colours.told()),
+    };
     Ok(Header {
         format: "OpenEXR",
-        size: UVec2::from(size.map(|n| n as u32)),
+        size,
         channels: part.channels.list.iter().map(channel).collect(),
         storage: format!("{}, {blocks}", part.compression),
         data_origin: {
@@ -344,39 +338,12 @@ fn header(file: &Path, meta: &MetaData, index: usize) -> Result<Header> {
         },
         data_size: UVec2::new(part.layer_size.x() as u32, part.layer_size.y() as u32),
         display_origin: [display.position.x(), display.position.y()],
-        layers: meta.headers.len(),
+        parts: meta.headers.len(),
+        layer: choice.name.clone(),
+        other_layers: choice.others.clone(),
+        primaries: super::told_primaries(reading, of_file, source),
+        transfer,
+        pixel_aspect: part.shared_attributes.pixel_aspect,
         remarks,
     })
-}
-
-fn xy(v: Vec2<f32>) -> String {
-    format!("({:.4}, {:.4})", v.x(), v.y())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn names(list: &[&str]) -> Vec<String> {
-        list.iter().map(|s| (*s).to_owned()).collect()
-    }
-
-    #[test]
-    fn channels_are_found() {
-        assert_eq!(
-            plain_rgb(&names(&["A", "B", "G", "R"])),
-            Some(Colour::Rgb([3, 2, 1]))
-        );
-        assert_eq!(luminance(&names(&["Y"])), Some(Colour::Grey(0)));
-        assert_eq!(
-            luminance(&names(&["BY", "RY", "Y"])),
-            Some(Colour::Chroma([2, 1, 0]))
-        );
-        assert_eq!(
-            layer_rgb(&names(&["key.B", "key.G", "key.R"])),
-            Some(Colour::Rgb([2, 1, 0]))
-        );
-        assert_eq!(lone(&names(&["A", "light"])), Some(Colour::Grey(1)));
-        assert_eq!(lone(&names(&["u", "v"])), None);
-    }
 }

@@ -1,7 +1,9 @@
 //! Host file: the backplate of a shot: which frame of the footage belongs to which of the shot, brought to the image's size.
 
+use super::Reading;
 use super::frames::FrameFiles;
-use super::plate::{Colours, PlateImage, read, read_size};
+use super::plate::{Colours, PlateImage, read, read_plate_header, read_size};
+use super::primaries::{Primaries, REC_709};
 use super::resample::{Window, resample};
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
@@ -18,6 +20,9 @@ use std::path::{Path, PathBuf};
 pub struct Footage {
     files: FrameFiles,
     fit: Fit,
+    reading: Reading,
+    /// The primaries that it is brought to, if not its own.
+    target: Option<Primaries>,
     /// Size of its images.
     size: UVec2,
     /// Numbers of its first and last frame.
@@ -99,17 +104,35 @@ fn span(files: &FrameFiles) -> Result<[i32; 2]> {
     Ok([there[0], there[there.len() - 1]])
 }
 
-/// Gives the image the size of the backplate, where there is one and the shot says no size.
+/// Gives the image the size of the backplate and the shape of its pixels, where there is one and the shot does not say these.
 ///
 /// # Errors
 /// The first frame of the footage cannot be read.
 pub fn adopt_size(shot: &mut Shot, source: &Source) -> Result<()> {
-    if source.gives("image.size") {
+    let gives = ["image.size", "image.pixel_aspect"].map(|key| source.gives(key));
+    if gives == [true, true] {
         return Ok(());
     }
     if let Some(files) = files(shot, source)?.filter(|_| named(shot)) {
-        let [first, _] = span(&files)?;
-        shot.image.size = read_size(&files.path(first))?.to_array();
+        let first = match span(&files) {
+            Ok([first, _]) => first,
+            // Whoever needs the frames will say that there are none.
+            Err(_) if gives[0] => return Ok(()),
+            Err(error) => return Err(error),
+        };
+        let header = read_plate_header(&files.path(first), &Reading::of_plate(shot))?;
+        let own = header.size;
+        if !gives[0] {
+            shot.image.size = own.to_array();
+        }
+        if !gives[1] {
+            let fit = shot
+                .backplate
+                .as_ref()
+                .map_or(Fit::Stretch, |keys| keys.fit);
+            let image = UVec2::from(shot.image.size);
+            shot.image.pixel_aspect = image_aspect(own, header.pixel_aspect, image, fit);
+        }
     }
     Ok(())
 }
@@ -118,7 +141,7 @@ pub fn adopt_size(shot: &mut Shot, source: &Source) -> Result<()> {
 /// sequence as long as the backplate.
 ///
 /// # Errors
-/// The backplate cannot be named so.
+/// The backplate cannot be named so; or the light's rate is a guess, and `notes` is strict.
 pub fn adopt_rate(
     shot: &mut Shot,
     source: &Source,
@@ -146,17 +169,27 @@ pub fn adopt_rate(
             "{fps} frames a second, as backplate.fps says, for the light too: it is as long, and probe.fps is not given"
         ),
         _ => {
-            let defect = format!("probe.fps is not given, and backplate.fps is {fps}");
-            let workaround = format!(
-                "the light is taken to have {} frames a second",
+            let guess = format!(
+                "probe.fps is not given, and backplate.fps is {fps}: the light is taken to have {} frames a second",
                 shot.probe.fps
             );
-            return notes.defect(probe.folder(), &defect, &workaround);
+            return notes.guess(probe.folder(), &guess, "give probe.fps");
         }
     };
     notes.note(&plates.path(span[0]), what);
     shot.probe.fps = fps;
     Ok(())
+}
+
+/// The shape of an image's pixels over a plate of this size, whose pixels have this shape: the plate's, unless the plate is
+/// stretched to an image of just the proportions that it has when its pixels are made square.
+fn image_aspect(plate: UVec2, aspect: f32, image: UVec2, fit: Fit) -> f32 {
+    let proportions = |size: UVec2| size.x as f32 / size.y.max(1) as f32;
+    let squeezed = proportions(plate) * aspect / proportions(image);
+    match fit == Fit::Stretch && (squeezed - 1.0).abs() <= 0.01 {
+        true => 1.0,
+        false => aspect,
+    }
 }
 
 /// Whether the backplate has a name; if not, the check of the shot will say so.
@@ -170,7 +203,7 @@ impl Footage {
     /// The footage of a shot, if it has one: finds its frames and how they belong to those of the probe.
     ///
     /// # Errors
-    /// There is none of its files; or which frames belong together can be guessed alone, and `notes` is strict.
+    /// There is none of its files; or which frames belong together is a guess, and `notes` is strict.
     pub fn find(
         shot: &Shot,
         source: &Source,
@@ -187,7 +220,7 @@ impl Footage {
     /// Footage whose first and last frame have these numbers; the first is there.
     ///
     /// # Errors
-    /// Its first frame cannot be read; or which frames belong together can be guessed alone, and `notes` is strict.
+    /// Its first frame cannot be read; or which frames belong together is a guess, and `notes` is strict.
     pub fn new(
         files: FrameFiles,
         shot: &Shot,
@@ -196,8 +229,12 @@ impl Footage {
         notes: &mut Notes,
     ) -> Result<Self> {
         let keys = shot.backplate.clone().unwrap_or_default();
+        let first_file = files.path(span[0]);
+        let reading = Reading::of_plate(shot);
         let mut footage = Self {
-            size: read_size(&files.path(span[0]))?,
+            size: read_size(&first_file, &reading)?,
+            reading,
+            target: shot.output.primaries.primaries(),
             fit: keys.fit,
             span,
             pairing: Pairing {
@@ -260,10 +297,13 @@ impl Footage {
                     "light and backplate are equally long, so frame {from} of the backplate belongs to frame {first}"
                 );
                 match first <= to && from <= last {
-                    true => notes.defect(
+                    true => notes.guess(
                         &file,
                         &format!("{what}, though both have frames of one number"),
-                        "backplate.offset = 0 matches them by number",
+                        &format!(
+                            "backplate.offset = {} says so, and 0 matches them by number",
+                            i64::from(from) - i64::from(first)
+                        ),
                     )?,
                     false => notes.note(&file, format!("{what}; backplate.offset says otherwise")),
                 }
@@ -366,7 +406,7 @@ impl Footage {
                     "supply it, choose other frames with --frames (there are frames {from} to {to}), or say with backplate.offset which belong together"
                 )));
             }
-            let size = read_size(&file)?;
+            let size = read_size(&file, &self.reading)?;
             if size != self.size {
                 let what = format!(
                     "it is {} × {}, but {} is {} × {}",
@@ -430,14 +470,31 @@ impl Footage {
         let PlateImage {
             size,
             colours,
+            primaries,
             hash,
-        } = read(file, notes)?;
+            ..
+        } = read(file, &self.reading, notes)?;
+        let own = self.target.unwrap_or(primaries);
+        let colours = match primaries.matrix_to(&own) {
+            Some(matrix) => {
+                let mut linear = colours.into_linear();
+                let convert = |c: &mut Vec3| *c = (matrix * c.as_dvec3()).as_vec3();
+                linear.par_iter_mut().for_each(convert);
+                Colours::Linear(linear)
+            }
+            None => colours,
+        };
         let plate = match colours {
             Colours::Srgb8(codes) if size == image => Plate::from_srgb8(size, &codes),
             Colours::Linear(linear) if size == image => Plate::from_linear(size, &linear),
             other => Plate::from_linear(image, &self.fitted(size, &other.into_linear(), image)),
         };
         let plate = plate.map_err(|e| Error::new(Kind::Internal, e).file(file))?;
+        let plate = plate.with_primaries(
+            own.0,
+            self.reading.working.colour_matrix_to(&own),
+            own.colour_matrix_to(&REC_709),
+        );
         Ok((plate, hash))
     }
 

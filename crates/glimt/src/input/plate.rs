@@ -1,20 +1,22 @@
-//! Host file: one frame of footage: PNG and JPEG as they are, or OpenEXR and Radiance as linear colour.
+//! Host file: one frame of footage: PNG, JPEG and TIFF as they are, or OpenEXR, Radiance and PFM as linear colour.
 
-use super::{BadTexels, decode_image, read_bytes, read_header, require_room, start_of};
+use super::encoding::Transfer;
+use super::png_colour::{self, DisplayColours};
+use super::primaries::Primaries;
+use super::{
+    BadTexels, Format, Reading, decode_image, format_by, format_of, read_bytes, read_header,
+    require_bound, require_room,
+};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest::{self, Hash};
-use glam::{UVec2, Vec3};
-use glimt_render_gpu::prepare::plate::{srgb_decode, srgb8_to_linear};
+use glam::{UVec2, Vec3, Vec4};
+use glimt_render_gpu::prepare::plate::srgb8_to_linear;
 use image::{ColorType, DynamicImage, ImageDecoder, ImageError, ImageReader};
 use rayon::prelude::*;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
-use std::sync::LazyLock;
-
-/// The largest plate that is taken, in pixels.
-const MAX_PIXELS: u64 = 1 << 28;
 
 /// A frame of footage, rows from the top.
 #[derive(Clone, Debug)]
@@ -23,6 +25,10 @@ pub struct PlateImage {
     pub size: UVec2,
     /// Its colours.
     pub colours: Colours,
+    /// The primaries of its colours.
+    pub primaries: Primaries,
+    /// Whether nothing in it can be brighter than white.
+    pub is_clipped: bool,
     /// Hash of the bytes that they were decoded from.
     pub hash: Hash,
 }
@@ -32,7 +38,7 @@ pub struct PlateImage {
 pub enum Colours {
     /// 8 bits, by the sRGB curve.
     Srgb8(Vec<[u8; 3]>),
-    /// Linear, with Rec. 709 primaries; of any sign and size, but finite.
+    /// Linear; of any sign and size, but finite.
     Linear(Vec<Vec3>),
 }
 
@@ -50,34 +56,63 @@ impl Colours {
     }
 }
 
-/// What kind of file a plate is.
-enum Format {
-    /// PNG or JPEG.
-    Display(image::ImageFormat),
-    /// OpenEXR or Radiance.
-    Linear,
+/// What the header of a plate says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlateHeader {
+    /// Width and height in pixels.
+    pub size: UVec2,
+    /// Width of a pixel over its height.
+    pub pixel_aspect: f32,
+    /// The primaries, and where that is known from.
+    pub primaries: String,
+    /// The curve of the numbers.
+    pub transfer: String,
+    /// Channels and bits.
+    pub storage: String,
 }
 
-fn format_by(file: &Path, start: &[u8]) -> Result<Format> {
-    match start[..] {
-        [0x89, b'P', b'N', b'G', ..] => Ok(Format::Display(image::ImageFormat::Png)),
-        [0xff, 0xd8, ..] => Ok(Format::Display(image::ImageFormat::Jpeg)),
-        [0x76, 0x2f, 0x31, 0x01, ..] | [b'#', b'?', ..] => Ok(Format::Linear),
-        _ => Err(Error::input(file, "it is neither PNG, JPEG nor OpenEXR")
-            .fix("convert it to one of these")),
+/// Reads the header of a plate.
+///
+/// # Errors
+/// The file cannot be read, is not a plate, or is larger than `reading` allows.
+pub fn read_plate_header(file: &Path, reading: &Reading) -> Result<PlateHeader> {
+    let format = format_of(file)?;
+    if format.is_hdr() {
+        let header = read_header(file, reading)?;
+        return Ok(PlateHeader {
+            size: header.size,
+            pixel_aspect: header.pixel_aspect,
+            primaries: header.primaries,
+            transfer: header.transfer,
+            storage: header.storage,
+        });
     }
+    let open = || File::open(file).map_err(|e| Error::reading(file, &e));
+    let mut decoder = decoder(file, BufReader::new(open()?), format, reading)?;
+    let colours = display_colours(file, BufReader::new(open()?), format, decoder.color_type())?;
+    let (size, turned) = size_of(file, &mut decoder)?;
+    Ok(PlateHeader {
+        size,
+        pixel_aspect: match turned {
+            true => 1.0 / colours.pixel_aspect,
+            false => colours.pixel_aspect,
+        },
+        primaries: super::told_primaries(reading, colours.primaries, colours.source),
+        transfer: reading.transfer.unwrap_or(colours.transfer).to_string(),
+        storage: format!("{format:?}, {:?}", decoder.original_color_type()),
+    })
 }
 
 /// Width and height of a plate, by its header.
 ///
 /// # Errors
-/// The file cannot be read, or is not a plate.
-pub fn read_size(file: &Path) -> Result<UVec2> {
-    let Format::Display(format) = format_by(file, &start_of(file)?)? else {
-        return Ok(read_header(file)?.size);
-    };
-    let reader = File::open(file).map_err(|e| Error::reading(file, &e))?;
-    let mut decoder = decoder(file, BufReader::new(reader), format)?;
+/// As [`read_plate_header`].
+pub fn read_size(file: &Path, reading: &Reading) -> Result<UVec2> {
+    Ok(read_plate_header(file, reading)?.size)
+}
+
+/// The size of a picture as it is turned, and whether its sides change places.
+fn size_of(file: &Path, decoder: &mut impl ImageDecoder) -> Result<(UVec2, bool)> {
     let (width, height) = decoder.dimensions();
     let orientation = decoder.orientation().map_err(|e| broken(file, e))?;
     // A blank of these proportions, turned as the picture will be.
@@ -86,72 +121,102 @@ pub fn read_size(file: &Path) -> Result<UVec2> {
     let before = (blank.width(), blank.height());
     blank.apply_orientation(orientation);
     match (blank.width(), blank.height()) == before {
-        true => Ok(UVec2::new(width, height)),
-        false => Ok(UVec2::new(height, width)),
+        true => Ok((UVec2::new(width, height), false)),
+        false => Ok((UVec2::new(height, width), true)),
     }
 }
 
 /// Reads a plate.
 ///
 /// # Errors
-/// The file cannot be read, is broken or truncated; or has pixels that are not colours and `notes` is strict.
-pub fn read(file: &Path, notes: &mut Notes) -> Result<PlateImage> {
-    decode(file, &read_bytes(file)?, notes)
+/// The file cannot be read, is broken or truncated, or larger than `reading` allows; or has pixels that are not colours and `notes`
+/// is strict.
+pub fn read(file: &Path, reading: &Reading, notes: &mut Notes) -> Result<PlateImage> {
+    decode(file, &read_bytes(file)?, reading, notes)
 }
 
 /// Decodes a plate that was read from `file`.
-pub(super) fn decode(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<PlateImage> {
+pub(super) fn decode(
+    file: &Path,
+    bytes: &[u8],
+    reading: &Reading,
+    notes: &mut Notes,
+) -> Result<PlateImage> {
     match format_by(file, bytes)? {
-        Format::Display(format) => decode_display(file, bytes, format, notes),
-        Format::Linear => decode_linear(file, bytes, notes),
+        format if format.is_hdr() => decode_linear(file, bytes, reading, notes),
+        format => decode_display(file, bytes, format, reading, notes),
     }
 }
 
-fn decode_linear(file: &Path, bytes: &[u8], notes: &mut Notes) -> Result<PlateImage> {
-    let image = decode_image(file, bytes, notes)?;
+fn decode_linear(
+    file: &Path,
+    bytes: &[u8],
+    reading: &Reading,
+    notes: &mut Notes,
+) -> Result<PlateImage> {
+    let mut image = decode_image(file, bytes, reading, notes)?;
     // A colour outside the gamut is a colour; light that is negative is none.
     let bad = BadTexels {
         negative: 0,
-        ..BadTexels::count(&image.texels)
+        ..BadTexels::repair(&mut image.texels)
     };
-    let mut colours: Vec<Vec3> = image.texels.iter().map(|t| t.truncate()).collect();
     if bad.total() > 0 {
         let what = format!(
             "{} of {} pixels are not colours: {bad}",
             bad.total(),
-            colours.len()
+            image.texels.len()
         );
-        notes.defect(file, &what, "those are taken as black")?;
-    }
-    for colour in &mut colours {
-        // Far below zero is as bad as far above, but nothing writes such values.
-        if !(colour.abs().max_element() <= glimt_render_gpu::prepare::env::MAX_RADIANCE)
-            || colour.is_nan()
-        {
-            *colour = Vec3::ZERO;
-        }
+        notes.defect(file, &what, bad.workaround())?;
     }
     Ok(PlateImage {
         size: image.header.size,
-        colours: Colours::Linear(colours),
+        colours: Colours::Linear(image.texels.iter().map(|t| t.truncate()).collect()),
+        primaries: image.primaries,
+        is_clipped: false,
         hash: image.hash,
     })
+}
+
+/// What a display file says of its colours: PNG has chunks for that, a TIFF of floats is linear by custom.
+fn display_colours(
+    file: &Path,
+    reader: impl BufRead + Seek,
+    format: Format,
+    kind: ColorType,
+) -> Result<DisplayColours> {
+    match (format, kind) {
+        (Format::Png, _) => png_colour::read(file, reader),
+        (_, ColorType::Rgb32F | ColorType::Rgba32F) => Ok(DisplayColours {
+            transfer: Transfer::Linear,
+            source: "floats are linear",
+            ..DisplayColours::srgb()
+        }),
+        _ => Ok(DisplayColours::srgb()),
+    }
 }
 
 fn decode_display(
     file: &Path,
     bytes: &[u8],
-    format: image::ImageFormat,
+    format: Format,
+    reading: &Reading,
     notes: &mut Notes,
 ) -> Result<PlateImage> {
-    if format == image::ImageFormat::Jpeg && !jpeg_is_whole(bytes) {
+    if format == Format::Jpeg && !jpeg_is_whole(bytes) {
         return Err(Error::input(file, "the file ends too early")
             .fix("it is probably truncated: copy or export it again"));
     }
-    let mut decoder = decoder(file, Cursor::new(bytes), format)?;
-    require_room(file, decoder.dimensions().into())?;
+    let mut decoder = decoder(file, Cursor::new(bytes), format, reading)?;
+    require_room(file, decoder.dimensions().into(), reading)?;
+    let said = display_colours(file, Cursor::new(bytes), format, decoder.color_type())?;
+    for remark in &said.remarks {
+        notes.warn(file, remark.as_str());
+    }
+    let transfer = reading.transfer.unwrap_or(said.transfer);
     let orientation = decoder.orientation().map_err(|e| broken(file, e))?;
     if let Ok(Some(profile)) = decoder.icc_profile()
+        && said.has_profile
+        && reading.primaries.is_none()
         && !names_srgb(&profile)
     {
         notes.note(file, "its colour profile is not read: it is taken as sRGB");
@@ -159,58 +224,102 @@ fn decode_display(
     if decoder.color_type().has_alpha() {
         notes.note(file, "its alpha is not used: a plate is opaque");
     }
-    let sixteen = matches!(
-        decoder.color_type(),
-        ColorType::L16 | ColorType::La16 | ColorType::Rgb16 | ColorType::Rgba16
-    );
+    let kind = decoder.color_type();
     let mut image = DynamicImage::from_decoder(decoder).map_err(|e| broken(file, e))?;
     image.apply_orientation(orientation);
     let size = UVec2::new(image.width(), image.height());
-    let colours = if sixteen {
-        let samples = image.into_rgb16().into_raw();
-        static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
-            let linear = |code: u16| srgb_decode(f64::from(code) / 65_535.0) as f32;
-            (0..=u16::MAX).map(linear).collect()
-        });
-        let linear = |code: u16| LINEAR[usize::from(code)];
-        let (pixels, _) = samples.as_chunks::<3>();
-        Colours::Linear(
-            pixels
-                .par_iter()
-                .map(|p| Vec3::from(p.map(linear)))
-                .collect(),
-        )
-    } else {
-        Colours::Srgb8(image.into_rgb8().into_raw().as_chunks::<3>().0.to_vec())
+    let colours = match kind {
+        ColorType::Rgb32F | ColorType::Rgba32F => {
+            linear_floats(file, &image.into_rgb32f(), transfer, notes)?
+        }
+        ColorType::L16 | ColorType::La16 | ColorType::Rgb16 | ColorType::Rgba16 => {
+            let samples = image.into_rgb16().into_raw();
+            let table = table(65_535, transfer);
+            by_table(samples.as_chunks::<3>().0, |code| table[usize::from(code)])
+        }
+        _ => {
+            let samples = image.into_rgb8().into_raw();
+            let (pixels, _) = samples.as_chunks::<3>();
+            match transfer {
+                Transfer::Srgb => Colours::Srgb8(pixels.to_vec()),
+                _ => {
+                    let table = table(255, transfer);
+                    by_table(pixels, |code| table[usize::from(code)])
+                }
+            }
+        }
     };
     Ok(PlateImage {
         size,
         colours,
+        primaries: reading.primaries.unwrap_or(said.primaries),
+        is_clipped: !matches!(kind, ColorType::Rgb32F | ColorType::Rgba32F),
         hash: digest::of_bytes(bytes),
     })
+}
+
+/// Light of each code up to `most`.
+fn table(most: u16, transfer: Transfer) -> Vec<f32> {
+    let light = |code: u16| transfer.decode(f64::from(code) / f64::from(most)) as f32;
+    (0..=most).map(light).collect()
+}
+
+fn by_table<T: Copy + Sync>(pixels: &[[T; 3]], light: impl Fn(T) -> f32 + Sync) -> Colours {
+    let pixels = pixels.par_iter();
+    Colours::Linear(pixels.map(|p| Vec3::from(p.map(&light))).collect())
+}
+
+/// Floats of a TIFF, which may be no colours at all.
+fn linear_floats(
+    file: &Path,
+    image: &image::Rgb32FImage,
+    transfer: Transfer,
+    notes: &mut Notes,
+) -> Result<Colours> {
+    let pixels = image.as_raw().as_chunks::<3>().0.iter();
+    let mut texels: Vec<Vec4> = pixels.map(|p| Vec3::from(*p).extend(1.0)).collect();
+    super::apply_transfer(&mut texels, transfer);
+    let bad = BadTexels {
+        negative: 0,
+        ..BadTexels::repair(&mut texels)
+    };
+    if bad.total() > 0 {
+        let what = format!("{} pixels are not colours: {bad}", bad.total());
+        notes.defect(file, &what, bad.workaround())?;
+    }
+    Ok(Colours::Linear(
+        texels.iter().map(|t| t.truncate()).collect(),
+    ))
 }
 
 fn decoder<'a, R: BufRead + Seek + 'a>(
     file: &Path,
     reader: R,
-    format: image::ImageFormat,
+    format: Format,
+    reading: &Reading,
 ) -> Result<impl ImageDecoder + use<'a, R>> {
+    let format = match format {
+        Format::Jpeg => image::ImageFormat::Jpeg,
+        Format::Tiff => image::ImageFormat::Tiff,
+        _ => image::ImageFormat::Png,
+    };
     let mut reader = ImageReader::with_format(reader, format);
-    reader.no_limits();
+    let mut limits = image::Limits::no_limits();
+    limits.max_alloc = Some(reading.max_texels.saturating_mul(MAX_PIXEL_BYTES));
+    reader.limits(limits);
     let decoder = reader.into_decoder().map_err(|e| broken(file, e))?;
-    let (width, height) = decoder.dimensions();
-    if u64::from(width) * u64::from(height) > MAX_PIXELS {
-        return Err(
-            Error::input(file, format!("it has {width} × {height} pixels"))
-                .fix("2^28 are the most that are taken: scale it down"),
-        );
-    }
+    require_bound(file, decoder.dimensions().into(), reading)?;
     Ok(decoder)
 }
+
+/// The most bytes of a pixel in a file: four floats.
+const MAX_PIXEL_BYTES: u64 = 16;
 
 fn broken(file: &Path, error: ImageError) -> Error {
     match error {
         ImageError::IoError(e) => Error::reading(file, &e),
+        ImageError::Unsupported(e) => Error::input(file, format!("it is not supported: {e}"))
+            .fix("export it as RGB of 8 or 16 bits, or as OpenEXR"),
         e => Error::input(file, format!("it is broken: {e}")).fix("copy or export it again"),
     }
 }

@@ -3,10 +3,10 @@
 use super::Probe;
 use crate::error::{Error, Result};
 use crate::input::footage::Footage;
-use crate::input::{is_display, light_image, plate};
+use crate::input::{Reading, is_display, light_image, plate};
 use crate::notes::Notes;
 use crate::shot::parse::Source;
-use crate::shot::{self, Box4, Shot};
+use crate::shot::{Box4, Shot};
 use glam::{DMat3, DVec3, Mat3, UVec2, Vec4};
 use glimt_probe::gather::ColourMatrix;
 use glimt_sampling::luminance;
@@ -129,7 +129,7 @@ pub fn correct(
             .error("probe.colour.frame", what)
             .fix("choose a frame that probe and backplate have, or leave it out for the first"));
     }
-    probe.set_colour(correction(keys, source, &photo, plate.as_deref(), notes)?);
+    probe.set_colour(correction(shot, source, &photo, plate.as_deref(), notes)?);
     Ok(())
 }
 
@@ -139,12 +139,13 @@ pub fn correct(
 /// # Errors
 /// A patch lies outside its image or is black, or there is no backplate to take one from.
 pub fn correction(
-    keys: &shot::Colour,
+    shot: &Shot,
     source: &Source,
     photo: &Path,
     plate: Option<&Path>,
     notes: &mut Notes,
 ) -> Result<ColourMatrix> {
+    let keys = shot.probe.colour.clone().unwrap_or_default();
     let mut matrix = DMat3::IDENTITY;
     if let Some([r, g, b]) = keys.matrix {
         matrix = DMat3::from_cols(
@@ -158,7 +159,7 @@ pub fn correction(
         matrix = DMat3::from_diagonal(DVec3::from(gains.map(f64::from))) * matrix;
     }
     if keys.grey.is_some() || !keys.patches.is_empty() {
-        let photo = Image::photo(photo)?;
+        let photo = Image::photo(photo, &Reading::of_probe(shot))?;
         if let Some(area) = keys.grey {
             let patch = matrix * photo.mean("probe.colour.grey", area, source, notes)?;
             let gains = grey_gains(patch).ok_or_else(|| {
@@ -173,7 +174,7 @@ pub fn correction(
                     .error("probe.colour.patches", "there is no backplate to match")
                     .fix("add [backplate], or use probe.colour.grey")
             })?;
-            let plate = Image::plate(file)?;
+            let plate = Image::plate(file, &Reading::of_plate(shot))?;
             let mut pairs = Vec::new();
             for (i, patch) in keys.patches.iter().enumerate() {
                 let mut lit = |image: &Image<'_>, which: &str, area: Box4| {
@@ -219,8 +220,8 @@ struct Image<'a> {
 }
 
 impl<'a> Image<'a> {
-    fn photo(file: &'a Path) -> Result<Self> {
-        let image = light_image::read_photo(file, &mut Notes::default())?;
+    fn photo(file: &'a Path, reading: &Reading) -> Result<Self> {
+        let image = light_image::read_photo(file, reading, &mut Notes::default())?;
         Ok(Self {
             file,
             size: image.size,
@@ -229,9 +230,16 @@ impl<'a> Image<'a> {
         })
     }
 
-    fn plate(file: &'a Path) -> Result<Self> {
-        let image = plate::read(file, &mut Notes::default())?;
-        let linear = image.colours.into_linear();
+    /// The plate with the primaries of light, which its patches are compared with.
+    fn plate(file: &'a Path, reading: &Reading) -> Result<Self> {
+        let image = plate::read(file, reading, &mut Notes::default())?;
+        let matrix = image.primaries.matrix_to(&reading.working);
+        let mut linear = image.colours.into_linear();
+        if let Some(matrix) = matrix {
+            for colour in &mut linear {
+                *colour = (matrix * colour.as_dvec3()).as_vec3();
+            }
+        }
         Ok(Self {
             file,
             size: image.size,

@@ -2,16 +2,18 @@
 
 mod angular;
 pub mod colour;
+mod cube;
 
 use crate::capture::{Capture, Poses, locate};
 use crate::error::{Error, Result};
+use crate::input::Reading;
 use crate::input::frames::{FrameFiles, check_size};
 use crate::input::light_image::{self, LightImage};
-use crate::input::read_header;
 use crate::notes::Notes;
 use crate::shot::digest::{Hash, join, of_file, of_text};
-use crate::shot::{self, Mapping};
+use crate::shot::{self, Mapping, Shot};
 use angular::angular_to_latlong;
+use cube::{Layout, cube_to_latlong};
 use glam::{UVec2, Vec4};
 use glimt_probe::gather::ColourMatrix;
 use glimt_render_gpu::prepare::env::{EnvMap, MAX_RADIANCE};
@@ -25,6 +27,7 @@ use std::sync::Arc;
 pub struct Probe {
     files: FrameFiles,
     mapping: Mapping,
+    reading: Reading,
     scale: f32,
     size: UVec2,
     /// Where the ball is, in film of one.
@@ -37,8 +40,8 @@ pub struct Probe {
 pub struct FirstImage<'a> {
     /// Its file.
     pub file: &'a Path,
-    /// Its width and height in pixels.
-    pub size: UVec2,
+    /// The image.
+    pub image: &'a LightImage,
     /// Where the mirror ball is in it, if it shows one.
     pub pose: Option<BallPose>,
 }
@@ -63,36 +66,47 @@ impl Probe {
     /// The first frame that is not as it should be.
     pub fn open(
         selection: Selection<'_>,
-        keys: &shot::Probe,
+        shot: &Shot,
         notes: &mut Notes,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Self> {
-        let size = size_of_all(&selection, keys.mapping, notes)?;
-        let capture = match keys.mapping {
+        let keys = &shot.probe;
+        let reading = Reading::of_probe(shot);
+        let size = size_of_all(&selection, &reading)?;
+        let first = selection.files.path(selection.frames[0]);
+        // What is said of the image now is said again when it is rendered by.
+        let pixels = || {
+            let image = read_frame(None, &first, &reading, &mut Notes::default())?;
+            Ok(image.pixels)
+        };
+        let mapping = mapping_of(keys.mapping, size, &first, &pixels, notes)?;
+        let capture = match mapping {
             Mapping::MirrorBall => {
                 let ball = keys.ball.clone().unwrap_or_default();
                 let poses = match Poses::given(&ball) {
                     Some(given) => given,
-                    None => found_poses(&selection, &ball, notes, progress)?,
+                    None => found_poses(&selection, &ball, &reading, notes, progress)?,
                 };
                 Some(Arc::new(Capture::new(&ball, poses)))
             }
             _ => None,
         };
-        Ok(Self::new(selection.files, keys, size, capture))
+        Ok(Self::new(selection.files, mapping, shot, size, capture))
     }
 
     /// A probe whose images have this size.
     fn new(
         files: FrameFiles,
-        keys: &shot::Probe,
+        mapping: Mapping,
+        shot: &Shot,
         size: UVec2,
         capture: Option<Arc<Capture>>,
     ) -> Self {
         Self {
             files,
-            mapping: keys.mapping,
-            scale: keys.scale,
+            mapping,
+            reading: Reading::of_probe(shot),
+            scale: shot.probe.scale,
             size,
             capture,
             colour: ColourMatrix::IDENTITY,
@@ -105,16 +119,18 @@ impl Probe {
     /// The image does not fit the mapping.
     pub fn live(
         files: FrameFiles,
-        keys: &shot::Probe,
+        shot: &Shot,
         first: &FirstImage<'_>,
         notes: &mut Notes,
     ) -> Result<Self> {
-        check_shape(keys.mapping, first.size, first.file, notes)?;
-        let ball = keys.ball.clone().unwrap_or_default();
+        let FirstImage { file, image, .. } = first;
+        let pixels = || Ok(image.pixels.clone());
+        let mapping = mapping_of(shot.probe.mapping, image.size, file, &pixels, notes)?;
+        let ball = shot.probe.ball.clone().unwrap_or_default();
         let capture = first
             .pose
             .map(|pose| Arc::new(Capture::new(&ball, Poses::Fixed(pose))));
-        Ok(Self::new(files, keys, first.size, capture))
+        Ok(Self::new(files, mapping, shot, image.size, capture))
     }
 
     /// Sets how its colours are changed.
@@ -127,6 +143,11 @@ impl Probe {
         self.capture.as_ref()
     }
 
+    /// How its files are read.
+    pub fn reading(&self) -> &Reading {
+        &self.reading
+    }
+
     /// Size of its images.
     pub fn size(&self) -> UVec2 {
         self.size
@@ -137,6 +158,10 @@ impl Probe {
         match (&self.capture, self.mapping) {
             (Some(capture), _) => capture.size(),
             (None, Mapping::Angular) => UVec2::new(2 * self.size.x, self.size.x),
+            (None, Mapping::Cube) => {
+                let side = Layout::of(self.size).map_or(1, |(_, side)| side);
+                UVec2::new(4 * side, 2 * side)
+            }
             (None, _) => self.size,
         }
     }
@@ -185,7 +210,7 @@ impl Probe {
     pub fn load(&self, frame: i32, notes: &mut Notes) -> Result<(EnvMap, Hash)> {
         let file = self.files.path(frame);
         let pose = self.pose(frame);
-        let image = read_frame(self.mapping, &file, notes)?;
+        let image = read_frame(Some(self.mapping), &file, &self.reading, notes)?;
         let hash = self.digest_at(&image.hash, pose);
         Ok((self.light_of(image, &file, pose, notes)?, hash))
     }
@@ -237,6 +262,10 @@ impl Probe {
     fn map_of(&self, image: LightImage) -> (UVec2, Vec<Vec4>) {
         let (size, mut texels) = match self.mapping {
             Mapping::Angular => angular_to_latlong(image.size, &image.pixels),
+            Mapping::Cube => match Layout::of(image.size) {
+                Some((layout, side)) => cube_to_latlong(image.size, layout, side, &image.pixels),
+                None => (image.size, image.pixels),
+            },
             _ => (image.size, image.pixels),
         };
         if self.colour != ColourMatrix::IDENTITY {
@@ -249,19 +278,14 @@ impl Probe {
 }
 
 /// The size of all frames that are asked for, by their headers.
-fn size_of_all(selection: &Selection<'_>, mapping: Mapping, notes: &mut Notes) -> Result<UVec2> {
-    let read_size = |file: &Path| match mapping {
-        Mapping::MirrorBall => light_image::read_photo_size(file),
-        _ => Ok(read_header(file)?.size),
-    };
+fn size_of_all(selection: &Selection<'_>, reading: &Reading) -> Result<UVec2> {
     let Selection { files, frames, .. } = selection;
     let first = files.path(frames[0]);
-    let size = read_size(&first)?;
-    check_shape(mapping, size, &first, notes)?;
+    let size = light_image::read_size(&first, reading)?;
     let others = if files.is_still() { &[] } else { &frames[1..] };
     for &frame in others {
         let path = files.path(frame);
-        check_size(&path, read_size(&path)?, size, &first)?;
+        check_size(&path, light_image::read_size(&path, reading)?, size, &first)?;
     }
     Ok(size)
 }
@@ -270,6 +294,7 @@ fn size_of_all(selection: &Selection<'_>, mapping: Mapping, notes: &mut Notes) -
 fn found_poses(
     selection: &Selection<'_>,
     ball: &shot::Ball,
+    reading: &Reading,
     notes: &mut Notes,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Poses> {
@@ -283,38 +308,89 @@ fn found_poses(
         false => files.existing()?,
     };
     all.retain(|frame| of_shot.binary_search(frame).is_ok() || frames.binary_search(frame).is_ok());
-    locate::poses(files, &all, ball, notes, progress)
+    locate::poses(files, &all, ball, reading, notes, progress)
 }
 
 /// Reads an image of a probe: a photograph of a mirror ball, or an image of all directions.
 ///
 /// # Errors
 /// The file cannot be read or is broken; or it has bad texels and `notes` is strict.
-pub fn read_frame(mapping: Mapping, file: &Path, notes: &mut Notes) -> Result<LightImage> {
+pub fn read_frame(
+    mapping: Option<Mapping>,
+    file: &Path,
+    reading: &Reading,
+    notes: &mut Notes,
+) -> Result<LightImage> {
     match mapping {
-        Mapping::MirrorBall => light_image::read_photo(file, notes),
-        Mapping::Angular | Mapping::LatLong => light_image::read_all_directions(file, notes),
+        Some(Mapping::MirrorBall) => light_image::read_photo(file, reading, notes),
+        _ => light_image::read_all_directions(file, reading, notes),
     }
 }
 
+/// The mapping of an image: the one that is stated, or the one that its proportions tell. `pixels` are asked for where it may be a
+/// cross.
+///
+/// # Errors
+/// It cannot hold what is stated, or nothing is stated and its proportions tell nothing.
+fn mapping_of(
+    stated: Option<Mapping>,
+    size: UVec2,
+    file: &Path,
+    pixels: &dyn Fn() -> Result<Vec<Vec4>>,
+    notes: &mut Notes,
+) -> Result<Mapping> {
+    if let Some(mapping) = stated {
+        check_shape(mapping, size, file, notes)?;
+        return Ok(mapping);
+    }
+    let is_cube = match Layout::of(size) {
+        Some((layout, _)) if layout.is_strip() => true,
+        Some(_) => cube::has_blank_corners(size, &pixels()?),
+        None => false,
+    };
+    if is_cube {
+        let what = format!(
+            "{} × {} are six faces: it is taken as a cube map (probe.mapping says otherwise)",
+            size.x, size.y
+        );
+        notes.note(file, what);
+        return Ok(Mapping::Cube);
+    }
+    let (width, height) = (u64::from(size.x), u64::from(size.y));
+    if 50 * width.abs_diff(2 * height) > 2 * height {
+        let what = format!(
+            "{} × {} is not 2:1, so it is no lat-long map",
+            size.x, size.y
+        );
+        return Err(Error::input(file, what).fix(
+            "set probe.mapping to what it is: \"mirror-ball\", \"cube\", \"angular\" or \"lat-long\"",
+        ));
+    }
+    check_shape(Mapping::LatLong, size, file, notes)?;
+    Ok(Mapping::LatLong)
+}
+
 /// Checks that an image can hold what its mapping says.
+///
+/// # Errors
+/// Its proportions are others.
 pub fn check_shape(mapping: Mapping, size: UVec2, file: &Path, notes: &mut Notes) -> Result<()> {
+    let is = format!("{} × {}", size.x, size.y);
     match mapping {
         Mapping::Angular if size.x != size.y => Err(Error::input(
             file,
-            format!(
-                "an angular map is square, and this is {} × {}",
-                size.x, size.y
-            ),
+            format!("an angular map is square, and this is {is}"),
         )
         .fix("crop it to the square around the disc, or set probe.mapping = \"lat-long\"")),
+        Mapping::Cube if Layout::of(size).is_none() => Err(Error::input(
+            file,
+            format!("a cube map is 6:1, 1:6, 4:3 or 3:4, and this is {is}"),
+        )
+        .fix("crop it to its six faces, or set probe.mapping to what it is")),
         Mapping::LatLong if size.x != 2 * size.y => {
             notes.note(
                 file,
-                format!(
-                    "{} × {} is not 2:1; it is taken as a lat-long map all the same",
-                    size.x, size.y
-                ),
+                format!("{is} is not 2:1; it is taken as a lat-long map all the same"),
             );
             Ok(())
         }

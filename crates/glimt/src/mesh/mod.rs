@@ -69,7 +69,7 @@ pub fn load(base: &Path, name: &str, crease_deg: f32, notes: &mut Notes) -> Resu
     };
     clean::clean(&mut model, &file, notes)?;
     for (index, mesh) in model.meshes.iter_mut().enumerate() {
-        // What is bent has vertices that its bones know; its normals are made in each frame.
+        // A mesh that deforms has normals of its faces, made in each pose.
         if mesh.normals.is_empty() && !model.deforms.contains_key(&index) {
             normals::creased(mesh, crease_deg);
             model.made_normals.creased += mesh.indices.len();

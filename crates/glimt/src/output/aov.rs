@@ -2,8 +2,11 @@
 
 use crate::shot::{Aov, Shadow};
 use glam::Vec3;
+use glimt_probe::gather::ColourMatrix;
+use glimt_render_gpu::kernels::composite::in_primaries;
 use glimt_render_gpu::kernels::layers::PixelLayers;
 use glimt_render_gpu::prepare::render::{FrameImage, RenderSettings};
+use std::borrow::Cow;
 
 /// Key of the formula in the EXR.
 pub const FORMULA_KEY: &str = "glimtComposite";
@@ -78,14 +81,23 @@ pub fn formula(shadow: Shadow) -> &'static str {
     }
 }
 
-/// The channels of the layers asked for, in the units of the image: over a plate they are exposed.
+/// The channels of the layers asked for, in the units of the image: over a plate they are exposed. `to_written` leads from the
+/// primaries that were rendered with to those of the file.
 pub fn channels(
     image: &FrameImage,
     aovs: &[Aov],
     settings: &RenderSettings,
     over_plate: bool,
+    to_written: &ColourMatrix,
 ) -> Vec<Channel> {
     let layers = image.layers.as_deref().unwrap_or_default();
+    let layers: Cow<'_, [PixelLayers]> = match *to_written == ColourMatrix::IDENTITY {
+        true => Cow::Borrowed(layers),
+        false => layers
+            .iter()
+            .map(|layer| in_primaries(to_written, layer))
+            .collect(),
+    };
     let exposure = if over_plate {
         settings.exposure_ev.exp2()
     } else {

@@ -1,10 +1,10 @@
 //! Host file: linear frames as OpenEXR: 32-bit float RGBA, premultiplied, with further layers beside them where they are asked
-//! for; or RGB of 32 or 16 bits. Rec. 709 primaries, ZIP.
+//! for; or RGB of 32 or 16 bits. ZIP.
 
 use super::aov::{Channel, DISPLAY, FORMULA_KEY};
 use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending, target::Target};
 use crate::error::{Error, Result};
-use crate::input::primaries::REC_709;
+use crate::input::primaries::{Primaries, REC_709};
 use ::exr::error::UnitResult;
 use ::exr::math::Vec2;
 use ::exr::meta::attribute::{self, AttributeValue, Chromaticities, Text};
@@ -22,6 +22,25 @@ use std::path::Path;
 /// Key of the frame's number.
 const FRAME_KEY: &str = "glimtFrame";
 
+/// What a frame's pixels are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Picture {
+    /// The primaries of their colours.
+    pub primaries: Primaries,
+    /// Width of a pixel over its height.
+    pub pixel_aspect: f32,
+}
+
+impl Default for Picture {
+    /// Rec. 709 and squares.
+    fn default() -> Self {
+        Self {
+            primaries: REC_709,
+            pixel_aspect: 1.0,
+        }
+    }
+}
+
 /// What is written beside a frame's pixels.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layers {
@@ -29,6 +48,8 @@ pub struct Layers {
     pub channels: Vec<Channel>,
     /// How the image is made of them.
     pub formula: Option<&'static str>,
+    /// What the pixels are.
+    pub picture: Picture,
 }
 
 /// Writes a frame, whole or not at all.
@@ -57,6 +78,7 @@ pub fn write(
         channels,
         Compression::ZIP16,
         layers.formula,
+        layers.picture,
         stamp,
     )
 }
@@ -88,7 +110,8 @@ pub fn write_rgb(
         Storage::Noisy => Compression::Uncompressed,
         _ => Compression::ZIP16,
     };
-    store(file, size, channels, compression, None, stamp)
+    let picture = Picture::default();
+    store(file, size, channels, compression, None, picture, stamp)
 }
 
 /// One channel for each name, of the pixels' components in turn.
@@ -114,6 +137,7 @@ fn store(
     channels: SmallVec<[AnyChannel<FlatSamples>; 4]>,
     compression: Compression,
     formula: Option<&'static str>,
+    picture: Picture,
     stamp: &Stamp,
 ) -> Result<()> {
     let mut attributes = LayerAttributes {
@@ -140,7 +164,8 @@ fn store(
         AnyChannels::sort(channels),
     );
     let mut image = Image::from_layer(layer);
-    let [red, green, blue, white] = REC_709.map(|p| Vec2(p[0], p[1]));
+    let [red, green, blue, white] = picture.primaries.0.map(|p| Vec2(p[0], p[1]));
+    image.attributes.pixel_aspect = picture.pixel_aspect;
     image.attributes.chromaticities = Some(Chromaticities {
         red,
         green,
@@ -271,6 +296,7 @@ mod tests {
             let layers = Layers {
                 channels: vec![channel("object.R"), channel("smc.age")],
                 formula: Some(super::super::aov::formula(Shadow::Add)),
+                picture: Picture::default(),
             };
             let target = Guard::default().target(&file).unwrap();
             write(&target, size, &pixels, layers, &stamp).unwrap();

@@ -3,18 +3,19 @@
 use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending, display_bytes, target::Target};
 use crate::error::{Error, Result};
 use ::png::{
-    BitDepth, ColorType, Compression, Decoder, Encoder, EncodingError, SrgbRenderingIntent,
+    BitDepth, ColorType, Compression, Decoder, Encoder, EncodingError, PixelDimensions,
+    SrgbRenderingIntent, Unit,
 };
 use glam::UVec2;
 use glimt_render_gpu::prepare::render::FrameImage;
 use std::io::Cursor;
 use std::path::Path;
 
-/// Writes a frame, whole or not at all.
+/// Writes a frame whose pixels have this aspect, whole or not at all.
 ///
 /// # Errors
 /// The file cannot be written.
-pub fn write(file: &Target, image: &FrameImage, stamp: &Stamp) -> Result<()> {
+pub fn write(file: &Target, image: &FrameImage, pixel_aspect: f32, stamp: &Stamp) -> Result<()> {
     let fail = |e| refused(file, e);
     let (bytes, alpha) = display_bytes(image);
     let mut pending = Pending::create(file)?;
@@ -27,6 +28,13 @@ pub fn write(file: &Target, image: &FrameImage, stamp: &Stamp) -> Result<()> {
     encoder.set_depth(BitDepth::Eight);
     encoder.set_compression(Compression::Balanced);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+    if pixel_aspect != 1.0 {
+        encoder.set_pixel_dims(Some(PixelDimensions {
+            xppu: ASPECT_UNIT,
+            yppu: (ASPECT_UNIT as f32 * pixel_aspect).round() as u32,
+            unit: Unit::Unspecified,
+        }));
+    }
     let texts = [
         (HASH_KEY, stamp.hash.clone()),
         ("Software", SOFTWARE.to_owned()),
@@ -78,6 +86,9 @@ fn refused(file: &Target, error: EncodingError) -> Error {
         e => Error::output(file.path(), e),
     }
 }
+
+/// Pixels to a unit of length across, where their aspect is written: it has so many digits.
+const ASPECT_UNIT: u32 = 10_000;
 
 /// The last chunk of every PNG: no data, its name, its checksum.
 const END: &[u8] = b"\0\0\0\0IEND\xae\x42\x60\x82";

@@ -58,6 +58,8 @@ impl View {
     ) -> Result<Self> {
         let keys = &shot.camera;
         let [width, height] = shot.image.size.map(|n| n as f32);
+        // In heights of a pixel.
+        let width = width * shot.image.pixel_aspect;
         if !keys.gltf.is_empty() {
             let Some(found) = cameras.iter().find(|camera| camera.name == keys.gltf) else {
                 let what = format!("no glTF file of the shot has a camera `{}`", keys.gltf);

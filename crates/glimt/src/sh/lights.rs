@@ -22,8 +22,6 @@ pub(super) struct Found {
     sources: Vec<(FrameFiles, Vec<i32>)>,
     /// The frames among which a mirror ball is steadied.
     range: Vec<i32>,
-    /// How they are read.
-    keys: shot::Probe,
     /// How far they are turned, in degrees about +z.
     turn: f32,
     /// What says how their colours are changed.
@@ -39,7 +37,6 @@ impl Found {
                 return Self::of_shot(file, flags, notes);
             }
         }
-        let keys = shot::Probe::default();
         let files = inputs
             .iter()
             .map(|input| files_of(input))
@@ -52,7 +49,6 @@ impl Found {
             return Ok(Self {
                 range: frames.clone(),
                 sources: vec![(sequence.clone(), frames)],
-                keys,
                 shot: None,
                 turn: flags.rotate_z_deg,
             });
@@ -76,7 +72,6 @@ impl Found {
         Ok(Self {
             sources: files.into_iter().map(|file| (file, vec![1])).collect(),
             range: vec![1],
-            keys,
             shot: None,
             turn: flags.rotate_z_deg,
         })
@@ -108,7 +103,6 @@ impl Found {
             sources: vec![(files, frames)],
             range,
             turn: shot.probe.rotate_z_deg + flags.rotate_z_deg,
-            keys: shot.probe.clone(),
             shot: Some((shot, source, footage)),
         })
     }
@@ -126,13 +120,15 @@ impl Found {
     ) -> Result<Lights> {
         let (mut frames, mut probes) = (Vec::new(), Vec::new());
         let are_files = self.sources.len() > 1;
+        let plain = Shot::default();
         for (files, mut numbers) in self.sources {
             let selection = Selection {
                 files,
                 frames: &numbers,
                 of_shot: &self.range,
             };
-            let mut probe = Probe::open(selection, &self.keys, notes, progress)?;
+            let shot = self.shot.as_ref().map_or(&plain, |(shot, ..)| shot);
+            let mut probe = Probe::open(selection, shot, notes, progress)?;
             if let Some((shot, source, footage)) = &self.shot {
                 colour::correct(
                     &mut probe,

@@ -15,6 +15,9 @@ const MAX_SIDE: u32 = 32_768;
 /// Most pixels of an image, 2²⁸: their linear and display values take 5 GiB.
 const MAX_PIXELS: u64 = 1 << 28;
 
+/// Most texels of an image that is read, whatever a shot allows.
+const MAX_INPUT_TEXELS: u64 = 1 << 32;
+
 /// Largest exposure either way, in stops: 2¹⁰⁰ is a number of 32 bits, and so is its inverse.
 const MAX_EXPOSURE_EV: f32 = 100.0;
 
@@ -64,6 +67,20 @@ fn check_image(image: &Image, source: &Source) -> Result<()> {
             "0 leaves the image as it is, 1 doubles its brightness",
         );
     }
+    if !(image.pixel_aspect >= 0.05 && image.pixel_aspect <= 20.0) {
+        return bad(
+            "image.pixel_aspect",
+            "it is not between 0.05 and 20",
+            "1 is a square pixel, 2 one of an anamorphic lens",
+        );
+    }
+    if !(1..=MAX_INPUT_TEXELS).contains(&image.max_texels) {
+        return bad(
+            "image.max_texels",
+            "it is not between 1 and 2^32",
+            "268435456 is the default, 16384 × 16384",
+        );
+    }
     Ok(())
 }
 
@@ -87,7 +104,7 @@ fn check_probe(probe: &Probe, source: &Source) -> Result<()> {
     if !(probe.fps > 0.0 && probe.fps <= 1000.0) {
         return bad("probe.fps", "it is not between 0 and 1000", "25 is usual");
     }
-    if probe.mapping == Mapping::MirrorBall {
+    if probe.mapping == Some(Mapping::MirrorBall) {
         check_ball(&probe.ball.clone().unwrap_or_default(), source)?;
     } else if probe.ball.is_some() {
         return bad(

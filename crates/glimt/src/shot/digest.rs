@@ -1,6 +1,6 @@
 //! Host file: the identity of a frame: a hash of everything that its pixels depend on.
 
-use super::Shot;
+use super::{Output, Shot};
 use crate::error::{Error, Result};
 use glimt_render_gpu::generated::digests;
 use sha2::{Digest, Sha256};
@@ -42,7 +42,11 @@ pub fn of_bytes(bytes: &[u8]) -> Hash {
 pub fn of_shot(shot: &Shot) -> Hash {
     let mut shot = shot.clone();
     let default = Shot::default();
-    shot.output = default.output;
+    shot.output = Output {
+        primaries: shot.output.primaries,
+        ..default.output
+    };
+    shot.image.max_texels = default.image.max_texels;
     shot.probe.frames.clear();
     shot.probe.fps = default.probe.fps;
     shot.render.frames.clear();

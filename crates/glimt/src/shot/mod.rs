@@ -6,6 +6,8 @@ pub mod parse;
 pub mod range;
 mod render;
 
+use crate::input::encoding::Transfer;
+use crate::input::primaries::{self, Primaries};
 pub use glimt_render_gpu::prepare::render::{Background, Filter, Pattern, Shadow, Tonemap};
 pub use render::{METHODS, Method, Prt, Render};
 use serde::{Deserialize, Serialize};
@@ -51,7 +53,16 @@ pub struct Image {
     /// What is seen where no object is.
     #[serde(with = "glimt_render_gpu::words")]
     pub background: Background,
+    /// The primaries that light and materials are rendered with.
+    pub primaries: WorkingPrimaries,
+    /// Width of a pixel over its height; where there is a backplate and this is not given, the backplate's.
+    pub pixel_aspect: f32,
+    /// The most texels that an image of light or footage may have: a file that says more is refused before it is read.
+    pub max_texels: u64,
 }
+
+/// The default of `image.max_texels`: 16384 × 16384.
+pub const MAX_TEXELS: u64 = 1 << 28;
 
 /// A pinhole camera. Without `eye` and `target`, it looks at the objects from a little above.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -100,8 +111,15 @@ pub struct CameraKey {
 pub struct Probe {
     /// File of a still, or of a sequence with `####` for the frame's number (or `%04d`, `$F4`, `@@@@`); `[#]` is a `#`.
     pub frames: String,
-    /// How directions lie in the image.
-    pub mapping: Mapping,
+    /// How directions lie in the image; if not given, told by its proportions: 2:1 is lat-long, six squares are a cube.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mapping: Option<Mapping>,
+    /// Which layer, part or view of the file is the light; the one that is a picture by its name, if empty.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub layer: String,
+    /// The primaries of its colours; those that the file names, if not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub primaries: Option<NamedPrimaries>,
     /// Turns the light counter-clockwise, seen from above, in degrees.
     pub rotate_z_deg: f32,
     /// Factor on the radiance.
@@ -263,7 +281,7 @@ pub struct Material {
     pub exponent: f32,
 }
 
-/// Footage to lay the objects over: PNG or JPEG, taken as sRGB, or OpenEXR, linear.
+/// Footage to lay the objects over: PNG, JPEG or TIFF, taken as sRGB unless the file says otherwise, or OpenEXR, linear.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Backplate {
@@ -274,6 +292,15 @@ pub struct Backplate {
     pub shadow: Shadow,
     /// How it is fitted to an image of other proportions.
     pub fit: Fit,
+    /// Which layer, part or view of the file is the plate; the one that is a picture by its name, if empty.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub layer: String,
+    /// The primaries of its colours; those that the file names, if not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub primaries: Option<NamedPrimaries>,
+    /// The curve of its numbers; that of its format, if not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub transfer: Option<NamedTransfer>,
     /// Frames per second, if not those of the probe: frames are then matched by time, from each one's first on.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fps: Option<f32>,
@@ -299,6 +326,8 @@ pub struct Output {
     pub codec: Codec,
     /// Layers beside the image in the EXR.
     pub aovs: Vec<Aov>,
+    /// The primaries of the EXR.
+    pub primaries: OutputPrimaries,
 }
 
 macro_rules! words {
@@ -329,6 +358,58 @@ words! {
         Angular = "angular",
         /// Photograph of a mirror ball.
         MirrorBall = "mirror-ball",
+        /// Six faces: a row or a column of them, or a cross.
+        Cube = "cube",
+    }
+}
+words! {
+    /// The primaries that light and materials are rendered with.
+    WorkingPrimaries {
+        /// Rec. 709.
+        #[default] Rec709 = "rec709",
+        /// AP1.
+        AcesCg = "acescg",
+    }
+}
+words! {
+    /// The primaries of EXRs that are written.
+    OutputPrimaries {
+        /// Those of the backplate; without one, those that are rendered with.
+        #[default] Plate = "plate",
+        /// Rec. 709.
+        Rec709 = "rec709",
+        /// AP1.
+        AcesCg = "acescg",
+        /// AP0.
+        Aces20651 = "aces2065-1",
+    }
+}
+words! {
+    /// Primaries of a file, in place of those that it names.
+    NamedPrimaries {
+        /// Rec. 709, also those of sRGB.
+        #[default] Rec709 = "rec709",
+        /// AP1.
+        AcesCg = "acescg",
+        /// AP0.
+        Aces20651 = "aces2065-1",
+        /// Rec. 2020.
+        Rec2020 = "rec2020",
+        /// P3 with the white D65.
+        P3D65 = "p3-d65",
+        /// Adobe RGB (1998).
+        AdobeRgb = "adobe-rgb",
+    }
+}
+words! {
+    /// The curve of a file's numbers.
+    NamedTransfer {
+        /// That of sRGB.
+        #[default] Srgb = "srgb",
+        /// None.
+        Linear = "linear",
+        /// That of a camera by Rec. 709.
+        Rec709 = "rec709",
     }
 }
 words! {
@@ -392,6 +473,57 @@ words! {
     }
 }
 
+impl WorkingPrimaries {
+    /// Their coordinates.
+    #[must_use]
+    pub fn primaries(self) -> Primaries {
+        match self {
+            Self::Rec709 => primaries::REC_709,
+            Self::AcesCg => primaries::AP1,
+        }
+    }
+}
+
+impl OutputPrimaries {
+    /// Their coordinates; `None` for those of the plate.
+    #[must_use]
+    pub fn primaries(self) -> Option<Primaries> {
+        match self {
+            Self::Plate => None,
+            Self::Rec709 => Some(primaries::REC_709),
+            Self::AcesCg => Some(primaries::AP1),
+            Self::Aces20651 => Some(primaries::AP0),
+        }
+    }
+}
+
+impl NamedPrimaries {
+    /// Their coordinates.
+    #[must_use]
+    pub fn primaries(self) -> Primaries {
+        match self {
+            Self::Rec709 => primaries::REC_709,
+            Self::AcesCg => primaries::AP1,
+            Self::Aces20651 => primaries::AP0,
+            Self::Rec2020 => primaries::REC_2020,
+            Self::P3D65 => primaries::P3_D65,
+            Self::AdobeRgb => primaries::ADOBE_RGB,
+        }
+    }
+}
+
+impl NamedTransfer {
+    /// The curve.
+    #[must_use]
+    pub fn transfer(self) -> Transfer {
+        match self {
+            Self::Srgb => Transfer::Srgb,
+            Self::Linear => Transfer::Linear,
+            Self::Rec709 => Transfer::Rec709,
+        }
+    }
+}
+
 impl Aov {
     /// Whether it reports how particles fare. The others are layers of the composite.
     #[must_use]
@@ -409,6 +541,9 @@ impl Default for Image {
             tonemap: Tonemap::Srgb,
             exposure_ev: 0.0,
             background: Background::Environment,
+            primaries: WorkingPrimaries::Rec709,
+            pixel_aspect: 1.0,
+            max_texels: MAX_TEXELS,
         }
     }
 }
@@ -431,7 +566,9 @@ impl Default for Probe {
     fn default() -> Self {
         Self {
             frames: String::new(),
-            mapping: Mapping::LatLong,
+            mapping: None,
+            layer: String::new(),
+            primaries: None,
             rotate_z_deg: 0.0,
             scale: 1.0,
             fps: 25.0,
@@ -500,6 +637,7 @@ impl Default for Output {
             video: "shot.mp4".to_owned(),
             codec: Codec::Auto,
             aovs: Vec::new(),
+            primaries: OutputPrimaries::Plate,
         }
     }
 }

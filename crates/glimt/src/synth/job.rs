@@ -9,8 +9,10 @@ use super::world::World;
 use crate::cli::SynthFlags;
 use crate::device::{self, Processor};
 use crate::error::{Error, Result};
+use crate::input::Reading;
 use crate::input::light_image::{LightImage, read_all_directions};
 use crate::input::plate;
+use crate::input::primaries::REC_709;
 use crate::interrupt;
 use crate::light::check_shape;
 use crate::notes::Notes;
@@ -277,7 +279,7 @@ impl Job {
             let plate = filming.film_plate(processor, &world, frame)?;
             let file = self.guard.target(&self.plate_file(frame))?;
             match synth.plate.format {
-                PlateFormat::Png => png::write(&file, &plate, &stamp)?,
+                PlateFormat::Png => png::write(&file, &plate, 1.0, &stamp)?,
                 PlateFormat::Exr => {
                     exr::write_rgb(&file, plate.size, &plate.linear, &stamp, Storage::Float)?;
                 }
@@ -289,18 +291,19 @@ impl Job {
 
 /// Reads a lat-long map of light.
 fn read_light(file: &Path, notes: &mut Notes) -> Result<LightImage> {
-    let image = read_all_directions(file, notes)?;
+    let image = read_all_directions(file, &Reading::default(), notes)?;
     check_shape(Mapping::LatLong, image.size, file, notes)?;
     Ok(image)
 }
 
 /// Reads a display-referred lat-long picture; its sRGB curve is undone.
 fn read_panorama(file: &Path) -> Result<LightImage> {
-    let image = plate::read(file, &mut Notes::default())?;
+    let image = plate::read(file, &Reading::default(), &mut Notes::default())?;
+    let matrix = image.primaries.colour_matrix_to(&REC_709);
     let linear = image.colours.into_linear();
     Ok(LightImage {
         size: image.size,
-        pixels: linear.iter().map(|c| c.extend(1.0)).collect(),
+        pixels: linear.iter().map(|c| matrix.apply(c.extend(1.0))).collect(),
         hash: image.hash,
     })
 }

@@ -96,23 +96,23 @@ fn luminance(rgb: vec3<f32>) -> f32 {
     return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
 }
 
-// glimt_render_gpu/src/kernels/composite.rs:109
+// glimt_render_gpu/src/kernels/composite.rs:110
 fn composite_alone_1(pixel: u32, frame: FrameParams) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/composite.rs:110
-    let layer = layers[pixel];
     // glimt_render_gpu/src/kernels/composite.rs:111
-    let object = layer.object.xyz;
+    let layer = layers[pixel];
     // glimt_render_gpu/src/kernels/composite.rs:112
-    let clear_1 = (1f - layer.object.w);
+    let object = layer.object.xyz;
     // glimt_render_gpu/src/kernels/composite.rs:113
-    let _e16 = PixelLayers_transmission(layer);
+    let clear_1 = (1f - layer.object.w);
     // glimt_render_gpu/src/kernels/composite.rs:114
+    let _e16 = PixelLayers_transmission(layer);
+    // glimt_render_gpu/src/kernels/composite.rs:115
     if (frame.background == 0u) {
-        // glimt_render_gpu/src/kernels/composite.rs:115
+        // glimt_render_gpu/src/kernels/composite.rs:116
         return vec4<f32>((object + (layer.behind * (_e16 * clear_1))), 1f);
     }
-    // glimt_render_gpu/src/kernels/composite.rs:118
+    // glimt_render_gpu/src/kernels/composite.rs:119
     let _e34 = luminance((vec3(1f) - _e16));
     return vec4<f32>(object, (layer.object.w + (clear_1 * _e34)));
 }

@@ -77,23 +77,23 @@ fn ColourMatrix_apply(this_1: ColourMatrix, colour: vec4<f32>) -> vec4<f32> {
     return max(changed, vec4<f32>(0f, 0f, 0f, 1f));
 }
 
-// glimt_render_gpu/src/kernels/composite.rs:74
-fn in_plates_primaries(frame: FrameParams, layer: PixelLayers) -> PixelLayers {
+// glimt_render_gpu/src/kernels/composite.rs:75
+fn in_primaries(matrix: ColourMatrix, layer: PixelLayers) -> PixelLayers {
 
-    // glimt_render_gpu/src/kernels/composite.rs:75
-    let _e6 = ColourMatrix_apply(frame.to_plate, layer.object);
-    let object_1 = _e6.xyz;
     // glimt_render_gpu/src/kernels/composite.rs:76
-    let _e16 = ColourMatrix_apply(frame.to_plate, vec4<f32>(layer.lit, 1f));
-    let _e23 = ColourMatrix_apply(frame.to_plate, vec4<f32>(layer.blocked, 1f));
-    return PixelLayers(vec4<f32>(object_1, layer.object.w), _e16.xyz, layer.catcher, _e23.xyz, 0u, layer.behind, 0u);
+    let _e5 = ColourMatrix_apply(matrix, layer.object);
+    let object_1 = _e5.xyz;
+    // glimt_render_gpu/src/kernels/composite.rs:77
+    let _e14 = ColourMatrix_apply(matrix, vec4<f32>(layer.lit, 1f));
+    let _e20 = ColourMatrix_apply(matrix, vec4<f32>(layer.blocked, 1f));
+    return PixelLayers(vec4<f32>(object_1, layer.object.w), _e14.xyz, layer.catcher, _e20.xyz, 0u, layer.behind, 0u);
 }
 
-// glimt_render_gpu/src/kernels/composite.rs:89
-fn exposed(frame_1: FrameParams, radiance: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/composite.rs:90
+fn exposed(frame: FrameParams, radiance: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/composite.rs:90
-    return clamp((radiance * frame_1.exposure), vec3(0f), vec3(10000000000000000000000000000000000000f));
+    // glimt_render_gpu/src/kernels/composite.rs:91
+    return clamp((radiance * frame.exposure), vec3(0f), vec3(10000000000000000000000000000000000000f));
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:109
@@ -131,41 +131,41 @@ fn PixelLayers_transmission(this_2: PixelLayers) -> vec3<f32> {
     return max((vec3(1f) - (lost * (this_2.catcher / clear))), vec3(0f));
 }
 
-// glimt_render_gpu/src/kernels/composite.rs:95
-fn over(frame_2: FrameParams, layer_1: PixelLayers, object: vec3<f32>, behind: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/composite.rs:96
+fn over(frame_1: FrameParams, layer_1: PixelLayers, object: vec3<f32>, behind: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/composite.rs:96
-    let clear_1 = (1f - layer_1.object.w);
     // glimt_render_gpu/src/kernels/composite.rs:97
-    if (frame_2.shadow == 1u) {
-        // glimt_render_gpu/src/kernels/composite.rs:98
-        let _e18 = exposed(frame_2, layer_1.blocked);
+    let clear_1 = (1f - layer_1.object.w);
+    // glimt_render_gpu/src/kernels/composite.rs:98
+    if (frame_1.shadow == 1u) {
+        // glimt_render_gpu/src/kernels/composite.rs:99
+        let _e18 = exposed(frame_1, layer_1.blocked);
         return max(((object + (behind * clear_1)) - _e18), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/composite.rs:100
+    // glimt_render_gpu/src/kernels/composite.rs:101
     let _e24 = PixelLayers_transmission(layer_1);
     return (object + (behind * (_e24 * clear_1)));
 }
 
-// glimt_render_gpu/src/kernels/composite.rs:26
-fn composite_over_plate_1(pixel: u32, frame_3: FrameParams) -> vec4<f32> {
+// glimt_render_gpu/src/kernels/composite.rs:27
+fn composite_over_plate_1(pixel: u32, frame_2: FrameParams) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/composite.rs:32
-    let behind_1 = plate[pixel].linear;
     // glimt_render_gpu/src/kernels/composite.rs:33
+    let behind_1 = plate[pixel].linear;
+    // glimt_render_gpu/src/kernels/composite.rs:34
     let _e11 = layers[pixel];
     let _e12 = PixelLayers_is_plate(_e11);
     if _e12 {
-        // glimt_render_gpu/src/kernels/composite.rs:34
+        // glimt_render_gpu/src/kernels/composite.rs:35
         return vec4<f32>(behind_1, 1f);
     }
-    // glimt_render_gpu/src/kernels/composite.rs:36
-    let _e19 = layers[pixel];
-    let _e20 = in_plates_primaries(frame_3, _e19);
     // glimt_render_gpu/src/kernels/composite.rs:37
-    let _e24 = exposed(frame_3, _e20.object.xyz);
-    let _e25 = over(frame_3, _e20, _e24, behind_1);
-    return vec4<f32>(_e25, 1f);
+    let _e20 = layers[pixel];
+    let _e21 = in_primaries(frame_2.to_plate, _e20);
+    // glimt_render_gpu/src/kernels/composite.rs:38
+    let _e25 = exposed(frame_2, _e21.object.xyz);
+    let _e26 = over(frame_2, _e21, _e25, behind_1);
+    return vec4<f32>(_e26, 1f);
 }
 
 @compute @workgroup_size(64, 1, 1) 

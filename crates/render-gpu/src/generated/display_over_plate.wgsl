@@ -77,39 +77,39 @@ fn ColourMatrix_apply(this_1: ColourMatrix, colour: vec4<f32>) -> vec4<f32> {
     return max(changed, vec4<f32>(0f, 0f, 0f, 1f));
 }
 
-// glimt_render_gpu/src/kernels/composite.rs:74
-fn in_plates_primaries(frame: FrameParams, layer: PixelLayers) -> PixelLayers {
+// glimt_render_gpu/src/kernels/composite.rs:75
+fn in_primaries(matrix: ColourMatrix, layer: PixelLayers) -> PixelLayers {
 
-    // glimt_render_gpu/src/kernels/composite.rs:75
-    let _e6 = ColourMatrix_apply(frame.to_plate, layer.object);
-    let object_2 = _e6.xyz;
     // glimt_render_gpu/src/kernels/composite.rs:76
-    let _e16 = ColourMatrix_apply(frame.to_plate, vec4<f32>(layer.lit, 1f));
-    let _e23 = ColourMatrix_apply(frame.to_plate, vec4<f32>(layer.blocked, 1f));
-    return PixelLayers(vec4<f32>(object_2, layer.object.w), _e16.xyz, layer.catcher, _e23.xyz, 0u, layer.behind, 0u);
+    let _e5 = ColourMatrix_apply(matrix, layer.object);
+    let object_2 = _e5.xyz;
+    // glimt_render_gpu/src/kernels/composite.rs:77
+    let _e14 = ColourMatrix_apply(matrix, vec4<f32>(layer.lit, 1f));
+    let _e20 = ColourMatrix_apply(matrix, vec4<f32>(layer.blocked, 1f));
+    return PixelLayers(vec4<f32>(object_2, layer.object.w), _e14.xyz, layer.catcher, _e20.xyz, 0u, layer.behind, 0u);
 }
 
-// glimt_render_gpu/src/kernels/composite.rs:89
-fn exposed(frame_1: FrameParams, radiance: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/composite.rs:90
+fn exposed(frame: FrameParams, radiance: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/composite.rs:90
-    return clamp((radiance * frame_1.exposure), vec3(0f), vec3(10000000000000000000000000000000000000f));
+    // glimt_render_gpu/src/kernels/composite.rs:91
+    return clamp((radiance * frame.exposure), vec3(0f), vec3(10000000000000000000000000000000000000f));
 }
 
 // glimt_render_gpu/src/kernels/film.rs:36
-fn displayed(frame_2: FrameParams, colour_1: vec3<f32>) -> vec3<f32> {
+fn displayed(frame_1: FrameParams, colour_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/film.rs:37
-    let _e7 = ColourMatrix_apply(frame_2.to_display, vec4<f32>(colour_1, 1f));
+    let _e7 = ColourMatrix_apply(frame_1.to_display, vec4<f32>(colour_1, 1f));
     return _e7.xyz;
 }
 
 // glimt_render_gpu/src/kernels/film.rs:43
-fn tone_curve(frame_3: FrameParams, exposed_1: vec3<f32>) -> vec3<f32> {
+fn tone_curve(frame_2: FrameParams, exposed_1: vec3<f32>) -> vec3<f32> {
     var chosen: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/film.rs:44
-    if (frame_3.tonemap == 1u) {
+    if (frame_2.tonemap == 1u) {
         // glimt_render_gpu/src/kernels/film.rs:45
         chosen = (vec3(1f) - (vec3(1f) / (vec3(1f) + exposed_1)));
     } else {
@@ -155,18 +155,18 @@ fn PixelLayers_transmission(this_2: PixelLayers) -> vec3<f32> {
     return max((vec3(1f) - (lost * (this_2.catcher / clear))), vec3(0f));
 }
 
-// glimt_render_gpu/src/kernels/composite.rs:95
-fn over(frame_4: FrameParams, layer_1: PixelLayers, object: vec3<f32>, behind: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/composite.rs:96
+fn over(frame_3: FrameParams, layer_1: PixelLayers, object: vec3<f32>, behind: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/composite.rs:96
-    let clear_1 = (1f - layer_1.object.w);
     // glimt_render_gpu/src/kernels/composite.rs:97
-    if (frame_4.shadow == 1u) {
-        // glimt_render_gpu/src/kernels/composite.rs:98
-        let _e18 = exposed(frame_4, layer_1.blocked);
+    let clear_1 = (1f - layer_1.object.w);
+    // glimt_render_gpu/src/kernels/composite.rs:98
+    if (frame_3.shadow == 1u) {
+        // glimt_render_gpu/src/kernels/composite.rs:99
+        let _e18 = exposed(frame_3, layer_1.blocked);
         return max(((object + (behind * clear_1)) - _e18), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/composite.rs:100
+    // glimt_render_gpu/src/kernels/composite.rs:101
     let _e24 = PixelLayers_transmission(layer_1);
     return (object + (behind * (_e24 * clear_1)));
 }
@@ -208,44 +208,44 @@ fn display_code(linear_1: vec3<f32>, alpha: f32) -> u32 {
     return (((_e6 | (_e9 << 8u)) | (_e15 << 16u)) | (_e19 << 24u));
 }
 
-// glimt_render_gpu/src/kernels/composite.rs:51
-fn display_over_plate_1(pixel: u32, frame_5: FrameParams) -> u32 {
+// glimt_render_gpu/src/kernels/composite.rs:52
+fn display_over_plate_1(pixel: u32, frame_4: FrameParams) -> u32 {
     var object_1: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/composite.rs:57
+    // glimt_render_gpu/src/kernels/composite.rs:58
     let _e6 = layers[pixel];
     let _e7 = PixelLayers_is_plate(_e6);
     if _e7 {
-        // glimt_render_gpu/src/kernels/composite.rs:58
+        // glimt_render_gpu/src/kernels/composite.rs:59
         let _e12 = plate[pixel].code;
         return _e12;
     }
-    // glimt_render_gpu/src/kernels/composite.rs:60
-    let _e16 = layers[pixel];
-    let _e17 = in_plates_primaries(frame_5, _e16);
     // glimt_render_gpu/src/kernels/composite.rs:61
-    let alpha_1 = _e17.object.w;
+    let _e17 = layers[pixel];
+    let _e18 = in_primaries(frame_4.to_plate, _e17);
     // glimt_render_gpu/src/kernels/composite.rs:62
-    object_1 = vec3(0f);
+    let alpha_1 = _e18.object.w;
     // glimt_render_gpu/src/kernels/composite.rs:63
+    object_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/composite.rs:64
     if (alpha_1 > 0f) {
-        // glimt_render_gpu/src/kernels/composite.rs:64
-        let _e33 = exposed(frame_5, (_e17.object.xyz / vec3(alpha_1)));
         // glimt_render_gpu/src/kernels/composite.rs:65
-        let _e35 = displayed(frame_5, _e33);
-        let _e36 = tone_curve(frame_5, _e35);
-        object_1 = (_e36 * alpha_1);
+        let _e34 = exposed(frame_4, (_e18.object.xyz / vec3(alpha_1)));
+        // glimt_render_gpu/src/kernels/composite.rs:66
+        let _e36 = displayed(frame_4, _e34);
+        let _e37 = tone_curve(frame_4, _e36);
+        object_1 = (_e37 * alpha_1);
     }
-    // glimt_render_gpu/src/kernels/composite.rs:67
-    let _e42 = plate[pixel].linear;
-    let _e43 = displayed(frame_5, _e42);
-    let behind_1 = min(_e43, vec3(1f));
     // glimt_render_gpu/src/kernels/composite.rs:68
-    let _e48 = object_1;
-    let _e49 = over(frame_5, _e17, _e48, behind_1);
+    let _e43 = plate[pixel].linear;
+    let _e44 = displayed(frame_4, _e43);
+    let behind_1 = min(_e44, vec3(1f));
     // glimt_render_gpu/src/kernels/composite.rs:69
-    let _e57 = display_code(clamp(_e49, vec3(0f), vec3(1f)), 1f);
-    return _e57;
+    let _e49 = object_1;
+    let _e50 = over(frame_4, _e18, _e49, behind_1);
+    // glimt_render_gpu/src/kernels/composite.rs:70
+    let _e58 = display_code(clamp(_e50, vec3(0f), vec3(1f)), 1f);
+    return _e58;
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -54,6 +54,12 @@ struct Particle {
     log_weight: f32,
 }
 
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -75,6 +81,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct PixelPattern {
@@ -228,10 +236,10 @@ fn SmcPoint_is_hit(this_: SmcPoint) -> bool {
     return (this_.depth > 0f);
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:115
+// glimt_render_gpu/src/kernels/frame.rs:120
 fn FrameParams_pattern_of(this_1: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:116
+    // glimt_render_gpu/src/kernels/frame.rs:121
     return PixelPattern(this_1.pattern, this_1.seed, this_1.frame, (this_1.first_pixel + (ray / this_1.rays_per_pixel)), (ray % this_1.rays_per_pixel), this_1.rays_per_pixel);
 }
 
@@ -1895,38 +1903,38 @@ fn CameraView_direction(this_25: CameraView, p: vec2<f32>, size_5: vec2<u32>) ->
     return normalize(((this_25.forward + (this_25.right * x_8)) - (this_25.up * y_2)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:146
+// glimt_render_gpu/src/kernels/frame.rs:151
 fn FrameParams_direction(this_26: FrameParams, pixel_2: u32, place_1: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:147
+    // glimt_render_gpu/src/kernels/frame.rs:152
     let corner = vec2<f32>(vec2<u32>((pixel_2 % this_26.width), (pixel_2 / this_26.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:148
+    // glimt_render_gpu/src/kernels/frame.rs:153
     let view = CameraView(this_26.eye, this_26.forward, this_26.right, this_26.up);
-    // glimt_render_gpu/src/kernels/frame.rs:154
+    // glimt_render_gpu/src/kernels/frame.rs:159
     let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_26.width, this_26.height));
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:129
+// glimt_render_gpu/src/kernels/frame.rs:134
 fn FrameParams_camera_ray(this_27: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_10: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:130
+    // glimt_render_gpu/src/kernels/frame.rs:135
     let film = PixelPattern(pattern.kind, pattern.seed, this_27.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-    // glimt_render_gpu/src/kernels/frame.rs:134
+    // glimt_render_gpu/src/kernels/frame.rs:139
     if (this_27.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:135
+        // glimt_render_gpu/src/kernels/frame.rs:140
         chosen_10 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:137
+        // glimt_render_gpu/src/kernels/frame.rs:142
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_10 = _e24;
     }
     let place_2 = chosen_10;
-    // glimt_render_gpu/src/kernels/frame.rs:139
+    // glimt_render_gpu/src/kernels/frame.rs:144
     let _e28 = FrameParams_direction(this_27, pattern.pixel, place_2);
-    // glimt_render_gpu/src/kernels/frame.rs:140
+    // glimt_render_gpu/src/kernels/frame.rs:145
     let _e32 = PixelPattern_ray_key(film, 8u);
     let _e33 = Ray_keyed(this_27.eye, _e28, _e32);
     return _e33;

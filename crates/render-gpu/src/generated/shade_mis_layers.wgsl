@@ -23,6 +23,12 @@ struct Corner {
     v: f32,
 }
 
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -44,6 +50,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct Mis {
@@ -225,10 +233,10 @@ var<storage, read_write> out: array<LayerSample>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/frame.rs:115
+// glimt_render_gpu/src/kernels/frame.rs:120
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:116
+    // glimt_render_gpu/src/kernels/frame.rs:121
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
@@ -832,14 +840,14 @@ fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> ve
     return normalize(((this_8.forward + (this_8.right * x_8)) - (this_8.up * y_1)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:146
+// glimt_render_gpu/src/kernels/frame.rs:151
 fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:147
+    // glimt_render_gpu/src/kernels/frame.rs:152
     let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:148
+    // glimt_render_gpu/src/kernels/frame.rs:153
     let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:154
+    // glimt_render_gpu/src/kernels/frame.rs:159
     let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
     return _e22;
 }
@@ -870,26 +878,26 @@ fn Ray_keyed(origin: vec3<f32>, direction: vec3<f32>, key_2: u32) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e6, _e8, _e10), key_2);
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:129
+// glimt_render_gpu/src/kernels/frame.rs:134
 fn FrameParams_camera_ray(this_11: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:130
+    // glimt_render_gpu/src/kernels/frame.rs:135
     let film = PixelPattern(pattern.kind, pattern.seed, this_11.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-    // glimt_render_gpu/src/kernels/frame.rs:134
+    // glimt_render_gpu/src/kernels/frame.rs:139
     if (this_11.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:135
+        // glimt_render_gpu/src/kernels/frame.rs:140
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:137
+        // glimt_render_gpu/src/kernels/frame.rs:142
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_2 = _e24;
     }
     let place_2 = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:139
+    // glimt_render_gpu/src/kernels/frame.rs:144
     let _e28 = FrameParams_direction(this_11, pattern.pixel, place_2);
-    // glimt_render_gpu/src/kernels/frame.rs:140
+    // glimt_render_gpu/src/kernels/frame.rs:145
     let _e32 = PixelPattern_ray_key(film, 8u);
     let _e33 = Ray_keyed(this_11.eye, _e28, _e32);
     return _e33;

@@ -1,5 +1,11 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
 struct FrameParams {
     eye: vec3<f32>,
     width: u32,
@@ -21,6 +27,8 @@ struct FrameParams {
     unused_a: u32,
     unused_b: u32,
     unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct DrawnLayout {
@@ -117,14 +125,14 @@ fn CameraView_direction(this_: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec
     return normalize(((this_.forward + (this_.right * x)) - (this_.up * y)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:146
+// glimt_render_gpu/src/kernels/frame.rs:151
 fn FrameParams_direction(this_1: FrameParams, pixel: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:147
+    // glimt_render_gpu/src/kernels/frame.rs:152
     let corner = vec2<f32>(vec2<u32>((pixel % this_1.width), (pixel / this_1.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:148
+    // glimt_render_gpu/src/kernels/frame.rs:153
     let view = CameraView(this_1.eye, this_1.forward, this_1.right, this_1.up);
-    // glimt_render_gpu/src/kernels/frame.rs:154
+    // glimt_render_gpu/src/kernels/frame.rs:159
     let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_1.width, this_1.height));
     return _e22;
 }

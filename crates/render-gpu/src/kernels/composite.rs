@@ -1,6 +1,7 @@
 //! Shared file: layers laid over a plate, or made ready to be laid over one. One element is one pixel.
 
 use glam::{Vec3, Vec4};
+use glimt_probe::gather::ColourMatrix;
 use glimt_sampling::math::luminance;
 
 use super::film::{display_code, displayed, tone_curve};
@@ -33,7 +34,7 @@ pub fn composite_over_plate(
     if layers[pixel as usize].is_plate() {
         return behind.extend(1.0);
     }
-    let layer = in_plates_primaries(frame, &layers[pixel as usize]);
+    let layer = in_primaries(&frame.to_plate, &layers[pixel as usize]);
     over(
         frame,
         &layer,
@@ -57,7 +58,7 @@ pub fn display_over_plate(
     if layers[pixel as usize].is_plate() {
         return plate[pixel as usize].code;
     }
-    let layer = in_plates_primaries(frame, &layers[pixel as usize]);
+    let layer = in_primaries(&frame.to_plate, &layers[pixel as usize]);
     let alpha = layer.object.w;
     let mut object = Vec3::ZERO;
     if alpha > 0.0 {
@@ -69,15 +70,15 @@ pub fn display_over_plate(
     display_code(linear.clamp(Vec3::ZERO, Vec3::ONE), 1.0)
 }
 
-/// Layers with the primaries of the plate. Channels that are negative there, of colours outside the plate's gamut, become 0.
+/// Layers with other primaries. Channels that are negative there, of colours outside the gamut, become 0.
 #[must_use]
-pub fn in_plates_primaries(frame: &FrameParams, layer: &PixelLayers) -> PixelLayers {
-    let object = frame.to_plate.apply(layer.object).truncate();
+pub fn in_primaries(matrix: &ColourMatrix, layer: &PixelLayers) -> PixelLayers {
+    let object = matrix.apply(layer.object).truncate();
     PixelLayers {
         object: object.extend(layer.object.w),
-        lit: frame.to_plate.apply(layer.lit.extend(1.0)).truncate(),
+        lit: matrix.apply(layer.lit.extend(1.0)).truncate(),
         catcher: layer.catcher,
-        blocked: frame.to_plate.apply(layer.blocked.extend(1.0)).truncate(),
+        blocked: matrix.apply(layer.blocked.extend(1.0)).truncate(),
         unused_a: 0,
         behind: layer.behind,
         unused_b: 0,

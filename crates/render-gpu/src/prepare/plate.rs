@@ -13,6 +13,7 @@ use crate::kernels::composite::PlatePixel;
 pub struct Plate {
     size: UVec2,
     pixels: Vec<PlatePixel>,
+    primaries: Option<[[f32; 2]; 4]>,
     from_scene: ColourMatrix,
     to_display: ColourMatrix,
 }
@@ -54,6 +55,7 @@ impl Plate {
         Ok(Self {
             size,
             pixels: codes.par_iter().map(pixel).collect(),
+            primaries: None,
             from_scene: ColourMatrix::IDENTITY,
             to_display: ColourMatrix::IDENTITY,
         })
@@ -80,25 +82,38 @@ impl Plate {
         Ok(Self {
             size,
             pixels: colours.par_iter().map(pixel).collect(),
+            primaries: None,
             from_scene: ColourMatrix::IDENTITY,
             to_display: ColourMatrix::IDENTITY,
         })
     }
 
-    /// The plate with primaries of its own: `from_scene` leads from those of light and materials to its, `to_display` from its
+    /// The plate with primaries of its own, CIE xy of red, green, blue and white: `from_scene` leads from those of light and materials to its, `to_display` from its
     /// to Rec. 709. Its linear colours stay as they are. Where `to_display` changes colours, its display codes become those of the
     /// changed ones, clipped to [0, 1].
     #[must_use]
-    pub fn with_primaries(mut self, from_scene: ColourMatrix, to_display: ColourMatrix) -> Self {
+    pub fn with_primaries(
+        mut self,
+        primaries: [[f32; 2]; 4],
+        from_scene: ColourMatrix,
+        to_display: ColourMatrix,
+    ) -> Self {
         if to_display != self.to_display {
             self.pixels.par_iter_mut().for_each(|pixel| {
                 let shown = to_display.apply(pixel.linear.extend(1.0)).truncate();
                 pixel.code = pack(shown.to_array().map(linear_to_srgb8));
             });
         }
+        self.primaries = Some(primaries);
         self.from_scene = from_scene;
         self.to_display = to_display;
         self
+    }
+
+    /// CIE xy of its red, green, blue and white, where they were given.
+    #[must_use]
+    pub fn primaries(&self) -> Option<[[f32; 2]; 4]> {
+        self.primaries
     }
 
     /// From the primaries of light and materials to the plate's.

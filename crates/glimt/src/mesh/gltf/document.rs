@@ -11,12 +11,13 @@ use serde_json::Value;
 use std::path::Path;
 
 /// The extensions that are honoured.
-pub(super) const SUPPORTED: [&str; 6] = [
+pub(super) const SUPPORTED: [&str; 7] = [
     "EXT_mesh_gpu_instancing",
     "EXT_texture_webp",
     "KHR_materials_emissive_strength",
     "KHR_materials_unlit",
     "KHR_mesh_quantization",
+    "KHR_node_visibility",
     "KHR_texture_transform",
 ];
 
