@@ -354,6 +354,9 @@ fn choose_frames(
                     [there[0], there[there.len() - 1]]
                 }
             };
+            if flags.frames.is_none() {
+                files.check_signs(&files.existing()?, notes)?;
+            }
             range::between(first, last)?
         }
         text => range::parse(text)?,
@@ -363,6 +366,5 @@ fn choose_frames(
         None => of_shot.clone(),
     };
     files.require(&asked)?;
-    files.check_signs(&asked, notes)?;
     Ok((asked, of_shot))
 }

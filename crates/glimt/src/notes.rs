@@ -64,6 +64,19 @@ impl Notes {
         Ok(())
     }
 
+    /// Something that was guessed, where another guess would look otherwise: a warning that says how to settle it, or with `strict`
+    /// an error.
+    ///
+    /// # Errors
+    /// The guess, when `strict` is set.
+    pub fn guess(&mut self, file: &Path, guess: &str, fix: &str) -> Result<()> {
+        if self.strict {
+            return Err(Error::input(file, guess).fix(fix));
+        }
+        self.warn(file, format!("{guess}; {fix}"));
+        Ok(())
+    }
+
     /// Takes the remarks made since the last time. One that was taken before does not come again.
     pub fn take(&mut self) -> Vec<Note> {
         self.taken.extend_from_slice(&self.list);

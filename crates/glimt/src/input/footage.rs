@@ -141,7 +141,7 @@ pub fn adopt_size(shot: &mut Shot, source: &Source) -> Result<()> {
 /// sequence as long as the backplate.
 ///
 /// # Errors
-/// The backplate cannot be named so.
+/// The backplate cannot be named so; or the light's rate is a guess, and `notes` is strict.
 pub fn adopt_rate(
     shot: &mut Shot,
     source: &Source,
@@ -169,12 +169,11 @@ pub fn adopt_rate(
             "{fps} frames a second, as backplate.fps says, for the light too: it is as long, and probe.fps is not given"
         ),
         _ => {
-            let defect = format!("probe.fps is not given, and backplate.fps is {fps}");
-            let workaround = format!(
-                "the light is taken to have {} frames a second",
+            let guess = format!(
+                "probe.fps is not given, and backplate.fps is {fps}: the light is taken to have {} frames a second",
                 shot.probe.fps
             );
-            return notes.defect(probe.folder(), &defect, &workaround);
+            return notes.guess(probe.folder(), &guess, "give probe.fps");
         }
     };
     notes.note(&plates.path(span[0]), what);
@@ -204,7 +203,7 @@ impl Footage {
     /// The footage of a shot, if it has one: finds its frames and how they belong to those of the probe.
     ///
     /// # Errors
-    /// There is none of its files; or which frames belong together can be guessed alone, and `notes` is strict.
+    /// There is none of its files; or which frames belong together is a guess, and `notes` is strict.
     pub fn find(
         shot: &Shot,
         source: &Source,
@@ -221,7 +220,7 @@ impl Footage {
     /// Footage whose first and last frame have these numbers; the first is there.
     ///
     /// # Errors
-    /// Its first frame cannot be read; or which frames belong together can be guessed alone, and `notes` is strict.
+    /// Its first frame cannot be read; or which frames belong together is a guess, and `notes` is strict.
     pub fn new(
         files: FrameFiles,
         shot: &Shot,
@@ -298,10 +297,13 @@ impl Footage {
                     "light and backplate are equally long, so frame {from} of the backplate belongs to frame {first}"
                 );
                 match first <= to && from <= last {
-                    true => notes.defect(
+                    true => notes.guess(
                         &file,
                         &format!("{what}, though both have frames of one number"),
-                        "backplate.offset = 0 matches them by number",
+                        &format!(
+                            "backplate.offset = {} says so, and 0 matches them by number",
+                            i64::from(from) - i64::from(first)
+                        ),
                     )?,
                     false => notes.note(&file, format!("{what}; backplate.offset says otherwise")),
                 }

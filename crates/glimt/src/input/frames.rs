@@ -174,7 +174,7 @@ impl FrameFiles {
         number.filter(|number| *number != 0 || !is_negative)
     }
 
-    /// Warns where all numbers are negative: the sign may be meant as a part of the name.
+    /// Warns where the numbers of all frames that are there are negative: the sign may be meant as a part of the name.
     ///
     /// # Errors
     /// They are, and `notes` is strict.
@@ -189,20 +189,17 @@ impl FrameFiles {
                 },
                 [first, .., last],
             ) if *last < 0 => {
-                let defect = format!(
-                    "all of its frames are negative, {first} to {last}: the - is taken for their sign"
-                );
+                let guess = format!("all of its frames are negative, {first} to {last}");
                 let name = format!(
                     "{}-{}{}",
                     escape(prefix),
                     "#".repeat(*digits),
                     escape(suffix)
                 );
-                notes.defect(
-                    &self.path(*first),
-                    &defect,
-                    &format!("where it belongs to the name, write {name}"),
-                )
+                let fix = format!(
+                    "where the - belongs to the name, write {name}; else name the frames, as render.frames = \"{first}-{last}\""
+                );
+                notes.guess(&self.path(*first), &guess, &fix)
             }
             _ => Ok(()),
         }

@@ -96,6 +96,7 @@ impl Reader<'_> {
         if mesh.normals.is_empty() && mesh.indices.iter().all(in_range) {
             // Tangents belong to normals.
             mesh.tangents.clear();
+            self.model.made_normals.flat += mesh.indices.len();
             match deform == Deform::default() {
                 true => drop(flat(&mut mesh)),
                 // The faces of each pose have normals of their own.
