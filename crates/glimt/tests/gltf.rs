@@ -724,6 +724,11 @@ fn weights_blend_and_broken_skins_are_refused() {
     let mut file = skinned();
     file.attribute("JOINTS_0", UNSIGNED_BYTE, "VEC4", bytes(&[7; 16]));
     file.fails(&["skin 0", "follows a joint"]);
+    // Without weight it does not.
+    let mut file = skinned();
+    let far = [0, 0, 99, 0, 1, 99, 0, 0, 1, 0, 0, 0, 0, 0, 0, 99];
+    file.attribute("JOINTS_0", UNSIGNED_BYTE, "VEC4", bytes(&far));
+    close(&positions(&load(&t, &file, ""), 5), &square());
     let mut file = skinned();
     file.json["scenes"] = json!([{"nodes": [3]}]);
     file.fails(&["skin 0", "node 1", "not in the scene"]);

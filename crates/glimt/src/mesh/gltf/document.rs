@@ -182,7 +182,7 @@ fn leave_out_channels(file: &Path, json: &mut Value, notes: &mut Notes) -> Resul
                 continue;
             };
             let place = format!("animations[{index}].channels[{number}].target");
-            if !node.as_u64().is_some_and(|node| node < nodes) {
+            if node.as_u64().is_none_or(|node| node >= nodes) {
                 return Err(invalid(file, place + ".node", "Index out of bounds"));
             }
             if !["translation", "rotation", "scale", "weights"].contains(&path) {
