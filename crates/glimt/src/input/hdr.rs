@@ -1,8 +1,8 @@
 //! Host file: Radiance pictures (RGBE).
 
-use super::encoding::Transfer;
-use super::primaries::{Primaries, REC_709};
 use super::{HdrImage, Header, Reading, apply_transfer, require_bound, require_room};
+use crate::colour::encoding::Transfer;
+use crate::colour::primaries::{Primaries, REC_709};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest;

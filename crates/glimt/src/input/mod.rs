@@ -1,7 +1,6 @@
 //! Host file: HDR images in: what kind of file it is, how large, and its texels as linear radiance.
 
 pub mod bad_texels;
-pub mod encoding;
 pub mod exr;
 pub mod footage;
 pub mod frames;
@@ -10,19 +9,18 @@ pub mod light_image;
 pub mod pfm;
 pub mod plate;
 mod png_colour;
-pub mod primaries;
 pub mod resample;
 
 pub use bad_texels::BadTexels;
 
+use crate::colour::encoding::Transfer;
+use crate::colour::primaries::{Primaries, REC_709};
 use crate::error::{Error, Result};
 use crate::memory;
 use crate::notes::Notes;
 use crate::shot::digest::Hash;
 use crate::shot::{self, Shot};
-use encoding::Transfer;
 use glam::{UVec2, Vec4};
-use primaries::{Primaries, REC_709};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fs::File;
@@ -90,6 +88,16 @@ impl Reading {
             working: shot.image.primaries.primaries(),
             ..Self::default()
         }
+    }
+
+    /// The format, if it has what is to be read of it.
+    fn fits(&self, file: &Path, format: Format) -> Result<Format> {
+        if self.layer.is_empty() || format == Format::Exr {
+            return Ok(format);
+        }
+        let key = self.key("layer");
+        let what = format!("it has no layers, and {key} is `{}`", self.layer);
+        Err(Error::input(file, what).fix("leave that key out: OpenEXR alone has layers"))
     }
 
     /// The key of this name, or how to say it where no shot gives it.
@@ -299,7 +307,7 @@ pub fn is_display(file: &Path) -> Result<bool> {
 /// # Errors
 /// The file cannot be read, is not an HDR image that is understood, or is larger than `reading` allows.
 pub fn read_header(file: &Path, reading: &Reading) -> Result<Header> {
-    match format_of(file)? {
+    match reading.fits(file, format_of(file)?)? {
         Format::Exr => exr::read_header(file, reading),
         Format::Hdr => hdr::read_header(file, reading),
         Format::Pfm => pfm::read_header(file, reading),
@@ -368,7 +376,7 @@ fn decode_image(
     reading: &Reading,
     notes: &mut Notes,
 ) -> Result<HdrImage> {
-    match format_by(file, bytes)? {
+    match reading.fits(file, format_by(file, bytes)?)? {
         Format::Exr => exr::decode(file, bytes, reading, notes),
         Format::Hdr => hdr::decode(file, bytes, reading, notes),
         Format::Pfm => pfm::decode(file, bytes, reading, notes),

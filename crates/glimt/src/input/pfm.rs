@@ -1,8 +1,8 @@
 //! Host file: portable float maps: a header of three lines, then floats, rows from the bottom.
 
-use super::encoding::Transfer;
-use super::primaries::REC_709;
 use super::{HdrImage, Header, Reading, apply_transfer, require_bound, require_room};
+use crate::colour::encoding::Transfer;
+use crate::colour::primaries::REC_709;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest;
