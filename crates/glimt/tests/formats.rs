@@ -260,7 +260,8 @@ fn cube_maps_are_light() {
         t.put("shot.toml", text);
         mean(&t, &["shot.toml"])
     };
-    let shapes: [(usize, usize, fn(usize, usize) -> bool); 4] = [
+    type Upper = fn(usize, usize) -> bool;
+    let shapes: [(usize, usize, Upper); 4] = [
         (48, 8, |x, _| x == 2),
         (8, 48, |_, y| y == 2),
         (32, 24, |x, y| (x, y) == (1, 0)),
