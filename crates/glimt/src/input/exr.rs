@@ -346,7 +346,7 @@ fn header(
         parts: meta.headers.len(),
         layer: choice.name.clone(),
         other_layers: choice.others.clone(),
-        primaries: super::told_primaries(reading, of_file, source),
+        primaries: reading.told_primaries(of_file, source),
         transfer,
         pixel_aspect: part.shared_attributes.pixel_aspect,
         remarks,

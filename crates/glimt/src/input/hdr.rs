@@ -73,7 +73,7 @@ fn header(lines: &Lines, reading: &Reading) -> Header {
         parts: 1,
         layer: String::new(),
         other_layers: Vec::new(),
-        primaries: super::told_primaries(reading, of_file, source),
+        primaries: reading.told_primaries(of_file, source),
         transfer: reading.transfer.unwrap_or(Transfer::Linear).to_string(),
         pixel_aspect: 1.0,
         remarks,

@@ -99,7 +99,7 @@ fn header(lines: &Lines, reading: &Reading) -> Header {
         parts: 1,
         layer: String::new(),
         other_layers: Vec::new(),
-        primaries: super::told_primaries(reading, REC_709, "the format names none"),
+        primaries: reading.told_primaries(REC_709, "the format names none"),
         transfer: reading.transfer.unwrap_or(Transfer::Linear).to_string(),
         pixel_aspect: 1.0,
         remarks: Vec::new(),

@@ -97,7 +97,7 @@ pub fn read_plate_header(file: &Path, reading: &Reading) -> Result<PlateHeader> 
             true => 1.0 / colours.pixel_aspect,
             false => colours.pixel_aspect,
         },
-        primaries: super::told_primaries(reading, colours.primaries, colours.source),
+        primaries: reading.told_primaries(colours.primaries, colours.source),
         transfer: reading.transfer.unwrap_or(colours.transfer).to_string(),
         storage: format!("{format:?}, {:?}", decoder.original_color_type()),
     })
