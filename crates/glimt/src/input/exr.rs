@@ -3,9 +3,9 @@
 mod layers;
 mod planes;
 
-use super::encoding::{self, Space, Transfer};
-use super::primaries::{Primaries, REC_709};
 use super::{HdrImage, Header, Reading, apply_transfer, require_bound, require_room};
+use crate::colour::encoding::{self, Space, Transfer};
+use crate::colour::primaries::{Primaries, REC_709};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest;
@@ -36,13 +36,17 @@ pub fn read_header(file: &Path, reading: &Reading) -> Result<Header> {
 pub fn decode(file: &Path, bytes: &[u8], reading: &Reading, notes: &mut Notes) -> Result<HdrImage> {
     let meta = check_meta(file, MetaData::read_from_buffered(bytes, false), reading)?;
     let choice = choose(file, &meta, reading)?;
-    choice.note(file, reading, notes);
+    choice.note(file, reading, notes)?;
     let Choice { part, colour, .. } = &choice;
     let colours = colours(&meta.headers[*part]);
     let header = header(file, &meta, &choice, &colours, reading)?;
     require_room(file, header.size, reading)?;
     require_room(file, header.data_size, reading)?;
     let (primaries, transfer) = colours.resolve(file, reading, notes)?;
+    if transfer != Transfer::Linear {
+        let text = format!("its numbers are made linear: they are encoded by {transfer}");
+        notes.note(file, text);
+    }
     let (hash, texels) = rayon::join(
         || digest::of_bytes(bytes),
         || planes::read(file, bytes, *part, colour.channels()),
@@ -168,14 +172,15 @@ impl Colours {
         reading: &Reading,
         notes: &mut Notes,
     ) -> Result<(Primaries, Transfer)> {
-        let (primaries, space, _) = self.read(&mut |what| {
-            if reading.primaries.is_none() {
-                notes.warn(
-                    file,
-                    format!("{what}; {} overrides it", reading.key("primaries")),
-                );
-            }
-        });
+        let mut unused = Vec::new();
+        let (primaries, space, source) = self.read(&mut |what| unused.push(what));
+        for what in unused.iter().filter(|_| reading.primaries.is_none()) {
+            let taken = format!(
+                "{primaries} is taken ({source}; {} chooses)",
+                reading.key("primaries")
+            );
+            notes.defect(file, what, &taken)?;
+        }
         let transfer = match (reading.transfer, space) {
             (Some(given), _) => given,
             (None, Space::Known(transfer, _)) => transfer,
@@ -326,7 +331,7 @@ fn header(
         parts: meta.headers.len(),
         layer: choice.name.clone(),
         other_layers: choice.others.clone(),
-        primaries: super::told_primaries(reading, of_file, source),
+        primaries: reading.told_primaries(of_file, source),
         transfer,
         pixel_aspect: part.shared_attributes.pixel_aspect,
         remarks,

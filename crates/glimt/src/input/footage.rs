@@ -3,8 +3,8 @@
 use super::Reading;
 use super::frames::FrameFiles;
 use super::plate::{Colours, PlateImage, read, read_plate_header, read_size};
-use super::primaries::{Primaries, REC_709};
 use super::resample::{Window, resample};
+use crate::colour::primaries::{Primaries, REC_709};
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
 use crate::shot::digest::{Hash, of_file};

@@ -69,23 +69,22 @@ pub(super) struct Choice {
 
 impl Choice {
     /// Says which image was taken where there are several.
-    pub(super) fn note(&self, file: &Path, reading: &Reading, notes: &mut Notes) {
+    ///
+    /// # Errors
+    /// That is a guess, and `notes` is strict.
+    pub(super) fn note(&self, file: &Path, reading: &Reading, notes: &mut Notes) -> Result<()> {
         if self.others.is_empty() || !reading.layer.is_empty() {
-            return;
+            return Ok(());
         }
-        let text = format!(
-            "its layer {} is taken; it also has {} ({} chooses)",
-            self.name,
-            self.others.join(", "),
-            reading.key("layer")
-        );
-        match self.is_sure {
-            true => notes.note(file, text),
-            false => notes.warn(
-                file,
-                format!("{text}: no name says which of them is the picture"),
-            ),
+        let (taken, others) = (&self.name, self.others.join(", "));
+        let chooses = format!("{} chooses", reading.key("layer"));
+        if self.is_sure {
+            let text = format!("its layer {taken} is taken; it also has {others} ({chooses})");
+            notes.note(file, text);
+            return Ok(());
         }
+        let what = format!("no name says which of its layers is the picture: {taken}, {others}");
+        notes.defect(file, &what, &format!("{taken} is taken ({chooses})"))
     }
 }
 
