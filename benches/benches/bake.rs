@@ -5,6 +5,7 @@
 use glam::{Mat4, UVec2, Vec3, vec3};
 use glimt::mesh;
 use glimt::notes::Notes;
+use glimt::shot::CREASE_DEG;
 use glimt_benches::inputs::{TriangleMesh, data_dir, knot};
 use glimt_benches::{Contest, claim};
 use glimt_render_gpu::kernels::bvh::any_hit;
@@ -263,7 +264,12 @@ fn object(name: &str, vertices: usize) -> TriangleMesh {
         "buddha" => "happy_buddha_100k.obj",
         _ => "dragon_vrip_res3.ply.gz",
     };
-    let mut mesh = match mesh::load(&data_dir().join("models"), file, &mut Notes::default()) {
+    let mut mesh = match mesh::load(
+        &data_dir().join("models"),
+        file,
+        CREASE_DEG,
+        &mut Notes::default(),
+    ) {
         Ok(model) => of_model(file, &model),
         Err(error) => {
             println!("{error}; a knot stands in");

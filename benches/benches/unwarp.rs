@@ -2,6 +2,7 @@
 //! at 30 frames per second from 2400×1700 pixels to 1628×814 texels on 2 threads. Decoding the photograph is apart.
 
 use glam::{UVec2, Vec2, Vec3, Vec4};
+use glimt::input::Reading;
 use glimt::input::light_image::read_photo;
 use glimt::notes::Notes;
 use glimt::output::target::Guard;
@@ -131,7 +132,9 @@ fn decode(photo: &[Vec4]) {
     };
     let plain = file("plain", exr::Storage::Noisy);
     let half = file("half", exr::Storage::Half);
-    let read = |file| read_photo(file, &mut Notes::default()).map(|photo| photo.pixels.len());
+    let read = |file| {
+        read_photo(file, &Reading::default(), &mut Notes::default()).map(|photo| photo.pixels.len())
+    };
     Contest::new(
         "Reading a photograph of 2400×1700 pixels",
         "pixel",

@@ -53,12 +53,21 @@ fn maps_of_any_shape() {
     let t = Scratch::new("shapes");
     t.exr("light.exr", 5, 3, |_, _, _| 1.0);
     t.shot("light.exr", "");
+    let words = ["light.exr", "5 × 3 is not 2:1"];
+    let mappings = ["mirror-ball", "cube", "angular", "lat-long"];
+    t.run(&["render", "shot.toml"])
+        .fails(3, &[&words[..], &mappings].concat());
+    let lat_long = ["render", "shot.toml", "--set", "probe.mapping=lat-long"];
+    t.run(&lat_long).ok().says(&words);
+    // Within 2 % it is meant to be one.
+    t.exr("near.exr", 101, 50, |_, _, _| 1.0);
+    t.shot("near.exr", "");
     t.run(&["render", "shot.toml"])
         .ok()
-        .says(&["light.exr", "5 × 3 is not 2:1"]);
+        .says(&["near.exr", "101 × 50 is not 2:1"]);
     t.exr("one.exr", 1, 1, |_, _, _| 1.0);
     t.shot("one.exr", "");
-    t.run(&["render", "shot.toml"]).ok();
+    t.run(&lat_long).ok();
     let image = common::read_exr(&t.file("out/frame.0001.exr"));
     assert!(image.iter().flatten().all(|v| v.is_finite()));
     assert!(image.iter().flatten().any(|v| *v > 0.0));
@@ -153,7 +162,7 @@ fn files_that_are_something_else() {
     t.run(&["render", "shot.toml"]).fails(3, &["PNG", ".hdr"]);
     t.put("light.exr", b"hello");
     t.run(&["render", "shot.toml"])
-        .fails(3, &["neither OpenEXR nor Radiance"]);
+        .fails(3, &["neither OpenEXR"]);
     let depth = FlatSamples::F32(vec![1.0; 32]);
     t.exr_channels(
         "light.exr",

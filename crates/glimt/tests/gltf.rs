@@ -13,6 +13,7 @@ use glimt::notes::{Notes, Severity};
 use glimt::report::Reporter;
 use glimt::setup::Setup;
 use glimt_render_gpu::prepare::scene::{Opacity, Reflection};
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use serde_json::{Value, json};
 use std::io::Cursor;
 
@@ -161,7 +162,7 @@ impl File {
     fn load(&self, t: &Scratch) -> (Result<Model>, Notes) {
         t.put("a.glb", self.bytes());
         let mut notes = Notes::new(false);
-        (mesh::load(&t.path, "a.glb", &mut notes), notes)
+        (mesh::load(&t.path, "a.glb", 40.0, &mut notes), notes)
     }
 
     /// Loads what is right; no remark is more than a note.
@@ -429,6 +430,37 @@ fn without_normals_faces_are_flat() {
     assert_eq!(second, [Vec3::X; 3]);
 }
 
+/// Each pose of a mesh without normals has those of its own faces.
+#[test]
+fn deformed_faces_are_flat_too() {
+    let t = Scratch::new("flat-morph");
+    let mut file = File::square();
+    let attributes = file.primitive()["attributes"].as_object_mut();
+    attributes.expect("a map").remove("NORMAL");
+    // One corner rises: the triangle that has it leans by 45 degrees, the other stays.
+    let mut corner = [0.0; 12];
+    corner[11] = 1.0;
+    let corner = file.accessor(FLOAT, "VEC3", floats(&corner));
+    file.primitive()["targets"] = json!([{"POSITION": corner}]);
+    file.animate("go", 0, "weights", "LINEAR", &[0.0, 1.0], &[0.0, 1.0]);
+    let setup = load(&t, &file, "");
+    let mut scene = SceneBuffers::build(&setup.scene).expect("a scene");
+    let leaning = Vec3::new(1.0, -1.0, 1.0).normalize();
+    for (frame, second) in [(15, leaning), (5, Vec3::Z), (15, leaning)] {
+        let pose = setup.pose(frame).expect("a pose");
+        let posed = scene.pose_shaped(&pose.transforms, &pose.shapes);
+        posed.expect("it fits");
+        let mesh = scene.mesh(0);
+        let normals = mesh
+            .indices
+            .as_flattened()
+            .iter()
+            .map(|&i| mesh.normals[i as usize].normalize());
+        let normals: Vec<Vec3> = normals.collect();
+        close(&normals, &[[Vec3::Z; 3], [second; 3]].concat());
+    }
+}
+
 #[test]
 fn quantised_meshes_equal_their_float_twins() {
     let cases: [(u32, f32, bool); 8] = [
@@ -594,7 +626,7 @@ fn load(t: &Scratch, file: &File, object: &str) -> Setup {
 }
 
 /// The vertices of the first object in the world, in a frame.
-fn positions(setup: &Setup, frame: u32) -> Vec<Vec3> {
+fn positions(setup: &Setup, frame: i32) -> Vec<Vec3> {
     let pose = setup.pose(frame).expect("a pose");
     let mesh = setup.scene.objects[0].mesh as usize;
     let rest = &setup.scene.meshes[mesh].positions;
@@ -692,6 +724,11 @@ fn weights_blend_and_broken_skins_are_refused() {
     let mut file = skinned();
     file.attribute("JOINTS_0", UNSIGNED_BYTE, "VEC4", bytes(&[7; 16]));
     file.fails(&["skin 0", "follows a joint"]);
+    // Without weight it does not.
+    let mut file = skinned();
+    let far = [0, 0, 99, 0, 1, 99, 0, 0, 1, 0, 0, 0, 0, 0, 0, 99];
+    file.attribute("JOINTS_0", UNSIGNED_BYTE, "VEC4", bytes(&far));
+    close(&positions(&load(&t, &file, ""), 5), &square());
     let mut file = skinned();
     file.json["scenes"] = json!([{"nodes": [3]}]);
     file.fails(&["skin 0", "node 1", "not in the scene"]);
@@ -845,6 +882,50 @@ fn deformed_frames_do_not_depend_on_each_other() {
             assert!(bytes(&whole, 8) == bytes("single", 8));
         }
     }
+}
+
+#[test]
+fn transfer_is_of_a_still_skin() {
+    let t = Scratch::new("skin-prt");
+    let mut file = skinned();
+    file.json["nodes"]
+        .as_array_mut()
+        .expect("nodes")
+        .push(json!({"name": "view", "camera": 0, "translation": [0.5, 0.5, 4]}));
+    file.json["cameras"] =
+        json!([{"type": "perspective", "perspective": {"yfov": 0.6, "znear": 0.1}}]);
+    file.json["scenes"] = json!([{"nodes": [1, 3, 4]}]);
+    file.json["nodes"][2]["translation"] = json!([1, 0, 1]);
+    let fly = [0.5, 0.5, 4.0, 0.5, 0.5, 5.0];
+    file.animate("fly", 4, "translation", "LINEAR", &[0.0, 1.0], &fly);
+    let more = "[camera]\ngltf = \"view\"\n[render.prt]\nbands = 2\ndirections = 20";
+    load(&t, &file, more);
+    let method = ["--set", "render.method=prt"];
+    let run = |args: &[&str]| t.run(&[args, &method].concat());
+    run(&["bake", "shot.toml", "--device", "cpu"]).ok();
+    run(&["render", "shot.toml", "--frames", "5-6"]).ok();
+    let frame = |number: u32| read_exr(&t.file(&format!("out/frame.{number:04}.exr")));
+    assert_ne!(frame(5), frame(6));
+    // What bends cannot be baked.
+    let rise = [0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+    file.animate("rise", 2, "translation", "LINEAR", &[0.0, 1.0], &rise);
+    t.put("a.glb", file.bytes());
+    run(&["bake", "shot.toml"]).fails(2, &["object.0.animation", "`rise`", "moves"]);
+}
+
+#[test]
+fn hidden_nodes_are_left_out() {
+    let mut file = File::square();
+    let hidden = json!({"KHR_node_visibility": {"visible": false}});
+    let shown = json!({"KHR_node_visibility": {"visible": true}});
+    file.used("KHR_node_visibility");
+    file.json["nodes"] = json!([
+        {"mesh": 0, "extensions": shown}, {"children": [2], "extensions": hidden}, {"mesh": 0, "extensions": shown},
+    ]);
+    file.json["scenes"] = json!([{"nodes": [0, 1]}]);
+    assert_eq!(file.model().parts.len(), 1);
+    file.json["nodes"][1]["extensions"] = shown;
+    assert_eq!(file.model().parts.len(), 2);
 }
 
 #[test]

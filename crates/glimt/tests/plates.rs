@@ -330,7 +330,7 @@ fn bad_plates_are_named() {
     render("gone.png").fails(3, &["gone.png", "no such file"]);
     render("gone.####.png").fails(3, &["gone.####.png", "backplate.frames"]);
     t.put("text.png", "a plate");
-    render("text.png").fails(3, &["text.png", "neither PNG, JPEG nor OpenEXR", "convert"]);
+    render("text.png").fails(3, &["text.png", "neither OpenEXR", "convert"]);
     t.put("empty.png", "");
     render("empty.png").fails(3, &["empty.png", "empty"]);
     render("a##b##.png").fails(2, &["backplate.frames", "two numbers"]);

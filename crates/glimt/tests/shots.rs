@@ -59,8 +59,8 @@ fn what_is_not_there_yet_is_refused() {
     };
     refused("[output]\naovs = [\"depth\"]\n", &["depth"]);
     t.shot("light.0001.exr", "");
-    t.run(&["render", "shot.toml", "--set", "probe.mapping=cube"])
-        .fails(2, &["cube", "lat-long", "angular", "mirror-ball"]);
+    t.run(&["render", "shot.toml", "--set", "probe.mapping=dome"])
+        .fails(2, &["dome", "cube", "lat-long", "angular", "mirror-ball"]);
 }
 
 #[test]

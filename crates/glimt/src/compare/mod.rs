@@ -133,6 +133,11 @@ fn about(comparison: &Comparison<'_>, first: &Contestant, remarks: Vec<String>) 
 
 /// Writes means and references as EXR.
 fn keep(out: &Path, guard: &Guard, findings: &Findings, frames: &[i32]) -> Result<()> {
+    let first = findings.contestants.first();
+    let picture = first.map_or_else(exr::Picture::default, |contestant| exr::Picture {
+        primaries: contestant.shot.image.primaries.primaries(),
+        pixel_aspect: contestant.shot.image.pixel_aspect,
+    });
     let write = |folder: PathBuf, frame: i32, moments: &moments::Moments| {
         atomic::prepare_folder(&folder)?;
         let stamp = Stamp {
@@ -144,7 +149,10 @@ fn keep(out: &Path, guard: &Guard, findings: &Findings, frames: &[i32]) -> Resul
             &file,
             moments.size,
             &moments.mean,
-            exr::Layers::default(),
+            exr::Layers {
+                picture,
+                ..exr::Layers::default()
+            },
             &stamp,
         )
     };

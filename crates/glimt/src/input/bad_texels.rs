@@ -85,16 +85,16 @@ impl BadTexels {
         bad
     }
 
-    /// What [`BadTexels::repair`] makes of those that are not negative, for messages.
+    /// What becomes of them, for messages.
     pub fn workaround(self) -> &'static str {
-        match (self.infinite > 0, self.nan + self.huge > 0) {
-            (true, false) => {
-                "infinite channels are taken as 65504, or as the largest finite value where that is larger"
+        match (self.infinite, self.total()) {
+            (0, _) => "those channels are taken as 0",
+            (infinite, all) if infinite == all => {
+                "those channels are taken as 65504, or as the largest finite value where that is larger"
             }
-            (true, true) => {
-                "infinite channels are taken as 65504, or as the largest finite value where that is larger, NaN as 0"
+            _ => {
+                "infinite channels are taken as 65504, or as the largest finite value where that is larger, all others are taken as 0"
             }
-            (false, _) => "those channels are taken as 0",
         }
     }
 

@@ -80,13 +80,18 @@ fn read(
         1 => Some(format!("1 of {all} {noun} is not light: {defects}")),
         n => Some(format!("{n} of {all} {noun}s are not light: {defects}")),
     };
+    if !image.primaries.is(&reading.working) {
+        notes.note(
+            file,
+            format!(
+                "its colours, of {}, are converted to {}",
+                image.primaries, reading.working
+            ),
+        );
+    }
     let outside = to_working(&mut image, reading);
     if let Some(what) = told {
-        let workaround = match defects.infinite {
-            0 => "those channels are taken as 0",
-            _ => defects.workaround(),
-        };
-        notes.defect(file, &what, workaround)?;
+        notes.defect(file, &what, defects.workaround())?;
     }
     if outside > bad.negative {
         notes.note(

@@ -207,9 +207,6 @@ impl Format {
     }
 }
 
-/// The formats that are read, for messages.
-const FORMATS: &str = "OpenEXR, Radiance HDR, PFM, PNG, JPEG or TIFF";
-
 /// Finds the format of a file by its first bytes.
 ///
 /// # Errors
@@ -227,8 +224,11 @@ fn format_by(file: &Path, start: &[u8]) -> Result<Format> {
         [0xff, 0xd8, ..] => Ok(Format::Jpeg),
         [b'I', b'I', 42, 0, ..] | [b'M', b'M', 0, 42, ..] => Ok(Format::Tiff),
         _ if is_movie(file, start) => Err(movie(file)),
-        _ => Err(Error::input(file, "it is not an image that is read here")
-            .fix(format!("convert it to {FORMATS}"))),
+        _ => Err(Error::input(
+            file,
+            "it is neither OpenEXR, Radiance, PFM, PNG, JPEG nor TIFF",
+        )
+        .fix("convert it to one of these")),
     }
 }
 

@@ -68,8 +68,9 @@ pub fn load(base: &Path, name: &str, crease_deg: f32, notes: &mut Notes) -> Resu
         }
     };
     clean::clean(&mut model, &file, notes)?;
-    for mesh in &mut model.meshes {
-        if mesh.normals.is_empty() {
+    for (index, mesh) in model.meshes.iter_mut().enumerate() {
+        // A mesh that deforms has normals of its faces, made in each pose.
+        if mesh.normals.is_empty() && !model.deforms.contains_key(&index) {
             normals::creased(mesh, crease_deg);
             model.made_normals.creased += mesh.indices.len();
         }

@@ -47,9 +47,17 @@ impl<'a> Pictures<'a> {
         }
     }
 
+    fn locate(&self, name: &str) -> Option<PathBuf> {
+        // Some programs mean the folder of the mesh, wherever the material library lies.
+        let mesh = self.model.files.first().map(PathBuf::as_path);
+        let folders = [Some(self.file), mesh].into_iter().flatten();
+        let mut folders = folders.filter_map(Path::parent);
+        folders.find_map(|folder| find(folder, name))
+    }
+
     /// The pixels of a picture; a warning and `None` if it cannot be read.
     pub fn read(&mut self, name: &str) -> Option<(PathBuf, RgbaImage)> {
-        let Some(path) = find(self.file.parent().unwrap_or(Path::new("")), name) else {
+        let Some(path) = self.locate(name) else {
             let what = format!("its picture {name} is missing; left out");
             self.notes.warn(self.file, what);
             return None;

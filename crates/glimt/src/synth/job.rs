@@ -12,6 +12,7 @@ use crate::error::{Error, Result};
 use crate::input::Reading;
 use crate::input::light_image::{LightImage, read_all_directions};
 use crate::input::plate;
+use crate::input::primaries::REC_709;
 use crate::interrupt;
 use crate::light::check_shape;
 use crate::notes::Notes;
@@ -298,10 +299,11 @@ fn read_light(file: &Path, notes: &mut Notes) -> Result<LightImage> {
 /// Reads a display-referred lat-long picture; its sRGB curve is undone.
 fn read_panorama(file: &Path) -> Result<LightImage> {
     let image = plate::read(file, &Reading::default(), &mut Notes::default())?;
+    let matrix = image.primaries.colour_matrix_to(&REC_709);
     let linear = image.colours.into_linear();
     Ok(LightImage {
         size: image.size,
-        pixels: linear.iter().map(|c| c.extend(1.0)).collect(),
+        pixels: linear.iter().map(|c| matrix.apply(c.extend(1.0))).collect(),
         hash: image.hash,
     })
 }

@@ -11,12 +11,13 @@ use serde_json::Value;
 use std::path::Path;
 
 /// The extensions that are honoured.
-pub(super) const SUPPORTED: [&str; 6] = [
+pub(super) const SUPPORTED: [&str; 7] = [
     "EXT_mesh_gpu_instancing",
     "EXT_texture_webp",
     "KHR_materials_emissive_strength",
     "KHR_materials_unlit",
     "KHR_mesh_quantization",
+    "KHR_node_visibility",
     "KHR_texture_transform",
 ];
 
@@ -181,7 +182,7 @@ fn leave_out_channels(file: &Path, json: &mut Value, notes: &mut Notes) -> Resul
                 continue;
             };
             let place = format!("animations[{index}].channels[{number}].target");
-            if !node.as_u64().is_some_and(|node| node < nodes) {
+            if node.as_u64().is_none_or(|node| node >= nodes) {
                 return Err(invalid(file, place + ".node", "Index out of bounds"));
             }
             if !["translation", "rotation", "scale", "weights"].contains(&path) {

@@ -8,6 +8,7 @@ use crate::mesh::model::{ModelCamera, Part};
 use crate::mesh::node::{Node, Trs};
 use ::gltf::accessor::{Accessor, DataType};
 use glam::{Mat4, Quat, Vec3};
+use serde_json::Value;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
@@ -30,9 +31,9 @@ impl<'a> Reader<'a> {
         // Parts that joints move, with the number of the skin.
         let mut skinned: Vec<(usize, usize)> = Vec::new();
         let is_animated = document.animations().next().is_some();
-        let top = |node| (node, None, Mat4::IDENTITY);
+        let top = |node| (node, None, Mat4::IDENTITY, true);
         let mut stack: Vec<_> = scene.nodes().map(top).collect();
-        while let Some((node, parent, to_file)) = stack.pop() {
+        while let Some((node, parent, to_file, is_shown)) = stack.pop() {
             let local = Mat4::from_cols_array_2d(&node.transform().matrix());
             let transform = to_file * local;
             let own = self.model.nodes.len();
@@ -56,7 +57,10 @@ impl<'a> Reader<'a> {
                 },
                 weights: weights(&node),
             });
-            if let Some(mesh) = mesh {
+            let visibility = node.extension_value("KHR_node_visibility");
+            let is_shown =
+                is_shown && visibility.is_none_or(|v| v["visible"] != Value::Bool(false));
+            if let Some(mesh) = mesh.filter(|_| is_shown) {
                 let list = match meshes.entry(mesh.index()) {
                     Entry::Occupied(known) => known.into_mut(),
                     Entry::Vacant(new) => new.insert(self.read_mesh(&mesh)?),
@@ -67,7 +71,7 @@ impl<'a> Reader<'a> {
             if let Some(camera) = node.camera() {
                 self.read_camera(&node, &camera, own);
             }
-            let inner = |child| (child, Some(own), transform);
+            let inner = |child| (child, Some(own), transform, is_shown);
             stack.extend(node.children().map(inner));
         }
         self.read_skins(&nodes, &skinned)?;

@@ -1,7 +1,6 @@
 //! Host file: one mesh of the vertices and faces of a PLY file.
 
-use super::elements::{Face, Vertex};
-use super::{Content, Has};
+use super::Content;
 use crate::error::{Error, Result};
 use crate::mesh::joiner::{Joiner, pick};
 use crate::mesh::model::{Model, painted_material};
@@ -9,7 +8,7 @@ use crate::mesh::pictures::{Pictures, Use};
 use crate::mesh::triangulate::Triangulator;
 use crate::mesh::{colors, origin};
 use crate::notes::Notes;
-use glam::{DVec3, Vec2, Vec3, Vec4};
+use glam::{Vec2, Vec3, Vec4};
 use glimt_render_gpu::prepare::scene::{Material, Mesh, Reflection};
 use std::path::Path;
 
@@ -19,68 +18,92 @@ const END: u32 = u32::MAX;
 /// What distinguishes the corners of faces that have more than vertices.
 type Kind = (Vec2, Vec4);
 
+/// One mesh of all faces. Vertices are split where corners or faces have values of their own.
 pub(super) fn assemble(content: Content, file: &Path, notes: &mut Notes) -> Result<Model> {
     let Content {
         vertices,
         faces,
         strips,
         pictures,
-        has,
     } = content;
-    let exact: Vec<DVec3> = vertices.iter().map(|v| v.position).collect();
-    let from = origin::of(&exact);
-    let mut mesh = attributes(&vertices, has);
-    mesh.positions = origin::relative(&exact, from, file, notes);
-    drop(vertices);
-    mesh.name = file
-        .file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned();
-
+    let from = origin::of(&vertices.positions);
+    let count = vertices.positions.len();
+    let is_split = !faces.uvs.is_empty() || !faces.colors.is_empty();
+    let mut joiner = Joiner::<Kind>::new(if is_split { count } else { 0 });
+    let mut mesh = Mesh::default();
+    let mut shown = Vec::new();
     let mut cutter = Triangulator::default();
-    let mut joiner = Joiner::<Kind>::new(exact.len());
-    let is_split = has.face_uvs || has.face_colors;
     let mut corners = Vec::new();
     let mut polygon = Vec::new();
-    let mut shown = Vec::new();
-    for (index, face) in faces.iter().enumerate() {
-        list_corners(face, file, "face", index, exact.len(), &mut corners)?;
+    for (index, range) in faces.ranges().enumerate() {
+        let list = &faces.corners[range.clone()];
+        list_corners(list, file, "face", index, count, &mut corners)?;
+        let kind = |place: u32| {
+            let uv = faces.uvs.get(range.start + place as usize);
+            let color = faces.colors.get(index);
+            (*uv.unwrap_or(&Vec2::ZERO), *color.unwrap_or(&Vec4::ONE))
+        };
         let push = |t: [u32; 3]| {
-            let vertex = |place: u32| match is_split {
-                true => joiner.vertex(corners[place as usize], kind(face, place)),
+            mesh.indices.push(t.map(|place| match is_split {
+                true => joiner.vertex(corners[place as usize], kind(place)),
                 false => corners[place as usize],
-            };
-            mesh.indices.push(t.map(vertex));
+            }));
         };
         if corners.len() == 3 {
             Some([0, 1, 2]).into_iter().for_each(push);
         } else {
             polygon.clear();
-            polygon.extend(corners.iter().map(|&corner| exact[corner as usize]));
+            polygon.extend(corners.iter().map(|&i| vertices.positions[i as usize]));
             cutter.polygon(&polygon, push);
         }
-        if has.face_uvs {
-            shown.resize(mesh.indices.len(), face.texture);
+        if let Some(texture) = faces.textures.get(index) {
+            shown.resize(mesh.indices.len(), *texture);
         }
     }
     if cutter.crossing > 0 {
         let what = format!("{} of its polygons cross themselves", cutter.crossing);
         notes.defect(file, &what, "cut as well as it goes")?;
     }
-    for (index, strip) in strips.iter().enumerate() {
-        list_corners(strip, file, "tristrips", index, exact.len(), &mut corners)?;
+    for (index, range) in strips.ranges().enumerate() {
+        let list = &strips.corners[range];
+        list_corners(list, file, "tristrips", index, count, &mut corners)?;
         push_strips(&corners, |t| {
-            let plain = (Vec2::ZERO, Vec4::ONE);
             mesh.indices.push(match is_split {
-                true => t.map(|corner| joiner.vertex(corner, plain)),
+                true => t.map(|corner| joiner.vertex(corner, (Vec2::ZERO, Vec4::ONE))),
                 false => t,
             });
         });
     }
-    if is_split {
-        join(&mut mesh, joiner, has);
+    mesh.positions = origin::relative(&vertices.positions, from, file, notes);
+    // Programs that have no normals write zeros.
+    if vertices.normals.iter().any(|n| *n != Vec3::ZERO) {
+        mesh.normals = vertices.normals;
     }
+    mesh.uvs = vertices.uvs;
+    mesh.colors = vertices.colors;
+    if is_split {
+        let Joiner { points, kinds, .. } = joiner;
+        mesh.positions = pick(&mesh.positions, &points);
+        mesh.normals = pick(&mesh.normals, &points);
+        mesh.uvs = match faces.uvs.is_empty() {
+            true => pick(&mesh.uvs, &points),
+            false => kinds.iter().map(|kind| kind.0).collect(),
+        };
+        mesh.colors = match mesh.colors.is_empty() && !faces.colors.is_empty() {
+            true => kinds.iter().map(|kind| kind.1).collect(),
+            false => pick(&mesh.colors, &points),
+        };
+    }
+    // PLY counts v from the bottom of the image.
+    for uv in &mut mesh.uvs {
+        uv.y = 1.0 - uv.y;
+    }
+    mesh.materials = vec![0];
+    mesh.name = file
+        .file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
     let mut model = Model {
         files: vec![file.to_owned()],
         origin: from,
@@ -88,52 +111,6 @@ pub(super) fn assemble(content: Content, file: &Path, notes: &mut Notes) -> Resu
     };
     paint(&mut model, &pictures, shown, file, notes);
     Ok(model)
-}
-
-/// The attributes of vertices, but for their positions.
-fn attributes(vertices: &[Vertex], has: Has) -> Mesh {
-    let mut mesh = Mesh::default();
-    // Programs that have no normals write zeros.
-    if has.normals && vertices.iter().any(|v| v.normal != Vec3::ZERO) {
-        mesh.normals = vertices.iter().map(|v| v.normal).collect();
-    }
-    if has.uvs {
-        mesh.uvs = vertices.iter().map(|v| from_top(v.uv)).collect();
-    }
-    if has.colors {
-        mesh.colors = vertices.iter().map(|v| v.color).collect();
-    }
-    mesh
-}
-
-/// PLY counts v from the bottom of the image.
-fn from_top(uv: Vec2) -> Vec2 {
-    Vec2::new(uv.x, 1.0 - uv.y)
-}
-
-fn kind(face: &Face, place: u32) -> Kind {
-    let place = 2 * place as usize;
-    let uv = match face.uvs.get(place..place + 2) {
-        Some(&[u, v]) => from_top(Vec2::new(u, v)),
-        _ => Vec2::ZERO,
-    };
-    (uv, face.color)
-}
-
-/// Makes the vertices of corners the mesh's, with the attributes of both.
-fn join(mesh: &mut Mesh, joiner: Joiner<Kind>, has: Has) {
-    let Joiner { points, kinds, .. } = joiner;
-    mesh.positions = pick(&mesh.positions, &points);
-    mesh.normals = pick(&mesh.normals, &points);
-    mesh.uvs = match has.face_uvs {
-        true => kinds.iter().map(|kind| kind.0).collect(),
-        false => pick(&mesh.uvs, &points),
-    };
-    mesh.colors = match has.colors {
-        true => pick(&mesh.colors, &points),
-        false if has.face_colors => kinds.iter().map(|kind| kind.1).collect(),
-        false => Vec::new(),
-    };
 }
 
 /// Gives the model its pictures, or else its vertex colours; `shown` is the picture of each triangle, if they differ.
@@ -197,7 +174,7 @@ fn textured(texture: u32) -> Material {
 
 /// Puts the corners of a face into a list, as indices; −1, which ends a strip, is [`END`].
 fn list_corners(
-    face: &Face,
+    indices: &[i32],
     file: &Path,
     element: &str,
     index: usize,
@@ -205,7 +182,7 @@ fn list_corners(
     list: &mut Vec<u32>,
 ) -> Result<()> {
     list.clear();
-    for &i in &face.indices {
+    for &i in indices {
         list.push(match u32::try_from(i) {
             Ok(i) if (i as usize) < len => i,
             Err(_) if i == -1 && element == "tristrips" => END,

@@ -1,10 +1,10 @@
 //! Host file: vertices and faces of PLY files, as the library hands them over, property by property.
 
 use glam::{DVec3, Vec2, Vec3, Vec4};
-use ply_rs_bw::ply::{BeginList, PropertyAccess, PropertyAccessResult};
+use ply_rs_bw::ply::{BeginList, ElementDef, PropertyAccess, PropertyAccessResult};
+use std::ops::Range;
 
 /// A vertex. Properties that are not named here are skipped.
-#[derive(Clone, Copy)]
 pub(super) struct Vertex {
     pub(super) position: DVec3,
     pub(super) normal: Vec3,
@@ -31,7 +31,7 @@ impl Vertex {
 }
 
 /// Names of a colour's channels.
-pub(super) const CHANNELS: [[&str; 3]; 4] = [
+const CHANNELS: [[&str; 3]; 4] = [
     ["red", "r", "diffuse_red"],
     ["green", "g", "diffuse_green"],
     ["blue", "b", "diffuse_blue"],
@@ -91,6 +91,87 @@ fn is_uvs(name: &str) -> bool {
 
 /// An element that is read past.
 pub(super) struct Skipped;
+
+/// Vertices as lists of what they have: each of them is as long as the positions, or empty.
+#[derive(Default)]
+pub(super) struct Vertices {
+    pub(super) positions: Vec<DVec3>,
+    pub(super) normals: Vec<Vec3>,
+    /// With v growing upwards.
+    pub(super) uvs: Vec<Vec2>,
+    /// See [`Vertex::color`].
+    pub(super) colors: Vec<Vec4>,
+}
+
+impl Vertices {
+    /// Adds vertices of an element.
+    pub(super) fn extend(&mut self, list: &[Vertex], element: &ElementDef) {
+        let uvs = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]];
+        self.positions.extend(list.iter().map(|v| v.position));
+        if has_all(element, &["nx", "ny", "nz"]) {
+            self.normals.extend(list.iter().map(|v| v.normal));
+        }
+        if uvs.iter().any(|names| has_all(element, names)) {
+            self.uvs.extend(list.iter().map(|v| v.uv));
+        }
+        if has_color(element) {
+            self.colors.extend(list.iter().map(|v| v.color));
+        }
+    }
+}
+
+/// Polygons or strips, one after the other.
+#[derive(Default)]
+pub(super) struct Faces {
+    /// The corners of all of them; see [`Face::indices`].
+    pub(super) corners: Vec<i32>,
+    /// Index after the last corner of each.
+    pub(super) ends: Vec<usize>,
+    /// Texture coordinates of each corner, with v growing upwards; or empty.
+    pub(super) uvs: Vec<Vec2>,
+    /// Of each the picture that it shows; or empty.
+    pub(super) textures: Vec<u32>,
+    /// Of each its colour, see [`Vertex::color`]; or empty.
+    pub(super) colors: Vec<Vec4>,
+}
+
+impl Faces {
+    /// Adds faces of an element.
+    pub(super) fn extend(&mut self, list: &[Face], element: &ElementDef) {
+        let has_uvs = has_all(element, &["texcoord"]) || has_all(element, &["texcoords"]);
+        for face in list {
+            self.corners.extend_from_slice(&face.indices);
+            self.ends.push(self.corners.len());
+            if has_uvs {
+                let (uvs, _) = face.uvs.as_chunks::<2>();
+                self.uvs.extend(uvs.iter().map(|&uv| Vec2::from(uv)));
+                self.uvs.resize(self.corners.len(), Vec2::ZERO);
+            }
+        }
+        if has_all(element, &["texnumber"]) {
+            self.textures.extend(list.iter().map(|face| face.texture));
+        }
+        if has_color(element) {
+            self.colors.extend(list.iter().map(|face| face.color));
+        }
+    }
+
+    /// The corners of each.
+    pub(super) fn ranges(&self) -> impl Iterator<Item = Range<usize>> {
+        let starts = std::iter::once(0).chain(self.ends.iter().copied());
+        starts.zip(&self.ends).map(|(start, end)| start..*end)
+    }
+}
+
+fn has_all(element: &ElementDef, names: &[&str]) -> bool {
+    let mut names = names.iter();
+    names.all(|name| element.properties.contains_key(*name))
+}
+
+fn has_color(element: &ElementDef) -> bool {
+    let mut channels = CHANNELS[..3].iter();
+    channels.all(|names| names.iter().any(|name| has_all(element, &[name])))
+}
 
 macro_rules! setters {
     ($($name:ident($value:ty) = $white:expr),+) => {

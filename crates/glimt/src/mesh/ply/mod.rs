@@ -7,7 +7,7 @@ use super::contents;
 use super::model::Model;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
-use elements::{CHANNELS, Face, Skipped, Vertex};
+use elements::{Face, Faces, Skipped, Vertex, Vertices};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Header};
 use std::path::Path;
@@ -20,25 +20,17 @@ pub fn load(file: &Path, notes: &mut Notes) -> Result<Model> {
     assemble::assemble(read(file, notes)?, file, notes)
 }
 
+/// How many elements are read before they are put into lists.
+const CHUNK: usize = 1 << 14;
+
 /// What a file holds.
 #[derive(Default)]
 struct Content {
-    vertices: Vec<Vertex>,
-    faces: Vec<Face>,
-    strips: Vec<Face>,
+    vertices: Vertices,
+    faces: Faces,
+    strips: Faces,
     /// Names of pictures.
     pictures: Vec<String>,
-    has: Has,
-}
-
-/// What its vertices and faces have beside positions and indices.
-#[derive(Clone, Copy, Default)]
-struct Has {
-    normals: bool,
-    uvs: bool,
-    colors: bool,
-    face_uvs: bool,
-    face_colors: bool,
 }
 
 fn read(file: &Path, notes: &mut Notes) -> Result<Content> {
@@ -63,57 +55,40 @@ fn read(file: &Path, notes: &mut Notes) -> Result<Content> {
         ..Content::default()
     };
     for (name, element) in &header.elements {
-        match name.as_str() {
-            "vertex" => {
-                content.vertices = Parser::<Vertex>::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(broken)?;
-                content.has.of_vertices(element);
-            }
-            "face" | "tristrips" => {
-                let faces = Parser::<Face>::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(broken)?;
-                if name == "face" {
-                    content.has.of_faces(element);
-                    content.faces = faces;
-                } else {
-                    content.strips = faces;
+        let mut left = element.count;
+        while left > 0 {
+            let part = ElementDef {
+                count: left.min(CHUNK),
+                ..element.clone()
+            };
+            left -= part.count;
+            match name.as_str() {
+                "vertex" => {
+                    let list = Parser::<Vertex>::new()
+                        .read_payload_for_element(&mut reader, &part, &header)
+                        .map_err(broken)?;
+                    content.vertices.extend(&list, element);
                 }
-            }
-            other => {
-                Parser::<Skipped>::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(broken)?;
-                notes.note(file, format!("its element `{other}` is not used"));
+                "face" | "tristrips" => {
+                    let list = Parser::<Face>::new()
+                        .read_payload_for_element(&mut reader, &part, &header)
+                        .map_err(broken)?;
+                    let faces = match name.as_str() {
+                        "face" => &mut content.faces,
+                        _ => &mut content.strips,
+                    };
+                    faces.extend(&list, element);
+                }
+                other => {
+                    Parser::<Skipped>::new()
+                        .read_payload_for_element(&mut reader, &part, &header)
+                        .map_err(broken)?;
+                    notes.note(file, format!("its element `{other}` is not used"));
+                }
             }
         }
     }
     Ok(content)
-}
-
-impl Has {
-    fn of_vertices(&mut self, element: &ElementDef) {
-        let uvs = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]];
-        self.normals = has_all(element, &["nx", "ny", "nz"]);
-        self.uvs = uvs.iter().any(|names| has_all(element, names));
-        self.colors = has_color(element);
-    }
-
-    fn of_faces(&mut self, element: &ElementDef) {
-        self.face_uvs = has_all(element, &["texcoord"]) || has_all(element, &["texcoords"]);
-        self.face_colors = has_color(element);
-    }
-}
-
-fn has_all(element: &ElementDef, names: &[&str]) -> bool {
-    let mut names = names.iter();
-    names.all(|name| element.properties.contains_key(*name))
-}
-
-fn has_color(element: &ElementDef) -> bool {
-    let mut channels = CHANNELS[..3].iter();
-    channels.all(|names| names.iter().any(|name| has_all(element, &[name])))
 }
 
 /// The name of a picture in a comment, as MeshLab writes it.
