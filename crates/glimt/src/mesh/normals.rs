@@ -392,10 +392,10 @@ mod tests {
     fn thousands_of_equal_triangles_and_a_wide_fan_take_no_time() {
         let mut same = Mesh {
             positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
-            indices: vec![[0, 1, 2]; 100_000],
+            indices: vec![[0, 1, 2]; 300_000],
             ..Mesh::default()
         };
-        let n = 100_000;
+        let n = 300_000;
         let rim = |i: u32| (i as f32 / n as f32 * TAU).sin_cos();
         let mut cone = Mesh {
             positions: (0..n).map(rim).map(|(y, x)| Vec3::new(x, y, 0.0)).collect(),
@@ -406,9 +406,11 @@ mod tests {
         let began = std::time::Instant::now();
         creased(&mut same, 40.0);
         creased(&mut cone, 40.0);
-        assert!(began.elapsed().as_secs_f32() < 5.0);
+        // Work that grows with the square of their number takes minutes.
+        assert!(began.elapsed().as_secs_f32() < 60.0);
         assert_eq!(same.positions.len(), 3);
-        assert!(cone.normals[n as usize].abs_diff_eq(Vec3::Z, 1e-4));
+        let top = normals_of(&cone, Vec3::Z);
+        assert!(top.len() == 1 && top[0].abs_diff_eq(Vec3::Z, 1e-4));
     }
 
     #[test]

@@ -42,7 +42,9 @@ impl Triangulator {
         }
         let normal = newell(corners);
         let total = normal.length();
-        if !(total > 0.0 && total.is_finite()) || corners.len() > MOST_CORNERS {
+        let reach = corners.iter().map(|p| p.distance_squared(corners[0]));
+        let least = 1e-12 * reach.fold(0.0, f64::max);
+        if !(total > least && total.is_finite()) || corners.len() > MOST_CORNERS {
             return fan(0).for_each(push);
         }
         let (right, up) = (normal / total).any_orthonormal_pair();
