@@ -134,7 +134,7 @@ pub enum Command {
         #[command(flatten)]
         flags: ShFlags,
     },
-    /// Say what a file holds (EXR, HDR, glTF, OBJ, PLY, shot), or which devices there are
+    /// Say what a file holds (EXR, HDR, glTF, OBJ, PLY, STL, shot), or which devices there are
     #[command(after_help = INFO_EXAMPLES)]
     Info {
         /// An image, a mesh or a shot; without it, devices and versions are listed
@@ -548,7 +548,7 @@ A shot needs a light and an object; every other key has a default:
   [probe]
   frames = \"capture/light.####.exr\"   # also light.%04d.exr, light.$F4.exr, light.@@@@.exr; one file is a still
   [[object]]
-  mesh = \"model.glb\"                  # .glb .gltf .obj .ply .ply.gz, or \"sphere\", \"plane\", \"helicopter\"
+  mesh = \"model.glb\"                  # .glb .gltf .obj .ply .stl, or \"sphere\", \"plane\", \"helicopter\"
   ground = true
   [[object.spin]]                       # what moves: spinning nodes, glTF animations (which play by themselves), keyframes
   node = \"rotor\"

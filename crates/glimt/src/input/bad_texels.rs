@@ -30,6 +30,11 @@ impl BadTexels {
 
     /// With one texel more.
     fn and(mut self, texel: &Vec4) -> Self {
+        // Almost all are.
+        let is_light = texel.cmpge(Vec4::ZERO) & texel.cmple(Vec4::splat(MAX_RADIANCE));
+        if is_light.all() {
+            return self;
+        }
         let colour = texel.truncate();
         if colour.is_nan() {
             self.nan += 1;

@@ -43,38 +43,34 @@ pub fn decode(file: &Path, bytes: &[u8], reading: &Reading, notes: &mut Notes) -
     require_room(file, header.size, reading)?;
     require_room(file, header.data_size, reading)?;
     let (primaries, transfer) = colours.resolve(file, reading, notes)?;
-    let size = header.data_size;
-    let at = |x: u32, y: u32| y as usize * size.x as usize + x as usize;
-    let mut texels = match colour {
-        Colour::Rgb(rgb) => {
-            let planes = planes::read(file, bytes, *part, rgb)?;
-            texels(size, |x, y| {
-                let at = at(x, y);
-                Vec3::new(planes[0][at], planes[1][at], planes[2][at])
-            })
-        }
-        Colour::Chroma(yc) => {
-            let planes = planes::read(file, bytes, *part, yc)?;
+    let (hash, texels) = rayon::join(
+        || digest::of_bytes(bytes),
+        || planes::read(file, bytes, *part, colour.channels()),
+    );
+    let mut texels = texels?;
+    match colour {
+        Colour::Rgb(_) => {}
+        Colour::Chroma(_) => {
             let weights = primaries.luminance_weights();
-            texels(size, |x, y| {
-                let at = at(x, y);
-                let y0 = planes[0][at];
-                let r = (planes[1][at] + 1.0) * y0;
-                let b = (planes[2][at] + 1.0) * y0;
+            texels.par_iter_mut().for_each(|texel| {
+                let y0 = texel.x;
+                let r = (texel.y + 1.0) * y0;
+                let b = (texel.z + 1.0) * y0;
                 let g = (y0 - r * weights.x - b * weights.z) / weights.y;
-                Vec3::new(r, g, b)
-            })
+                *texel = Vec4::new(r, g, b, 1.0);
+            });
         }
         Colour::Grey(index) => {
-            let planes = planes::read(file, bytes, *part, &[*index])?;
             let name = meta.headers[*part].channels.list[*index].name.to_string();
             notes.note(
                 file,
                 format!("its channel {name} alone is taken as grey light"),
             );
-            texels(size, |x, y| Vec3::splat(planes[0][at(x, y)]))
+            texels
+                .par_iter_mut()
+                .for_each(|texel| *texel = Vec3::splat(texel.x).extend(1.0));
         }
-    };
+    }
     apply_transfer(&mut texels, transfer);
     if !header.data_is_display() {
         notes.note(file, windows(&header));
@@ -88,7 +84,7 @@ pub fn decode(file: &Path, bytes: &[u8], reading: &Reading, notes: &mut Notes) -
             Colour::Grey(_) => REC_709,
             _ => primaries,
         },
-        hash: digest::of_bytes(bytes),
+        hash,
     })
 }
 
@@ -225,17 +221,6 @@ fn in_display_window(header: &Header, texels: &[Vec4]) -> Vec<Vec4> {
         .flat_map(|y| (0..header.size.x).map(move |x| (x, y)))
         .map(|(x, y)| at(x, y))
         .collect()
-}
-
-fn texels(size: UVec2, colour: impl Fn(u32, u32) -> Vec3 + Sync) -> Vec<Vec4> {
-    let mut texels = vec![Vec4::W; size.x as usize * size.y as usize];
-    let rows = texels.par_chunks_mut(size.x.max(1) as usize);
-    rows.zip(0..size.y).for_each(|(row, y)| {
-        for (texel, x) in row.iter_mut().zip(0..) {
-            *texel = colour(x, y).extend(1.0);
-        }
-    });
-    texels
 }
 
 fn check_meta(

@@ -18,6 +18,16 @@ pub(super) enum Colour {
     Grey(usize),
 }
 
+impl Colour {
+    /// The channels, in this order.
+    pub(super) fn channels(&self) -> &[usize] {
+        match self {
+            Self::Rgb(three) | Self::Chroma(three) => three,
+            Self::Grey(one) => std::slice::from_ref(one),
+        }
+    }
+}
+
 /// What a name says of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
