@@ -169,10 +169,10 @@ fn leave_out_channels(file: &Path, json: &mut Value, notes: &mut Notes) -> Resul
             let path = target["path"].as_str().unwrap_or_default();
             if path == "pointer" || target["extensions"]["KHR_animation_pointer"].is_object() {
                 let what = format!(
-                    "animation `{name}` uses KHR_animation_pointer, which is not supported: what it moves stands still; bake it \
-                     into node animations"
+                    "animation `{name}` uses KHR_animation_pointer, which is not supported"
                 );
-                notes.warn(file, what);
+                let workaround = "what it moves stands still; bake it into node animations";
+                notes.defect(file, &what, workaround)?;
                 continue;
             }
             let Some(node) = target.get("node") else {

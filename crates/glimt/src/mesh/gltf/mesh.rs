@@ -85,9 +85,9 @@ impl Reader<'_> {
         if let Some(set) = set
             && mesh.uvs.is_empty()
         {
-            let what =
-                format!("`{name}` has no texture coordinates {set}: its texture shows one colour");
-            self.notes.warn(self.file, what);
+            let what = format!("`{name}` has no texture coordinates {set}");
+            let workaround = "its texture shows one colour";
+            self.notes.defect(self.file, &what, workaround)?;
         }
         let mut deform = self.read_deform(place, mesh.positions.len())?;
         self.check_finite(place, &mesh, &deform)?;
@@ -221,11 +221,9 @@ impl Reader<'_> {
             }
         }
         if unbound > 0 {
-            let what = format!(
-                "{} has {unbound} vertices without weights; they follow the skin's first joint",
-                place.name
-            );
-            self.notes.warn(self.file, what);
+            let what = format!("{} has {unbound} vertices without weights", place.name);
+            let workaround = "they follow the skin's first joint";
+            self.notes.defect(self.file, &what, workaround)?;
         }
         Ok(())
     }
