@@ -1,7 +1,8 @@
 //! Host file: kills at random moments.
 
 use crate::Outcome;
-use crate::bench::{Bench, Files, Random};
+use crate::bench::{Bench, Files};
+use glimt_tests::random::Random;
 use std::fs;
 use std::process::{Child, Command, ExitStatus};
 use std::thread::sleep;
