@@ -79,7 +79,7 @@ pub(crate) fn mutate(kind: Kind, before: &[u8], other: &[u8], random: &mut Rando
 /// Changes one place, of the kinds that the format has.
 fn once(kind: Kind, bytes: &mut Vec<u8>, other: &[u8], random: &mut Random) {
     let text = text_of(kind, bytes);
-    let has_json = matches!(kind, Kind::Json | Kind::Glb | Kind::State);
+    let has_json = matches!(kind, Kind::Json | Kind::Glb | Kind::State) && !text.is_empty();
     match random.below(6) {
         0 | 1 => bytes::anywhere(bytes, other, random),
         2 if has_json => replace(kind, bytes, text, |text| json::change(text, random)),
