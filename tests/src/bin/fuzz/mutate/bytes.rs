@@ -50,7 +50,7 @@ const NUMBERS: [u64; 40] = [
 /// One of many changes, somewhere.
 pub(super) fn anywhere(bytes: &mut Vec<u8>, other: &[u8], random: &mut Random) {
     if bytes.is_empty() {
-        bytes.push(random.next() as u8);
+        bytes.push(random.bits() as u8);
         return;
     }
     let at = random.below(bytes.len());
@@ -58,7 +58,7 @@ pub(super) fn anywhere(bytes: &mut Vec<u8>, other: &[u8], random: &mut Random) {
     let end = (at + length).min(bytes.len());
     match random.below(9) {
         0 | 1 => bytes[at] ^= 1 << random.below(8),
-        2 => bytes[at] = random.next() as u8,
+        2 => bytes[at] = random.bits() as u8,
         3 => bytes.truncate(at),
         4 => drop(bytes.drain(at..end)),
         5 => {
@@ -108,7 +108,7 @@ pub(super) fn number(bytes: &mut [u8], place: Place, random: &mut Random) {
         0 => old.wrapping_add(1),
         1 => old.wrapping_sub(1),
         2 => old.wrapping_mul(2),
-        3 => random.next() >> random.below(64),
+        3 => random.bits() >> random.below(64),
         4 => (*random.pick(&NUMBERS)).wrapping_neg(),
         _ => *random.pick(&NUMBERS),
     };
