@@ -109,7 +109,12 @@ pub(super) fn choose(file: &Path, meta: &MetaData, reading: &Reading) -> Result<
                 Error::input(file, what).fix_name(wanted, &known)
             })?,
     };
-    let Some(chosen) = layers.get(at) else {
+    // A depth or a mask alone is no picture, and none that a layer's name would choose.
+    let is_number =
+        |layer: &Layer| layer.kind == Kind::Data && matches!(layer.colour, Colour::Grey(_));
+    let chosen = layers.get(at);
+    let chosen = chosen.filter(|layer| !reading.layer.is_empty() || !is_number(layer));
+    let Some(chosen) = chosen else {
         let what = format!(
             "its channels ({}) hold no colour",
             channels(meta).join(", ")
@@ -188,7 +193,13 @@ fn layers(meta: &MetaData) -> Vec<Layer> {
                 .into_iter()
                 .filter(|name| !name.is_empty())
                 .collect();
-            let name = path.join(".");
+            let name = match (&colour, path.is_empty()) {
+                // A lone channel has no name but its own.
+                (Colour::Grey(only), true) if !names[*only].eq_ignore_ascii_case("y") => {
+                    names[*only].clone()
+                }
+                _ => path.join("."),
+            };
             let is_view = |word: &str| {
                 views.iter().any(|view| view == word)
                     || ["left", "right"]
@@ -201,13 +212,12 @@ fn layers(meta: &MetaData) -> Vec<Layer> {
             let last = words
                 .iter()
                 .rfind(|word| !is_view(word) && !word.is_empty());
-            let kind = match (&colour, last) {
-                (_, Some(last)) => kind(last),
-                // A lone channel has no name but its own.
-                (Colour::Grey(only), None) if !names[*only].eq_ignore_ascii_case("y") => {
-                    kind(&names[*only]).max(Kind::Unknown)
-                }
-                (_, None) => Kind::Picture,
+            // A channel called "c" is no picture as a layer of that name is.
+            let is_lone = path.is_empty() && !name.is_empty();
+            let kind = match (last, is_lone) {
+                (Some(last), true) => kind(last).max(Kind::Unknown),
+                (Some(last), false) => kind(last),
+                (None, _) => Kind::Picture,
             };
             layers.push(Layer {
                 part: index,
