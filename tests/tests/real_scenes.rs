@@ -41,7 +41,7 @@ const MAPS: [&str; 7] = [
     "venice_sunset_1k.hdr",
     "KernerEnvLatLong.exr",
 ];
-const FRAME: u32 = 1;
+const FRAME: i32 = 1;
 
 /// How much the mean energy may differ.
 const ENERGY: f64 = 1e-3;

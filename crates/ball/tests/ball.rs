@@ -353,7 +353,7 @@ fn frames_of_another_exposure_are_named() {
     let list: Vec<Observation> = (1..=9_i32)
         .map(|frame| {
             let mut scene = Scene::new(&world, size, truth);
-            scene.seed = u64::from(frame);
+            scene.seed = frame as u64;
             scene.exposure = if (4..=5).contains(&frame) { 0.5 } else { 1.0 };
             let mut o = observation(frame, 160.0, 113.0, 100.0, 0.0);
             o.levels = Some(Levels::new(size, &scene.film(), truth));
@@ -379,7 +379,7 @@ fn a_live_tracker_follows() {
         let c = SMALL.as_dvec2() * 0.5 + random.gauss2() * 3.0;
         let mut scene = Scene::new(&world, SMALL, circle(c.x, c.y, 200.0));
         scene.roll = 0.002 * f64::from(frame - 1);
-        scene.seed = u64::from(frame);
+        scene.seed = frame as u64;
         let pose = tracker.push(frame, SMALL, &scene.film()).expect("a pose");
         println!("true {c} roll {} {pose:?}", scene.roll);
         assert_eq!(pose.state, State::Measured);
