@@ -13,6 +13,7 @@ pub mod gpu;
 )]
 pub mod kernels;
 pub mod light;
+pub mod random;
 pub mod sampler_sets;
 pub mod sampler_step;
 pub mod shaders;

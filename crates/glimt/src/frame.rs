@@ -1,8 +1,8 @@
 //! Host file: the files of one frame: their names, whether they are there, and writing and reading them back.
 
+use crate::colour::primaries::Primaries;
 use crate::error::{Error, Kind, Result};
 use crate::input::frames::FrameFiles;
-use crate::input::primaries::Primaries;
 use crate::output::{Stamp, aov, exr, png};
 use crate::setup::Setup;
 use crate::shot::digest;

@@ -8,6 +8,7 @@
 pub mod bake;
 pub mod capture;
 pub mod cli;
+pub mod colour;
 pub mod command;
 pub mod compare;
 pub mod demo;

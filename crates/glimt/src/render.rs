@@ -2,10 +2,10 @@
 
 use crate::bake;
 use crate::cli::Device;
+use crate::colour::primaries::Primaries;
 use crate::device::{self, Renderers};
 use crate::error::{Error, Kind, Result};
 use crate::frame::Frames;
-use crate::input::primaries::Primaries;
 use crate::interrupt;
 use crate::job::{Chain, Job};
 use crate::notes::{Note, Notes};

@@ -1,8 +1,8 @@
 //! Host file: what a shot has that no frame changes: its keys, scene and settings, how things move, and where its outputs go.
 
 use crate::cli::RenderFlags;
+use crate::colour::primaries::{Primaries, REC_709};
 use crate::error::{Error, Kind, Result};
-use crate::input::primaries::{Primaries, REC_709};
 use crate::memory;
 use crate::mesh::node::NodePose;
 use crate::notes::Notes;

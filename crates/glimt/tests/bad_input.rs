@@ -159,7 +159,8 @@ fn files_that_are_something_else() {
     let t = Scratch::new("else");
     t.put("light.exr", b"\x89PNG\r\n\x1a\n");
     t.shot("light.exr", "");
-    t.run(&["render", "shot.toml"]).fails(3, &["PNG", ".hdr"]);
+    t.run(&["render", "shot.toml"])
+        .fails(3, &["light.exr", "ends too early"]);
     t.put("light.exr", b"hello");
     t.run(&["render", "shot.toml"])
         .fails(3, &["neither OpenEXR"]);
@@ -350,4 +351,30 @@ fn names_that_are_no_text() {
         assert_eq!(output.status.code(), Some(0), "{said}");
     }
     assert!(t.path.join(folder).join("frame.0001.exr").is_file());
+}
+
+#[test]
+fn plates_far_beyond_white() {
+    let t = Scratch::new("beyond");
+    // One value is far below zero, and one is within the bound of 1e20 with the plate's primaries alone: in Rec. 709 it is 1.7 times that.
+    t.exr("plate.exr", 16, 12, |x, y, c| match (x, y, c) {
+        (0, 0, 0) => -1e30,
+        (15, 0, 0) => 9e19,
+        _ => 0.0,
+    });
+    t.exr("light.exr", 8, 4, |_, _, _| 1.0);
+    t.shot(
+        "light.exr",
+        "[backplate]\nframes = \"plate.exr\"\nprimaries = \"acescg\"\n[output]\nprimaries = \"rec709\"\n",
+    );
+    t.run(&["render", "shot.toml"]).ok().says(&[
+        "warning: ",
+        "plate.exr",
+        "1 of 192",
+        "beyond 1e20",
+    ]);
+    let image = common::read_exr(&t.file("out/frame.0001.exr"));
+    // Channels are A, B, G, R.
+    assert_eq!(image[3][0], 0.0);
+    assert_eq!(image[3][15], 1e20);
 }

@@ -80,6 +80,8 @@ fn the_picture_of_a_file_is_taken() {
     let (got, ran) = taken(&t, "");
     close(got, 9.0);
     ran.says(&["warning:", "fill is taken", "key"]);
+    t.run(&["render", "shot.toml", "--strict"])
+        .fails(3, &["light.exr", "fill, key"]);
     layered(&t, &[("key.", 5.0)]);
     close(taken(&t, "").0, 5.0);
 
@@ -114,8 +116,7 @@ fn the_picture_of_many_parts_is_taken() {
     };
     let write = |parts: Vec<Layer<AnyChannels<FlatSamples>>>| {
         let window = IntegerBounds::from_dimensions((8, 4));
-        Image::empty(ImageAttributes::new(window))
-            .with_layer_list(parts)
+        Image::from_layers(ImageAttributes::new(window), parts)
             .write()
             .to_file(t.file("light.exr"))
             .unwrap();
@@ -172,6 +173,10 @@ fn portable_float_maps() {
         t.put("light.pfm", &whole[..cut]);
         t.run(&["sh", "light.pfm"]).fails(3, &["light.pfm"]);
     }
+    t.shot("light.pfm", "");
+    put("PF\n8 4\n-1.0\n", &rows(f32::to_le_bytes, 3));
+    t.run(&["render", "shot.toml", "--set", "probe.layer=beauty"])
+        .fails(3, &["it has no layers", "probe.layer"]);
     put("PF\n100000 100000\n-1.0\n", &[0; 64]);
     t.run(&["sh", "light.pfm"])
         .fails(3, &["100000 × 100000", "image.max_texels"]);
@@ -255,7 +260,8 @@ fn cube_maps_are_light() {
         t.put("shot.toml", text);
         mean(&t, &["shot.toml"])
     };
-    let shapes: [(usize, usize, fn(usize, usize) -> bool); 4] = [
+    type Upper = fn(usize, usize) -> bool;
+    let shapes: [(usize, usize, Upper); 4] = [
         (48, 8, |x, _| x == 2),
         (8, 48, |_, y| y == 2),
         (32, 24, |x, y| (x, y) == (1, 0)),

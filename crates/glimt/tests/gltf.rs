@@ -408,6 +408,44 @@ fn what_a_material_loses_is_said() {
     assert!(with(elsewhere).1[0].contains("no texture coordinates 3"));
 }
 
+/// With `--strict` each of these is an error.
+#[test]
+fn strict_runs_refuse_what_looks_otherwise() {
+    let t = Scratch::new("strict");
+    let strict = |file: &File| {
+        t.put("a.glb", file.bytes());
+        mesh::load(&t.path, "a.glb", 40.0, &mut Notes::new(true))
+    };
+    let mut file = File::square();
+    assert!(strict(&file).is_ok());
+    for (material, word) in [
+        (
+            json!({"pbrMetallicRoughness": {"roughnessFactor": 0.1}}),
+            "roughness 0.10",
+        ),
+        (
+            json!({"extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 0.5}}}),
+            "KHR_materials_clearcoat",
+        ),
+        (
+            json!({"extensions": {"KHR_materials_sheen": {"sheenColorFactor": [0, 0, 1]}}}),
+            "KHR_materials_sheen",
+        ),
+        (
+            json!({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}),
+            "no image",
+        ),
+    ] {
+        file.json["textures"] = json!([{}]);
+        file.json["materials"] = json!([material]);
+        let error = strict(&file).expect_err("an error").to_string();
+        assert!(
+            error.contains(word) && error.contains("--strict"),
+            "{error}"
+        );
+    }
+}
+
 #[test]
 fn without_normals_faces_are_flat() {
     // A ridge: two triangles at a right angle that share an edge.
@@ -724,6 +762,11 @@ fn weights_blend_and_broken_skins_are_refused() {
     let mut file = skinned();
     file.attribute("JOINTS_0", UNSIGNED_BYTE, "VEC4", bytes(&[7; 16]));
     file.fails(&["skin 0", "follows a joint"]);
+    // Without weight it does not.
+    let mut file = skinned();
+    let far = [0, 0, 99, 0, 1, 99, 0, 0, 1, 0, 0, 0, 0, 0, 0, 99];
+    file.attribute("JOINTS_0", UNSIGNED_BYTE, "VEC4", bytes(&far));
+    close(&positions(&load(&t, &file, ""), 5), &square());
     let mut file = skinned();
     file.json["scenes"] = json!([{"nodes": [3]}]);
     file.fails(&["skin 0", "node 1", "not in the scene"]);

@@ -124,7 +124,7 @@ fn windows_are_placed() {
         .fails(3, &["light.2.exr", "it is 6 × 3", "is 4 × 2"]);
     write("light.1.exr", [-3, 5], [4, 2], [40_000, 40_000]);
     t.run(&["render", "shot.toml"])
-        .fails(3, &["light.1.exr", "display window is 40000 × 40000"]);
+        .fails(3, &["light.1.exr", "display window: it has 40000 × 40000"]);
 }
 
 /// What is written is what was rendered: the linear frame of the demo of light alone, read back as light.

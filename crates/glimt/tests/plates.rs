@@ -567,6 +567,13 @@ fn the_gpu_composites_the_same() {
     png(&t, "plate.png", 48, 36, 3);
     let aovs = "[output]\naovs = [\"object\", \"catcher\"]\n";
     t.shot("light.exr", &backplate("plate.png", aovs));
+    for primaries in ["rec709", "acescg"] {
+        let of_plate = format!("backplate.primaries={primaries}");
+        both_processors_agree(&t, &of_plate);
+    }
+}
+
+fn both_processors_agree(t: &Scratch, of_plate: &str) {
     let picture = |device: &str| {
         let size = "image.size=[48,36]";
         t.run(&[
@@ -574,6 +581,8 @@ fn the_gpu_composites_the_same() {
             "shot.toml",
             "--set",
             size,
+            "--set",
+            of_plate,
             "--device",
             device,
             "--out",

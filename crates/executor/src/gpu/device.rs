@@ -122,9 +122,54 @@ impl fmt::Display for AdapterSummary {
     }
 }
 
+/// What finds adapters. Kernels show nothing, so it knows no display.
+fn instance() -> wgpu::Instance {
+    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    #[cfg(all(unix, not(target_vendor = "apple")))]
+    if let Some(vulkan) = vulkan_without_display(&descriptor) {
+        return vulkan;
+    }
+    wgpu::Instance::new(descriptor)
+}
+
+/// Vulkan without the extensions of window systems. wgpu enables all that there are, and where Wayland's is enabled, Mesa looks for a
+/// display: libwayland then prints lines of its own on a machine that has none. `None` where Vulkan is absent or not wanted.
+#[cfg(all(unix, not(target_vendor = "apple")))]
+#[allow(
+    unsafe_code,
+    reason = "wgpu offers no safe way to leave extensions out"
+)]
+fn vulkan_without_display(descriptor: &wgpu::InstanceDescriptor) -> Option<wgpu::Instance> {
+    use wgpu::hal;
+    if !descriptor.backends.contains(wgpu::Backends::VULKAN) {
+        return None;
+    }
+    let hal_descriptor = hal::InstanceDescriptor {
+        name: "glimt",
+        flags: descriptor.flags,
+        memory_budget_thresholds: descriptor.memory_budget_thresholds,
+        backend_options: descriptor.backend_options.clone(),
+        telemetry: None,
+        display: None,
+    };
+    let hide_displays = |arguments: hal::vulkan::CreateInstanceCallbackArgs<'_, '_, '_>| {
+        // Swapchains, which wgpu-hal enables on each device, depend on the common extension.
+        arguments
+            .extensions
+            .retain(|name| *name == c"VK_KHR_surface" || !name.to_bytes().ends_with(b"_surface"));
+    };
+    // SAFETY: wgpu-hal uses such an extension in one place, where it makes a surface of a window. There it first looks in this list
+    // whether the extension is enabled. No surface is made of this instance, nor does anyone else hold it.
+    unsafe {
+        let callback = Box::new(hide_displays);
+        let instance =
+            hal::vulkan::Instance::init_with_callback(&hal_descriptor, Some(callback)).ok()?;
+        Some(wgpu::Instance::from_hal::<hal::api::Vulkan>(instance))
+    }
+}
+
 fn adapters() -> Vec<(AdapterSummary, wgpu::Adapter)> {
-    let instance =
-        wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let instance = instance();
     let mut found: Vec<_> = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()))
         .into_iter()
         .filter(|adapter| {

@@ -11,12 +11,12 @@ pub mod watch;
 
 use crate::bake;
 use crate::cli::{Device, FollowFlags, RenderFlags};
+use crate::colour::primaries::Primaries;
 use crate::device;
 use crate::error::{Error, Result};
 use crate::frame::Frames;
 use crate::input::Reading;
 use crate::input::frames::FrameFiles;
-use crate::input::primaries::Primaries;
 use crate::interrupt;
 use crate::job::probe_files;
 use crate::notes::Notes;

@@ -1,8 +1,8 @@
 //! Host file: what an image holds.
 
+use crate::colour::primaries::REC_709;
 use crate::error::Result;
 use crate::input::plate::{self, Colours};
-use crate::input::primaries::REC_709;
 use crate::input::{BadTexels, Header, Reading, format_of, read_as};
 use crate::notes::Notes;
 use crate::report::shown;

@@ -14,7 +14,7 @@ pub struct BadTexels {
     pub nan: usize,
     /// With an infinite channel.
     pub infinite: usize,
-    /// With a channel above the largest radiance that the renderer takes.
+    /// With a channel above the largest radiance that the renderer takes, or as far below 0.
     pub huge: usize,
     /// With a negative channel.
     pub negative: usize,
@@ -30,12 +30,17 @@ impl BadTexels {
 
     /// With one texel more.
     fn and(mut self, texel: &Vec4) -> Self {
+        // Almost all are.
+        let is_light = texel.cmpge(Vec4::ZERO) & texel.cmple(Vec4::splat(MAX_RADIANCE));
+        if is_light.all() {
+            return self;
+        }
         let colour = texel.truncate();
         if colour.is_nan() {
             self.nan += 1;
         } else if !colour.is_finite() {
             self.infinite += 1;
-        } else if colour.max_element() > MAX_RADIANCE {
+        } else if colour.abs().max_element() > MAX_RADIANCE {
             self.huge += 1;
         } else if colour.min_element() < 0.0 {
             self.negative += 1;
@@ -104,7 +109,7 @@ impl std::fmt::Display for BadTexels {
         let parts = [
             (self.nan, "NaN"),
             (self.infinite, "infinite"),
-            (self.huge, "above 1e20"),
+            (self.huge, "beyond 1e20"),
             (self.negative, "negative"),
         ];
         let words: Vec<String> = parts
@@ -146,5 +151,13 @@ mod tests {
         assert_eq!(texels[1], Vec4::new(65_504.0, 7e4, -2.0, 1.0));
         // What is beyond all light on either side is a mistake.
         assert_eq!(texels[2], Vec4::new(0.0, 0.0, 3.0, 1.0));
+    }
+
+    #[test]
+    fn what_is_far_below_zero_is_repaired_where_nothing_else_is_bad() {
+        let mut texels = [Vec4::new(1.0, -1e30, -2.0, 1.0)];
+        let bad = BadTexels::repair(&mut texels);
+        assert_eq!((bad.huge, bad.total()), (1, 1));
+        assert_eq!(texels[0], Vec4::new(1.0, 0.0, -2.0, 1.0));
     }
 }

@@ -3,9 +3,9 @@
 mod layers;
 mod planes;
 
-use super::encoding::{self, Space, Transfer};
-use super::primaries::{Primaries, REC_709};
 use super::{HdrImage, Header, Reading, apply_transfer, require_bound, require_room};
+use crate::colour::encoding::{self, Space, Transfer};
+use crate::colour::primaries::{Primaries, REC_709};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest;
@@ -36,45 +36,45 @@ pub fn read_header(file: &Path, reading: &Reading) -> Result<Header> {
 pub fn decode(file: &Path, bytes: &[u8], reading: &Reading, notes: &mut Notes) -> Result<HdrImage> {
     let meta = check_meta(file, MetaData::read_from_buffered(bytes, false), reading)?;
     let choice = choose(file, &meta, reading)?;
-    choice.note(file, reading, notes);
+    choice.note(file, reading, notes)?;
     let Choice { part, colour, .. } = &choice;
     let colours = colours(&meta.headers[*part]);
     let header = header(file, &meta, &choice, &colours, reading)?;
     require_room(file, header.size, reading)?;
     require_room(file, header.data_size, reading)?;
     let (primaries, transfer) = colours.resolve(file, reading, notes)?;
-    let size = header.data_size;
-    let at = |x: u32, y: u32| y as usize * size.x as usize + x as usize;
-    let mut texels = match colour {
-        Colour::Rgb(rgb) => {
-            let planes = planes::read(file, bytes, *part, rgb)?;
-            texels(size, |x, y| {
-                let at = at(x, y);
-                Vec3::new(planes[0][at], planes[1][at], planes[2][at])
-            })
-        }
-        Colour::Chroma(yc) => {
-            let planes = planes::read(file, bytes, *part, yc)?;
+    if transfer != Transfer::Linear {
+        let text = format!("its numbers are made linear: they are encoded by {transfer}");
+        notes.note(file, text);
+    }
+    let (hash, texels) = rayon::join(
+        || digest::of_bytes(bytes),
+        || planes::read(file, bytes, *part, colour.channels()),
+    );
+    let mut texels = texels?;
+    match colour {
+        Colour::Rgb(_) => {}
+        Colour::Chroma(_) => {
             let weights = primaries.luminance_weights();
-            texels(size, |x, y| {
-                let at = at(x, y);
-                let y0 = planes[0][at];
-                let r = (planes[1][at] + 1.0) * y0;
-                let b = (planes[2][at] + 1.0) * y0;
+            texels.par_iter_mut().for_each(|texel| {
+                let y0 = texel.x;
+                let r = (texel.y + 1.0) * y0;
+                let b = (texel.z + 1.0) * y0;
                 let g = (y0 - r * weights.x - b * weights.z) / weights.y;
-                Vec3::new(r, g, b)
-            })
+                *texel = Vec4::new(r, g, b, 1.0);
+            });
         }
         Colour::Grey(index) => {
-            let planes = planes::read(file, bytes, *part, &[*index])?;
             let name = meta.headers[*part].channels.list[*index].name.to_string();
             notes.note(
                 file,
                 format!("its channel {name} alone is taken as grey light"),
             );
-            texels(size, |x, y| Vec3::splat(planes[0][at(x, y)]))
+            texels
+                .par_iter_mut()
+                .for_each(|texel| *texel = Vec3::splat(texel.x).extend(1.0));
         }
-    };
+    }
     apply_transfer(&mut texels, transfer);
     if !header.data_is_display() {
         notes.note(file, windows(&header));
@@ -88,7 +88,7 @@ pub fn decode(file: &Path, bytes: &[u8], reading: &Reading, notes: &mut Notes) -
             Colour::Grey(_) => REC_709,
             _ => primaries,
         },
-        hash: digest::of_bytes(bytes),
+        hash,
     })
 }
 
@@ -172,14 +172,15 @@ impl Colours {
         reading: &Reading,
         notes: &mut Notes,
     ) -> Result<(Primaries, Transfer)> {
-        let (primaries, space, _) = self.read(&mut |what| {
-            if reading.primaries.is_none() {
-                notes.warn(
-                    file,
-                    format!("{what}; {} overrides it", reading.key("primaries")),
-                );
-            }
-        });
+        let mut unused = Vec::new();
+        let (primaries, space, source) = self.read(&mut |what| unused.push(what));
+        for what in unused.iter().filter(|_| reading.primaries.is_none()) {
+            let taken = format!(
+                "{primaries} is taken ({source}; {} chooses)",
+                reading.key("primaries")
+            );
+            notes.defect(file, what, &taken)?;
+        }
         let transfer = match (reading.transfer, space) {
             (Some(given), _) => given,
             (None, Space::Known(transfer, _)) => transfer,
@@ -225,17 +226,6 @@ fn in_display_window(header: &Header, texels: &[Vec4]) -> Vec<Vec4> {
         .flat_map(|y| (0..header.size.x).map(move |x| (x, y)))
         .map(|(x, y)| at(x, y))
         .collect()
-}
-
-fn texels(size: UVec2, colour: impl Fn(u32, u32) -> Vec3 + Sync) -> Vec<Vec4> {
-    let mut texels = vec![Vec4::W; size.x as usize * size.y as usize];
-    let rows = texels.par_chunks_mut(size.x.max(1) as usize);
-    rows.zip(0..size.y).for_each(|(row, y)| {
-        for (texel, x) in row.iter_mut().zip(0..) {
-            *texel = colour(x, y).extend(1.0);
-        }
-    });
-    texels
 }
 
 fn check_meta(
@@ -341,7 +331,7 @@ fn header(
         parts: meta.headers.len(),
         layer: choice.name.clone(),
         other_layers: choice.others.clone(),
-        primaries: super::told_primaries(reading, of_file, source),
+        primaries: reading.told_primaries(of_file, source),
         transfer,
         pixel_aspect: part.shared_attributes.pixel_aspect,
         remarks,

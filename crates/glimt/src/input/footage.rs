@@ -3,14 +3,15 @@
 use super::Reading;
 use super::frames::FrameFiles;
 use super::plate::{Colours, PlateImage, read, read_plate_header, read_size};
-use super::primaries::{Primaries, REC_709};
 use super::resample::{Window, resample};
+use crate::colour::primaries::{Primaries, REC_709};
 use crate::error::{Error, Kind, Result};
 use crate::notes::Notes;
 use crate::shot::digest::{Hash, of_file};
 use crate::shot::parse::Source;
 use crate::shot::{Backplate, Fit, Shot};
 use glam::{UVec2, Vec3};
+use glimt_render_gpu::prepare::env::MAX_RADIANCE;
 use glimt_render_gpu::prepare::plate::Plate;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -478,7 +479,10 @@ impl Footage {
         let colours = match primaries.matrix_to(&own) {
             Some(matrix) => {
                 let mut linear = colours.into_linear();
-                let convert = |c: &mut Vec3| *c = (matrix * c.as_dvec3()).as_vec3();
+                // What was just within the bound may be beyond it with other primaries.
+                let most = Vec3::splat(MAX_RADIANCE);
+                let convert =
+                    |c: &mut Vec3| *c = (matrix * c.as_dvec3()).as_vec3().clamp(-most, most);
                 linear.par_iter_mut().for_each(convert);
                 Colours::Linear(linear)
             }

@@ -1,8 +1,8 @@
 //! Host file: Radiance pictures (RGBE).
 
-use super::encoding::Transfer;
-use super::primaries::{Primaries, REC_709};
 use super::{HdrImage, Header, Reading, apply_transfer, require_bound, require_room};
+use crate::colour::encoding::Transfer;
+use crate::colour::primaries::{Primaries, REC_709};
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest;
@@ -73,7 +73,7 @@ fn header(lines: &Lines, reading: &Reading) -> Header {
         parts: 1,
         layer: String::new(),
         other_layers: Vec::new(),
-        primaries: super::told_primaries(reading, of_file, source),
+        primaries: reading.told_primaries(of_file, source),
         transfer: reading.transfer.unwrap_or(Transfer::Linear).to_string(),
         pixel_aspect: 1.0,
         remarks,

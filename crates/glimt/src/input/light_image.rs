@@ -132,13 +132,11 @@ fn decode_display(
         let white = |c: &&Vec3| c.max_element() >= 0.999;
         let clipped = linear.par_iter().filter(white).count();
         let share = 100.0 * clipped as f64 / linear.len() as f64;
-        notes.warn(
-            file,
-            format!(
-                "a PNG, JPEG or TIFF holds nothing brighter than white: lamps and sun are clipped ({share:.1} % of the {noun}s), \
-                 and light from it is too dim and too flat; film it in HDR"
-            ),
+        let what = format!(
+            "a PNG, JPEG or TIFF holds nothing brighter than white: lamps and sun are clipped ({share:.1} % of the {noun}s)"
         );
+        let workaround = "light from it is too dim and too flat; film it in HDR";
+        notes.defect(file, &what, workaround)?;
     }
     // Where the primaries are the same, this sets what is negative to 0 and no more.
     let pixels: Vec<Vec4> = linear

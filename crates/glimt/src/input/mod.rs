@@ -1,9 +1,9 @@
 //! Host file: HDR images in: what kind of file it is, how large, and its texels as linear radiance.
 
 pub mod bad_texels;
-pub mod encoding;
 pub mod exr;
 pub mod footage;
+mod format;
 pub mod frames;
 pub mod hdr;
 pub mod light_image;
@@ -11,96 +11,26 @@ pub mod pattern;
 pub mod pfm;
 pub mod plate;
 mod png_colour;
-pub mod primaries;
+mod reading;
 pub mod resample;
 
 pub use bad_texels::BadTexels;
+use format::format_by;
+pub use format::{Format, format_of};
+pub use reading::Reading;
 
+use crate::colour::encoding::Transfer;
+use crate::colour::primaries::{Primaries, REC_709};
 use crate::error::{Error, Result};
 use crate::memory;
 use crate::notes::Notes;
 use crate::shot::digest::Hash;
-use crate::shot::{self, Shot};
-use encoding::Transfer;
 use glam::{UVec2, Vec4};
-use primaries::{Primaries, REC_709};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
-
-/// How files of images are read, where their headers are not to decide.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Reading {
-    /// The table of the shot that the keys below stand in, for messages; empty for what no shot names.
-    pub table: &'static str,
-    /// The layer, part or view to read; empty for the one that is a picture.
-    pub layer: String,
-    /// The primaries of its colours; those that the header names, if not given.
-    pub primaries: Option<Primaries>,
-    /// The curve of its numbers; that of its format and header, if not given.
-    pub transfer: Option<Transfer>,
-    /// The most texels that are taken.
-    pub max_texels: u64,
-    /// The primaries that light is converted to.
-    pub working: Primaries,
-}
-
-impl Default for Reading {
-    fn default() -> Self {
-        Self {
-            table: "",
-            layer: String::new(),
-            primaries: None,
-            transfer: None,
-            max_texels: shot::MAX_TEXELS,
-            working: REC_709,
-        }
-    }
-}
-
-impl Reading {
-    /// How a shot's light is read.
-    #[must_use]
-    pub fn of_probe(shot: &Shot) -> Self {
-        Self {
-            table: "probe",
-            layer: shot.probe.layer.clone(),
-            primaries: shot.probe.primaries.map(shot::NamedPrimaries::primaries),
-            ..Self::of_images(shot)
-        }
-    }
-
-    /// How a shot's backplate is read.
-    #[must_use]
-    pub fn of_plate(shot: &Shot) -> Self {
-        let keys = shot.backplate.clone().unwrap_or_default();
-        Self {
-            table: "backplate",
-            layer: keys.layer,
-            primaries: keys.primaries.map(shot::NamedPrimaries::primaries),
-            transfer: keys.transfer.map(shot::NamedTransfer::transfer),
-            ..Self::of_images(shot)
-        }
-    }
-
-    fn of_images(shot: &Shot) -> Self {
-        Self {
-            max_texels: shot.image.max_texels,
-            working: shot.image.primaries.primaries(),
-            ..Self::default()
-        }
-    }
-
-    /// The key of this name, or how to say it where no shot gives it.
-    fn key(&self, name: &str) -> String {
-        match self.table {
-            "" => format!("probe.{name} or backplate.{name}"),
-            table => format!("{table}.{name}"),
-        }
-    }
-}
 
 /// An image of linear radiance. Its texels are as in the file: some may be no radiance at all.
 #[derive(Clone, Debug)]
@@ -182,84 +112,6 @@ fn as_array<S: serde::Serializer>(
     size.to_array().serialize(serializer)
 }
 
-/// A kind of image file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// OpenEXR.
-    Exr,
-    /// Radiance RGBE.
-    Hdr,
-    /// Portable float map.
-    Pfm,
-    /// PNG.
-    Png,
-    /// JPEG.
-    Jpeg,
-    /// TIFF.
-    Tiff,
-}
-
-impl Format {
-    /// Whether its numbers are linear light, of any size: none of a display.
-    #[must_use]
-    pub fn is_hdr(self) -> bool {
-        matches!(self, Self::Exr | Self::Hdr | Self::Pfm)
-    }
-}
-
-/// Finds the format of a file by its first bytes.
-///
-/// # Errors
-/// The file cannot be read, or is not an image.
-pub fn format_of(file: &Path) -> Result<Format> {
-    format_by(file, &start_of(file)?)
-}
-
-fn format_by(file: &Path, start: &[u8]) -> Result<Format> {
-    match start {
-        [0x76, 0x2f, 0x31, 0x01, ..] => Ok(Format::Exr),
-        [b'#', b'?', ..] => Ok(Format::Hdr),
-        [b'P', b'F' | b'f', b'\n' | b'\r' | b' ' | b'\t', ..] => Ok(Format::Pfm),
-        [0x89, b'P', b'N', b'G', ..] => Ok(Format::Png),
-        [0xff, 0xd8, ..] => Ok(Format::Jpeg),
-        [b'I', b'I', 42, 0, ..] | [b'M', b'M', 0, 42, ..] => Ok(Format::Tiff),
-        _ if is_movie(file, start) => Err(movie(file)),
-        _ => Err(Error::input(
-            file,
-            "it is neither OpenEXR, Radiance, PFM, PNG, JPEG nor TIFF",
-        )
-        .fix("convert it to one of these")),
-    }
-}
-
-/// Whether a file is a movie: by its first bytes, or where these say nothing, by its name.
-fn is_movie(file: &Path, start: &[u8]) -> bool {
-    let by_name = file.extension().is_some_and(|extension| {
-        let known = [
-            "mp4", "mov", "m4v", "mkv", "webm", "avi", "mxf", "mpg", "mpeg", "mts", "m2ts", "ogv",
-            "wmv",
-        ];
-        known
-            .iter()
-            .any(|name| extension.eq_ignore_ascii_case(name))
-    });
-    match start {
-        [_, _, _, _, b'f', b't', b'y', b'p', ..] => true,
-        [0x1a, 0x45, 0xdf, 0xa3, ..] => true,
-        [b'R', b'I', b'F', b'F', _, _, _, _, b'A', b'V', b'I', ..] => true,
-        _ => by_name,
-    }
-}
-
-/// The error of a movie, with the command that makes frames of it.
-fn movie(file: &Path) -> Error {
-    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-    let name = file.file_name().unwrap_or_default().to_string_lossy();
-    Error::input(file, "it is a movie, and frames are read").fix(format!(
-        "run `ffmpeg -i \"{name}\" -start_number 1 \"{stem}.%04d.png\"` in its folder, and name \"{stem}.####.png\""
-    ))
-}
-
 /// The first bytes of a file, by which its format is known.
 fn start_of(file: &Path) -> Result<Vec<u8>> {
     let mut start = Vec::new();
@@ -300,7 +152,7 @@ pub fn is_display(file: &Path) -> Result<bool> {
 /// # Errors
 /// The file cannot be read, is not an HDR image that is understood, or is larger than `reading` allows.
 pub fn read_header(file: &Path, reading: &Reading) -> Result<Header> {
-    match format_of(file)? {
+    match reading.fits(file, format_of(file)?)? {
         Format::Exr => exr::read_header(file, reading),
         Format::Hdr => hdr::read_header(file, reading),
         Format::Pfm => pfm::read_header(file, reading),
@@ -369,7 +221,7 @@ fn decode_image(
     reading: &Reading,
     notes: &mut Notes,
 ) -> Result<HdrImage> {
-    match format_by(file, bytes)? {
+    match reading.fits(file, format_by(file, bytes)?)? {
         Format::Exr => exr::decode(file, bytes, reading, notes),
         Format::Hdr => hdr::decode(file, bytes, reading, notes),
         Format::Pfm => pfm::decode(file, bytes, reading, notes),
@@ -389,12 +241,4 @@ fn apply_transfer(texels: &mut [Vec4], transfer: Transfer) {
             .map(|c| transfer.decode(f64::from(c)) as f32);
         *texel = glam::Vec3::from(light).extend(1.0);
     });
-}
-
-/// Primaries and where they are known from, for those who look at a file.
-fn told_primaries(reading: &Reading, of_file: Primaries, source: &str) -> String {
-    match reading.primaries {
-        Some(given) => format!("{given} ({})", reading.key("primaries")),
-        None => format!("{of_file} ({source})"),
-    }
 }

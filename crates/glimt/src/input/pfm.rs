@@ -1,8 +1,8 @@
 //! Host file: portable float maps: a header of three lines, then floats, rows from the bottom.
 
-use super::encoding::Transfer;
-use super::primaries::REC_709;
 use super::{HdrImage, Header, Reading, apply_transfer, require_bound, require_room};
+use crate::colour::encoding::Transfer;
+use crate::colour::primaries::REC_709;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest;
@@ -99,7 +99,7 @@ fn header(lines: &Lines, reading: &Reading) -> Header {
         parts: 1,
         layer: String::new(),
         other_layers: Vec::new(),
-        primaries: super::told_primaries(reading, REC_709, "the format names none"),
+        primaries: reading.told_primaries(REC_709, "the format names none"),
         transfer: reading.transfer.unwrap_or(Transfer::Linear).to_string(),
         pixel_aspect: 1.0,
         remarks: Vec::new(),

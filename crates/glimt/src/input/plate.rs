@@ -1,12 +1,12 @@
 //! Host file: one frame of footage: PNG, JPEG and TIFF as they are, or OpenEXR, Radiance and PFM as linear colour.
 
-use super::encoding::Transfer;
 use super::png_colour::{self, DisplayColours};
-use super::primaries::Primaries;
 use super::{
     BadTexels, Format, Reading, decode_image, format_by, format_of, read_bytes, read_header,
     require_bound, require_room,
 };
+use crate::colour::encoding::Transfer;
+use crate::colour::primaries::Primaries;
 use crate::error::{Error, Result};
 use crate::notes::Notes;
 use crate::shot::digest::{self, Hash};
@@ -76,7 +76,7 @@ pub struct PlateHeader {
 /// # Errors
 /// The file cannot be read, is not a plate, or is larger than `reading` allows.
 pub fn read_plate_header(file: &Path, reading: &Reading) -> Result<PlateHeader> {
-    let format = format_of(file)?;
+    let format = reading.fits(file, format_of(file)?)?;
     if format.is_hdr() {
         let header = read_header(file, reading)?;
         return Ok(PlateHeader {
@@ -97,7 +97,7 @@ pub fn read_plate_header(file: &Path, reading: &Reading) -> Result<PlateHeader> 
             true => 1.0 / colours.pixel_aspect,
             false => colours.pixel_aspect,
         },
-        primaries: super::told_primaries(reading, colours.primaries, colours.source),
+        primaries: reading.told_primaries(colours.primaries, colours.source),
         transfer: reading.transfer.unwrap_or(colours.transfer).to_string(),
         storage: format!("{format:?}, {:?}", decoder.original_color_type()),
     })
@@ -142,7 +142,7 @@ pub(super) fn decode(
     reading: &Reading,
     notes: &mut Notes,
 ) -> Result<PlateImage> {
-    match format_by(file, bytes)? {
+    match reading.fits(file, format_by(file, bytes)?)? {
         format if format.is_hdr() => decode_linear(file, bytes, reading, notes),
         format => decode_display(file, bytes, format, reading, notes),
     }
@@ -209,10 +209,19 @@ fn decode_display(
     let mut decoder = decoder(file, Cursor::new(bytes), format, reading)?;
     require_room(file, decoder.dimensions().into(), reading)?;
     let said = display_colours(file, Cursor::new(bytes), format, decoder.color_type())?;
-    for remark in &said.remarks {
-        notes.warn(file, remark.as_str());
+    for remark in said.remarks.iter().filter(|_| reading.primaries.is_none()) {
+        let taken = format!(
+            "{} is taken ({} chooses)",
+            said.primaries,
+            reading.key("primaries")
+        );
+        notes.defect(file, remark, &taken)?;
     }
     let transfer = reading.transfer.unwrap_or(said.transfer);
+    if said.transfer != Transfer::Srgb && format == Format::Png {
+        let text = format!("its codes are read as {transfer} ({})", said.source);
+        notes.note(file, text);
+    }
     let orientation = decoder.orientation().map_err(|e| broken(file, e))?;
     if let Ok(Some(profile)) = decoder.icc_profile()
         && said.has_profile

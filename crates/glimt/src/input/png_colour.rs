@@ -1,7 +1,7 @@
 //! Host file: what a PNG's chunks say of its colours and the shape of its pixels.
 
-use super::encoding::{Space, Transfer, cicp_primaries, cicp_transfer};
-use super::primaries::{Primaries, REC_709};
+use crate::colour::encoding::{Space, Transfer, cicp_primaries, cicp_transfer};
+use crate::colour::primaries::{Primaries, REC_709};
 use crate::error::{Error, Result};
 use std::io::{BufRead, Seek};
 use std::path::Path;
@@ -69,14 +69,14 @@ pub(super) fn read(file: &Path, reader: impl BufRead + Seek) -> Result<DisplayCo
                 .fix("convert it to linear light as OpenEXR, or to sRGB"));
             }
             Space::Unknown => found.remarks.push(format!(
-                "the transfer function {} of its cICP chunk is not known: sRGB is taken",
+                "the transfer function {} of its cICP chunk is not known",
                 cicp.transfer_function
             )),
         }
         match cicp_primaries(cicp.color_primaries) {
             Some(primaries) => found.primaries = primaries,
             None => found.remarks.push(format!(
-                "the primaries {} of its cICP chunk are not known: Rec. 709 is taken",
+                "the primaries {} of its cICP chunk are not known",
                 cicp.color_primaries
             )),
         }
@@ -107,7 +107,7 @@ pub(super) fn read(file: &Path, reader: impl BufRead + Seek) -> Result<DisplayCo
             true => {}
             false => found
                 .remarks
-                .push("its cHRM chunk is impossible: Rec. 709 is taken".to_owned()),
+                .push("its cHRM chunk is impossible".to_owned()),
         }
     }
     Ok(found)

@@ -118,18 +118,14 @@ pub(super) fn cube_to_latlong(
     };
     let texel = |i: usize| -> Vec4 {
         let at = UVec2::new(i as u32 % out.x, i as u32 / out.x);
-        let (mean, contrast) = mean(at, out, TAPS, &lookup);
+        let (coarse, contrast) = mean(at, out, TAPS, &lookup);
         match contrast > CONTRAST {
-            true => mean_of_fine(at, out, &lookup),
-            false => mean,
+            true => mean(at, out, FINE_TAPS, &lookup).0,
+            false => coarse,
         }
     };
     let count = out.x as usize * out.y as usize;
     (out, (0..count).into_par_iter().map(texel).collect())
-}
-
-fn mean_of_fine(at: UVec2, out: UVec2, lookup: &impl Fn(Vec3) -> Vec4) -> Vec4 {
-    mean(at, out, FINE_TAPS, lookup).0
 }
 
 /// The mean of a lat-long texel by taps that share its solid angle, and the ratio of its brightest to its darkest tap.

@@ -3,8 +3,8 @@
 
 use super::aov::{Channel, DISPLAY, FORMULA_KEY};
 use super::{HASH_KEY, SOFTWARE, Stamp, atomic::Pending, target::Target};
+use crate::colour::primaries::{Primaries, REC_709};
 use crate::error::{Error, Result};
-use crate::input::primaries::{Primaries, REC_709};
 use ::exr::error::UnitResult;
 use ::exr::math::Vec2;
 use ::exr::meta::attribute::{self, AttributeValue, Chromaticities, Text};

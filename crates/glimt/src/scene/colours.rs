@@ -1,6 +1,6 @@
 //! Host file: the colours of a scene's materials, textures and vertices, brought to the primaries that light is rendered with.
 
-use crate::input::primaries::{Primaries, REC_709};
+use crate::colour::primaries::{Primaries, REC_709};
 use glam::{DMat3, Vec3};
 use glimt_render_gpu::prepare::plate::{linear_to_srgb8, srgb8_to_linear};
 use glimt_render_gpu::prepare::scene::{Reflection, SceneDescription};
@@ -56,7 +56,7 @@ fn albedo(matrix: &DMat3, colour: Vec3) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::input::primaries::AP1;
+    use crate::colour::primaries::AP1;
     use glam::UVec2;
     use glimt_render_gpu::prepare::scene::{Texture, Wrap};
 

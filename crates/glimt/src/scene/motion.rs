@@ -40,7 +40,8 @@ impl Motion {
     /// named.
     ///
     /// # Errors
-    /// The model has no such animation or node; the message names those that it has.
+    /// The model has no such animation or node; the message names those that it has. With strict `notes` also animations that move the
+    /// same nodes.
     pub fn new(
         object: &shot::Object,
         index: usize,
@@ -50,7 +51,7 @@ impl Motion {
     ) -> Result<Self> {
         let animations = match object.animation.as_str() {
             ANIMATION_OFF => Vec::new(),
-            "" => compatible(object, model, notes),
+            "" => compatible(object, model, notes)?,
             name => {
                 let found = model.animations.iter().find(|a| a.name == name);
                 let known: Vec<&str> = model.animations.iter().map(|a| a.name.as_str()).collect();
@@ -183,7 +184,7 @@ impl Motion {
 }
 
 /// The animations of a model but for those that move a node which an earlier one moves, with a warning.
-fn compatible(object: &shot::Object, model: &Model, notes: &mut Notes) -> Vec<Animation> {
+fn compatible(object: &shot::Object, model: &Model, notes: &mut Notes) -> Result<Vec<Animation>> {
     let mut nodes = HashSet::new();
     let mut playing: Vec<Animation> = Vec::new();
     let mut left_out = Vec::new();
@@ -202,13 +203,13 @@ fn compatible(object: &shot::Object, model: &Model, notes: &mut Notes) -> Vec<An
             .first()
             .map_or(Path::new(&object.mesh), |file| file);
         let what = format!(
-            "its animations move the same nodes: `{}` plays, and {} do not; name one with the object's key `animation`",
+            "its animations move the same nodes: `{}` plays, and {} do not",
             first.name,
             left_out.join(", ")
         );
-        notes.warn(file, what);
+        notes.guess(file, &what, "name one with the object's key `animation`")?;
     }
-    playing
+    Ok(playing)
 }
 
 /// Of each node of a model, whether it moves a part.

@@ -79,7 +79,9 @@ impl Found {
 
     /// The light of a shot, as its `[probe]` says: mapping, scale, turn and colours.
     fn of_shot(file: &Path, flags: &ShFlags, notes: &mut Notes) -> Result<Self> {
-        let (shot, source): (Shot, _) = parse::read(file, &[])?;
+        let (mut shot, source): (Shot, _) = parse::read(file, &[])?;
+        // Coefficients are of Rec. 709, whatever the shot is rendered with.
+        shot.image.primaries = shot::WorkingPrimaries::Rec709;
         check::check(&shot, &source)?;
         let files = probe_files(&shot, &source)?;
         // A backplate is looked at where colours are matched to it, and nowhere else.

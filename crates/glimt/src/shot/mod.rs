@@ -6,8 +6,8 @@ pub mod parse;
 pub mod range;
 mod render;
 
-use crate::input::encoding::Transfer;
-use crate::input::primaries::{self, Primaries};
+use crate::colour::encoding::Transfer;
+use crate::colour::primaries::{self, Primaries};
 pub use glimt_render_gpu::prepare::render::{Background, Filter, Pattern, Shadow, Tonemap};
 pub use render::{METHODS, Method, Prt, Render};
 use serde::{Deserialize, Serialize};

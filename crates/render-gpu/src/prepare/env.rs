@@ -82,19 +82,18 @@ impl EnvMap {
 
     /// Sets every channel that [`EnvMap::new`] would refuse to 0 and says how many texels had one.
     pub fn repair(texels: &mut [Vec4]) -> usize {
-        let mut repaired = 0;
-        for texel in texels.iter_mut().filter(|t| !is_radiance(**t)) {
-            let fixed = texel.to_array().map(|c| {
-                if c >= 0.0 && c <= MAX_RADIANCE {
-                    c
-                } else {
-                    0.0
-                }
-            });
-            *texel = Vec4::from_array(fixed);
-            repaired += 1;
-        }
-        repaired
+        let channel = |c: f32| match c >= 0.0 && c <= MAX_RADIANCE {
+            true => c,
+            false => 0.0,
+        };
+        let repaired = |texel: &mut Vec4| {
+            let is_bad = !is_radiance(*texel);
+            if is_bad {
+                *texel = Vec4::from_array(texel.to_array().map(channel));
+            }
+            usize::from(is_bad)
+        };
+        texels.par_iter_mut().map(repaired).sum()
     }
 
     /// Width and height in texels.

@@ -1,7 +1,8 @@
 //! Host file: kills at random moments.
 
 use crate::Outcome;
-use crate::bench::{Bench, Files, Random};
+use crate::bench::{Bench, Files};
+use glimt_tests::random::Random;
 use std::fs;
 use std::process::{Child, Command, ExitStatus};
 use std::thread::sleep;
@@ -269,10 +270,10 @@ fn once(bench: &Bench, job: &Job, whole: &Whole, random: &mut Random) -> Outcome
     if matches!(job.name, "bake" | "sh") {
         fs::create_dir_all(&folder).map_err(|e| e.to_string())?;
     }
-    let kills = 1 + random.next() % 2;
+    let kills = 1 + random.bits() % 2;
     let mut was_signalled = false;
     for _ in 0..kills {
-        let end = match random.next() % 4 {
+        let end = match random.bits() % 4 {
             0 => End::Signal("INT", 130),
             1 => End::Signal("TERM", 143),
             _ => End::Kill,

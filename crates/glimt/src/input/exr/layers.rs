@@ -18,6 +18,16 @@ pub(super) enum Colour {
     Grey(usize),
 }
 
+impl Colour {
+    /// The channels, in this order.
+    pub(super) fn channels(&self) -> &[usize] {
+        match self {
+            Self::Rgb(three) | Self::Chroma(three) => three,
+            Self::Grey(one) => std::slice::from_ref(one),
+        }
+    }
+}
+
 /// What a name says of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
@@ -59,23 +69,22 @@ pub(super) struct Choice {
 
 impl Choice {
     /// Says which image was taken where there are several.
-    pub(super) fn note(&self, file: &Path, reading: &Reading, notes: &mut Notes) {
+    ///
+    /// # Errors
+    /// That is a guess, and `notes` is strict.
+    pub(super) fn note(&self, file: &Path, reading: &Reading, notes: &mut Notes) -> Result<()> {
         if self.others.is_empty() || !reading.layer.is_empty() {
-            return;
+            return Ok(());
         }
-        let text = format!(
-            "its layer {} is taken; it also has {} ({} chooses)",
-            self.name,
-            self.others.join(", "),
-            reading.key("layer")
-        );
-        match self.is_sure {
-            true => notes.note(file, text),
-            false => notes.warn(
-                file,
-                format!("{text}: no name says which of them is the picture"),
-            ),
+        let (taken, others) = (&self.name, self.others.join(", "));
+        let chooses = format!("{} chooses", reading.key("layer"));
+        if self.is_sure {
+            let text = format!("its layer {taken} is taken; it also has {others} ({chooses})");
+            notes.note(file, text);
+            return Ok(());
         }
+        let what = format!("no name says which of its layers is the picture: {taken}, {others}");
+        notes.defect(file, &what, &format!("{taken} is taken ({chooses})"))
     }
 }
 

@@ -169,10 +169,10 @@ fn leave_out_channels(file: &Path, json: &mut Value, notes: &mut Notes) -> Resul
             let path = target["path"].as_str().unwrap_or_default();
             if path == "pointer" || target["extensions"]["KHR_animation_pointer"].is_object() {
                 let what = format!(
-                    "animation `{name}` uses KHR_animation_pointer, which is not supported: what it moves stands still; bake it \
-                     into node animations"
+                    "animation `{name}` uses KHR_animation_pointer, which is not supported"
                 );
-                notes.warn(file, what);
+                let workaround = "what it moves stands still; bake it into node animations";
+                notes.defect(file, &what, workaround)?;
                 continue;
             }
             let Some(node) = target.get("node") else {
@@ -182,7 +182,7 @@ fn leave_out_channels(file: &Path, json: &mut Value, notes: &mut Notes) -> Resul
                 continue;
             };
             let place = format!("animations[{index}].channels[{number}].target");
-            if !node.as_u64().is_some_and(|node| node < nodes) {
+            if node.as_u64().is_none_or(|node| node >= nodes) {
                 return Err(invalid(file, place + ".node", "Index out of bounds"));
             }
             if !["translation", "rotation", "scale", "weights"].contains(&path) {

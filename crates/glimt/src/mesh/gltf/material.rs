@@ -103,7 +103,7 @@ impl Reader<'_> {
             emission_texture: self.texture_ref(uses.emission, true)?,
             reflection: self.reflection(material, &uses, base_color_texture)?,
         };
-        self.remark_on(material, &uses, &read, &name);
+        self.remark_on(material, &uses, &read, &name)?;
         let index = self.model.materials.len() as u32;
         self.model.materials.push(read);
         self.model.material_names.push(name);
@@ -137,44 +137,52 @@ impl Reader<'_> {
         })
     }
 
-    fn remark_on(&mut self, source: &Source<'_>, uses: &Uses, read: &Material, name: &str) {
+    /// Says what a material will lack.
+    fn remark_on(
+        &mut self,
+        source: &Source<'_>,
+        uses: &Uses,
+        read: &Material,
+        name: &str,
+    ) -> Result<()> {
         let (file, notes) = (self.file, &mut *self.notes);
         let said = |what: &str| format!("material `{name}` {what}");
         for (extension, key, default) in UNSUPPORTED {
             let value = source.extension_value(extension);
             if value.is_some_and(|value| is_on(&value[key], default)) {
-                let what = format!("uses {extension}, which is not supported; rendered without it");
-                notes.warn(file, said(&what));
+                let what = said(&format!("uses {extension}, which is not supported"));
+                notes.defect(file, &what, "rendered without it")?;
             }
         }
         if read.emission != Vec3::ZERO {
             notes.note(file, said("glows: it is seen, and lights nothing else"));
         }
         if uses.sets().any(|set| Some(set) != uses.sets().next()) {
-            let what =
-                "uses several sets of texture coordinates; the base colour's is taken for all";
-            notes.warn(file, said(what));
+            let what = said("uses several sets of texture coordinates");
+            notes.defect(file, &what, "the base colour's is taken for all")?;
         }
-        if let Reflection::MetallicRoughness {
+        let Reflection::MetallicRoughness {
             roughness,
             metallic_roughness_texture,
             ..
         } = read.reflection
-        {
-            // With a texture, as its mean is.
-            let factor = metallic_roughness_texture.map_or(1.0, |t| {
-                let texels = &self.model.textures[t.texture as usize].texels;
-                let sum: u64 = texels.iter().map(|t| u64::from(t[1])).sum();
-                sum as f32 / (255 * texels.len().max(1)) as f32
-            });
-            let roughness = roughness * factor;
-            if roughness < LEAST_ROUGHNESS {
-                let what = format!(
-                    "has roughness {roughness:.2}; rendered with the least that there is, {LEAST_ROUGHNESS}: mirrors look blurred"
-                );
-                notes.warn(file, said(&what));
-            }
+        else {
+            return Ok(());
+        };
+        // With a texture, as its mean is.
+        let factor = metallic_roughness_texture.map_or(1.0, |t| {
+            let texels = &self.model.textures[t.texture as usize].texels;
+            let sum: u64 = texels.iter().map(|t| u64::from(t[1])).sum();
+            sum as f32 / (255 * texels.len().max(1)) as f32
+        });
+        let roughness = roughness * factor;
+        if roughness < LEAST_ROUGHNESS {
+            let what = said(&format!("has roughness {roughness:.2}"));
+            let workaround =
+                format!("rendered with the least, {LEAST_ROUGHNESS}: mirrors look blurred");
+            notes.defect(file, &what, &workaround)?;
         }
+        Ok(())
     }
 }
 

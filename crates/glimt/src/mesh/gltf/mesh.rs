@@ -85,9 +85,9 @@ impl Reader<'_> {
         if let Some(set) = set
             && mesh.uvs.is_empty()
         {
-            let what =
-                format!("`{name}` has no texture coordinates {set}: its texture shows one colour");
-            self.notes.warn(self.file, what);
+            let what = format!("`{name}` has no texture coordinates {set}");
+            let workaround = "its texture shows one colour";
+            self.notes.defect(self.file, &what, workaround)?;
         }
         let mut deform = self.read_deform(place, mesh.positions.len())?;
         self.check_finite(place, &mesh, &deform)?;
@@ -184,48 +184,46 @@ impl Reader<'_> {
 
     /// Joints and weights, four of each in a set.
     fn read_influences(&mut self, place: &Place<'_>, count: usize, to: &mut Deform) -> Result<()> {
-        let mut sets: Vec<(Vec<[u32; 4]>, Vec<[f32; 4]>)> = Vec::new();
+        let (mut joints, mut weights) = (Vec::new(), Vec::new());
         for set in 0.. {
-            let (joints, weights) = (Semantic::Joints(set), Semantic::Weights(set));
-            let (Some(joints), Some(weights)) =
-                (self.usable(place, &joints)?, self.usable(place, &weights)?)
-            else {
+            let (of_joints, of_weights) = (Semantic::Joints(set), Semantic::Weights(set));
+            let of_joints = self.usable(place, &of_joints)?;
+            let of_weights = self.usable(place, &of_weights)?;
+            let (Some(of_joints), Some(of_weights)) = (of_joints, of_weights) else {
                 break;
             };
-            let whole = [DataType::U8, DataType::U16];
-            let joints = self.integers(&joints, &whole, "JOINTS");
-            let weights = self.floats(&weights, &FRACTIONS, Whole::Fractions, "WEIGHTS");
             let at = |e: Error| e.at(&place.name);
-            sets.push((joints.map_err(at)?, weights.map_err(at)?));
+            let whole = [DataType::U8, DataType::U16];
+            let read = self.integers::<4>(&of_joints, &whole, "JOINTS");
+            joints.push(read.map_err(at)?);
+            let read = self.floats::<4>(&of_weights, &FRACTIONS, Whole::Fractions, "WEIGHTS");
+            weights.push(read.map_err(at)?);
         }
         let mut unbound = 0;
-        for vertex in 0..count {
-            let weights = sets.iter().flat_map(|(_, weights)| weights[vertex]);
-            let is_bad = |weight: f32| !(weight >= 0.0 && weight <= f32::MAX);
-            if weights.clone().any(is_bad) {
-                let error = self.error(format!(
-                    "a weight of vertex {vertex} is negative or not finite"
-                ));
-                return Err(error.at(&place.name));
-            }
+        for vertex in 0..if joints.is_empty() { 0 } else { count } {
+            let weights = weights.iter().flat_map(|set| set[vertex]);
             let sum: f32 = weights.clone().sum();
+            if !(sum <= f32::MAX) || weights.clone().any(|weight| weight < 0.0) {
+                let what = format!("a weight of vertex {vertex} is negative or not finite");
+                return Err(self.error(what).at(&place.name));
+            }
             let first = to.weights.len();
-            to.joints
-                .extend(sets.iter().flat_map(|(joints, _)| joints[vertex]));
+            let joints = joints.iter().flat_map(|set| set[vertex]);
+            // What has no weight may name a joint that there is not.
+            let used = |(joint, weight)| if weight > 0.0 { joint } else { 0 };
+            to.joints.extend(joints.zip(weights.clone()).map(used));
             if sum > 0.0 {
                 to.weights.extend(weights.map(|weight| weight / sum));
-            } else if !sets.is_empty() {
+            } else {
                 unbound += 1;
                 to.weights.extend(weights);
                 to.weights[first] = 1.0;
             }
         }
         if unbound > 0 {
-            let what = format!(
-                "{} has {unbound} vertices without weights; they follow their first joint",
-                place.name
-            );
-            self.notes.warn(self.file, what);
+            let what = format!("{} has {unbound} vertices without weights", place.name);
+            let workaround = "they follow the skin's first joint";
+            self.notes.defect(self.file, &what, workaround)?;
         }
         Ok(())
     }

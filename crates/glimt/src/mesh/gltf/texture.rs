@@ -88,8 +88,8 @@ impl Reader<'_> {
         let webp = webp.and_then(|e| e["source"].as_u64());
         let plain = texture.source().map(|image| image.index());
         let Some(image) = webp.map(|i| i as usize).or(plain) else {
-            let what = format!("texture {index} has no image that can be read; it is left out");
-            self.notes.warn(self.file, what);
+            let what = format!("texture {index} has no image that can be read");
+            self.notes.defect(self.file, &what, "it is left out")?;
             return Ok(None);
         };
         let name = format!("image {image}");
