@@ -170,7 +170,7 @@ fn describe_material(material: &Material) -> String {
         Opacity::Mask { cutoff, alpha } => (format!("cut out below {cutoff}"), alpha),
         Opacity::Blend { alpha } => ("see-through".to_owned(), alpha),
     };
-    text.push_str(&format!(", {mode}, alpha {}", alpha.factor));
+    text.push_str(&format!(", {mode}, alpha {:.3}", alpha.factor));
     if let Some(texture) = alpha.texture {
         text.push_str(&format!(" by texture {}", texture.texture));
     }

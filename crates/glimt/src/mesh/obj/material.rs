@@ -25,7 +25,7 @@ fn say_what_is_unused(m: &Mtl, pictures: &mut Pictures<'_>) {
     match m.model {
         Some(0) => list.push("illum 0, a constant colour".to_owned()),
         Some(4 | 6 | 7 | 9) => {
-            list.push("refraction (illum 4, 6, 7, 9), light passes straight".to_owned())
+            list.push("refraction (illum 4, 6, 7 or 9): light passes straight".to_owned())
         }
         _ => {}
     }
