@@ -1,7 +1,8 @@
 //! Host file: files that are broken in any way give an error, and never a panic, an abort, a long wait or too much memory.
 //!
-//! `cargo run --release -p glimt-tests --bin fuzz -- --minutes 5 --seed 7` makes small files of every format, mutates them, and has child
-//! processes read them as the program does. It prints counts, keeps the files of each fault, and ends with status 1 where there is one.
+//! `cargo run --release -p glimt-tests --bin fuzz -- --minutes 5 --seed 7` makes small files of every format, mutates them, and has
+//! child processes read them as the program does. It prints counts, keeps the files of each fault, and ends with status 1 where there
+//! is one.
 
 mod child;
 mod corpus;

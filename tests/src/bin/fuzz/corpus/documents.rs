@@ -1,5 +1,5 @@
-//! Host file: what the program itself writes and reads again, and what people write for it: shots, settings of simulated film, states
-//! of samplers, transfer, and frames that are there already.
+//! Host file: what people write for the program, and what it writes and reads again: shots, settings of simulated film, states of
+//! samplers, transfer, and frames that are there already.
 
 use super::gltf;
 use super::images::{picture, png_of, radiance_flat};
@@ -15,20 +15,24 @@ const SMALL: &str = "[image]\nsize = [8, 6]\nrays_per_pixel = 1\n[probe]\nframes
 
 const SHOTS: [&str; 3] = [
     // Everything that a camera, a light and an object may have.
-    "[image]\nsize = [16, 9]\nrays_per_pixel = 4\nfilter = \"box\"\ntonemap = \"srgb\"\nexposure_ev = 0.5\nbackground = \"environment\"\nprimaries = \"acescg\"\npixel_aspect = 1.5\nmax_texels = 100000\n\
+    "[image]\nsize = [16, 9]\nrays_per_pixel = 4\nfilter = \"box\"\ntonemap = \"srgb\"\nexposure_ev = 0.5\nbackground = \"environment\"\nprimaries = \"acescg\"\n\
+     pixel_aspect = 1.5\nmax_texels = 100000\n\
      [camera]\nup = [0.0, 0.0, 1.0]\nfov_x_deg = 40.0\ninterpolation = \"smooth\"\n\
      [[camera.key]]\nframe = 1\neye = [5.0, 0.0, 2.0]\ntarget = [0.0, 0.0, 0.0]\nfov_x_deg = 30.0\n\
      [[camera.key]]\nframe = 5\neye = [5.0, 1.0, 2.0]\ntarget = [0.0, 0.0, 0.5]\nup = [0.0, 0.1, 1.0]\n\
      [probe]\nframes = \"light.hdr\"\nmapping = \"lat-long\"\nrotate_z_deg = 30.0\nscale = 1.5\nfps = 24.0\nprimaries = \"rec2020\"\n\
      [probe.colour]\nmatrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\ngains = [1.0, 1.1, 0.9]\n\
-     [[object]]\nmesh = \"a.glb\"\ntranslate = [0.0, 1.0, 0.0]\nrotate_deg = [0.0, 10.0, 20.0]\nscale = 0.5\nup = \"z\"\nground = true\n\
+     [[object]]\nmesh = \"a.glb\"\ntranslate = [0.0, 1.0, 0.0]\nrotate_deg = [0.0, 10.0, 20.0]\nscale = 0.5\n\
+     up = \"z\"\nground = true\n\
      subdivide = 1\ncrease_deg = 30.0\nanimation = \"all\"\nanimation_loop = true\nanimation_offset_s = 0.5\n\
      [object.material]\ndiffuse = [0.5, 0.5, 0.5]\nspecular = [0.1, 0.1, 0.1]\nexponent = 50.0\n\
      [[object.spin]]\nnode = \"root\"\naxis = [0.0, 0.0, 1.0]\ncentre = [0.0, 0.0, 0.0]\ndeg_per_frame = 15.0\n\
      [[object]]\nmesh = \"plane\"\nscale = 4.0\ncatcher = true\n\
-     [backplate]\nframes = \"a.png\"\nshadow = \"multiply\"\nfit = \"crop\"\nfps = 24.0\nprimaries = \"p3-d65\"\ntransfer = \"rec709\"\noffset = 3\n\
+     [backplate]\nframes = \"a.png\"\nshadow = \"multiply\"\nfit = \"crop\"\nfps = 24.0\nprimaries = \"p3-d65\"\n\
+     transfer = \"rec709\"\noffset = 3\n\
      [render]\nframes = \"1-5\"\nmethod = \"mis\"\nseed = 3\npattern = \"owen-sobol\"\n\
-     [output]\ndir = \"out\"\nexr = true\npng = true\nvideo = \"shot.mp4\"\ncodec = \"av1\"\nprimaries = \"plate\"\naovs = [\"object\", \"catcher\"]\n",
+     [output]\ndir = \"out\"\nexr = true\npng = true\nvideo = \"shot.mp4\"\ncodec = \"av1\"\n\
+     primaries = \"plate\"\naovs = [\"object\", \"catcher\"]\n",
     // A mirror ball.
     "[image]\nsize = [16, 9]\n[camera]\neye = [4.0, 0.0, 1.0]\ntarget = [0.0, 0.0, 0.0]\n\
      [probe]\nframes = \"light.####.hdr\"\nmapping = \"mirror-ball\"\n\
@@ -37,7 +41,8 @@ const SHOTS: [&str; 3] = [
      [probe.colour]\ngrey = [1, 1, 2, 2]\nframe = 1\n[[object]]\nmesh = \"sphere\"\n",
     // Transfer, and methods with settings of their own.
     "[image]\nsize = [16, 9]\n[probe]\nframes = \"light.hdr\"\n[[object]]\nmesh = \"helicopter\"\nsubdivide = 1\n\
-     [camera]\ngltf = \"\"\n[render]\nmethod = \"bis\"\npreset = \"kronander\"\n[render.prt]\nbands = 4\ndirections = 100\ntemporal = 0.5\n\
+     [camera]\ngltf = \"\"\n[render]\nmethod = \"bis\"\npreset = \"kronander\"\n\
+     [render.prt]\nbands = 4\ndirections = 100\ntemporal = 0.5\n\
      [render.smc]\nparticles = 8\n",
 ];
 
