@@ -378,3 +378,14 @@ fn plates_far_beyond_white() {
     assert_eq!(image[3][0], 0.0);
     assert_eq!(image[3][15], 1e20);
 }
+
+#[test]
+fn vertices_without_bytes_take_no_memory() {
+    let t = Scratch::new("ply-empty");
+    t.put(
+        "a.ply",
+        "ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nend_header\n",
+    );
+    t.run(&["info", "a.ply"])
+        .fails(3, &["a.ply", "no triangles"]);
+}

@@ -55,7 +55,11 @@ fn read(file: &Path, notes: &mut Notes) -> Result<Content> {
         ..Content::default()
     };
     for (name, element) in &header.elements {
-        let mut left = element.count;
+        // The file's length bounds how many there are of all but those that take no bytes.
+        let mut left = match element.properties.is_empty() {
+            true => 0,
+            false => element.count,
+        };
         while left > 0 {
             let part = ElementDef {
                 count: left.min(CHUNK),
