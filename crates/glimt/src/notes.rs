@@ -77,6 +77,24 @@ impl Notes {
         Ok(())
     }
 
+    /// How many remarks wait to be taken.
+    pub fn waiting(&self) -> usize {
+        self.list.len()
+    }
+
+    /// With `strict`, makes the first warning after so many remarks that wait an error.
+    ///
+    /// # Errors
+    /// That warning.
+    pub fn refuse_after(&self, count: usize) -> Result<()> {
+        let mut new = self.list.iter().skip(count);
+        match new.find(|note| note.severity == Severity::Warning) {
+            Some(note) if self.strict => Err(Error::input(&note.file, &note.text)
+                .fix("mend the file, or leave out --strict to take it so")),
+            _ => Ok(()),
+        }
+    }
+
     /// Takes the remarks made since the last time. One that was taken before does not come again.
     pub fn take(&mut self) -> Vec<Note> {
         self.taken.extend_from_slice(&self.list);
@@ -91,6 +109,24 @@ impl Notes {
         };
         if !self.list.contains(&note) && !self.taken.contains(&note) {
             self.list.push(note);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn warnings_are_refused_where_they_are_asked_for() {
+        for strict in [false, true] {
+            let mut notes = Notes::new(strict);
+            notes.warn(Path::new("light.exr"), "it is black");
+            let before = notes.waiting();
+            notes.note(Path::new("m.obj"), "its normals are made");
+            assert!(notes.refuse_after(before).is_ok());
+            notes.warn(Path::new("m.obj"), "its picture is missing");
+            assert_eq!(notes.refuse_after(before).is_err(), strict);
         }
     }
 }

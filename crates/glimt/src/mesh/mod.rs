@@ -44,12 +44,13 @@ fn require_room(file: &Path) -> Result<()> {
 /// are made: faces that are turned by less than `crease_deg` degrees against each other are smooth, unless the file says otherwise.
 ///
 /// # Errors
-/// The file cannot be read, is broken, or holds no triangle.
+/// The file cannot be read, is broken, or holds no triangle; with strict `notes` also what would be a warning.
 pub fn load(base: &Path, name: &str, crease_deg: f32, notes: &mut Notes) -> Result<Model> {
     if let Some(model) = builtin::load(name) {
         return Ok(model);
     }
     let began = Instant::now();
+    let said = notes.waiting();
     let file = base.join(name);
     require_room(&file)?;
     let lower = name.to_ascii_lowercase();
@@ -82,6 +83,8 @@ pub fn load(base: &Path, name: &str, crease_deg: f32, notes: &mut Notes) -> Resu
         );
         notes.note(&file, what);
     }
+    // What changes the look of an object.
+    notes.refuse_after(said)?;
     let (triangles, time) = (model.triangles(), began.elapsed());
     tracing::info!(
         "{}: {triangles} triangles, read in {time:.2?}",
