@@ -1,7 +1,7 @@
 //! Host file: small frames of a scene that has every kind of material and texture, and the stages of their making.
 
 use bytemuck::NoUninit;
-use glam::{Mat4, UVec2, Vec2, Vec3, Vec4, vec2, vec3};
+use glam::{Affine2, Mat4, UVec2, Vec2, Vec3, Vec4, vec2, vec3, vec4};
 use glimt_render_gpu::gpu::{Arg, GpuContext, GpuEnv, GpuScene};
 use glimt_render_gpu::kernels::environment::Environment;
 use glimt_render_gpu::kernels::frame::{Background, FrameParams, Shadow};
@@ -11,7 +11,8 @@ use glimt_render_gpu::kernels::{diagnose, film, shade};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{Pattern, RenderSettings, Tonemap};
 use glimt_render_gpu::prepare::scene::{
-    Camera, Material, Mesh, Object, Reflection, SceneDescription, Texture, Wrap,
+    Alpha, Camera, Material, Mesh, Object, Opacity, Reflection, SceneDescription, Texture,
+    TextureRef, Wrap,
 };
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use naga_front_rust::Program;
@@ -225,7 +226,7 @@ pub(super) fn environment(rotate_z_deg: f32) -> PreparedEnv {
     map.expect("a map").prepare(rotate_z_deg).expect("tables")
 }
 
-/// A glossy tetrahedron and a metal one before a textured, bumpy wall, on a matte floor.
+/// A glossy tetrahedron and a metal one before a textured, bumpy wall, on a matte floor, behind a thin veil that glows.
 pub(super) fn scene(catcher: bool) -> SceneBuffers {
     let tetrahedron = Mesh {
         name: "tetrahedron".to_owned(),
@@ -239,6 +240,10 @@ pub(super) fn scene(catcher: bool) -> SceneBuffers {
         materials: vec![1],
         ..Mesh::default()
     };
+    let mut veil = rectangle("veil", vec3(1.2, 0.0, 0.0), vec3(0.0, 0.0, 1.0), 4);
+    veil.colors = [0.2, 0.9, 0.6, 0.4]
+        .map(|c| vec4(c, 1.0 - c, 0.5, 0.5 + 0.5 * c))
+        .to_vec();
     let object = |mesh, place: Vec3, material| Object {
         mesh,
         transform: Mat4::from_translation(place),
@@ -250,6 +255,7 @@ pub(super) fn scene(catcher: bool) -> SceneBuffers {
             rectangle("floor", vec3(12.0, 0.0, 0.0), vec3(0.0, 12.0, 0.0), 0),
             tetrahedron,
             rectangle("wall", vec3(4.0, 0.0, 0.0), vec3(0.0, 0.0, 2.5), 3),
+            veil,
         ],
         materials: materials(),
         textures: vec![
@@ -265,6 +271,7 @@ pub(super) fn scene(catcher: bool) -> SceneBuffers {
             object(1, vec3(-0.8, 0.0, 0.0), None),
             object(1, vec3(0.9, 0.2, 0.0), Some(2)),
             object(2, vec3(0.0, 1.5, 1.2), None),
+            object(3, vec3(0.2, -0.9, 0.7), None),
         ],
     };
     SceneBuffers::build(&description).expect("a scene")
@@ -300,6 +307,24 @@ fn materials() -> Vec<Material> {
             normal_texture: Some(2.into()),
             normal_scale: 0.5,
         }),
+        Material {
+            emission: vec3(0.02, 0.05, 0.1),
+            emission_texture: Some(TextureRef {
+                texture: 0,
+                transform: Affine2::from_scale(vec2(0.5, 2.0)),
+            }),
+            opacity: Opacity::Blend {
+                alpha: Alpha {
+                    factor: 0.7,
+                    texture: None,
+                },
+            },
+            ..Material::from(Reflection::BlinnPhong {
+                diffuse: Vec3::splat(0.7),
+                specular: Vec3::ZERO,
+                exponent: 0.0,
+            })
+        },
     ]
 }
 
