@@ -439,7 +439,15 @@ fn directions_that_were_not_gone_through_are_missed() {
             let at_v = v as u32;
             let (nodes, triangles) = (view.nodes, view.triangles);
             let _ = transfer(
-                at_v, &params, nodes, triangles, known, &mut kept, lit, blocked,
+                at_v,
+                &params,
+                nodes,
+                triangles,
+                view.surface,
+                known,
+                &mut kept,
+                lit,
+                blocked,
             );
             assert_eq!(kept[STATE - 1], directions);
             let is_whole = gone[v * STATE + STATE - 1] == directions;
