@@ -225,6 +225,13 @@ impl<'a> Plan<'a> {
             plan.current.fill(true);
             return Ok(());
         }
+        let aspect = job.setup.shot.image.pixel_aspect;
+        if aspect != 1.0 {
+            reporter.warn(&format!(
+                "{}: a video has square pixels, and those of the shot are {aspect} times as wide as high: stretch it where it is shown",
+                path_in_line(&file)
+            ));
+        }
         let file = job.setup.guard.target(&file)?;
         let encoder = video::prepare(&file, job.setup.size(), output.codec)?;
         plan.video = Some(VideoPlan {

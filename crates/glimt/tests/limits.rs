@@ -55,6 +55,8 @@ fn ranges_of_frames_are_bounded() {
     t.run(&["render", "shot.toml", "--set", "render.frames=1-4000000000"])
         .fails(2, &[words[0], "render.frames"]);
     t.run(&["render", "shot.toml", "--frames", "4294967295"])
+        .fails(2, &["4294967295", "-2147483648 to 2147483647"]);
+    t.run(&["render", "shot.toml", "--frames", "2147483647"])
         .ok();
 }
 
@@ -63,8 +65,8 @@ fn negative_numbers_reach_our_messages() {
     let t = Scratch::new("negative");
     t.lights(1);
     t.shot("light.0001.exr", "");
-    t.run(&["render", "shot.toml", "--frames", "-1"])
-        .fails(2, &["`-1` is not a range of frames", "1-96"]);
+    t.run(&["render", "shot.toml", "--frames", "-1x"])
+        .fails(2, &["`-1x` is not a list of frames", "1-96"]);
     t.run(&["render", "shot.toml", "--seed", "-1"])
         .fails(2, &["--seed", "whole number from 0 to 4294967295"]);
 }

@@ -34,14 +34,21 @@ pub fn parse(text: &str) -> Result<Vec<i32>> {
                     .fix(format!("put the smaller number first, as {last}-{first}")),
             );
         }
-        let count = (i64::from(last) - i64::from(first)) as usize / step + 1;
-        if frames.len() + count > MAX_FRAMES {
+        let count = last.abs_diff(first) / step + 1;
+        if frames.len() as u64 + count > MAX_FRAMES as u64 {
             return Err(
                 Error::usage(format!("`{text}` is more than {MAX_FRAMES} frames"))
                     .fix("render them in several runs, or check the numbers"),
             );
         }
-        frames.extend((first..=last).step_by(step));
+        let (Ok(first), Ok(last)) = (i32::try_from(first), i32::try_from(last)) else {
+            let ends = format!("frames have numbers from {} to {}", i32::MIN, i32::MAX);
+            return Err(
+                Error::usage(format!("`{text}` has numbers beyond those of frames")).fix(ends),
+            );
+        };
+        // There are at most MAX_FRAMES steps, so a longer step is never taken.
+        frames.extend((first..=last).step_by(usize::try_from(step).unwrap_or(usize::MAX)));
     }
     frames.sort_unstable();
     frames.dedup();
@@ -49,7 +56,7 @@ pub fn parse(text: &str) -> Result<Vec<i32>> {
 }
 
 /// First, last and step of `A`, `A-B` or `A-BxN`.
-fn range_of(part: &str) -> Option<(i32, i32, usize)> {
+fn range_of(part: &str) -> Option<(i64, i64, u64)> {
     let (first, rest) = number(part)?;
     if rest.is_empty() {
         return Some((first, first, 1));
@@ -63,7 +70,7 @@ fn range_of(part: &str) -> Option<(i32, i32, usize)> {
 }
 
 /// A number at the beginning of a text, and what comes after it.
-fn number(text: &str) -> Option<(i32, &str)> {
+fn number(text: &str) -> Option<(i64, &str)> {
     let sign = usize::from(text.starts_with('-'));
     let digits = text[sign..].bytes().take_while(u8::is_ascii_digit).count();
     let (number, rest) = text.split_at(sign + digits);

@@ -21,7 +21,7 @@ use super::scene::Scene;
 /// The largest number of 16 bits.
 pub const HALF_MAX: f32 = 65_504.0;
 
-/// What the stages of drawing know of a frame. 144 bytes.
+/// What the stages of drawing know of a frame. 240 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::NoUninit)]
 #[repr(C)]
 pub struct RasterParams {
@@ -281,9 +281,9 @@ mod tests {
 
     #[test]
     fn layout_is_that_of_wgsl() {
-        assert_eq!(core::mem::size_of::<RasterParams>(), 144);
-        assert_eq!(core::mem::offset_of!(RasterParams, map_size), 112);
-        assert_eq!(core::mem::offset_of!(RasterParams, near), 128);
+        assert_eq!(core::mem::size_of::<RasterParams>(), 240);
+        assert_eq!(core::mem::offset_of!(RasterParams, map_size), 208);
+        assert_eq!(core::mem::offset_of!(RasterParams, near), 224);
         assert_eq!(core::mem::size_of::<DrawnLayout>(), 16);
         assert_eq!(core::mem::offset_of!(DrawnLayout, pitch), 8);
     }
