@@ -52,7 +52,7 @@ const OUTLIERS: [f64; 3] = [5e-3, 5e-4, 0.0];
 /// Rays of an outlier of 16 that may differ.
 const JUMPS: usize = 2;
 /// Nudges that are tried for a ray that differs.
-const NUDGES: u32 = 256;
+const NUDGES: u32 = 4096;
 /// How far directions, and places relative to their distance, are nudged.
 const NUDGE: f32 = 2e-6;
 
@@ -205,7 +205,8 @@ fn nudged_ray(shot: &Shot, ray: u32, frame: &FrameParams, random: &mut Xoshiro12
     point.frame.t += nudge();
     point.frame.b += nudge();
     point.frame.n += nudge();
-    MIS.reflected(&point, &pattern, env, scene).lit.extend(1.0)
+    let light = MIS.reflected(&point, &pattern, env, scene).lit;
+    (light + point.emission).extend(1.0)
 }
 
 /// Whether the CPU gives `wanted` for a ray that is nearly the same.

