@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn texture_coordinates_turn_as_the_specification_says() {
         let extension =
-            json!({"offset": [0, 1], "rotation": 1.570_796_326_79, "scale": [0.5, 0.5]});
+            json!({"offset": [0, 1], "rotation": std::f64::consts::FRAC_PI_2, "scale": [0.5, 0.5]});
         let map = transform(&extension);
         let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];
         let expected = [(0.0, 1.0), (0.0, 0.5), (0.5, 1.0), (0.5, 0.5)];
