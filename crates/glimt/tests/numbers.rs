@@ -262,7 +262,7 @@ fn names_may_hold_what_stands_for_numbers() {
         shot(&t, pattern, "");
         t.run(&["render", "shot.toml"]).ok().says(&["1 frame"]);
     }
-    // Without the escape it is a place for a number, and the name to write is told.
+    // Without the escape it is a place for a number, and the error says the name to write.
     shot(&t, "take#2.exr", "");
     t.run(&["render", "shot.toml"])
         .fails(3, &["no file is named take#2.exr", "take[#]2.####.exr"]);

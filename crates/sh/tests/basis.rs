@@ -328,7 +328,7 @@ fn rotations() -> Vec<Mat3> {
 }
 
 /// The coefficients of the light turned, from the oracle's values of it.
-fn projected_anew(light: &LightCoefficients, rotation: &Mat3) -> LightCoefficients {
+fn projected_again(light: &LightCoefficients, rotation: &Mat3) -> LightCoefficients {
     let indices = indices(6);
     let mut sums = [[0.0f64; 3]; 36];
     for (d, weight) in sphere_rule(12) {
@@ -355,12 +355,12 @@ fn a_turned_light_is_the_light_of_turned_directions() {
     let c = light(4);
     for rotation in rotations() {
         let turned = rotated(&c, &rotation);
-        let found = difference(&projected_anew(&c, &rotation), &turned);
+        let found = difference(&projected_again(&c, &rotation), &turned);
         assert!(found <= 2e-6, "{rotation}: {found:e}");
         let back = difference(&c, &rotated(&turned, &rotation.transpose()));
         assert!(back <= 2e-6, "{rotation}: {back:e}");
         if rotation != Mat3::IDENTITY {
-            let wrong = difference(&projected_anew(&c, &rotation.transpose()), &turned);
+            let wrong = difference(&projected_again(&c, &rotation.transpose()), &turned);
             let own_inverse = rotation.transpose() == rotation;
             assert!(own_inverse || !(wrong <= 2e-6), "the inverse passes");
         }

@@ -73,7 +73,7 @@ const BUILT_IN: [(&str, &str, &[&str]); 6] = [
     ("shot", "the shot's own", &[]),
 ];
 
-/// The contestant that efficiency is told relative to, where it takes part.
+/// The contestant that efficiency is relative to, where it takes part.
 const STRATIFIED: &str = "stratified";
 
 /// The word for the three methods of the paper.
@@ -95,7 +95,7 @@ pub struct Contestant {
     pub shot: Shot,
     /// What it is given more of when it is given more time.
     pub knob: Knob,
-    /// Whether efficiency is told relative to it.
+    /// Whether efficiency is relative to it.
     pub is_baseline: bool,
     /// The hash of its precomputed transfer, where it renders by one.
     bake: Option<Hash>,

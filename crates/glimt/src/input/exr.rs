@@ -120,7 +120,7 @@ fn colours(part: &Part) -> Colours {
 
 impl Colours {
     /// The primaries, the curve, and which attribute says so: `colorInteropID` before `chromaticities` before `oiio:ColorSpace`.
-    /// What is not understood is told to `say`.
+    /// `say` gets what is not understood.
     fn read(&self, say: &mut dyn FnMut(String)) -> (Primaries, Space, &'static str) {
         let mut named = None;
         for (key, value, space) in [
