@@ -178,8 +178,8 @@ pub(crate) const EXPORTS: &[Export] = &[
                 "glimt_render_gpu::kernels::raster::corner_near",
             ),
             (
-                "kept_samples",
-                "glimt_render_gpu::kernels::raster::kept_samples",
+                "keeps_sample",
+                "glimt_render_gpu::kernels::raster::keeps_sample",
             ),
             ("draw", "glimt_render_gpu::kernels::raster::draw"),
         ],

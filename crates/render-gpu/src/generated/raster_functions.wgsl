@@ -57,6 +57,15 @@ struct RasterParams {
     unused: u32,
 }
 
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
+}
+
 struct Tuple_u32_u32_ {
     fa: u32,
     fb: u32,
@@ -82,15 +91,6 @@ struct TextureView {
 struct Tuple_f32_f32_ {
     fa: f32,
     fb: f32,
-}
-
-struct PixelPattern {
-    kind: u32,
-    seed: u32,
-    frame: u32,
-    pixel: u32,
-    ray: u32,
-    rays: u32,
 }
 
 struct VertexLight {
@@ -213,12 +213,12 @@ fn corner_weights(corner_1: u32) -> vec2<f32> {
     return _e21;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:143
+// glimt_render_gpu/src/kernels/raster.rs:142
 fn clip_position(frame: FrameParams, near: f32, p: vec3<f32>) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/raster.rs:144
+    // glimt_render_gpu/src/kernels/raster.rs:143
     let d_3 = (p - frame.eye);
-    // glimt_render_gpu/src/kernels/raster.rs:145
+    // glimt_render_gpu/src/kernels/raster.rs:144
     return vec4<f32>((dot(d_3, frame.right) / dot(frame.right, frame.right)), (dot(d_3, frame.up) / dot(frame.up, frame.up)), near, dot(d_3, frame.forward));
 }
 
@@ -573,52 +573,38 @@ fn unit_f32_(u_2: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/raster.rs:95
-fn kept_samples(triangle_1: u32, weights: vec2<f32>, pixel: vec2<u32>, raster: RasterParams) -> u32 {
-    var kept: u32;
-    var counter: u32;
+fn keeps_sample(triangle_1: u32, weights: vec2<f32>, pixel: vec2<u32>, sample: u32, raster: RasterParams) -> u32 {
+    var chosen_4: u32;
 
-    // glimt_render_gpu/src/kernels/raster.rs:102
-    let at = scene_triangles[triangle_1];
     // glimt_render_gpu/src/kernels/raster.rs:103
-    let _e10 = Triangle_is_see_through(at);
-    if !(_e10) {
-        // glimt_render_gpu/src/kernels/raster.rs:104
-        return 4294967295u;
+    let at = scene_triangles[triangle_1];
+    // glimt_render_gpu/src/kernels/raster.rs:104
+    let _e11 = Triangle_is_see_through(at);
+    if !(_e11) {
+        // glimt_render_gpu/src/kernels/raster.rs:105
+        return 1u;
     }
-    // glimt_render_gpu/src/kernels/raster.rs:106
-    let u_3 = clamp(weights.x, 0f, 1f);
     // glimt_render_gpu/src/kernels/raster.rs:107
-    let v_5 = clamp(weights.y, 0f, (1f - u_3));
+    let u_3 = clamp(weights.x, 0f, 1f);
     // glimt_render_gpu/src/kernels/raster.rs:108
-    let _e26 = alpha_at(at, u_3, v_5);
+    let v_5 = clamp(weights.y, 0f, (1f - u_3));
     // glimt_render_gpu/src/kernels/raster.rs:109
-    kept = 0u;
-    // glimt_render_gpu/src/kernels/raster.rs:110
-    counter = 0u;
-    loop {
-        let sample = counter;
-        if (sample >= raster.samples) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/raster.rs:111
-        let pattern = PixelPattern(raster.frame.pattern, raster.frame.seed, raster.frame.film_frame, ((pixel.y * raster.frame.width) + pixel.x), sample, raster.samples);
+    let pattern = PixelPattern(raster.frame.pattern, raster.frame.seed, raster.frame.film_frame, ((pixel.y * raster.frame.width) + pixel.x), sample, raster.samples);
+    // glimt_render_gpu/src/kernels/raster.rs:117
+    let _e42 = alpha_at(at, u_3, v_5);
+    // glimt_render_gpu/src/kernels/raster.rs:118
+    let _e46 = PixelPattern_ray_key(pattern, 8u);
+    let _e47 = hash2_(_e46, triangle_1);
+    let _e48 = unit_f32_(_e47);
+    if (_e48 < _e42) {
         // glimt_render_gpu/src/kernels/raster.rs:119
-        let _e53 = PixelPattern_ray_key(pattern, 8u);
-        let _e54 = hash2_(_e53, triangle_1);
-        let _e55 = unit_f32_(_e54);
-        if (_e55 < _e26) {
-            // glimt_render_gpu/src/kernels/raster.rs:120
-            let _e62 = kept;
-            kept = (_e62 | (1u << (sample & 31u)));
-        }
-        continuing {
-            let _e64 = counter;
-            counter = (_e64 + 1u);
-        }
+        chosen_4 = 1u;
+    } else {
+        // glimt_render_gpu/src/kernels/raster.rs:121
+        chosen_4 = 0u;
     }
-    // glimt_render_gpu/src/kernels/raster.rs:123
-    let _e68 = kept;
-    return _e68;
+    let _e54 = chosen_4;
+    return _e54;
 }
 
 // glimt_render_gpu/src/kernels/ray.rs:59
@@ -655,37 +641,37 @@ fn Triangle_area_normal(this_7: Triangle) -> vec3<f32> {
 
 // glimt_render_gpu/src/kernels/triangle.rs:88
 fn Triangle_outward(this_8: Triangle) -> vec3<f32> {
-    var chosen_4: vec3<f32>;
+    var chosen_5: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/triangle.rs:89
     let _e3 = Triangle_area_normal(this_8);
     // glimt_render_gpu/src/kernels/triangle.rs:90
     if ((this_8.object & 536870912u) != 0u) {
         // glimt_render_gpu/src/kernels/triangle.rs:91
-        chosen_4 = -(_e3);
+        chosen_5 = -(_e3);
     } else {
         // glimt_render_gpu/src/kernels/triangle.rs:93
-        chosen_4 = _e3;
+        chosen_5 = _e3;
     }
-    let _e14 = chosen_4;
+    let _e14 = chosen_5;
     return _e14;
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:144
 fn unit_or(v_2: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
-    var chosen_5: vec3<f32>;
+    var chosen_6: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/scene.rs:145
     let length_squared = dot(v_2, v_2);
     // glimt_render_gpu/src/kernels/scene.rs:146
     if (length_squared > 0.000000000001f) {
         // glimt_render_gpu/src/kernels/scene.rs:147
-        chosen_5 = (v_2 / vec3(sqrt(length_squared)));
+        chosen_6 = (v_2 / vec3(sqrt(length_squared)));
     } else {
         // glimt_render_gpu/src/kernels/scene.rs:149
-        chosen_5 = otherwise;
+        chosen_6 = otherwise;
     }
-    let _e14 = chosen_5;
+    let _e14 = chosen_6;
     return _e14;
 }
 
@@ -897,9 +883,9 @@ fn MaterialView_emission(words_start_8: u32, words_len_8: u32, uv_6: vec2<f32>, 
 
 // glimt_render_gpu/src/kernels/scene.rs:88
 fn Scene_shading_point(ray: Ray, hit: Hit) -> ShadingPoint {
-    var chosen_6: vec3<f32>;
-    var chosen_7: f32;
-    var chosen_8: vec3<f32>;
+    var chosen_7: vec3<f32>;
+    var chosen_8: f32;
+    var chosen_9: vec3<f32>;
     var vertex_color_3: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/scene.rs:89
@@ -927,11 +913,11 @@ fn Scene_shading_point(ray: Ray, hit: Hit) -> ShadingPoint {
     let is_inside = (dot(outward, to_eye_1) < 0f);
     // glimt_render_gpu/src/kernels/scene.rs:100
     if is_inside {
-        chosen_6 = -(outward);
+        chosen_7 = -(outward);
     } else {
-        chosen_6 = outward;
+        chosen_7 = outward;
     }
-    let geometric_normal_1 = chosen_6;
+    let geometric_normal_1 = chosen_7;
     // glimt_render_gpu/src/kernels/scene.rs:101
     let _e63 = unit_or((((a_3.normal * w_1) + (b_4.normal * u_4)) + (c_2.normal * v_6)), outward);
     // glimt_render_gpu/src/kernels/scene.rs:103
@@ -943,21 +929,21 @@ fn Scene_shading_point(ray: Ray, hit: Hit) -> ShadingPoint {
     // glimt_render_gpu/src/kernels/scene.rs:106
     if ((triangle_4.material & 2147483648u) != 0u) {
         // glimt_render_gpu/src/kernels/scene.rs:107
-        chosen_7 = -1f;
+        chosen_8 = -1f;
     } else {
         // glimt_render_gpu/src/kernels/scene.rs:109
-        chosen_7 = 1f;
+        chosen_8 = 1f;
     }
-    let handedness_1 = chosen_7;
+    let handedness_1 = chosen_8;
     // glimt_render_gpu/src/kernels/scene.rs:111
     let _e111 = MaterialView_bumped_normal(_e86.value_words_start, _e86.value_words_len, uv_7, _e63, tangent_1, handedness_1);
     // glimt_render_gpu/src/kernels/scene.rs:113
     if is_inside {
-        chosen_8 = -(_e111);
+        chosen_9 = -(_e111);
     } else {
-        chosen_8 = _e111;
+        chosen_9 = _e111;
     }
-    let sided = chosen_8;
+    let sided = chosen_9;
     // glimt_render_gpu/src/kernels/scene.rs:114
     let _e117 = bent_towards(sided, to_eye_1, geometric_normal_1);
     // glimt_render_gpu/src/kernels/scene.rs:116
@@ -1051,8 +1037,8 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
 
 // glimt_probe/src/latlong.rs:45
 fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
-    var chosen_9: f32;
     var chosen_10: f32;
+    var chosen_11: f32;
 
     // glimt_probe/src/latlong.rs:46
     let horizontal = sqrt(((d_1.x * d_1.x) + (d_1.y * d_1.y)));
@@ -1060,11 +1046,11 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     if (horizontal <= 0f) {
         // glimt_probe/src/latlong.rs:48
         if (d_1.z < 0f) {
-            chosen_9 = 1f;
+            chosen_10 = 1f;
         } else {
-            chosen_9 = 0f;
+            chosen_10 = 0f;
         }
-        let v_8 = chosen_9;
+        let v_8 = chosen_10;
         // glimt_probe/src/latlong.rs:49
         return vec2<f32>(0.5f, v_8);
     }
@@ -1074,11 +1060,11 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     let u_6 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
     // glimt_probe/src/latlong.rs:54
     if (u_6 < 1f) {
-        chosen_10 = max(u_6, 0f);
+        chosen_11 = max(u_6, 0f);
     } else {
-        chosen_10 = 0f;
+        chosen_11 = 0f;
     }
-    let _e47 = chosen_10;
+    let _e47 = chosen_11;
     return vec2<f32>(_e47, clamp(v_9, 0f, 1f));
 }
 
@@ -1186,48 +1172,48 @@ fn LayerSample_of(light_2: Reflected, is_catcher: bool) -> LayerSample {
     return LayerSample(light_2.lit, 1f, vec3(0f), 0f);
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:193
+// glimt_render_gpu/src/kernels/raster.rs:192
 fn fitting_scale(radiance_1: vec3<f32>, scale: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/raster.rs:194
+    // glimt_render_gpu/src/kernels/raster.rs:193
     let largest = (max(max(radiance_1.x, radiance_1.y), radiance_1.z) * scale);
-    // glimt_render_gpu/src/kernels/raster.rs:195
+    // glimt_render_gpu/src/kernels/raster.rs:194
     if (largest > 65504f) {
-        // glimt_render_gpu/src/kernels/raster.rs:196
+        // glimt_render_gpu/src/kernels/raster.rs:195
         return (scale * (65504f / largest));
     }
-    // glimt_render_gpu/src/kernels/raster.rs:198
+    // glimt_render_gpu/src/kernels/raster.rs:197
     return scale;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:156
+// glimt_render_gpu/src/kernels/raster.rs:155
 fn draw(triangle_2: u32, weights_1: vec2<f32>, raster_1: RasterParams) -> Drawn {
 
-    // glimt_render_gpu/src/kernels/raster.rs:164
+    // glimt_render_gpu/src/kernels/raster.rs:163
     let u_7 = clamp(weights_1.x, 0f, 1f);
-    // glimt_render_gpu/src/kernels/raster.rs:165
+    // glimt_render_gpu/src/kernels/raster.rs:164
     let v_10 = clamp(weights_1.y, 0f, (1f - u_7));
-    // glimt_render_gpu/src/kernels/raster.rs:166
+    // glimt_render_gpu/src/kernels/raster.rs:165
     let at_1 = scene_triangles[triangle_2];
-    // glimt_render_gpu/src/kernels/raster.rs:167
+    // glimt_render_gpu/src/kernels/raster.rs:166
     let p_2 = ((at_1.v0_ + ((at_1.v1_ - at_1.v0_) * u_7)) + ((at_1.v2_ - at_1.v0_) * v_10));
-    // glimt_render_gpu/src/kernels/raster.rs:168
+    // glimt_render_gpu/src/kernels/raster.rs:167
     let to_point = (p_2 - raster_1.frame.eye);
-    // glimt_render_gpu/src/kernels/raster.rs:169
+    // glimt_render_gpu/src/kernels/raster.rs:168
     let _e39 = Ray_new(raster_1.frame.eye, normalize(to_point));
-    // glimt_render_gpu/src/kernels/raster.rs:170
+    // glimt_render_gpu/src/kernels/raster.rs:169
     let hit_3 = Hit(triangle_2, length(to_point), vec2<f32>(u_7, v_10));
-    // glimt_render_gpu/src/kernels/raster.rs:175
-    // glimt_render_gpu/src/kernels/raster.rs:180
+    // glimt_render_gpu/src/kernels/raster.rs:174
+    // glimt_render_gpu/src/kernels/raster.rs:179
     let _e48 = at_hit(_e39, hit_3, raster_1.map_size, raster_1.map_rotation);
-    // glimt_render_gpu/src/kernels/raster.rs:181
+    // glimt_render_gpu/src/kernels/raster.rs:180
     let _e50 = Triangle_is_catcher(at_1);
     let _e51 = LayerSample_of(_e48, _e50);
-    // glimt_render_gpu/src/kernels/raster.rs:182
+    // glimt_render_gpu/src/kernels/raster.rs:181
     let _e57 = fitting_scale(max(_e51.radiance, _e51.blocked), raster_1.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:183
+    // glimt_render_gpu/src/kernels/raster.rs:182
     let radiance_2 = (_e51.radiance * _e57);
-    // glimt_render_gpu/src/kernels/raster.rs:184
+    // glimt_render_gpu/src/kernels/raster.rs:183
     return Drawn(vec4<f32>((radiance_2 * _e51.alpha), _e51.alpha), vec4<f32>((radiance_2 * _e51.catcher), _e51.catcher), vec4<f32>((_e51.blocked * _e57), 0f));
 }
 

@@ -29,17 +29,14 @@ fn shade_layers(in: DrawnCorner) -> Layers {
     return Layers(drawn.object, drawn.lit, drawn.blocked);
 }
 
-// For scenes with surfaces that let light pass: a stage that chooses samples keeps the GPU from testing depth before it.
-struct KeptLayers {
-    @location(0) object: vec4<f32>,
-    @location(1) lit: vec4<f32>,
-    @location(2) blocked: vec4<f32>,
-    @builtin(sample_mask) kept: u32,
-}
-
+// For scenes with surfaces that let light pass: runs for each sample, and drops those that a surface does not keep. What drops
+// samples keeps the GPU from testing depth before it, so other scenes do without.
 @fragment
-fn shade_kept_layers(in: DrawnCorner) -> KeptLayers {
-    let kept = kept_samples(in.triangle, in.weights, vec2<u32>(in.position.xy), params);
+fn shade_kept_layers(in: DrawnCorner, @builtin(sample_index) sample: u32) -> Layers {
+    let pixel = vec2<u32>(in.position.xy);
+    if keeps_sample(in.triangle, in.weights, pixel, sample, params) == 0u {
+        discard;
+    }
     let drawn = draw(in.triangle, in.weights, params);
-    return KeptLayers(drawn.object, drawn.lit, drawn.blocked, kept);
+    return Layers(drawn.object, drawn.lit, drawn.blocked);
 }

@@ -89,38 +89,37 @@ pub fn corner_near(corner: u32, near: f32, scene: Scene<'_>) -> f32 {
     near
 }
 
-/// Which of a pixel's samples triangle `triangle` keeps, where its second and third corner have these weights: bit i for sample i, each
-/// with probability alpha. The pixel has the coordinates `pixel` in the image.
+/// 1 where triangle `triangle` keeps sample `sample` of a pixel, which it does with probability alpha, else 0. Its second and third
+/// corner have these weights there; the pixel has the coordinates `pixel` in the image.
 #[must_use]
-pub fn kept_samples(
+pub fn keeps_sample(
     triangle: u32,
     weights: Vec2,
     pixel: UVec2,
+    sample: u32,
     raster: &RasterParams,
     scene: Scene<'_>,
 ) -> u32 {
     let at = &scene.triangles[triangle as usize];
     if !at.is_see_through() {
-        return u32::MAX;
+        return 1;
     }
     let u = weights.x.clamp(0.0, 1.0);
     let v = weights.y.clamp(0.0, 1.0 - u);
+    let pattern = PixelPattern {
+        kind: raster.frame.pattern,
+        seed: raster.frame.seed,
+        frame: raster.frame.film_frame,
+        pixel: pixel.y * raster.frame.width + pixel.x,
+        ray: sample,
+        rays: raster.samples,
+    };
     let alpha = alpha_at(at, scene.surface, u, v);
-    let mut kept = 0;
-    for sample in 0..raster.samples {
-        let pattern = PixelPattern {
-            kind: raster.frame.pattern,
-            seed: raster.frame.seed,
-            frame: raster.frame.film_frame,
-            pixel: pixel.y * raster.frame.width + pixel.x,
-            ray: sample,
-            rays: raster.samples,
-        };
-        if unit_f32(hash2(pattern.ray_key(SEEN_THROUGH), triangle)) < alpha {
-            kept |= 1 << sample;
-        }
+    if unit_f32(hash2(pattern.ray_key(SEEN_THROUGH), triangle)) < alpha {
+        1
+    } else {
+        0
     }
-    kept
 }
 
 /// Homogeneous clip coordinates of the world point `p`: x and y in [−w, w] inside the image, y up, w the distance along the
