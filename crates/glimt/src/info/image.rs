@@ -102,7 +102,7 @@ pub(super) fn describe(file: &Path, notes: &mut Notes) -> Result<(Value, String)
     Ok((value, lines.0.join("\n")))
 }
 
-/// Width and height, and the shape of pixels that are no squares.
+/// Width and height, and the shape of pixels that are not square.
 fn size(size: UVec2, pixel_aspect: f32) -> String {
     let shape = match size.x == 2 * size.y {
         true => " (2:1)",

@@ -34,7 +34,7 @@ pub fn read_size(file: &Path, reading: &Reading) -> Result<UVec2> {
     }
 }
 
-/// Reads a photograph of a mirror ball. One that is no HDR image is made linear.
+/// Reads a photograph of a mirror ball. An image of 8 or 16 bits is made linear.
 ///
 /// # Errors
 /// The file cannot be read or is broken; or has bad pixels and `notes` is strict.

@@ -8,7 +8,7 @@ use std::path::Path;
 /// The most digits that a number is padded to.
 const MAX_DIGITS: usize = 20;
 
-/// Extensions of images, by which frames are told from other files of a folder.
+/// Extensions of images. They separate frames from other files of a folder.
 const IMAGES: [&str; 9] = [
     "exr", "hdr", "png", "jpg", "jpeg", "tif", "tiff", "pfm", "dpx",
 ];

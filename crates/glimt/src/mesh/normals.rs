@@ -47,7 +47,7 @@ pub fn flat(mesh: &mut Mesh) -> Vec<u32> {
 }
 
 /// As [`flat`], but faces share normals across edges at which they are turned by less than `crease_deg` degrees against each other.
-/// Vertices in the same place count as one point, so a seam of texture coordinates is no crease.
+/// Vertices in the same place count as one point, so a seam of texture coordinates is not a crease.
 pub fn creased(mesh: &mut Mesh, crease_deg: f32) -> Vec<u32> {
     let least = cosine(crease_deg);
     remake(mesh, |a, b| is_smooth(a.1, b.1, least))

@@ -1,4 +1,4 @@
-//! Host file: which image of an OpenEXR file is a picture: its parts, layers and views, told by their names.
+//! Host file: which image of an OpenEXR file is a picture: its parts, layers and views, by their names.
 
 use crate::error::{Error, Result};
 use crate::input::Reading;
@@ -35,7 +35,7 @@ enum Kind {
     Picture,
     /// It may be anything.
     Unknown,
-    /// It is what renderers note of surfaces, no light.
+    /// It is what renderers note of surfaces, not light.
     Data,
 }
 
@@ -92,7 +92,7 @@ impl Choice {
 /// or first view before others.
 ///
 /// # Errors
-/// There is no such layer, or none that holds light.
+/// No layer has this name, or no layer holds light.
 pub(super) fn choose(file: &Path, meta: &MetaData, reading: &Reading) -> Result<Choice> {
     let mut layers = layers(meta);
     // The sort is stable: equal ones stay in the order of the file.
@@ -109,7 +109,7 @@ pub(super) fn choose(file: &Path, meta: &MetaData, reading: &Reading) -> Result<
                 Error::input(file, what).fix_name(wanted, &known)
             })?,
     };
-    // A depth or a mask alone is no picture, and none that a layer's name would choose.
+    // A depth or a mask alone is not a picture, and a layer's name would not choose it.
     let is_number =
         |layer: &Layer| layer.kind == Kind::Data && matches!(layer.colour, Colour::Grey(_));
     let chosen = layers.get(at);
@@ -212,7 +212,7 @@ fn layers(meta: &MetaData) -> Vec<Layer> {
             let last = words
                 .iter()
                 .rfind(|word| !is_view(word) && !word.is_empty());
-            // A channel called "c" is no picture as a layer of that name is.
+            // A layer called "c" is a picture; a channel of that name is not.
             let is_lone = path.is_empty() && !name.is_empty();
             let kind = match (last, is_lone) {
                 (Some(last), true) => kind(last).max(Kind::Unknown),
