@@ -366,25 +366,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_14 = (index_5 & 65535u);
+    let index_15 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_14;
+        chosen = index_15;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_14);
+            let _e16 = pascal(index_15);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_14);
+                let _e20 = recurrence_2_(index_15);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_14);
+                let _e22 = recurrence_3_(index_15);
                 chosen = _e22;
             }
         }
@@ -697,17 +697,17 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:56
-    let index_15 = ((this_7.ray * samples) + sample);
+    let index_16 = ((this_7.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:57
     if (this_7.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:58
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_15);
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:60
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_15);
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:61
@@ -717,7 +717,7 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:64
     let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_15, (this_7.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_16, (this_7.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -1026,17 +1026,17 @@ fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:73
     let b_4 = ((word_3 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha_1 = (f32((word_3 >> 24u)) / 255f);
+    let alpha_2 = (f32((word_3 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r];
         let _e42 = scene_surface[g];
         let _e46 = scene_surface[b_4];
-        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_1);
+        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_5 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_1);
+        chosen_5 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_2);
     }
     let _e60 = chosen_5;
     return _e60;
@@ -1159,15 +1159,24 @@ fn alpha_at(triangle_2: Triangle, u_3: f32, v_2: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:26
-fn is_passed(index_12: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+fn passes(key_3: u32, index_12: u32, alpha_1: f32) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:27
+    let _e5 = hash2_(key_3, index_12);
+    let _e6 = unit_f32_(_e5);
+    return (_e6 >= alpha_1);
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:33
+fn is_passed(index_13: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:34
     let _e5 = barycentrics(triangle_3, ray_4);
-    // glimt_render_gpu/src/kernels/opacity.rs:28
-    let _e8 = hash2_(ray_4.key, index_12);
-    let _e9 = unit_f32_(_e8);
-    let _e12 = alpha_at(triangle_3, _e5.x, _e5.y);
-    return (_e9 >= _e12);
+    // glimt_render_gpu/src/kernels/opacity.rs:35
+    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    // glimt_render_gpu/src/kernels/opacity.rs:36
+    let _e12 = passes(ray_4.key, index_13, _e9);
+    return _e12;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
@@ -1208,14 +1217,14 @@ fn Triangle_setback(this_19: Triangle, ray_5: Ray, t: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_13: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
+fn held(index_14: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
     var both: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:195
     let _e7 = Triangle_is_see_through(triangle_4);
     both = _e7;
     if _e7 {
-        let _e9 = is_passed(index_13, triangle_4, ray_6);
+        let _e9 = is_passed(index_14, triangle_4, ray_6);
         both = _e9;
     }
     let _e10 = both;

@@ -658,13 +658,6 @@ fn barycentrics(triangle_1: Triangle, ray_3: Ray) -> vec2<f32> {
     return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_4));
 }
 
-// glimt_sampling/src/uniform.rs:15
-fn unit_f32_(u: u32) -> f32 {
-
-    // glimt_sampling/src/uniform.rs:16
-    return (f32((u >> 8u)) * (1f / 16777216f));
-}
-
 // glimt_render_gpu/src/kernels/material.rs:141
 fn Attributes_of_corner(first: u32) -> Attributes {
 
@@ -683,7 +676,7 @@ fn Attributes_of_corner(first: u32) -> Attributes {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:129
-fn Attributes_at(first_1: u32, u_1: f32, v_1: f32) -> Attributes {
+fn Attributes_at(first_1: u32, u: f32, v_1: f32) -> Attributes {
 
     // glimt_render_gpu/src/kernels/material.rs:130
     let _e5 = Attributes_of_corner(first_1);
@@ -692,9 +685,9 @@ fn Attributes_at(first_1: u32, u_1: f32, v_1: f32) -> Attributes {
     // glimt_render_gpu/src/kernels/material.rs:132
     let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
     // glimt_render_gpu/src/kernels/material.rs:133
-    let w_1 = ((1f - u_1) - v_1);
+    let w_1 = ((1f - u) - v_1);
     // glimt_render_gpu/src/kernels/material.rs:134
-    return Attributes((((_e5.uv * w_1) + (_e9.uv * u_1)) + (_e15.uv * v_1)), (((_e5.color * w_1) + (_e9.color * u_1)) + (_e15.color * v_1)));
+    return Attributes((((_e5.uv * w_1) + (_e9.uv * u)) + (_e15.uv * v_1)), (((_e5.color * w_1) + (_e9.color * u)) + (_e15.color * v_1)));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:172
@@ -786,17 +779,17 @@ fn TextureView_texel(this_11: TextureView, index_2: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:73
     let b_4 = ((word_3 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha_1 = (f32((word_3 >> 24u)) / 255f);
+    let alpha_2 = (f32((word_3 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_11.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r];
         let _e42 = scene_surface[g];
         let _e46 = scene_surface[b_4];
-        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_1);
+        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_5 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_1);
+        chosen_5 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_2);
     }
     let _e60 = chosen_5;
     return _e60;
@@ -907,10 +900,10 @@ fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, ver
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:14
-fn alpha_at(triangle_2: Triangle, u_2: f32, v_2: f32) -> f32 {
+fn alpha_at(triangle_2: Triangle, u_1: f32, v_2: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/opacity.rs:15
-    let _e6 = Attributes_at(triangle_2.attributes, u_2, v_2);
+    let _e6 = Attributes_at(triangle_2.attributes, u_1, v_2);
     // glimt_render_gpu/src/kernels/opacity.rs:16
     let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
     // glimt_render_gpu/src/kernels/opacity.rs:17
@@ -918,16 +911,32 @@ fn alpha_at(triangle_2: Triangle, u_2: f32, v_2: f32) -> f32 {
     return _e18;
 }
 
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u_2: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u_2 >> 8u)) * (1f / 16777216f));
+}
+
 // glimt_render_gpu/src/kernels/opacity.rs:26
-fn is_passed(index_3: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+fn passes(key_1: u32, index_3: u32, alpha_1: f32) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:27
+    let _e5 = hash2_(key_1, index_3);
+    let _e6 = unit_f32_(_e5);
+    return (_e6 >= alpha_1);
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:33
+fn is_passed(index_4: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:34
     let _e5 = barycentrics(triangle_3, ray_4);
-    // glimt_render_gpu/src/kernels/opacity.rs:28
-    let _e8 = hash2_(ray_4.key, index_3);
-    let _e9 = unit_f32_(_e8);
-    let _e12 = alpha_at(triangle_3, _e5.x, _e5.y);
-    return (_e9 >= _e12);
+    // glimt_render_gpu/src/kernels/opacity.rs:35
+    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    // glimt_render_gpu/src/kernels/opacity.rs:36
+    let _e12 = passes(ray_4.key, index_4, _e9);
+    return _e12;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
@@ -968,14 +977,14 @@ fn Triangle_setback(this_16: Triangle, ray_5: Ray, t: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_4: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
+fn held(index_5: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
     var both: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:195
     let _e7 = Triangle_is_see_through(triangle_4);
     both = _e7;
     if _e7 {
-        let _e9 = is_passed(index_4, triangle_4, ray_6);
+        let _e9 = is_passed(index_5, triangle_4, ray_6);
         both = _e9;
     }
     let _e10 = both;
@@ -1241,17 +1250,17 @@ fn any_hit(ray_9: Ray, t_max_1: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:136
-fn Scene_is_lit(point_2: ShadingPoint, direction_6: vec3<f32>, key_1: u32) -> bool {
+fn Scene_is_lit(point_2: ShadingPoint, direction_6: vec3<f32>, key_2: u32) -> bool {
 
     // glimt_render_gpu/src/kernels/scene.rs:137
-    let _e6 = Ray_keyed(point_2.origin, direction_6, key_1);
+    let _e6 = Ray_keyed(point_2.origin, direction_6, key_2);
     // glimt_render_gpu/src/kernels/scene.rs:138
     let _e9 = any_hit(_e6, 0x1.fffffep+127f);
     return !(_e9);
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_17: LightSample, point_3: ShadingPoint, key_2: u32) -> Reflected {
+fn LightSample_traced(this_17: LightSample, point_3: ShadingPoint, key_3: u32) -> Reflected {
     var chosen_7: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
@@ -1260,7 +1269,7 @@ fn LightSample_traced(this_17: LightSample, point_3: ShadingPoint, key_2: u32) -
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e23 = Scene_is_lit(point_3, this_17.direction, key_2);
+    let _e23 = Scene_is_lit(point_3, this_17.direction, key_3);
     if _e23 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
         chosen_7 = Reflected(this_17.contribution, vec3(0f));
@@ -1285,7 +1294,7 @@ fn Reflected_gather(this_18: ptr<function, Reflected>, light: Reflected) {
 }
 
 // glimt_render_gpu/src/kernels/smc_gather.rs:18
-fn estimate(seen: SmcPoint, log_normaliser: f32, floor_: f32, key_3: u32, env_size: vec2<u32>, env_rotation: vec2<f32>, particles_start: u32, particles_len: u32) -> Reflected {
+fn estimate(seen: SmcPoint, log_normaliser: f32, floor_: f32, key_4: u32, env_size: vec2<u32>, env_rotation: vec2<f32>, particles_start: u32, particles_len: u32) -> Reflected {
     var sum: Reflected;
     var counter_1: u32;
 
@@ -1330,7 +1339,7 @@ fn estimate(seen: SmcPoint, log_normaliser: f32, floor_: f32, key_3: u32, env_si
             // glimt_render_gpu/src/kernels/smc_gather.rs:41
             let _e58 = LightSample_new(_e21, direction_7, _e56, _e42, density_1);
             // glimt_render_gpu/src/kernels/smc_gather.rs:42
-            let _e61 = LightSample_traced(_e58, _e21, (key_3 + i_1));
+            let _e61 = LightSample_traced(_e58, _e21, (key_4 + i_1));
             Reflected_gather((&sum), _e61);
         }
         continuing {
@@ -1373,11 +1382,11 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:108
-fn PixelPattern_sobol_point(this_19: PixelPattern, purpose_2: u32, index_5: u32) -> OwenSobol {
+fn PixelPattern_sobol_point(this_19: PixelPattern, purpose_2: u32, index_6: u32) -> OwenSobol {
 
     // glimt_render_gpu/src/kernels/pattern.rs:109
     let _e6 = hash2_(this_19.seed, purpose_2);
-    let _e9 = OwenSobol_new(_e6, this_19.frame, this_19.pixel, index_5);
+    let _e9 = OwenSobol_new(_e6, this_19.frame, this_19.pixel, index_6);
     return _e9;
 }
 
@@ -1404,20 +1413,20 @@ fn owen_scramble_reversed(n_2: u32, scramble: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:103
-fn shuffle(index_6: u32, seed_1: u32) -> u32 {
+fn shuffle(index_7: u32, seed_1: u32) -> u32 {
 
     // glimt_sampling/src/sobol.rs:104
     let _e7 = hash_u32_((seed_1 ^ 2043055690u));
-    let _e8 = owen_scramble_reversed(reverseBits(index_6), _e7);
+    let _e8 = owen_scramble_reversed(reverseBits(index_7), _e7);
     return reverseBits(_e8);
 }
 
 // glimt_sampling/src/sobol.rs:56
-fn pascal(index_7: u32) -> u32 {
+fn pascal(index_8: u32) -> u32 {
     var x_4: u32;
 
     // glimt_sampling/src/sobol.rs:57
-    x_4 = index_7;
+    x_4 = index_8;
     // glimt_sampling/src/sobol.rs:58
     let _e5 = x_4;
     let _e10 = x_4;
@@ -1437,14 +1446,14 @@ fn pascal(index_7: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:66
-fn recurrence_2_(index_8: u32) -> u32 {
+fn recurrence_2_(index_9: u32) -> u32 {
     var bits: u32;
     var v0_: u32;
     var v1_: u32;
     var sum_1: u32;
 
     // glimt_sampling/src/sobol.rs:67
-    bits = index_8;
+    bits = index_9;
     // glimt_sampling/src/sobol.rs:68
     v0_ = 1u;
     // glimt_sampling/src/sobol.rs:69
@@ -1482,7 +1491,7 @@ fn recurrence_2_(index_8: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:83
-fn recurrence_3_(index_9: u32) -> u32 {
+fn recurrence_3_(index_10: u32) -> u32 {
     var bits_1: u32;
     var v0_1: u32;
     var v1_1: u32;
@@ -1490,7 +1499,7 @@ fn recurrence_3_(index_9: u32) -> u32 {
     var sum_2: u32;
 
     // glimt_sampling/src/sobol.rs:84
-    bits_1 = index_9;
+    bits_1 = index_10;
     // glimt_sampling/src/sobol.rs:85
     v0_1 = 1u;
     // glimt_sampling/src/sobol.rs:86
@@ -1533,29 +1542,29 @@ fn recurrence_3_(index_9: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:43
-fn sobol_reversed(index_10: u32, dimension: u32) -> u32 {
+fn sobol_reversed(index_11: u32, dimension: u32) -> u32 {
     var chosen_8: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_14 = (index_10 & 65535u);
+    let index_15 = (index_11 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen_8 = index_14;
+        chosen_8 = index_15;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_14);
+            let _e16 = pascal(index_15);
             chosen_8 = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_14);
+                let _e20 = recurrence_2_(index_15);
                 chosen_8 = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_14);
+                let _e22 = recurrence_3_(index_15);
                 chosen_8 = _e22;
             }
         }
@@ -1728,10 +1737,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:113
-fn PixelPattern_generator(this_21: PixelPattern, purpose_3: u32, index_11: u32) -> Xoshiro128PlusPlus {
+fn PixelPattern_generator(this_21: PixelPattern, purpose_3: u32, index_12: u32) -> Xoshiro128PlusPlus {
 
     // glimt_render_gpu/src/kernels/pattern.rs:114
-    let _e6 = hash3_(this_21.seed, purpose_3, index_11);
+    let _e6 = hash3_(this_21.seed, purpose_3, index_12);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_21.frame, this_21.pixel);
     return _e9;
 }
@@ -1766,7 +1775,7 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) ->
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:193
-fn permute(index_12: u32, length_: u32, key_4: u32) -> u32 {
+fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
     var x_6: u32;
     var round_key: u32;
     var counter_2: i32;
@@ -1781,11 +1790,11 @@ fn permute(index_12: u32, length_: u32, key_4: u32) -> u32 {
     // glimt_render_gpu/src/kernels/pattern.rs:198
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
     // glimt_render_gpu/src/kernels/pattern.rs:199
-    x_6 = index_12;
+    x_6 = index_13;
     // glimt_render_gpu/src/kernels/pattern.rs:200
     loop {
         // glimt_render_gpu/src/kernels/pattern.rs:201
-        round_key = key_4;
+        round_key = key_5;
         // glimt_render_gpu/src/kernels/pattern.rs:202
         counter_2 = 0i;
         loop {
@@ -1816,7 +1825,7 @@ fn permute(index_12: u32, length_: u32, key_4: u32) -> u32 {
         if (_e62 < length_) {
             // glimt_render_gpu/src/kernels/pattern.rs:209
             let _e65 = x_6;
-            let _e67 = hash_u32_(~(key_4));
+            let _e67 = hash_u32_(~(key_5));
             return ((_e65 + (_e67 % length_)) % length_);
         }
     }
@@ -1831,7 +1840,7 @@ fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:164
-fn jittered_pair(index_13: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
+fn jittered_pair(index_14: u32, count_1: u32, jitter_1: vec2<u32>, key_6: u32) -> vec2<u32> {
 
     // glimt_render_gpu/src/kernels/pattern.rs:165
     let columns = max(u32(sqrt(f32(count_1))), 1u);
@@ -1839,13 +1848,13 @@ fn jittered_pair(index_13: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
     // glimt_render_gpu/src/kernels/pattern.rs:167
-    let _e21 = hash2_(key_5, 1u);
-    let _e22 = permute(index_13, count_1, _e21);
+    let _e21 = hash2_(key_6, 1u);
+    let _e22 = permute(index_14, count_1, _e21);
     // glimt_render_gpu/src/kernels/pattern.rs:168
-    let _e26 = hash2_(key_5, 2u);
+    let _e26 = hash2_(key_6, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
     // glimt_render_gpu/src/kernels/pattern.rs:169
-    let _e31 = hash2_(key_5, 3u);
+    let _e31 = hash2_(key_6, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
     // glimt_render_gpu/src/kernels/pattern.rs:170
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
@@ -1859,17 +1868,17 @@ fn PixelPattern_pair(this_24: PixelPattern, purpose_4: u32, sample: u32, samples
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:56
-    let index_15 = ((this_24.ray * samples) + sample);
+    let index_16 = ((this_24.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:57
     if (this_24.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:58
-        let _e14 = PixelPattern_sobol_point(this_24, purpose_4, index_15);
+        let _e14 = PixelPattern_sobol_point(this_24, purpose_4, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:60
-    let _e18 = PixelPattern_generator(this_24, purpose_4, index_15);
+    let _e18 = PixelPattern_generator(this_24, purpose_4, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:61
@@ -1879,7 +1888,7 @@ fn PixelPattern_pair(this_24: PixelPattern, purpose_4: u32, sample: u32, samples
     }
     // glimt_render_gpu/src/kernels/pattern.rs:64
     let _e29 = PixelPattern_key(this_24, purpose_4);
-    let _e30 = jittered_pair(index_15, (this_24.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_16, (this_24.rays * samples), _e20, _e29);
     return _e30;
 }
 

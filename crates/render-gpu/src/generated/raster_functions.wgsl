@@ -167,23 +167,23 @@ var<storage> surface_reflections: array<f32>;
 @group(0) @binding(6) 
 var<storage> surface_lights: array<VertexLight>;
 
-// glimt_render_gpu/src/kernels/raster.rs:62
+// glimt_render_gpu/src/kernels/raster.rs:59
 fn corner_position(corner: u32) -> vec3<f32> {
     var chosen: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/raster.rs:63
+    // glimt_render_gpu/src/kernels/raster.rs:60
     let triangle_3 = scene_triangles[(corner / 3u)];
-    // glimt_render_gpu/src/kernels/raster.rs:64
+    // glimt_render_gpu/src/kernels/raster.rs:61
     let _e10 = (corner % 3u);
     if (_e10 == 0u) {
-        // glimt_render_gpu/src/kernels/raster.rs:65
+        // glimt_render_gpu/src/kernels/raster.rs:62
         chosen = triangle_3.v0_;
     } else {
         if (_e10 == 1u) {
-            // glimt_render_gpu/src/kernels/raster.rs:66
+            // glimt_render_gpu/src/kernels/raster.rs:63
             chosen = triangle_3.v1_;
         } else {
-            // glimt_render_gpu/src/kernels/raster.rs:67
+            // glimt_render_gpu/src/kernels/raster.rs:64
             chosen = triangle_3.v2_;
         }
     }
@@ -191,21 +191,21 @@ fn corner_position(corner: u32) -> vec3<f32> {
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:74
+// glimt_render_gpu/src/kernels/raster.rs:71
 fn corner_weights(corner_1: u32) -> vec2<f32> {
     var chosen_1: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/raster.rs:75
+    // glimt_render_gpu/src/kernels/raster.rs:72
     let _e4 = (corner_1 % 3u);
     if (_e4 == 0u) {
-        // glimt_render_gpu/src/kernels/raster.rs:76
+        // glimt_render_gpu/src/kernels/raster.rs:73
         chosen_1 = vec2(0f);
     } else {
         if (_e4 == 1u) {
-            // glimt_render_gpu/src/kernels/raster.rs:77
+            // glimt_render_gpu/src/kernels/raster.rs:74
             chosen_1 = vec2<f32>(1f, 0f);
         } else {
-            // glimt_render_gpu/src/kernels/raster.rs:78
+            // glimt_render_gpu/src/kernels/raster.rs:75
             chosen_1 = vec2<f32>(0f, 1f);
         }
     }
@@ -213,12 +213,12 @@ fn corner_weights(corner_1: u32) -> vec2<f32> {
     return _e21;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:142
+// glimt_render_gpu/src/kernels/raster.rs:139
 fn clip_position(frame: FrameParams, near: f32, p: vec3<f32>) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/raster.rs:143
+    // glimt_render_gpu/src/kernels/raster.rs:140
     let d_3 = (p - frame.eye);
-    // glimt_render_gpu/src/kernels/raster.rs:144
+    // glimt_render_gpu/src/kernels/raster.rs:141
     return vec4<f32>((dot(d_3, frame.right) / dot(frame.right, frame.right)), (dot(d_3, frame.up) / dot(frame.up, frame.up)), near, dot(d_3, frame.forward));
 }
 
@@ -229,17 +229,17 @@ fn Triangle_is_catcher(this_: Triangle) -> bool {
     return ((this_.object & 2147483648u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:85
+// glimt_render_gpu/src/kernels/raster.rs:82
 fn corner_near(corner_2: u32, near_1: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/raster.rs:86
+    // glimt_render_gpu/src/kernels/raster.rs:83
     let _e8 = scene_triangles[(corner_2 / 3u)];
     let _e9 = Triangle_is_catcher(_e8);
     if _e9 {
-        // glimt_render_gpu/src/kernels/raster.rs:87
+        // glimt_render_gpu/src/kernels/raster.rs:84
         return (near_1 * (1f - 0.000015258789f));
     }
-    // glimt_render_gpu/src/kernels/raster.rs:89
+    // glimt_render_gpu/src/kernels/raster.rs:86
     return near_1;
 }
 
@@ -371,17 +371,17 @@ fn TextureView_texel(this_3: TextureView, index_2: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:73
     let b_2 = ((word_4 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha_1 = (f32((word_4 >> 24u)) / 255f);
+    let alpha_2 = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_3.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r];
         let _e42 = scene_surface[g];
         let _e46 = scene_surface[b_2];
-        chosen_2 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_1);
+        chosen_2 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_2 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_2) / 255f), alpha_1);
+        chosen_2 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_2) / 255f), alpha_2);
     }
     let _e60 = chosen_2;
     return _e60;
@@ -572,39 +572,47 @@ fn unit_f32_(u_2: u32) -> f32 {
     return (f32((u_2 >> 8u)) * (1f / 16777216f));
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:95
+// glimt_render_gpu/src/kernels/opacity.rs:26
+fn passes(key: u32, index_3: u32, alpha_1: f32) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:27
+    let _e5 = hash2_(key, index_3);
+    let _e6 = unit_f32_(_e5);
+    return (_e6 >= alpha_1);
+}
+
+// glimt_render_gpu/src/kernels/raster.rs:92
 fn keeps_sample(triangle_1: u32, weights: vec2<f32>, pixel: vec2<u32>, sample: u32, raster: RasterParams) -> u32 {
     var chosen_4: u32;
 
-    // glimt_render_gpu/src/kernels/raster.rs:103
+    // glimt_render_gpu/src/kernels/raster.rs:100
     let at = scene_triangles[triangle_1];
-    // glimt_render_gpu/src/kernels/raster.rs:104
+    // glimt_render_gpu/src/kernels/raster.rs:101
     let _e11 = Triangle_is_see_through(at);
     if !(_e11) {
-        // glimt_render_gpu/src/kernels/raster.rs:105
+        // glimt_render_gpu/src/kernels/raster.rs:102
         return 1u;
     }
-    // glimt_render_gpu/src/kernels/raster.rs:107
+    // glimt_render_gpu/src/kernels/raster.rs:104
     let u_3 = clamp(weights.x, 0f, 1f);
-    // glimt_render_gpu/src/kernels/raster.rs:108
+    // glimt_render_gpu/src/kernels/raster.rs:105
     let v_5 = clamp(weights.y, 0f, (1f - u_3));
-    // glimt_render_gpu/src/kernels/raster.rs:109
+    // glimt_render_gpu/src/kernels/raster.rs:106
     let pattern = PixelPattern(raster.frame.pattern, raster.frame.seed, raster.frame.film_frame, ((pixel.y * raster.frame.width) + pixel.x), sample, raster.samples);
-    // glimt_render_gpu/src/kernels/raster.rs:117
+    // glimt_render_gpu/src/kernels/raster.rs:114
     let _e42 = alpha_at(at, u_3, v_5);
-    // glimt_render_gpu/src/kernels/raster.rs:118
+    // glimt_render_gpu/src/kernels/raster.rs:115
     let _e46 = PixelPattern_ray_key(pattern, 8u);
-    let _e47 = hash2_(_e46, triangle_1);
-    let _e48 = unit_f32_(_e47);
-    if (_e48 < _e42) {
-        // glimt_render_gpu/src/kernels/raster.rs:119
-        chosen_4 = 1u;
-    } else {
-        // glimt_render_gpu/src/kernels/raster.rs:121
+    let _e47 = passes(_e46, triangle_1, _e42);
+    if _e47 {
+        // glimt_render_gpu/src/kernels/raster.rs:116
         chosen_4 = 0u;
+    } else {
+        // glimt_render_gpu/src/kernels/raster.rs:118
+        chosen_4 = 1u;
     }
-    let _e54 = chosen_4;
-    return _e54;
+    let _e52 = chosen_4;
+    return _e52;
 }
 
 // glimt_render_gpu/src/kernels/ray.rs:59
@@ -615,13 +623,13 @@ fn inverse(x_2: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/ray.rs:44
-fn Ray_keyed(origin: vec3<f32>, direction: vec3<f32>, key: u32) -> Ray {
+fn Ray_keyed(origin: vec3<f32>, direction: vec3<f32>, key_1: u32) -> Ray {
 
     // glimt_render_gpu/src/kernels/ray.rs:45
     let _e6 = inverse(direction.x);
     let _e8 = inverse(direction.y);
     let _e10 = inverse(direction.z);
-    return Ray(origin, direction, vec3<f32>(_e6, _e8, _e10), key);
+    return Ray(origin, direction, vec3<f32>(_e6, _e8, _e10), key_1);
 }
 
 // glimt_render_gpu/src/kernels/ray.rs:37
@@ -788,11 +796,11 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
     // glimt_brdf/src/metallic_roughness.rs:34
     let roughness_2 = clamp(roughness, 0.12f, 1f);
     // glimt_brdf/src/metallic_roughness.rs:35
-    let alpha_2 = (roughness_2 * roughness_2);
+    let alpha_3 = (roughness_2 * roughness_2);
     // glimt_brdf/src/metallic_roughness.rs:36
     let dielectric = (1f - metallic_2);
     // glimt_brdf/src/metallic_roughness.rs:37
-    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_2 * alpha_2)) - 2f));
+    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_3 * alpha_3)) - 2f));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:231
@@ -1172,48 +1180,48 @@ fn LayerSample_of(light_2: Reflected, is_catcher: bool) -> LayerSample {
     return LayerSample(light_2.lit, 1f, vec3(0f), 0f);
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:192
+// glimt_render_gpu/src/kernels/raster.rs:189
 fn fitting_scale(radiance_1: vec3<f32>, scale: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/raster.rs:193
+    // glimt_render_gpu/src/kernels/raster.rs:190
     let largest = (max(max(radiance_1.x, radiance_1.y), radiance_1.z) * scale);
-    // glimt_render_gpu/src/kernels/raster.rs:194
+    // glimt_render_gpu/src/kernels/raster.rs:191
     if (largest > 65504f) {
-        // glimt_render_gpu/src/kernels/raster.rs:195
+        // glimt_render_gpu/src/kernels/raster.rs:192
         return (scale * (65504f / largest));
     }
-    // glimt_render_gpu/src/kernels/raster.rs:197
+    // glimt_render_gpu/src/kernels/raster.rs:194
     return scale;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:155
+// glimt_render_gpu/src/kernels/raster.rs:152
 fn draw(triangle_2: u32, weights_1: vec2<f32>, raster_1: RasterParams) -> Drawn {
 
-    // glimt_render_gpu/src/kernels/raster.rs:163
+    // glimt_render_gpu/src/kernels/raster.rs:160
     let u_7 = clamp(weights_1.x, 0f, 1f);
-    // glimt_render_gpu/src/kernels/raster.rs:164
+    // glimt_render_gpu/src/kernels/raster.rs:161
     let v_10 = clamp(weights_1.y, 0f, (1f - u_7));
-    // glimt_render_gpu/src/kernels/raster.rs:165
+    // glimt_render_gpu/src/kernels/raster.rs:162
     let at_1 = scene_triangles[triangle_2];
-    // glimt_render_gpu/src/kernels/raster.rs:166
+    // glimt_render_gpu/src/kernels/raster.rs:163
     let p_2 = ((at_1.v0_ + ((at_1.v1_ - at_1.v0_) * u_7)) + ((at_1.v2_ - at_1.v0_) * v_10));
-    // glimt_render_gpu/src/kernels/raster.rs:167
+    // glimt_render_gpu/src/kernels/raster.rs:164
     let to_point = (p_2 - raster_1.frame.eye);
-    // glimt_render_gpu/src/kernels/raster.rs:168
+    // glimt_render_gpu/src/kernels/raster.rs:165
     let _e39 = Ray_new(raster_1.frame.eye, normalize(to_point));
-    // glimt_render_gpu/src/kernels/raster.rs:169
+    // glimt_render_gpu/src/kernels/raster.rs:166
     let hit_3 = Hit(triangle_2, length(to_point), vec2<f32>(u_7, v_10));
-    // glimt_render_gpu/src/kernels/raster.rs:174
-    // glimt_render_gpu/src/kernels/raster.rs:179
+    // glimt_render_gpu/src/kernels/raster.rs:171
+    // glimt_render_gpu/src/kernels/raster.rs:176
     let _e48 = at_hit(_e39, hit_3, raster_1.map_size, raster_1.map_rotation);
-    // glimt_render_gpu/src/kernels/raster.rs:180
+    // glimt_render_gpu/src/kernels/raster.rs:177
     let _e50 = Triangle_is_catcher(at_1);
     let _e51 = LayerSample_of(_e48, _e50);
-    // glimt_render_gpu/src/kernels/raster.rs:181
+    // glimt_render_gpu/src/kernels/raster.rs:178
     let _e57 = fitting_scale(max(_e51.radiance, _e51.blocked), raster_1.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:182
+    // glimt_render_gpu/src/kernels/raster.rs:179
     let radiance_2 = (_e51.radiance * _e57);
-    // glimt_render_gpu/src/kernels/raster.rs:183
+    // glimt_render_gpu/src/kernels/raster.rs:180
     return Drawn(vec4<f32>((radiance_2 * _e51.alpha), _e51.alpha), vec4<f32>((radiance_2 * _e51.catcher), _e51.catcher), vec4<f32>((_e51.blocked * _e57), 0f));
 }
 

@@ -454,25 +454,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_16 = (index_5 & 65535u);
+    let index_17 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_16;
+        chosen = index_17;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_16);
+            let _e16 = pascal(index_17);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_16);
+                let _e20 = recurrence_2_(index_17);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_16);
+                let _e22 = recurrence_3_(index_17);
                 chosen = _e22;
             }
         }
@@ -785,17 +785,17 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:56
-    let index_17 = ((this_7.ray * samples) + sample);
+    let index_18 = ((this_7.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:57
     if (this_7.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:58
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_17);
+        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_18);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:60
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_17);
+    let _e18 = PixelPattern_generator(this_7, purpose_3, index_18);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:61
@@ -805,7 +805,7 @@ fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:64
     let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_17, (this_7.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_18, (this_7.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -1114,17 +1114,17 @@ fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:73
     let b_5 = ((word_4 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha_1 = (f32((word_4 >> 24u)) / 255f);
+    let alpha_2 = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_14.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r_1];
         let _e42 = scene_surface[g];
         let _e46 = scene_surface[b_5];
-        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_1);
+        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_5 = vec4<f32>((f32(r_1) / 255f), (f32(g) / 255f), (f32(b_5) / 255f), alpha_1);
+        chosen_5 = vec4<f32>((f32(r_1) / 255f), (f32(g) / 255f), (f32(b_5) / 255f), alpha_2);
     }
     let _e60 = chosen_5;
     return _e60;
@@ -1247,15 +1247,24 @@ fn alpha_at(triangle_2: Triangle, u_3: f32, v_2: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:26
-fn is_passed(index_12: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+fn passes(key_3: u32, index_12: u32, alpha_1: f32) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:27
+    let _e5 = hash2_(key_3, index_12);
+    let _e6 = unit_f32_(_e5);
+    return (_e6 >= alpha_1);
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:33
+fn is_passed(index_13: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:34
     let _e5 = barycentrics(triangle_3, ray_4);
-    // glimt_render_gpu/src/kernels/opacity.rs:28
-    let _e8 = hash2_(ray_4.key, index_12);
-    let _e9 = unit_f32_(_e8);
-    let _e12 = alpha_at(triangle_3, _e5.x, _e5.y);
-    return (_e9 >= _e12);
+    // glimt_render_gpu/src/kernels/opacity.rs:35
+    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    // glimt_render_gpu/src/kernels/opacity.rs:36
+    let _e12 = passes(ray_4.key, index_13, _e9);
+    return _e12;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
@@ -1296,14 +1305,14 @@ fn Triangle_setback(this_19: Triangle, ray_5: Ray, t: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_13: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
+fn held(index_14: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
     var both: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:195
     let _e7 = Triangle_is_see_through(triangle_4);
     both = _e7;
     if _e7 {
-        let _e9 = is_passed(index_13, triangle_4, ray_6);
+        let _e9 = is_passed(index_14, triangle_4, ray_6);
         both = _e9;
     }
     let _e10 = both;
@@ -1733,11 +1742,11 @@ fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness:
     // glimt_brdf/src/metallic_roughness.rs:34
     let roughness_2 = clamp(roughness, 0.12f, 1f);
     // glimt_brdf/src/metallic_roughness.rs:35
-    let alpha_2 = (roughness_2 * roughness_2);
+    let alpha_3 = (roughness_2 * roughness_2);
     // glimt_brdf/src/metallic_roughness.rs:36
     let dielectric = (1f - metallic_2);
     // glimt_brdf/src/metallic_roughness.rs:37
-    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_2 * alpha_2)) - 2f));
+    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_3 * alpha_3)) - 2f));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:231
@@ -2120,10 +2129,10 @@ fn Product_total(this_25: Product, lobe: CellLobe, env_size_2: vec2<u32>, env_ro
 }
 
 // glimt_sampling/src/sobol.rs:135
-fn owen_sobol(index_14: u32, dimension_2: u32, seed_4: u32) -> u32 {
+fn owen_sobol(index_15: u32, dimension_2: u32, seed_4: u32) -> u32 {
 
     // glimt_sampling/src/sobol.rs:136
-    let _e5 = shuffle(index_14, seed_4);
+    let _e5 = shuffle(index_15, seed_4);
     let _e6 = sobol_reversed(_e5, dimension_2);
     let _e7 = scramble_1(_e6, dimension_2, seed_4);
     return _e7;
@@ -2145,11 +2154,11 @@ fn OwenSobol_next_u32_(this_26: ptr<function, OwenSobol>) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:178
-fn jittered(index_15: u32, count_2: u32, jitter_2: u32, key_3: u32) -> u32 {
+fn jittered(index_16: u32, count_2: u32, jitter_2: u32, key_4: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:179
-    let _e7 = hash2_(key_3, 4u);
-    let _e8 = permute(index_15, count_2, _e7);
+    let _e7 = hash2_(key_4, 4u);
+    let _e8 = permute(index_16, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
@@ -2160,11 +2169,11 @@ fn PixelPattern_triple(this_27: PixelPattern, purpose_5: u32, sample_1: u32, sam
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:71
-    let index_18 = ((this_27.ray * samples_1) + sample_1);
+    let index_19 = ((this_27.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:72
     if (this_27.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:73
-        let _e14 = PixelPattern_sobol_point(this_27, purpose_5, index_18);
+        let _e14 = PixelPattern_sobol_point(this_27, purpose_5, index_19);
         point_1 = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:74
         let _e17 = OwenSobol_next_uvec2_((&point_1));
@@ -2173,7 +2182,7 @@ fn PixelPattern_triple(this_27: PixelPattern, purpose_5: u32, sample_1: u32, sam
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:77
-    let _e22 = PixelPattern_generator(this_27, purpose_5, index_18);
+    let _e22 = PixelPattern_generator(this_27, purpose_5, index_19);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:78
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
@@ -2188,10 +2197,10 @@ fn PixelPattern_triple(this_27: PixelPattern, purpose_5: u32, sample_1: u32, sam
     let _e37 = PixelPattern_key(this_27, purpose_5);
     let _e38 = Tuple_u32_u32_((this_27.rays * samples_1), _e37);
     let count_3 = _e38.fa;
-    let key_6 = _e38.fb;
+    let key_7 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:84
-    let _e42 = jittered_pair(index_18, count_3, _e25, key_6);
-    let _e43 = jittered(index_18, count_3, _e27, key_6);
+    let _e42 = jittered_pair(index_19, count_3, _e25, key_7);
+    let _e43 = jittered(index_19, count_3, _e27, key_7);
     return vec3<u32>(_e42, _e43);
 }
 
@@ -2800,17 +2809,17 @@ fn any_hit(ray_12: Ray, t_max_2: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:136
-fn Scene_is_lit(point_4: ShadingPoint, direction_9: vec3<f32>, key_4: u32) -> bool {
+fn Scene_is_lit(point_4: ShadingPoint, direction_9: vec3<f32>, key_5: u32) -> bool {
 
     // glimt_render_gpu/src/kernels/scene.rs:137
-    let _e6 = Ray_keyed(point_4.origin, direction_9, key_4);
+    let _e6 = Ray_keyed(point_4.origin, direction_9, key_5);
     // glimt_render_gpu/src/kernels/scene.rs:138
     let _e9 = any_hit(_e6, 0x1.fffffep+127f);
     return !(_e9);
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_36: LightSample, point_5: ShadingPoint, key_5: u32) -> Reflected {
+fn LightSample_traced(this_36: LightSample, point_5: ShadingPoint, key_6: u32) -> Reflected {
     var chosen_21: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
@@ -2819,7 +2828,7 @@ fn LightSample_traced(this_36: LightSample, point_5: ShadingPoint, key_5: u32) -
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e23 = Scene_is_lit(point_5, this_36.direction, key_5);
+    let _e23 = Scene_is_lit(point_5, this_36.direction, key_6);
     if _e23 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
         chosen_21 = Reflected(this_36.contribution, vec3(0f));

@@ -240,48 +240,6 @@ fn barycentrics(triangle_1: Triangle, ray_2: Ray) -> vec2<f32> {
     return (vec2<f32>(_e14.y, _e14.z) / vec2(sum));
 }
 
-// glimt_sampling/src/hash.rs:15
-fn hash_u32_(n: u32) -> u32 {
-    var x_1: u32;
-
-    // glimt_sampling/src/hash.rs:16
-    x_1 = (n ^ 3875421163u);
-    // glimt_sampling/src/hash.rs:17
-    let _e7 = x_1;
-    let _e10 = x_1;
-    x_1 = (_e10 ^ (_e7 >> 16u));
-    // glimt_sampling/src/hash.rs:18
-    let _e13 = x_1;
-    x_1 = (_e13 * 2146121005u);
-    // glimt_sampling/src/hash.rs:19
-    let _e17 = x_1;
-    let _e20 = x_1;
-    x_1 = (_e20 ^ (_e17 >> 15u));
-    // glimt_sampling/src/hash.rs:20
-    let _e23 = x_1;
-    x_1 = (_e23 * 2221713035u);
-    // glimt_sampling/src/hash.rs:21
-    let _e27 = x_1;
-    let _e28 = x_1;
-    return (_e27 ^ (_e28 >> 16u));
-}
-
-// glimt_sampling/src/hash.rs:27
-fn hash2_(a_1: u32, b_1: u32) -> u32 {
-
-    // glimt_sampling/src/hash.rs:28
-    let _e4 = hash_u32_(a_1);
-    let _e6 = hash_u32_((_e4 + b_1));
-    return _e6;
-}
-
-// glimt_sampling/src/uniform.rs:15
-fn unit_f32_(u: u32) -> f32 {
-
-    // glimt_sampling/src/uniform.rs:16
-    return (f32((u >> 8u)) * (1f / 16777216f));
-}
-
 // glimt_render_gpu/src/kernels/material.rs:141
 fn Attributes_of_corner(first: u32) -> Attributes {
 
@@ -300,7 +258,7 @@ fn Attributes_of_corner(first: u32) -> Attributes {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:129
-fn Attributes_at(first_1: u32, u_1: f32, v: f32) -> Attributes {
+fn Attributes_at(first_1: u32, u: f32, v: f32) -> Attributes {
 
     // glimt_render_gpu/src/kernels/material.rs:130
     let _e5 = Attributes_of_corner(first_1);
@@ -309,9 +267,9 @@ fn Attributes_at(first_1: u32, u_1: f32, v: f32) -> Attributes {
     // glimt_render_gpu/src/kernels/material.rs:132
     let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
     // glimt_render_gpu/src/kernels/material.rs:133
-    let w_1 = ((1f - u_1) - v);
+    let w_1 = ((1f - u) - v);
     // glimt_render_gpu/src/kernels/material.rs:134
-    return Attributes((((_e5.uv * w_1) + (_e9.uv * u_1)) + (_e15.uv * v)), (((_e5.color * w_1) + (_e9.color * u_1)) + (_e15.color * v)));
+    return Attributes((((_e5.uv * w_1) + (_e9.uv * u)) + (_e15.uv * v)), (((_e5.color * w_1) + (_e9.color * u)) + (_e15.color * v)));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:172
@@ -350,22 +308,22 @@ fn TextureView_exists(this_3: TextureView) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
-fn wrap(x_2: f32, mode: u32) -> f32 {
+fn wrap(x_1: f32, mode: u32) -> f32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:91
     if (mode == 2u) {
         // glimt_render_gpu/src/kernels/texture.rs:92
-        return clamp(x_2, 0f, 1f);
+        return clamp(x_1, 0f, 1f);
     }
     // glimt_render_gpu/src/kernels/texture.rs:94
     if (mode == 1u) {
         // glimt_render_gpu/src/kernels/texture.rs:95
-        let folded = (x_2 - (2f * floor((0.5f * x_2))));
+        let folded = (x_1 - (2f * floor((0.5f * x_1))));
         // glimt_render_gpu/src/kernels/texture.rs:96
         return clamp(min(folded, (2f - folded)), 0f, 1f);
     }
     // glimt_render_gpu/src/kernels/texture.rs:98
-    return clamp((x_2 - floor(x_2)), 0f, 1f);
+    return clamp((x_1 - floor(x_1)), 0f, 1f);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:103
@@ -403,17 +361,17 @@ fn TextureView_texel(this_4: TextureView, index_2: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:73
     let b_4 = ((word_3 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha_1 = (f32((word_3 >> 24u)) / 255f);
+    let alpha_2 = (f32((word_3 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_4.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = surface[r];
         let _e42 = surface[g];
         let _e46 = surface[b_4];
-        chosen_2 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_1);
+        chosen_2 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_2 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_1);
+        chosen_2 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_2);
     }
     let _e60 = chosen_2;
     return _e60;
@@ -524,10 +482,10 @@ fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, ver
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:14
-fn alpha_at(triangle_2: Triangle, u_2: f32, v_1: f32) -> f32 {
+fn alpha_at(triangle_2: Triangle, u_1: f32, v_1: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/opacity.rs:15
-    let _e6 = Attributes_at(triangle_2.attributes, u_2, v_1);
+    let _e6 = Attributes_at(triangle_2.attributes, u_1, v_1);
     // glimt_render_gpu/src/kernels/opacity.rs:16
     let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
     // glimt_render_gpu/src/kernels/opacity.rs:17
@@ -535,16 +493,67 @@ fn alpha_at(triangle_2: Triangle, u_2: f32, v_1: f32) -> f32 {
     return _e18;
 }
 
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x_2 = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x_2;
+    let _e10 = x_2;
+    x_2 = (_e10 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e13 = x_2;
+    x_2 = (_e13 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e17 = x_2;
+    let _e20 = x_2;
+    x_2 = (_e20 ^ (_e17 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e23 = x_2;
+    x_2 = (_e23 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e27 = x_2;
+    let _e28 = x_2;
+    return (_e27 ^ (_e28 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a_1: u32, b_1: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a_1);
+    let _e6 = hash_u32_((_e4 + b_1));
+    return _e6;
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u_2: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u_2 >> 8u)) * (1f / 16777216f));
+}
+
 // glimt_render_gpu/src/kernels/opacity.rs:26
-fn is_passed(index_3: u32, triangle_3: Triangle, ray_3: Ray) -> bool {
+fn passes(key_1: u32, index_3: u32, alpha_1: f32) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:27
+    let _e5 = hash2_(key_1, index_3);
+    let _e6 = unit_f32_(_e5);
+    return (_e6 >= alpha_1);
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:33
+fn is_passed(index_4: u32, triangle_3: Triangle, ray_3: Ray) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:34
     let _e5 = barycentrics(triangle_3, ray_3);
-    // glimt_render_gpu/src/kernels/opacity.rs:28
-    let _e8 = hash2_(ray_3.key, index_3);
-    let _e9 = unit_f32_(_e8);
-    let _e12 = alpha_at(triangle_3, _e5.x, _e5.y);
-    return (_e9 >= _e12);
+    // glimt_render_gpu/src/kernels/opacity.rs:35
+    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    // glimt_render_gpu/src/kernels/opacity.rs:36
+    let _e12 = passes(ray_3.key, index_4, _e9);
+    return _e12;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:100
@@ -927,14 +936,14 @@ fn Triangle_setback(this_11: Triangle, ray_5: Ray, t: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_4: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
+fn held(index_5: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
     var both_5: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:195
     let _e7 = Triangle_is_see_through(triangle_4);
     both_5 = _e7;
     if _e7 {
-        let _e9 = is_passed(index_4, triangle_4, ray_6);
+        let _e9 = is_passed(index_5, triangle_4, ray_6);
         both_5 = _e9;
     }
     let _e10 = both_5;

@@ -75,21 +75,21 @@ var<storage, read_write> out: array<PixelLayers>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/raster.rs:267
+// glimt_render_gpu/src/kernels/raster.rs:264
 fn half(word: u32) -> f32 {
     var value: f32;
     var chosen: f32;
 
-    // glimt_render_gpu/src/kernels/raster.rs:268
+    // glimt_render_gpu/src/kernels/raster.rs:265
     let bits = (word & 32767u);
-    // glimt_render_gpu/src/kernels/raster.rs:269
+    // glimt_render_gpu/src/kernels/raster.rs:266
     value = (f32(bits) * (1f / 16777216f));
-    // glimt_render_gpu/src/kernels/raster.rs:270
+    // glimt_render_gpu/src/kernels/raster.rs:267
     if (bits >= 1024u) {
-        // glimt_render_gpu/src/kernels/raster.rs:272
+        // glimt_render_gpu/src/kernels/raster.rs:269
         value = bitcast<f32>(((bits << 13u) + 939524096u));
     }
-    // glimt_render_gpu/src/kernels/raster.rs:274
+    // glimt_render_gpu/src/kernels/raster.rs:271
     if ((word & 32768u) != 0u) {
         let _e27 = value;
         chosen = -(_e27);
@@ -101,15 +101,15 @@ fn half(word: u32) -> f32 {
     return _e30;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:252
+// glimt_render_gpu/src/kernels/raster.rs:249
 fn unpack(words: vec2<u32>, scale: f32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/raster.rs:253
+    // glimt_render_gpu/src/kernels/raster.rs:250
     let _e5 = half(words.x);
     let _e9 = half((words.x >> 16u));
     let _e11 = half(words.y);
     let radiance = vec3<f32>(_e5, _e9, _e11);
-    // glimt_render_gpu/src/kernels/raster.rs:254
+    // glimt_render_gpu/src/kernels/raster.rs:251
     let _e19 = half((words.y >> 16u));
     return vec4<f32>((radiance / vec3(scale)), _e19);
 }
@@ -218,33 +218,33 @@ fn RadianceMap_background(size_2: vec2<u32>, rotation: vec2<f32>, direction: vec
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/raster.rs:215
+// glimt_render_gpu/src/kernels/raster.rs:212
 fn unpack_layers_1(pixel_1: u32, frame: FrameParams, layout_: DrawnLayout, map_rotation: vec2<f32>) -> PixelLayers {
     var behind: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/raster.rs:225
+    // glimt_render_gpu/src/kernels/raster.rs:222
     let at = (((pixel_1 / frame.width) * layout_.pitch) + (pixel_1 % frame.width));
-    // glimt_render_gpu/src/kernels/raster.rs:226
+    // glimt_render_gpu/src/kernels/raster.rs:223
     let _e16 = object[at];
     let _e18 = unpack(_e16, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:227
+    // glimt_render_gpu/src/kernels/raster.rs:224
     let _e22 = lit[at];
     let _e24 = unpack(_e22, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:228
+    // glimt_render_gpu/src/kernels/raster.rs:225
     let _e28 = blocked[at];
     let _e30 = unpack(_e28, layout_.scale);
-    // glimt_render_gpu/src/kernels/raster.rs:229
+    // glimt_render_gpu/src/kernels/raster.rs:226
     behind = vec3(0f);
-    // glimt_render_gpu/src/kernels/raster.rs:230
+    // glimt_render_gpu/src/kernels/raster.rs:227
     if ((frame.background == 0u) && (_e18.w < 1f)) {
-        // glimt_render_gpu/src/kernels/raster.rs:231
-        // glimt_render_gpu/src/kernels/raster.rs:236
+        // glimt_render_gpu/src/kernels/raster.rs:228
+        // glimt_render_gpu/src/kernels/raster.rs:233
         let _e50 = FrameParams_direction(frame, (frame.first_pixel + pixel_1), vec2(0.5f));
-        // glimt_render_gpu/src/kernels/raster.rs:237
+        // glimt_render_gpu/src/kernels/raster.rs:234
         let _e52 = RadianceMap_background(layout_.map_size, map_rotation, _e50);
         behind = _e52;
     }
-    // glimt_render_gpu/src/kernels/raster.rs:239
+    // glimt_render_gpu/src/kernels/raster.rs:236
     let _e58 = behind;
     return PixelLayers(_e18, _e24.xyz, _e24.w, _e30.xyz, 0u, _e58, 0u);
 }

@@ -17,13 +17,21 @@ pub fn alpha_at(triangle: &Triangle, surface: &[u32], u: f32, v: f32) -> f32 {
     material.alpha(attributes.uv, attributes.color.w)
 }
 
-/// Whether the ray passes triangle `index`, which it is known to hit: with probability `1 − alpha`, decided by the ray's key and the
-/// triangle's number.
+/// Whether a path with this key passes triangle `index` where that has this alpha: with probability `1 − alpha`, decided by the key and
+/// the triangle's number.
 ///
 /// So the mean over keys is light times `1 − alpha` of each surface on the way, whatever order a tree visits them in.
 #[inline]
 #[must_use]
+pub fn passes(key: u32, index: u32, alpha: f32) -> bool {
+    unit_f32(hash2(key, index)) >= alpha
+}
+
+/// Whether the ray [passes] triangle `index`, which it is known to hit.
+#[inline]
+#[must_use]
 pub fn is_passed(index: u32, triangle: &Triangle, surface: &[u32], ray: &Ray) -> bool {
     let weights = barycentrics(triangle, ray);
-    unit_f32(hash2(ray.key, index)) >= alpha_at(triangle, surface, weights.x, weights.y)
+    let alpha = alpha_at(triangle, surface, weights.x, weights.y);
+    passes(ray.key, index, alpha)
 }

@@ -6,13 +6,10 @@
 
 use glam::{UVec2, Vec2, Vec3, Vec4};
 
-use glimt_sampling::hash::hash2;
-use glimt_sampling::uniform::unit_f32;
-
 use super::environment::RadianceMap;
 use super::frame::{Background, FrameParams};
 use super::layers::{LayerSample, PixelLayers};
-use super::opacity::alpha_at;
+use super::opacity::{alpha_at, passes};
 use super::pattern::{PixelPattern, SEEN_THROUGH};
 use super::prt::{Surface, at_hit};
 use super::ray::{Hit, Ray};
@@ -89,7 +86,7 @@ pub fn corner_near(corner: u32, near: f32, scene: Scene<'_>) -> f32 {
     near
 }
 
-/// 1 where triangle `triangle` keeps sample `sample` of a pixel, which it does with probability alpha, else 0. Its second and third
+/// 1 where triangle `triangle` keeps sample `sample` of a pixel, which it does where the sample does not [pass](passes) it, else 0. Its second and third
 /// corner have these weights there; the pixel has the coordinates `pixel` in the image.
 #[must_use]
 pub fn keeps_sample(
@@ -115,10 +112,10 @@ pub fn keeps_sample(
         rays: raster.samples,
     };
     let alpha = alpha_at(at, scene.surface, u, v);
-    if unit_f32(hash2(pattern.ray_key(SEEN_THROUGH), triangle)) < alpha {
-        1
-    } else {
+    if passes(pattern.ray_key(SEEN_THROUGH), triangle, alpha) {
         0
+    } else {
+        1
     }
 }
 
