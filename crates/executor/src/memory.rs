@@ -28,6 +28,12 @@ pub trait Memory: Copy + Sized + 'static {
     fn reborrow<'b, 'a: 'b, T: Element>(chunks: &'b mut Self::Chunks<'a, T>)
     -> Self::Chunks<'b, T>;
 
+    /// The same values, as chunks of another number for each element.
+    fn in_chunks_of<'b, 'a: 'b, T: Element>(
+        chunks: Self::Chunks<'a, T>,
+        per_element: usize,
+    ) -> Self::Chunks<'b, T>;
+
     /// All values of the chunks, to be read by a pass that comes after the one that fills them.
     fn filled<'b, 'a: 'b, T: Element>(chunks: &'b Self::Chunks<'a, T>) -> Self::Slice<'b, T>;
 
@@ -153,6 +159,13 @@ impl Memory for Host {
         Chunks::new(chunks.values, chunks.per_element)
     }
 
+    fn in_chunks_of<'b, 'a: 'b, T: Element>(
+        chunks: Chunks<'a, T>,
+        per_element: usize,
+    ) -> Chunks<'b, T> {
+        Chunks::new(chunks.values, per_element)
+    }
+
     fn filled<'b, 'a: 'b, T: Element>(chunks: &'b Chunks<'a, T>) -> &'b [T] {
         chunks.values
     }
@@ -218,6 +231,8 @@ mod tests {
         let chunks = Host::chunks(&mut buffer, 3..9, 2);
         assert_eq!(Host::count(&chunks), 3);
         assert_eq!(chunks_of(chunks), [[3, 4], [5, 6], [7, 8]]);
+        let chunks = Host::in_chunks_of(Host::chunks(&mut buffer, 3..9, 2), 3);
+        assert_eq!(chunks_of(chunks), [[3, 4, 5], [6, 7, 8]]);
     }
 
     #[test]

@@ -6,7 +6,7 @@ mod tiles;
 use glimt_executor::{Chunks, Cpu, Host, Rayon, Serial};
 
 use crate::methods::smc::{Following, Own};
-use crate::methods::{Inputs, Method, MethodMemory};
+use crate::methods::{Inputs, Method, MethodMemory, Points, Work};
 use crate::prepare::env::PreparedEnv;
 use crate::prepare::plate::Plate;
 use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer};
@@ -95,17 +95,17 @@ impl Renderer for CpuRenderer {
             progress,
             &|tile, samples| {
                 let (frame, rays) = (&tile.frame, tile.rays);
-                let smc = match (&reading, &view, tile.own) {
-                    (Some(reading), Some(view), Some(own)) => {
-                        let points = Chunks::new(tile.points, 1);
-                        Some(reading.tile(view, tile.pixels, points, own.shorten()))
+                let work = match (&reading, &view, tile.own, tile.points) {
+                    (Some(reading), Some(view), Some(own), Points::Smc(points)) => {
+                        let points = Chunks::new(points, 1);
+                        Work::Smc(reading.tile(view, tile.pixels, points, own.shorten()))
                     }
-                    _ => None,
+                    (_, _, _, points) => points.seen(rays),
                 };
                 let (env, scene) = (job.env.shorten(), job.scene.shorten());
                 let inputs = Inputs { frame, env, scene };
                 let out = samples.out(rays);
-                settings.method.shade(smc, &mut Serial, inputs, rays, out)
+                settings.method.shade(work, &mut Serial, inputs, rays, out)
             },
         );
         done.map_err(RenderError::device)?;

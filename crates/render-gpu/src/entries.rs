@@ -3,16 +3,21 @@
 
 /// The methods without memory, one line each: a new one is added here.
 ///
-/// `Settings in module = word, kernel's estimator, pass over rays, pass in layers`. The settings stand in
-/// `methods/<module>.rs`; the word names the method in a shot; the estimator is a path below `kernels`. The passes are made from
-/// the word.
+/// `Settings in module = word, kernel, pass over rays, pass in layers`. The settings stand in `methods/<module>.rs`; the word names
+/// the method in a shot. Of those in `rays`, which estimate each ray's light by itself, the kernel is an estimator, a path below
+/// `kernels`. Of those in `groups`, which estimate a pixel's light at once from the hits of all its rays, it is the function that does.
+/// The passes are made from the word.
 #[macro_export]
 macro_rules! each_estimator {
     ($then:ident) => {
         $then! {
-            Mis in mis = "mis", "mis::Mis", ShadeMis, ShadeMisLayers;
-            Bis in bis = "bis", "bis::Bis", ShadeBis, ShadeBisLayers;
-            Product in product = "product", "product::Product", ShadeProduct, ShadeProductLayers;
+            rays {
+                Mis in mis = "mis", "mis::Mis", ShadeMis, ShadeMisLayers;
+                Bis in bis = "bis", "bis::Bis", ShadeBis, ShadeBisLayers;
+            }
+            groups {
+                Product in product = "product", "product::shade_product", ShadeProduct, ShadeProductLayers;
+            }
         }
     };
 }
@@ -53,18 +58,20 @@ fn entry(role: Role, name: &str, kernel: &str) -> EntrySpec {
     }
 }
 
-macro_rules! words_and_estimators {
-    ($($settings:ident in $module:ident = $word:literal, $estimator:literal, $flat:ident, $layers:ident;)+) => {
-        const ESTIMATORS: &[(&str, &str)] = &[$(($word, $estimator)),+];
+macro_rules! words_and_kernels {
+    (
+        rays { $($_r:ident in $_rm:ident = $ray_word:literal, $estimator:literal, $_rf:ident, $_rl:ident;)+ }
+        groups { $($_g:ident in $_gm:ident = $group_word:literal, $kernel:literal, $_gf:ident, $_gl:ident;)+ }
+    ) => {
+        const ESTIMATORS: &[(&str, &str)] = &[$(($ray_word, $estimator)),+];
+        const GROUPS: &[(&str, &str)] = &[$(($group_word, $kernel)),+];
     };
 }
 
-each_estimator!(words_and_estimators);
+each_estimator!(words_and_kernels);
 
-/// The first pass of a method without memory, over rays and in layers.
-fn shading((word, estimator): &(&str, &str)) -> [EntrySpec; 2] {
-    let kernel =
-        |sample: &str| format!("shade::shade::<glimt_render_gpu::kernels::{estimator}, {sample}>");
+/// A pass that makes samples of rays, over rays and in layers. `kernel` makes its path of the samples' type.
+fn shading(word: &str, kernel: impl Fn(&str) -> String) -> [EntrySpec; 2] {
     let flat = kernel("glam::Vec4");
     let layers = kernel("glimt_render_gpu::kernels::layers::LayerSample");
     [
@@ -76,7 +83,15 @@ fn shading((word, estimator): &(&str, &str)) -> [EntrySpec; 2] {
 /// All entry points.
 #[must_use]
 pub fn all() -> Vec<EntrySpec> {
-    let mut list: Vec<EntrySpec> = ESTIMATORS.iter().flat_map(shading).collect();
+    let mut list: Vec<EntrySpec> = Vec::new();
+    for (word, estimator) in ESTIMATORS {
+        list.extend(shading(word, |sample| {
+            format!("shade::shade::<glimt_render_gpu::kernels::{estimator}, {sample}>")
+        }));
+    }
+    for (word, kernel) in GROUPS {
+        list.extend(shading(word, |sample| format!("{kernel}::<{sample}>")));
+    }
     let of_role = |role: Role, entries: &[(&str, &str)]| -> Vec<EntrySpec> {
         let each = entries.iter();
         each.map(|(name, kernel)| entry(role, name, kernel))
@@ -90,6 +105,7 @@ pub fn all() -> Vec<EntrySpec> {
 }
 
 const PIXELS: &[(&str, &str)] = &[
+    ("see", "seen::see"),
     ("find_smc", "smc_point::find_smc"),
     ("advance_smc", "smc::advance_smc"),
     ("gather_smc", "smc_gather::gather_smc::<glam::Vec4>"),

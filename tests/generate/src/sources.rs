@@ -8,11 +8,12 @@ use naga_front_rust::{CrateSource, Diagnostic, Program};
 use crate::root;
 
 /// Folders below `crates/` and names of the crates that have shared files.
-const CRATES: [(&str, &str); 7] = [
+const CRATES: [(&str, &str); 8] = [
     ("probe", "glimt_probe"),
     ("sampling", "glimt_sampling"),
     ("envmap-cdf", "glimt_envmap_cdf"),
     ("brdf", "glimt_brdf"),
+    ("light-cells", "glimt_light_cells"),
     ("smc", "glimt_smc"),
     ("sh", "glimt_sh"),
     ("render-gpu", "glimt_render_gpu"),

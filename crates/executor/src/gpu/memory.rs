@@ -88,6 +88,13 @@ impl Memory for Gpu {
         chunks.values.written(chunks.per_element)
     }
 
+    fn in_chunks_of<'b, 'a: 'b, T: Element>(
+        chunks: GpuChunks<'a, T>,
+        per_element: usize,
+    ) -> GpuChunks<'b, T> {
+        chunks.values.written(per_element as u32)
+    }
+
     fn filled<'b, 'a: 'b, T: Element>(chunks: &'b GpuChunks<'a, T>) -> GpuSlice<'b, T> {
         chunks.values
     }

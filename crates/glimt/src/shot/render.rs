@@ -9,8 +9,27 @@ use serde::{Deserialize, Serialize};
 /// The method that most use has no table of its own: its keys stand under `render`.
 macro_rules! keys {
     (
-        Mis in mis = $mis:literal, $_e:literal, $_f:ident, $_l:ident;
-        $($settings:ident in $module:ident = $word:literal, $estimator:literal, $flat:ident, $layers:ident;)*
+        rays {
+            Mis in mis = $mis:literal, $_e:literal, $_f:ident, $_l:ident;
+            $($ray:ident in $ray_module:ident = $ray_word:literal, $_re:literal, $_rf:ident, $_rl:ident;)*
+        }
+        groups {
+            $($group:ident in $group_module:ident = $group_word:literal, $_ge:literal, $_gf:ident, $_gl:ident;)*
+        }
+    ) => {
+        tables! {
+            $mis;
+            $($ray in $ray_module = $ray_word;)*
+            $($group in $group_module = $group_word;)*
+        }
+    };
+}
+
+/// Keys of methods that have a table.
+macro_rules! tables {
+    (
+        $mis:literal;
+        $($settings:ident in $module:ident = $word:literal;)*
     ) => {
         words! {
             /// How light is estimated, or that it is precomputed.

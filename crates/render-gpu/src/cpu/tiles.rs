@@ -11,8 +11,8 @@ use crate::generated::passes::{EnvironmentArg, SceneArg};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::PixelLayers;
-use crate::kernels::smc_point::SmcPoint;
 use crate::methods::smc::Own;
+use crate::methods::{Method, Points};
 use crate::prepare::env::PreparedEnv;
 use crate::prepare::plate::Plate;
 use crate::prepare::render::{FrameImage, RenderSettings};
@@ -67,6 +67,7 @@ pub(super) struct Job<'a> {
     pub(super) scene: SceneArg<'a, Host>,
     whole: FrameParams,
     plate: Option<&'a [PlatePixel]>,
+    method: Method,
     in_layers: bool,
 }
 
@@ -80,8 +81,8 @@ pub(super) struct Tile<'a> {
     pub(super) rays: u32,
     /// What they keep, by a method that keeps them.
     pub(super) own: Option<Own<'a, Host>>,
-    /// Where the passes of such a method meet, one for each ray; empty for others.
-    pub(super) points: &'a mut [SmcPoint],
+    /// Where the passes of its method meet.
+    pub(super) points: &'a mut Points<Host>,
 }
 
 /// What is written of a tile.
@@ -97,18 +98,19 @@ struct Part<'a> {
 /// What a thread computes its tiles in.
 struct Scratch {
     samples: Samples<Host>,
-    /// Empty where rays keep nothing.
-    points: Vec<SmcPoint>,
+    points: Points<Host>,
     pixels: Pixels<Host>,
 }
 
 impl Scratch {
-    fn new(pixels: usize, rays: usize, in_layers: bool, keeps: bool) -> Result<Self, HostError> {
+    fn new(
+        method: &Method,
+        pixels: usize,
+        rays: usize,
+        in_layers: bool,
+    ) -> Result<Self, HostError> {
         Ok(Self {
-            points: match keeps {
-                true => Cpu.zeroed("points", rays)?,
-                false => Vec::new(),
-            },
+            points: Points::new(&Cpu, method, rays)?,
             samples: match in_layers {
                 false => Samples::Flat(Cpu.zeroed("samples", rays)?),
                 true => Samples::Layered(Cpu.zeroed("samples", rays)?),
@@ -134,6 +136,7 @@ impl<'a> Job<'a> {
             scene: scene.view().into(),
             whole,
             plate: plate.map(Plate::pixels),
+            method: settings.method,
             in_layers: settings.in_layers(scene, plate),
         }
     }
@@ -153,10 +156,9 @@ impl<'a> Job<'a> {
         let most = u32::MAX as usize / rays_per_pixel;
         let tile_pixels = tile_pixels.clamp(1, most).min(pixels);
         let tile_rays = tile_pixels * rays_per_pixel;
-        let keeps = own.is_some();
         let parts = image.parts(tile_pixels, tile_rays, own.map(Own::shorten));
         let done = AtomicUsize::new(0);
-        let scratch = || Scratch::new(tile_pixels, tile_rays, self.in_layers, keeps);
+        let scratch = || Scratch::new(&self.method, tile_pixels, tile_rays, self.in_layers);
         parts
             .into_par_iter()
             .try_for_each_init(scratch, |scratch, part| {

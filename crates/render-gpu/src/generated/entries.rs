@@ -114,10 +114,10 @@ pub static SHADE_BIS_LAYERS: Entry = Entry {
     ]),
 };
 
-/// `shade::shade::<crate::kernels::product::Product, glam::Vec4>` as a compute entry point.
+/// `product::shade_product::<glam::Vec4>` as a compute entry point.
 pub static SHADE_PRODUCT: Entry = Entry {
     name: Borrowed("shade_product"),
-    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade::<glimt_render_gpu::kernels::product::Product, glam::Vec4>"),
+    kernel: Borrowed("glimt_render_gpu::kernels::product::shade_product::<glam::Vec4>"),
     wgsl: Borrowed(include_str!("shade_product.wgsl")),
     workgroup_size: 64,
     params_size: 256,
@@ -125,8 +125,10 @@ pub static SHADE_PRODUCT: Entry = Entry {
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
+        ParamField::new("points_len", 8, 4),
+        ParamField::new("samples_len", 12, 4),
         ParamField::new("frame", 16, 208),
-        ParamField::new("estimator", 224, 8),
+        ParamField::new("product", 224, 16),
         ParamField::new("env.size", 240, 8),
         ParamField::new("env.rotation", 248, 8),
     ]),
@@ -135,16 +137,16 @@ pub static SHADE_PRODUCT: Entry = Entry {
         BufferSlot::new("env.tables", 2, 4, false),
         BufferSlot::new("scene.nodes", 3, 32, false),
         BufferSlot::new("scene.triangles", 4, 48, false),
-        BufferSlot::new("scene.corners", 5, 32, false),
-        BufferSlot::new("scene.surface", 6, 4, false),
-        BufferSlot::new("out", 7, 16, true),
+        BufferSlot::new("scene.surface", 5, 4, false),
+        BufferSlot::new("points", 6, 112, true),
+        BufferSlot::new("samples", 7, 16, true),
     ]),
 };
 
-/// `shade::shade::<crate::kernels::product::Product, crate::kernels::layers::LayerSample>` as a compute entry point.
+/// `product::shade_product::<crate::kernels::layers::LayerSample>` as a compute entry point.
 pub static SHADE_PRODUCT_LAYERS: Entry = Entry {
     name: Borrowed("shade_product_layers"),
-    kernel: Borrowed("glimt_render_gpu::kernels::shade::shade::<glimt_render_gpu::kernels::product::Product, glimt_render_gpu::kernels::layers::LayerSample>"),
+    kernel: Borrowed("glimt_render_gpu::kernels::product::shade_product::<glimt_render_gpu::kernels::layers::LayerSample>"),
     wgsl: Borrowed(include_str!("shade_product_layers.wgsl")),
     workgroup_size: 64,
     params_size: 256,
@@ -152,8 +154,10 @@ pub static SHADE_PRODUCT_LAYERS: Entry = Entry {
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
+        ParamField::new("points_len", 8, 4),
+        ParamField::new("samples_len", 12, 4),
         ParamField::new("frame", 16, 208),
-        ParamField::new("estimator", 224, 8),
+        ParamField::new("product", 224, 16),
         ParamField::new("env.size", 240, 8),
         ParamField::new("env.rotation", 248, 8),
     ]),
@@ -162,9 +166,31 @@ pub static SHADE_PRODUCT_LAYERS: Entry = Entry {
         BufferSlot::new("env.tables", 2, 4, false),
         BufferSlot::new("scene.nodes", 3, 32, false),
         BufferSlot::new("scene.triangles", 4, 48, false),
-        BufferSlot::new("scene.corners", 5, 32, false),
-        BufferSlot::new("scene.surface", 6, 4, false),
-        BufferSlot::new("out", 7, 32, true),
+        BufferSlot::new("scene.surface", 5, 4, false),
+        BufferSlot::new("points", 6, 112, true),
+        BufferSlot::new("samples", 7, 32, true),
+    ]),
+};
+
+/// `seen::see` as a compute entry point.
+pub static SEE: Entry = Entry {
+    name: Borrowed("see"),
+    kernel: Borrowed("glimt_render_gpu::kernels::seen::see"),
+    wgsl: Borrowed(include_str!("see.wgsl")),
+    workgroup_size: 64,
+    params_size: 224,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 208),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("scene.nodes", 1, 32, false),
+        BufferSlot::new("scene.triangles", 2, 48, false),
+        BufferSlot::new("scene.corners", 3, 32, false),
+        BufferSlot::new("scene.surface", 4, 4, false),
+        BufferSlot::new("out", 5, 112, true),
     ]),
 };
 

@@ -280,19 +280,19 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
     return _e7;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:118
+// glimt_render_gpu/src/kernels/pattern.rs:132
 fn PixelPattern_key(this_2: PixelPattern, purpose: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:119
+    // glimt_render_gpu/src/kernels/pattern.rs:133
     let _e5 = hash2_(this_2.seed, purpose);
     let _e8 = hash3_(_e5, this_2.frame, this_2.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:103
+// glimt_render_gpu/src/kernels/pattern.rs:117
 fn PixelPattern_ray_key(this_3: PixelPattern, purpose_1: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:104
+    // glimt_render_gpu/src/kernels/pattern.rs:118
     let _e4 = PixelPattern_key(this_3, purpose_1);
     let _e6 = hash2_(_e4, this_3.ray);
     return _e6;
@@ -358,10 +358,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:78
+// glimt_render_gpu/src/kernels/environment.rs:90
 fn Environment_to_map(size: vec2<u32>, rotation: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:79
+    // glimt_render_gpu/src/kernels/environment.rs:91
     let _e8 = rotate_z(direction, vec2<f32>(rotation.x, -(rotation.y)));
     return _e8;
 }
@@ -411,19 +411,19 @@ fn direction_to_texel(d_2: vec3<f32>, size_1: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_9 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:85
+// glimt_render_gpu/src/kernels/environment.rs:97
 fn Environment_texel(size_2: vec2<u32>, rotation_1: vec2<f32>, direction_1: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:86
+    // glimt_render_gpu/src/kernels/environment.rs:98
     let _e5 = Environment_to_map(size_2, rotation_1, direction_1);
     let _e6 = direction_to_texel(_e5, size_2);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:92
+// glimt_render_gpu/src/kernels/environment.rs:104
 fn Environment_radiance(size_3: vec2<u32>, rotation_2: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:93
+    // glimt_render_gpu/src/kernels/environment.rs:105
     let _e11 = env_texels[((texel.y * size_3.x) + texel.x)];
     return _e11.xyz;
 }
@@ -1361,10 +1361,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:108
+// glimt_render_gpu/src/kernels/pattern.rs:122
 fn PixelPattern_sobol_point(this_19: PixelPattern, purpose_2: u32, index_6: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:109
+    // glimt_render_gpu/src/kernels/pattern.rs:123
     let _e6 = hash2_(this_19.seed, purpose_2);
     let _e9 = OwenSobol_new(_e6, this_19.frame, this_19.pixel, index_6);
     return _e9;
@@ -1716,10 +1716,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:113
+// glimt_render_gpu/src/kernels/pattern.rs:127
 fn PixelPattern_generator(this_21: PixelPattern, purpose_3: u32, index_12: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:114
+    // glimt_render_gpu/src/kernels/pattern.rs:128
     let _e6 = hash3_(this_21.seed, purpose_3, index_12);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_21.frame, this_21.pixel);
     return _e9;
@@ -1754,43 +1754,43 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) ->
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:193
+// glimt_render_gpu/src/kernels/pattern.rs:207
 fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
     var x_6: u32;
     var round_key: u32;
     var counter_2: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:194
+    // glimt_render_gpu/src/kernels/pattern.rs:208
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:195
+        // glimt_render_gpu/src/kernels/pattern.rs:209
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:197
+    // glimt_render_gpu/src/kernels/pattern.rs:211
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:198
+    // glimt_render_gpu/src/kernels/pattern.rs:212
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:199
+    // glimt_render_gpu/src/kernels/pattern.rs:213
     x_6 = index_13;
-    // glimt_render_gpu/src/kernels/pattern.rs:200
+    // glimt_render_gpu/src/kernels/pattern.rs:214
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:201
+        // glimt_render_gpu/src/kernels/pattern.rs:215
         round_key = key_5;
-        // glimt_render_gpu/src/kernels/pattern.rs:202
+        // glimt_render_gpu/src/kernels/pattern.rs:216
         counter_2 = 0i;
         loop {
             let _e31 = counter_2;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:203
+            // glimt_render_gpu/src/kernels/pattern.rs:217
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:205
+            // glimt_render_gpu/src/kernels/pattern.rs:219
             let _e37 = x_6;
             let _e38 = round_key;
             x_6 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:206
+            // glimt_render_gpu/src/kernels/pattern.rs:220
             let _e44 = x_6;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_6;
@@ -1800,10 +1800,10 @@ fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
                 counter_2 = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:208
+        // glimt_render_gpu/src/kernels/pattern.rs:222
         let _e62 = x_6;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:209
+            // glimt_render_gpu/src/kernels/pattern.rs:223
             let _e65 = x_6;
             let _e67 = hash_u32_(~(key_5));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -1812,61 +1812,61 @@ fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:184
+// glimt_render_gpu/src/kernels/pattern.rs:198
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:199
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:164
+// glimt_render_gpu/src/kernels/pattern.rs:178
 fn jittered_pair(index_14: u32, count_1: u32, jitter_1: vec2<u32>, key_6: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:165
+    // glimt_render_gpu/src/kernels/pattern.rs:179
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:166
+    // glimt_render_gpu/src/kernels/pattern.rs:180
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:167
+    // glimt_render_gpu/src/kernels/pattern.rs:181
     let _e21 = hash2_(key_6, 1u);
     let _e22 = permute(index_14, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:168
+    // glimt_render_gpu/src/kernels/pattern.rs:182
     let _e26 = hash2_(key_6, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:169
+    // glimt_render_gpu/src/kernels/pattern.rs:183
     let _e31 = hash2_(key_6, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:170
+    // glimt_render_gpu/src/kernels/pattern.rs:184
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:55
+// glimt_render_gpu/src/kernels/pattern.rs:61
 fn PixelPattern_pair(this_24: PixelPattern, purpose_4: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:56
+    // glimt_render_gpu/src/kernels/pattern.rs:62
     let index_16 = ((this_24.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:57
+    // glimt_render_gpu/src/kernels/pattern.rs:63
     if (this_24.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:58
+        // glimt_render_gpu/src/kernels/pattern.rs:64
         let _e14 = PixelPattern_sobol_point(this_24, purpose_4, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:60
+    // glimt_render_gpu/src/kernels/pattern.rs:66
     let _e18 = PixelPattern_generator(this_24, purpose_4, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:61
+    // glimt_render_gpu/src/kernels/pattern.rs:67
     if (this_24.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:62
+        // glimt_render_gpu/src/kernels/pattern.rs:68
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:64
+    // glimt_render_gpu/src/kernels/pattern.rs:70
     let _e29 = PixelPattern_key(this_24, purpose_4);
     let _e30 = jittered_pair(index_16, (this_24.rays * samples), _e20, _e29);
     return _e30;
@@ -1929,49 +1929,49 @@ fn FrameParams_camera_ray(this_27: FrameParams, pattern: PixelPattern) -> Ray {
     return _e33;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:56
+// glimt_render_gpu/src/kernels/environment.rs:57
 fn Environment_map(size_6: vec2<u32>, rotation_3: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:57
+    // glimt_render_gpu/src/kernels/environment.rs:58
     return Returned_Environment_map(size_6, rotation_3);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:135
+// glimt_render_gpu/src/kernels/environment.rs:147
 fn bilinear(size_7: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:136
+    // glimt_render_gpu/src/kernels/environment.rs:148
     let _e4 = direction_to_uv(d_3);
     let p_1 = ((_e4 * vec2<f32>(size_7)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:138
+    // glimt_render_gpu/src/kernels/environment.rs:150
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:139
+    // glimt_render_gpu/src/kernels/environment.rs:151
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:140
+    // glimt_render_gpu/src/kernels/environment.rs:152
     let x0_ = (((next.x + size_7.x) - 1u) % size_7.x);
-    // glimt_render_gpu/src/kernels/environment.rs:141
+    // glimt_render_gpu/src/kernels/environment.rs:153
     let x1_ = (next.x % size_7.x);
-    // glimt_render_gpu/src/kernels/environment.rs:142
+    // glimt_render_gpu/src/kernels/environment.rs:154
     let row0_1 = ((max(next.y, 1u) * size_7.x) - size_7.x);
-    // glimt_render_gpu/src/kernels/environment.rs:143
+    // glimt_render_gpu/src/kernels/environment.rs:155
     let row1_1 = (min(next.y, (size_7.y - 1u)) * size_7.x);
-    // glimt_render_gpu/src/kernels/environment.rs:144
+    // glimt_render_gpu/src/kernels/environment.rs:156
     let _e53 = env_texels[(row0_1 + x0_)];
     let _e57 = env_texels[(row0_1 + x1_)];
     let upper_1 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:145
+    // glimt_render_gpu/src/kernels/environment.rs:157
     let _e68 = env_texels[(row1_1 + x0_)];
     let _e72 = env_texels[(row1_1 + x1_)];
     let lower_1 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:146
+    // glimt_render_gpu/src/kernels/environment.rs:158
     return ((upper_1 * (1f - f.y)) + (lower_1 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:46
+// glimt_render_gpu/src/kernels/environment.rs:47
 fn RadianceMap_background(size_8: vec2<u32>, rotation_4: vec2<f32>, direction_7: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:47
-    let to_map = vec2<f32>(rotation_4.x, -(rotation_4.y));
     // glimt_render_gpu/src/kernels/environment.rs:48
+    let to_map = vec2<f32>(rotation_4.x, -(rotation_4.y));
+    // glimt_render_gpu/src/kernels/environment.rs:49
     let _e10 = rotate_z(direction_7, to_map);
     let _e11 = bilinear(size_8, _e10);
     return _e11;

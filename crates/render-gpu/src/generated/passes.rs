@@ -549,18 +549,20 @@ impl<'a, M: Memory> Pass for ShadeBisLayers<'a, M> {
     }
 }
 
-/// `shade::shade::<crate::kernels::product::Product, glam::Vec4>` with its arguments.
+/// `product::shade_product::<glam::Vec4>` with its arguments.
 pub struct ShadeProduct<'a, M: Memory> {
     /// The kernel's `frame`.
     pub frame: &'a crate::kernels::frame::FrameParams,
-    /// The kernel's `estimator`.
-    pub estimator: &'a crate::kernels::product::Product,
+    /// The kernel's `product`.
+    pub product: &'a crate::kernels::product::Product,
     /// The kernel's `env`.
     pub env: EnvironmentArg<'a, M>,
     /// The kernel's `scene`.
     pub scene: SceneArg<'a, M>,
-    /// What the kernel returns.
-    pub out: M::Chunks<'a, glam::Vec4>,
+    /// The kernel's own `points`.
+    pub points: M::Chunks<'a, crate::kernels::seen::SeenPoint>,
+    /// The kernel's own `samples`.
+    pub samples: M::Chunks<'a, glam::Vec4>,
 }
 
 impl<'a, M: Memory> Pass for ShadeProduct<'a, M> {
@@ -571,34 +573,35 @@ impl<'a, M: Memory> Pass for ShadeProduct<'a, M> {
     }
 
     fn bind(&self, binder: &mut impl Binder<M>) {
-        binder.value(2, self.frame);
-        binder.value(3, self.estimator);
-        binder.value(4, &self.env.size);
-        binder.value(5, &self.env.rotation);
+        binder.value(4, self.frame);
+        binder.value(5, self.product);
+        binder.value(6, &self.env.size);
+        binder.value(7, &self.env.rotation);
         binder.slice(0, self.env.texels);
         binder.slice(1, self.env.tables);
         binder.slice(2, self.scene.nodes);
         binder.slice(3, self.scene.triangles);
-        binder.slice(4, self.scene.corners);
-        binder.slice(5, self.scene.surface);
-        binder.out(6, &self.out);
+        binder.slice(4, self.scene.surface);
+        binder.chunks(5, 2, &self.points);
+        binder.chunks(6, 3, &self.samples);
     }
 
     fn elements(&self) -> usize
     where
         M: HostMemory,
     {
-        M::count(&self.out)
+        M::count(&self.points).min(M::count(&self.samples))
     }
 
     fn split_at(self, at: usize) -> (Self, Self)
     where
         M: HostMemory,
     {
-        let (out, rest_of_out) = M::split_at(self.out, at);
+        let (points, rest_of_points) = M::split_at(self.points, at);
+        let (samples, rest_of_samples) = M::split_at(self.samples, at);
         (
-            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out },
-            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out: rest_of_out },
+            Self { frame: self.frame, product: self.product, env: self.env, scene: self.scene, points, samples },
+            Self { frame: self.frame, product: self.product, env: self.env, scene: self.scene, points: rest_of_points, samples: rest_of_samples },
         )
     }
 
@@ -608,24 +611,26 @@ impl<'a, M: Memory> Pass for ShadeProduct<'a, M> {
     {
         let env = self.env.view();
         let scene = self.scene.view();
-        for (id, out) in (first..).zip(M::each(self.out)) {
-            out[0] = crate::kernels::shade::shade::<crate::kernels::product::Product, glam::Vec4>(id, self.frame, self.estimator, env, scene);
+        for ((id, points), samples) in (first..).zip(M::each(self.points)).zip(M::each(self.samples)) {
+            crate::kernels::product::shade_product::<glam::Vec4>(id, self.frame, self.product, env, scene, points, samples);
         }
     }
 }
 
-/// `shade::shade::<crate::kernels::product::Product, crate::kernels::layers::LayerSample>` with its arguments.
+/// `product::shade_product::<crate::kernels::layers::LayerSample>` with its arguments.
 pub struct ShadeProductLayers<'a, M: Memory> {
     /// The kernel's `frame`.
     pub frame: &'a crate::kernels::frame::FrameParams,
-    /// The kernel's `estimator`.
-    pub estimator: &'a crate::kernels::product::Product,
+    /// The kernel's `product`.
+    pub product: &'a crate::kernels::product::Product,
     /// The kernel's `env`.
     pub env: EnvironmentArg<'a, M>,
     /// The kernel's `scene`.
     pub scene: SceneArg<'a, M>,
-    /// What the kernel returns.
-    pub out: M::Chunks<'a, crate::kernels::layers::LayerSample>,
+    /// The kernel's own `points`.
+    pub points: M::Chunks<'a, crate::kernels::seen::SeenPoint>,
+    /// The kernel's own `samples`.
+    pub samples: M::Chunks<'a, crate::kernels::layers::LayerSample>,
 }
 
 impl<'a, M: Memory> Pass for ShadeProductLayers<'a, M> {
@@ -636,17 +641,74 @@ impl<'a, M: Memory> Pass for ShadeProductLayers<'a, M> {
     }
 
     fn bind(&self, binder: &mut impl Binder<M>) {
-        binder.value(2, self.frame);
-        binder.value(3, self.estimator);
-        binder.value(4, &self.env.size);
-        binder.value(5, &self.env.rotation);
+        binder.value(4, self.frame);
+        binder.value(5, self.product);
+        binder.value(6, &self.env.size);
+        binder.value(7, &self.env.rotation);
         binder.slice(0, self.env.texels);
         binder.slice(1, self.env.tables);
         binder.slice(2, self.scene.nodes);
         binder.slice(3, self.scene.triangles);
-        binder.slice(4, self.scene.corners);
-        binder.slice(5, self.scene.surface);
-        binder.out(6, &self.out);
+        binder.slice(4, self.scene.surface);
+        binder.chunks(5, 2, &self.points);
+        binder.chunks(6, 3, &self.samples);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.points).min(M::count(&self.samples))
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (points, rest_of_points) = M::split_at(self.points, at);
+        let (samples, rest_of_samples) = M::split_at(self.samples, at);
+        (
+            Self { frame: self.frame, product: self.product, env: self.env, scene: self.scene, points, samples },
+            Self { frame: self.frame, product: self.product, env: self.env, scene: self.scene, points: rest_of_points, samples: rest_of_samples },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        for ((id, points), samples) in (first..).zip(M::each(self.points)).zip(M::each(self.samples)) {
+            crate::kernels::product::shade_product::<crate::kernels::layers::LayerSample>(id, self.frame, self.product, env, scene, points, samples);
+        }
+    }
+}
+
+/// `seen::see` with its arguments.
+pub struct See<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::seen::SeenPoint>,
+}
+
+impl<'a, M: Memory> Pass for See<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SEE
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.slice(0, self.scene.nodes);
+        binder.slice(1, self.scene.triangles);
+        binder.slice(2, self.scene.corners);
+        binder.slice(3, self.scene.surface);
+        binder.out(4, &self.out);
     }
 
     fn elements(&self) -> usize
@@ -662,8 +724,8 @@ impl<'a, M: Memory> Pass for ShadeProductLayers<'a, M> {
     {
         let (out, rest_of_out) = M::split_at(self.out, at);
         (
-            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out },
-            Self { frame: self.frame, estimator: self.estimator, env: self.env, scene: self.scene, out: rest_of_out },
+            Self { frame: self.frame, scene: self.scene, out },
+            Self { frame: self.frame, scene: self.scene, out: rest_of_out },
         )
     }
 
@@ -671,10 +733,9 @@ impl<'a, M: Memory> Pass for ShadeProductLayers<'a, M> {
     where
         M: HostMemory,
     {
-        let env = self.env.view();
         let scene = self.scene.view();
         for (id, out) in (first..).zip(M::each(self.out)) {
-            out[0] = crate::kernels::shade::shade::<crate::kernels::product::Product, crate::kernels::layers::LayerSample>(id, self.frame, self.estimator, env, scene);
+            out[0] = crate::kernels::seen::see(id, self.frame, scene);
         }
     }
 }

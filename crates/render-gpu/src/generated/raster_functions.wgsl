@@ -547,19 +547,19 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
     return _e7;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:118
+// glimt_render_gpu/src/kernels/pattern.rs:132
 fn PixelPattern_key(this_5: PixelPattern, purpose: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:119
+    // glimt_render_gpu/src/kernels/pattern.rs:133
     let _e5 = hash2_(this_5.seed, purpose);
     let _e8 = hash3_(_e5, this_5.frame, this_5.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:103
+// glimt_render_gpu/src/kernels/pattern.rs:117
 fn PixelPattern_ray_key(this_6: PixelPattern, purpose_1: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:104
+    // glimt_render_gpu/src/kernels/pattern.rs:118
     let _e4 = PixelPattern_key(this_6, purpose_1);
     let _e6 = hash2_(_e4, this_6.ray);
     return _e6;
@@ -1076,42 +1076,42 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(_e47, clamp(v_9, 0f, 1f));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:135
+// glimt_render_gpu/src/kernels/environment.rs:147
 fn bilinear(size_1: vec2<u32>, d_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:136
+    // glimt_render_gpu/src/kernels/environment.rs:148
     let _e4 = direction_to_uv(d_2);
     let p_1 = ((_e4 * vec2<f32>(size_1)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:138
+    // glimt_render_gpu/src/kernels/environment.rs:150
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:139
+    // glimt_render_gpu/src/kernels/environment.rs:151
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:140
+    // glimt_render_gpu/src/kernels/environment.rs:152
     let x0_ = (((next.x + size_1.x) - 1u) % size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:141
+    // glimt_render_gpu/src/kernels/environment.rs:153
     let x1_ = (next.x % size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:142
+    // glimt_render_gpu/src/kernels/environment.rs:154
     let row0_1 = ((max(next.y, 1u) * size_1.x) - size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:143
+    // glimt_render_gpu/src/kernels/environment.rs:155
     let row1_1 = (min(next.y, (size_1.y - 1u)) * size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:144
+    // glimt_render_gpu/src/kernels/environment.rs:156
     let _e53 = texels[(row0_1 + x0_)];
     let _e57 = texels[(row0_1 + x1_)];
     let upper_1 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:145
+    // glimt_render_gpu/src/kernels/environment.rs:157
     let _e68 = texels[(row1_1 + x0_)];
     let _e72 = texels[(row1_1 + x1_)];
     let lower_1 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:146
+    // glimt_render_gpu/src/kernels/environment.rs:158
     return ((upper_1 * (1f - f.y)) + (lower_1 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:46
+// glimt_render_gpu/src/kernels/environment.rs:47
 fn RadianceMap_background(size_2: vec2<u32>, rotation: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:47
-    let to_map = vec2<f32>(rotation.x, -(rotation.y));
     // glimt_render_gpu/src/kernels/environment.rs:48
+    let to_map = vec2<f32>(rotation.x, -(rotation.y));
+    // glimt_render_gpu/src/kernels/environment.rs:49
     let _e10 = rotate_z(direction_2, to_map);
     let _e11 = bilinear(size_2, _e10);
     return _e11;

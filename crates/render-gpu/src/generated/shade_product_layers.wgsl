@@ -16,11 +16,28 @@ struct Triangle {
     attributes: u32,
 }
 
-struct Corner {
+struct SeenPoint {
+    origin: vec3<f32>,
+    surface: u32,
+    geometric_normal: vec3<f32>,
+    catcher: u32,
     normal: vec3<f32>,
-    u: f32,
-    tangent: vec3<f32>,
-    v: f32,
+    exponent: f32,
+    wo: vec3<f32>,
+    material: u32,
+    diffuse: vec3<f32>,
+    order: u32,
+    specular: vec3<f32>,
+    grouped: u32,
+    emission: vec3<f32>,
+    unused: u32,
+}
+
+struct LayerSample {
+    radiance: vec3<f32>,
+    alpha: f32,
+    blocked: vec3<f32>,
+    catcher: f32,
 }
 
 struct ColourMatrix {
@@ -55,8 +72,19 @@ struct FrameParams {
 }
 
 struct Product {
-    brdf_samples: u32,
-    env_samples: u32,
+    rays: f32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+}
+
+struct Unknown {
+    empty: u32,
+}
+
+struct Returned_Environment_cells {
+    value_size: vec2<u32>,
+    value_start: u32,
 }
 
 struct PixelPattern {
@@ -66,6 +94,73 @@ struct PixelPattern {
     pixel: u32,
     ray: u32,
     rays: u32,
+}
+
+struct Drawn {
+    cells: u32,
+    lobes: u32,
+}
+
+struct Group {
+    first: u32,
+    members: u32,
+}
+
+struct CellSurface {
+    normal: vec3<f32>,
+    wo: vec3<f32>,
+    diffuse: f32,
+    specular: f32,
+    exponent: f32,
+    peak: f32,
+    spread: f32,
+    horizon: f32,
+    share: f32,
+}
+
+struct Representative {
+    mean_normal: vec3<f32>,
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    surface: CellSurface,
+}
+
+struct Totals {
+    blocks: array<f32, 64>,
+    lives: array<f32, 64>,
+    weight: f32,
+    live: f32,
+    lobe: f32,
+    lobe_spread: f32,
+    lobe_visible: f32,
+    lobe_square: f32,
+    lobe_area: f32,
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+}
+
+struct CellTerms {
+    cosine: vec4<f32>,
+    full: vec4<f32>,
+    live: vec4<f32>,
+    lobe: vec4<f32>,
+    lobe_spread: vec4<f32>,
+    cosine_spread: vec4<f32>,
+}
+
+struct Tuple_Vec3_Vec3_ {
+    fa: vec3<f32>,
+    fb: vec3<f32>,
+}
+
+struct Proposal {
+    of_: Representative,
+    blocks: array<f32, 64>,
+    total: f32,
+    defence: f32,
+    lobe_worth: f32,
+    lobe_share: f32,
+    integral: vec3<f32>,
 }
 
 struct OwenSobol {
@@ -78,11 +173,106 @@ struct Xoshiro128PlusPlus {
     state: vec4<u32>,
 }
 
-struct CameraView {
-    eye: vec3<f32>,
-    forward: vec3<f32>,
-    right: vec3<f32>,
-    up: vec3<f32>,
+struct PatternSource {
+    is_sobol: bool,
+    point: OwenSobol,
+    generator: Xoshiro128PlusPlus,
+}
+
+struct Look {
+    of_map: vec3<f32>,
+    direction: vec3<f32>,
+    texel: vec2<u32>,
+    cell: u32,
+    ray: u32,
+    is_possible: bool,
+}
+
+struct ShadingFrame {
+    t: vec3<f32>,
+    b: vec3<f32>,
+    n: vec3<f32>,
+}
+
+struct BlinnPhong {
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    exponent: f32,
+}
+
+struct ShadingPoint {
+    origin: vec3<f32>,
+    geometric_normal: vec3<f32>,
+    frame: ShadingFrame,
+    wo: vec3<f32>,
+    brdf: BlinnPhong,
+    emission: vec3<f32>,
+}
+
+struct DirectionSample {
+    direction: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct HalfVector {
+    cos2_theta: f32,
+    sin2_theta: f32,
+    wo_dot_h: f32,
+}
+
+struct BrdfSample {
+    wi: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct Bin {
+    index: u32,
+    first: u32,
+    units: u32,
+}
+
+struct Place {
+    target_: f32,
+    sum: f32,
+    index: u32,
+    first: f32,
+    width: f32,
+    is_found: bool,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
+struct TexelDraw {
+    texel: vec2<u32>,
+    pmf: f32,
+}
+
+struct CellDraw {
+    direction: vec3<f32>,
+    texel: vec2<u32>,
+    cell: u32,
+}
+
+struct Tuple_u32_usize {
+    fa: u32,
+    fb: u32,
+}
+
+struct CellAt {
+    weight: f32,
+    live: f32,
+    cosine: f32,
+    is_full: bool,
+    lobe: f32,
+    visibility: f32,
+}
+
+struct Reflected {
+    lit: vec3<f32>,
+    blocked: vec3<f32>,
 }
 
 struct Ray {
@@ -90,11 +280,6 @@ struct Ray {
     direction: vec3<f32>,
     inverse_direction: vec3<f32>,
     key: u32,
-}
-
-struct Tuple_u32_u32_ {
-    fa: u32,
-    fb: u32,
 }
 
 struct Attributes {
@@ -119,90 +304,11 @@ struct Tuple_f32_f32_ {
     fb: f32,
 }
 
-struct Hit {
-    triangle: u32,
-    t: f32,
-    barycentrics: vec2<f32>,
-}
-
-struct Option_Hit {
-    is_some: bool,
-    value: Hit,
-}
-
-struct ShadingFrame {
-    t: vec3<f32>,
-    b: vec3<f32>,
-    n: vec3<f32>,
-}
-
-struct BlinnPhong {
-    diffuse: vec3<f32>,
-    specular: vec3<f32>,
-    exponent: f32,
-}
-
-struct ShadingPoint {
-    origin: vec3<f32>,
-    geometric_normal: vec3<f32>,
-    frame: ShadingFrame,
-    wo: vec3<f32>,
-    brdf: BlinnPhong,
-    emission: vec3<f32>,
-}
-
-struct CellLobe {
-    tangent: vec3<f32>,
-    bitangent: vec3<f32>,
-    normal: vec3<f32>,
-    wo: vec3<f32>,
-    diffuse: f32,
-    specular: f32,
-    exponent: f32,
-}
-
-struct HalfVector {
-    cos2_theta: f32,
-    sin2_theta: f32,
-    wo_dot_h: f32,
-}
-
-struct Reflected {
-    lit: vec3<f32>,
-    blocked: vec3<f32>,
-}
-
-struct DirectionSample {
-    direction: vec3<f32>,
-    pdf_sr: f32,
-}
-
-struct BrdfSample {
-    wi: vec3<f32>,
-    pdf_sr: f32,
-}
-
-struct LightSample {
-    direction: vec3<f32>,
-    contribution: vec3<f32>,
-}
-
-struct Bin {
-    index: u32,
-    first: u32,
-    units: u32,
-}
-
-struct TexelDraw {
-    texel: vec2<u32>,
-    pmf: f32,
-}
-
-struct LayerSample {
-    radiance: vec3<f32>,
-    alpha: f32,
-    blocked: vec3<f32>,
-    catcher: f32,
+struct CameraView {
+    eye: vec3<f32>,
+    forward: vec3<f32>,
+    right: vec3<f32>,
+    up: vec3<f32>,
 }
 
 struct Returned_Environment_map {
@@ -213,9 +319,11 @@ struct Returned_Environment_map {
 struct Params {
     first: u32,
     count: u32,
+    points_len: u32,
+    samples_len: u32,
     frame: FrameParams,
-    estimator: Product,
-    @align(16) env_size: vec2<u32>,
+    product: Product,
+    env_size: vec2<u32>,
     env_rotation: vec2<f32>,
 }
 
@@ -228,13 +336,36 @@ var<storage> scene_nodes: array<BvhNode>;
 @group(0) @binding(4) 
 var<storage> scene_triangles: array<Triangle>;
 @group(0) @binding(5) 
-var<storage> scene_corners: array<Corner>;
-@group(0) @binding(6) 
 var<storage> scene_surface: array<u32>;
+@group(0) @binding(6) 
+var<storage, read_write> points: array<SeenPoint>;
 @group(0) @binding(7) 
-var<storage, read_write> out: array<LayerSample>;
+var<storage, read_write> samples_1: array<LayerSample>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
+
+// glimt_render_gpu/src/kernels/environment.rs:132
+fn marginal_words(size: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:133
+    return (size.y + 1u);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:139
+fn cdf_words(size_1: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:140
+    let _e3 = marginal_words(size_1);
+    return (_e3 + (size_1.y * (size_1.x + 1u)));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:79
+fn Environment_cells(size_2: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cells {
+
+    // glimt_render_gpu/src/kernels/environment.rs:80
+    let _e3 = cdf_words(size_2);
+    return Returned_Environment_cells(size_2, _e3);
+}
 
 // glimt_render_gpu/src/kernels/frame.rs:120
 fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
@@ -243,46 +374,821 @@ fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
     return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
 }
 
+// glimt_render_gpu/src/kernels/seen.rs:69
+fn SeenPoint_is_hit(this_1: SeenPoint) -> bool {
+
+    // glimt_render_gpu/src/kernels/seen.rs:70
+    return (this_1.surface != 0u);
+}
+
+// glimt_render_gpu/src/kernels/groups.rs:40
+fn belongs(leader: SeenPoint, point: SeenPoint) -> bool {
+
+    // glimt_render_gpu/src/kernels/groups.rs:41
+    return ((((point.grouped == 0u) && (point.surface == leader.surface)) && (point.material == leader.material)) && (dot(point.normal, leader.normal) >= 0.9396926f));
+}
+
+// glimt_render_gpu/src/kernels/groups.rs:51
+fn next_group(points_start: u32, points_len: u32, from_: ptr<function, u32>, first: u32) -> Group {
+    var leader_1: u32;
+    var both: bool;
+    var either: bool;
+    var members: u32;
+    var counter: u32;
+
+    // glimt_render_gpu/src/kernels/groups.rs:52
+    // glimt_render_gpu/src/kernels/groups.rs:53
+    let _e7 = (*from_);
+    leader_1 = _e7;
+    // glimt_render_gpu/src/kernels/groups.rs:54
+    loop {
+        let _e10 = leader_1;
+        let _e11 = (_e10 < points_len);
+        both = _e11;
+        if _e11 {
+            let _e13 = leader_1;
+            let _e18 = points[(points_start + _e13)].grouped;
+            let _e20 = (_e18 != 0u);
+            either = _e20;
+            if _e20 {
+            } else {
+                let _e22 = leader_1;
+                let _e26 = points[(points_start + _e22)];
+                let _e27 = SeenPoint_is_hit(_e26);
+                either = !(_e27);
+            }
+            let _e29 = either;
+            both = _e29;
+        }
+        let _e30 = both;
+        if _e30 {
+            // glimt_render_gpu/src/kernels/groups.rs:57
+            let _e33 = leader_1;
+            leader_1 = (_e33 + 1u);
+        } else {
+            break;
+        }
+    }
+    // glimt_render_gpu/src/kernels/groups.rs:59
+    let _e36 = leader_1;
+    (*from_) = _e36;
+    // glimt_render_gpu/src/kernels/groups.rs:60
+    members = 0u;
+    // glimt_render_gpu/src/kernels/groups.rs:61
+    let _e41 = leader_1;
+    if (_e41 < points_len) {
+        // glimt_render_gpu/src/kernels/groups.rs:62
+        let _e44 = leader_1;
+        let own_1 = points[(points_start + _e44)];
+        // glimt_render_gpu/src/kernels/groups.rs:63
+        let _e50 = leader_1;
+        counter = _e50;
+        loop {
+            let ray_10 = counter;
+            if (ray_10 >= points_len) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/groups.rs:64
+            let _e58 = points[(points_start + ray_10)];
+            let _e59 = belongs(own_1, _e58);
+            if _e59 {
+                // glimt_render_gpu/src/kernels/groups.rs:65
+                let _e61 = members;
+                points[(points_start + (first + _e61))].order = ray_10;
+                // glimt_render_gpu/src/kernels/groups.rs:66
+                points[(points_start + ray_10)].grouped = 1u;
+                // glimt_render_gpu/src/kernels/groups.rs:67
+                let _e75 = members;
+                members = (_e75 + 1u);
+            }
+            continuing {
+                let _e77 = counter;
+                counter = (_e77 + 1u);
+            }
+        }
+    }
+    // glimt_render_gpu/src/kernels/groups.rs:71
+    let _e81 = members;
+    return Group(first, _e81);
+}
+
+// glimt_render_gpu/src/kernels/groups.rs:78
+fn Group_ray(this_2: Group, k: u32, points_start_1: u32, points_len_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/groups.rs:79
+    let _e11 = points[(points_start_1 + (this_2.first + k))].order;
+    return _e11;
+}
+
+// glimt_probe/src/rotate.rs:33
+fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
+
+    // glimt_probe/src/rotate.rs:34
+    return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:90
+fn Environment_to_map(size_3: vec2<u32>, rotation_1: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:91
+    let _e8 = rotate_z(direction, vec2<f32>(rotation_1.x, -(rotation_1.y)));
+    return _e8;
+}
+
+// glimt_sampling/src/math.rs:16
+fn luminance(rgb: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/math.rs:17
+    return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
+}
+
+// glimt_brdf/src/lobe.rs:86
+fn normalisation(exponent: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:87
+    let tail = exp2(max((-0.5f * exponent), -60f));
+    // glimt_brdf/src/lobe.rs:88
+    return ((((exponent + 2f) * (exponent + 4f)) * (0.125f * 0.31830987f)) / (tail + exponent));
+}
+
+// glimt_light_cells/src/surface.rs:105
+fn CellSurface_new(normal: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponent_1: f32, mean_length: f32, horizon: f32) -> CellSurface {
+
+    // glimt_light_cells/src/surface.rs:115
+    let r_1 = clamp(mean_length, 0.001f, 1f);
+    // glimt_light_cells/src/surface.rs:116
+    let widened = ((exponent_1 * r_1) / (r_1 + (exponent_1 * (1f - r_1))));
+    // glimt_light_cells/src/surface.rs:117
+    let _e22 = normalisation(widened);
+    return CellSurface(normal, wo, (kd * 0.31830987f), ks, widened, _e22, sqrt((2f * (1f - r_1))), horizon, 1f);
+}
+
+// glimt_render_gpu/src/kernels/groups.rs:85
+fn Group_representative(this_3: Group, points_start_2: u32, points_len_2: u32, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
+    var normal_1: vec3<f32>;
+    var wo_1: vec3<f32>;
+    var diffuse: vec3<f32>;
+    var specular: vec3<f32>;
+    var exponent_2: f32;
+    var counter_1: u32;
+    var horizon_1: f32;
+    var counter_2: u32;
+
+    // glimt_render_gpu/src/kernels/groups.rs:86
+    normal_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/groups.rs:87
+    wo_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/groups.rs:88
+    diffuse = vec3(0f);
+    // glimt_render_gpu/src/kernels/groups.rs:89
+    specular = vec3(0f);
+    // glimt_render_gpu/src/kernels/groups.rs:90
+    exponent_2 = 0f;
+    // glimt_render_gpu/src/kernels/groups.rs:91
+    counter_1 = 0u;
+    loop {
+        let k_1 = counter_1;
+        if (k_1 >= this_3.members) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/groups.rs:92
+        let _e32 = Group_ray(this_3, k_1, points_start_2, points_len_2);
+        // glimt_render_gpu/src/kernels/groups.rs:93
+        let point_5 = points[(points_start_2 + _e32)];
+        // glimt_render_gpu/src/kernels/groups.rs:94
+        let _e40 = normal_1;
+        normal_1 = (_e40 + point_5.normal);
+        // glimt_render_gpu/src/kernels/groups.rs:95
+        let _e44 = wo_1;
+        wo_1 = (_e44 + point_5.wo);
+        // glimt_render_gpu/src/kernels/groups.rs:96
+        let _e48 = diffuse;
+        diffuse = (_e48 + point_5.diffuse);
+        // glimt_render_gpu/src/kernels/groups.rs:97
+        let _e52 = specular;
+        specular = (_e52 + point_5.specular);
+        // glimt_render_gpu/src/kernels/groups.rs:98
+        let _e56 = exponent_2;
+        exponent_2 = (_e56 + point_5.exponent);
+        continuing {
+            let _e58 = counter_1;
+            counter_1 = (_e58 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/groups.rs:100
+    let share_1 = (1f / f32(this_3.members));
+    // glimt_render_gpu/src/kernels/groups.rs:101
+    let _e67 = normal_1;
+    normal_1 = (_e67 * share_1);
+    // glimt_render_gpu/src/kernels/groups.rs:102
+    let _e70 = diffuse;
+    diffuse = (_e70 * share_1);
+    // glimt_render_gpu/src/kernels/groups.rs:103
+    let _e73 = specular;
+    specular = (_e73 * share_1);
+    // glimt_render_gpu/src/kernels/groups.rs:104
+    let _e76 = normal_1;
+    let length_1 = length(_e76);
+    // glimt_render_gpu/src/kernels/groups.rs:105
+    let _e79 = normal_1;
+    let unit = (_e79 / vec3(max(length_1, 0.000001f)));
+    // glimt_render_gpu/src/kernels/groups.rs:106
+    horizon_1 = 0f;
+    // glimt_render_gpu/src/kernels/groups.rs:107
+    if (this_3.members > 1u) {
+        // glimt_render_gpu/src/kernels/groups.rs:108
+        counter_2 = 0u;
+        loop {
+            let k_2 = counter_2;
+            if (k_2 >= this_3.members) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/groups.rs:109
+            let _e98 = Group_ray(this_3, k_2, points_start_2, points_len_2);
+            // glimt_render_gpu/src/kernels/groups.rs:110
+            let point_6 = points[(points_start_2 + _e98)];
+            // glimt_render_gpu/src/kernels/groups.rs:111
+            let _e105 = horizon_1;
+            horizon_1 = max(_e105, length(cross(unit, point_6.normal)));
+            continuing {
+                let _e110 = counter_2;
+                counter_2 = (_e110 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/groups.rs:113
+        let _e115 = horizon_1;
+        horizon_1 = ((1.02f * _e115) + 0.001f);
+    }
+    // glimt_render_gpu/src/kernels/groups.rs:115
+    let _e120 = Environment_to_map(env_size, env_rotation, unit);
+    let _e121 = wo_1;
+    let _e123 = Environment_to_map(env_size, env_rotation, normalize(_e121));
+    let _e124 = diffuse;
+    let _e125 = luminance(_e124);
+    let _e126 = specular;
+    let _e127 = luminance(_e126);
+    let _e128 = exponent_2;
+    let _e130 = horizon_1;
+    let _e131 = CellSurface_new(_e120, _e123, _e125, _e127, (_e128 * share_1), length_1, _e130);
+    // glimt_render_gpu/src/kernels/groups.rs:124
+    let _e133 = normal_1;
+    let _e134 = Environment_to_map(env_size, env_rotation, _e133);
+    let _e135 = diffuse;
+    let _e136 = specular;
+    return Representative(_e134, _e135, _e136, _e131);
+}
+
+// glimt_light_cells/src/partition.rs:113
+fn LightCells_quad(size_4: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
+
+    // glimt_light_cells/src/partition.rs:114
+    let at_4 = (((start + 32u) + (list * 512u)) + (4u * quad));
+    // glimt_light_cells/src/partition.rs:115
+    let _e16 = env_tables[at_4];
+    let _e22 = env_tables[(at_4 + 1u)];
+    let _e28 = env_tables[(at_4 + 2u)];
+    let _e34 = env_tables[(at_4 + 3u)];
+    return vec4<f32>(bitcast<f32>(_e16), bitcast<f32>(_e22), bitcast<f32>(_e28), bitcast<f32>(_e34));
+}
+
+// glimt_light_cells/src/surface.rs:52
+fn step_(x: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:54
+    return clamp((x * 1000000000000000000000000000000f), vec4(0f), vec4(1f));
+}
+
+// glimt_light_cells/src/surface.rs:59
+fn sqrt_(x_1: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:60
+    return vec4<f32>(sqrt(x_1.x), sqrt(x_1.y), sqrt(x_1.z), sqrt(x_1.w));
+}
+
+// glimt_light_cells/src/surface.rs:82
+fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:84
+    let s = clamp(sin2_theta, vec4(0f), vec4(1f));
+    // glimt_light_cells/src/surface.rs:85
+    let log_ = ((s * (vec4(6f) - s)) / (vec4(12f) - (8f * s)));
+    // glimt_light_cells/src/surface.rs:86
+    let t_5 = (min((exponent_3 * log_), vec4(40f)) * (1f / 256f));
+    // glimt_light_cells/src/surface.rs:88
+    let x_12 = (vec4(1f) - (t_5 * (vec4(1f) - (t_5 * (vec4(0.5f) - (t_5 * (1f / 6f)))))));
+    // glimt_light_cells/src/surface.rs:89
+    let x2_ = (x_12 * x_12);
+    // glimt_light_cells/src/surface.rs:90
+    let x4_ = (x2_ * x2_);
+    // glimt_light_cells/src/surface.rs:91
+    let x8_ = (x4_ * x4_);
+    // glimt_light_cells/src/surface.rs:92
+    let x16_ = (x8_ * x8_);
+    // glimt_light_cells/src/surface.rs:93
+    let x32_ = (x16_ * x16_);
+    // glimt_light_cells/src/surface.rs:94
+    let x64_ = (x32_ * x32_);
+    // glimt_light_cells/src/surface.rs:95
+    let x128_ = (x64_ * x64_);
+    // glimt_light_cells/src/surface.rs:96
+    return (x128_ * x128_);
+}
+
+// glimt_light_cells/src/surface.rs:133
+fn CellSurface_terms(this_4: CellSurface, cells_size: vec2<u32>, cells_start: u32, quad_1: u32) -> CellTerms {
+
+    // glimt_light_cells/src/surface.rs:134
+    let _e7 = LightCells_quad(cells_size, cells_start, 15u, quad_1);
+    // glimt_light_cells/src/surface.rs:135
+    let _e12 = LightCells_quad(cells_size, cells_start, (15u + 1u), quad_1);
+    // glimt_light_cells/src/surface.rs:136
+    let _e17 = LightCells_quad(cells_size, cells_start, (15u + 2u), quad_1);
+    // glimt_light_cells/src/surface.rs:137
+    let _e20 = LightCells_quad(cells_size, cells_start, 18u, quad_1);
+    // glimt_light_cells/src/surface.rs:138
+    let n_3 = this_4.normal;
+    // glimt_light_cells/src/surface.rs:139
+    let c_2 = (((_e7 * n_3.x) + (_e12 * n_3.y)) + (_e17 * n_3.z));
+    // glimt_light_cells/src/surface.rs:140
+    let reach_2 = (_e20 + vec4(this_4.horizon));
+    // glimt_light_cells/src/surface.rs:141
+    let up = max((c_2 + reach_2), vec4(0f));
+    // glimt_light_cells/src/surface.rs:142
+    let _e42 = step_(up);
+    // glimt_light_cells/src/surface.rs:143
+    let _e45 = step_((c_2 - reach_2));
+    // glimt_light_cells/src/surface.rs:144
+    let cosine = max(c_2, vec4(0f));
+    // glimt_light_cells/src/surface.rs:145
+    let half_spread = vec4((0.5f * this_4.spread));
+    // glimt_light_cells/src/surface.rs:146
+    let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
+    // glimt_light_cells/src/surface.rs:147
+    if !((this_4.specular > 0f)) {
+        // glimt_light_cells/src/surface.rs:148
+        return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
+    }
+    // glimt_light_cells/src/surface.rs:158
+    let lifted = max(c_2, (0.25f * up));
+    // glimt_light_cells/src/surface.rs:159
+    let v_5 = this_4.wo;
+    // glimt_light_cells/src/surface.rs:160
+    let nv = dot(n_3, v_5);
+    // glimt_light_cells/src/surface.rs:161
+    let dv = ((((_e7 * v_5.x) + (_e12 * v_5.y)) + (_e17 * v_5.z)) + ((lifted - c_2) * nv));
+    // glimt_light_cells/src/surface.rs:162
+    let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_2 * c_2)), vec4(0.000001f)));
+    // glimt_light_cells/src/surface.rs:163
+    let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
+    // glimt_light_cells/src/surface.rs:164
+    let _e123 = sqrt_(half2_);
+    let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
+    // glimt_light_cells/src/surface.rs:165
+    let cos2_ = min((nh * nh), vec4(1f));
+    // glimt_light_cells/src/surface.rs:166
+    let sin2_ = (vec4(1f) - cos2_);
+    // glimt_light_cells/src/surface.rs:167
+    let r2_ = (_e20 * _e20);
+    // glimt_light_cells/src/surface.rs:168
+    let e = max(this_4.exponent, 0.001f);
+    // glimt_light_cells/src/surface.rs:169
+    let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    // glimt_light_cells/src/surface.rs:170
+    let _e151 = cosine_power4_(sin2_, seen);
+    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((this_4.share * this_4.peak) / e));
+    // glimt_light_cells/src/surface.rs:172
+    let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
+    // glimt_light_cells/src/surface.rs:173
+    let near_1 = (vec4((((0.1f * e) * this_4.spread) * this_4.spread)) + ((0.06f * e) * r2_));
+    // glimt_light_cells/src/surface.rs:174
+    let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
+    // glimt_light_cells/src/surface.rs:175
+    return CellTerms(cosine, _e45, _e42, lobe, min((slope + near_1), vec4(1f)), cosine_spread);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:42
+fn Unknown_quad(this_5: Unknown, _quad: u32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:43
+    return vec4(0f);
+}
+
+// glimt_light_cells/src/surface.rs:197
+fn CellSurface_residual_weights(this_6: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:198
+    let reflected = ((terms.cosine * this_6.diffuse) + (terms.lobe * this_6.specular));
+    // glimt_light_cells/src/surface.rs:199
+    let by_visibility = ((visibility * (vec4(1f) - visibility)) + vec4(0.0008f));
+    // glimt_light_cells/src/surface.rs:200
+    let diffuse_1 = (terms.cosine_spread * this_6.diffuse);
+    // glimt_light_cells/src/surface.rs:201
+    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_6.specular);
+    // glimt_light_cells/src/surface.rs:202
+    let by_shape = (((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1)) * max(visibility, vec4(0.02f)));
+    // glimt_light_cells/src/surface.rs:203
+    let _e45 = sqrt_((((reflected * reflected) * by_visibility) + by_shape));
+    return ((flux * terms.live) * _e45);
+}
+
+// glimt_light_cells/src/surface.rs:188
+fn CellSurface_product_weights(this_7: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:189
+    let reflected_1 = ((terms_1.cosine * this_7.diffuse) + (terms_1.lobe * this_7.specular));
+    // glimt_light_cells/src/surface.rs:190
+    return ((flux_1 * terms_1.live) * (reflected_1 + (terms_1.cosine_spread * this_7.diffuse)));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:203
+fn weights(surface: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+    var chosen: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:209
+    if false {
+        // glimt_render_gpu/src/kernels/proposal.rs:210
+        let _e9 = CellSurface_residual_weights(surface, terms_2, flux_2, visibility_1);
+        chosen = _e9;
+    } else {
+        // glimt_render_gpu/src/kernels/proposal.rs:212
+        let _e11 = CellSurface_product_weights(surface, terms_2, flux_2);
+        chosen = _e11;
+    }
+    let _e12 = chosen;
+    return _e12;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:114
+fn channel_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_2: u32, channel: u32, normal_2: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:122
+    let list_1 = (4u + (3u * channel));
+    // glimt_render_gpu/src/kernels/proposal.rs:123
+    let _e14 = LightCells_quad(cells_size_1, cells_start_1, list_1, quad_2);
+    let _e19 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 1u), quad_2);
+    let _e25 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 2u), quad_2);
+    let moment = (((_e14 * normal_2.x) + (_e19 * normal_2.y)) + (_e25 * normal_2.z));
+    // glimt_render_gpu/src/kernels/proposal.rs:126
+    let _e32 = LightCells_quad(cells_size_1, cells_start_1, (1u + channel), quad_2);
+    // glimt_render_gpu/src/kernels/proposal.rs:127
+    let _e36 = ((full * moment) + (cut * _e32));
+    return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:132
+fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_3: u32, factors: vec4<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:133
+    let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_3);
+    let _e8 = (_e7 * factors);
+    let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_3);
+    let _e20 = (_e19 * factors);
+    let _e31 = LightCells_quad(cells_size_2, cells_start_2, (1u + 2u), quad_3);
+    let _e32 = (_e31 * factors);
+    return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:141
+fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected: Unknown) -> Totals {
+    var t: Totals;
+    var counter_3: u32;
+    var weight: f32;
+    var live: f32;
+    var counter_4: u32;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:142
+    let surface_1 = of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:143
+    let has_lobe = (surface_1.specular > 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:144
+    t = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/proposal.rs:157
+    counter_3 = 0u;
+    loop {
+        let block = counter_3;
+        if (block >= 64u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:158
+        weight = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:159
+        live = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:160
+        counter_4 = 0u;
+        loop {
+            let half = counter_4;
+            if (half >= 2u) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/proposal.rs:161
+            let quad_4 = ((2u * block) + half);
+            // glimt_render_gpu/src/kernels/proposal.rs:162
+            let _e53 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_4);
+            // glimt_render_gpu/src/kernels/proposal.rs:163
+            let _e55 = CellSurface_terms(surface_1, cells_size_3, cells_start_3, quad_4);
+            // glimt_render_gpu/src/kernels/proposal.rs:164
+            let _e58 = (_e53 * _e55.live);
+            let seen_1 = (((_e58.x + _e58.y) + _e58.z) + _e58.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:166
+            if (seen_1 > 0f) {
+                // glimt_render_gpu/src/kernels/proposal.rs:167
+                let _e70 = live;
+                live = (_e70 + seen_1);
+                // glimt_render_gpu/src/kernels/proposal.rs:168
+                let _e73 = Unknown_quad(expected, quad_4);
+                // glimt_render_gpu/src/kernels/proposal.rs:169
+                let _e75 = weights(surface_1, _e55, _e53, _e73);
+                let _e83 = weight;
+                weight = (_e83 + (((_e75.x + _e75.y) + _e75.z) + _e75.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:170
+                if false {
+                    // glimt_render_gpu/src/kernels/proposal.rs:171
+                    let full_1 = (_e55.full * _e73);
+                    // glimt_render_gpu/src/kernels/proposal.rs:172
+                    let cut_1 = ((_e73 - full_1) * _e55.cosine);
+                    // glimt_render_gpu/src/kernels/proposal.rs:173
+                    let _e98 = channel_sum(cells_size_3, cells_start_3, quad_4, 0u, of_.mean_normal, full_1, cut_1);
+                    let _e101 = channel_sum(cells_size_3, cells_start_3, quad_4, 1u, of_.mean_normal, full_1, cut_1);
+                    let _e104 = channel_sum(cells_size_3, cells_start_3, quad_4, 2u, of_.mean_normal, full_1, cut_1);
+                    let _e106 = t.diffuse;
+                    t.diffuse = (_e106 + vec3<f32>(_e98, _e101, _e104));
+                }
+                // glimt_render_gpu/src/kernels/proposal.rs:179
+                if has_lobe {
+                    // glimt_render_gpu/src/kernels/proposal.rs:180
+                    let a_4 = (_e55.lobe * _e53);
+                    // glimt_render_gpu/src/kernels/proposal.rs:181
+                    let spread = ((a_4 * _e55.lobe_spread) * _e55.lobe_spread);
+                    // glimt_render_gpu/src/kernels/proposal.rs:182
+                    let _e126 = t.lobe;
+                    t.lobe = (_e126 + (((a_4.x + a_4.y) + a_4.z) + a_4.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:183
+                    let _e137 = t.lobe_spread;
+                    t.lobe_spread = (_e137 + (((spread.x + spread.y) + spread.z) + spread.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:184
+                    let _e140 = (a_4 * _e73);
+                    let _e149 = t.lobe_visible;
+                    t.lobe_visible = (_e149 + (((_e140.x + _e140.y) + _e140.z) + _e140.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:185
+                    let _e154 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_4);
+                    let _e155 = (_e55.lobe * _e154);
+                    let _e164 = t.lobe_square;
+                    t.lobe_square = (_e164 + (((_e155.x + _e155.y) + _e155.z) + _e155.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:186
+                    let _e169 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_4);
+                    let _e170 = (_e55.lobe * _e169);
+                    let _e179 = t.lobe_area;
+                    t.lobe_area = (_e179 + (((_e170.x + _e170.y) + _e170.z) + _e170.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:188
+                    if false {
+                        // glimt_render_gpu/src/kernels/proposal.rs:189
+                        let _e187 = radiance_sum(cells_size_3, cells_start_3, quad_4, (_e55.lobe * _e73));
+                        let _e188 = t.specular;
+                        t.specular = (_e188 + _e187);
+                    }
+                }
+            }
+            continuing {
+                let _e190 = counter_4;
+                counter_4 = (_e190 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:194
+        let _e194 = weight;
+        t.blocks[block] = _e194;
+        // glimt_render_gpu/src/kernels/proposal.rs:195
+        let _e198 = live;
+        t.lives[block] = _e198;
+        // glimt_render_gpu/src/kernels/proposal.rs:196
+        let _e202 = weight;
+        let _e204 = t.weight;
+        t.weight = (_e204 + _e202);
+        // glimt_render_gpu/src/kernels/proposal.rs:197
+        let _e207 = live;
+        let _e209 = t.live;
+        t.live = (_e209 + _e207);
+        continuing {
+            let _e211 = counter_3;
+            counter_3 = (_e211 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:199
+    let _e215 = t;
+    return _e215;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:219
+fn worth(a: f32, visible: f32, variance: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:220
+    if false {
+        // glimt_render_gpu/src/kernels/proposal.rs:221
+        return (a * sqrt(((visible * (1f - visible)) + (visible * variance))));
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:224
+    return (a * sqrt((1f + (2f * variance))));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:231
+fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_1: Unknown) -> Proposal {
+    var of_2: Representative;
+    var sums: Totals;
+    var lobe_worth: f32;
+    var least_share: f32;
+    var share: f32;
+    var defence: f32;
+    var total: f32;
+    var blocks: array<f32, 64>;
+    var counter_5: u32;
+    var lobe_share: f32;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:236
+    of_2 = of_1;
+    // glimt_render_gpu/src/kernels/proposal.rs:237
+    let _e8 = of_2;
+    let _e9 = weigh(_e8, cells_size_4, cells_start_4, expected_1);
+    sums = _e9;
+    // glimt_render_gpu/src/kernels/proposal.rs:238
+    let _e13 = sums.diffuse;
+    let _e15 = sums.specular;
+    let _e16 = Tuple_Vec3_Vec3_(_e13, _e15);
+    let diffuse_2 = _e16.fa;
+    let specular_1 = _e16.fb;
+    // glimt_render_gpu/src/kernels/proposal.rs:239
+    lobe_worth = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:240
+    least_share = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:241
+    share = 1f;
+    // glimt_render_gpu/src/kernels/proposal.rs:242
+    let _e31 = of_2.surface.specular;
+    let _e35 = sums.lobe;
+    if ((_e31 > 0f) && (_e35 > 0f)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:244
+        let _e41 = sums.lobe_spread;
+        let _e43 = sums.lobe;
+        let by_cells = (_e41 / _e43);
+        // glimt_render_gpu/src/kernels/proposal.rs:245
+        let _e47 = sums.lobe_square;
+        let _e49 = sums.lobe;
+        let _e52 = sums.lobe_area;
+        let _e54 = sums.lobe;
+        let by_lobe = clamp((((_e47 / _e49) * (_e52 / _e54)) - 1f), 0.0001f, 1000000f);
+        // glimt_render_gpu/src/kernels/proposal.rs:247
+        share = (by_lobe / (by_lobe + by_cells));
+        // glimt_render_gpu/src/kernels/proposal.rs:248
+        let _e66 = share;
+        if (_e66 > 0.9f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:249
+            share = 1f;
+        } else {
+            let _e71 = share;
+            if (_e71 < 0.1f) {
+                // glimt_render_gpu/src/kernels/proposal.rs:251
+                share = 0f;
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:253
+        let _e78 = sums.lobe;
+        let _e81 = of_2.surface.specular;
+        let a_5 = (_e78 * _e81);
+        // glimt_render_gpu/src/kernels/proposal.rs:254
+        let _e85 = sums.lobe_visible;
+        let _e87 = sums.lobe;
+        let visible_1 = min((_e85 / _e87), 1f);
+        // glimt_render_gpu/src/kernels/proposal.rs:255
+        let _e92 = share;
+        if (_e92 < 1f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:256
+            let _e97 = share;
+            let _e99 = worth(a_5, visible_1, by_lobe);
+            lobe_worth = ((1f - _e97) * _e99);
+            // glimt_render_gpu/src/kernels/proposal.rs:257
+            let _e102 = share;
+            of_2.surface.share = _e102;
+            // glimt_render_gpu/src/kernels/proposal.rs:258
+            let _e106 = of_2;
+            let _e107 = weigh(_e106, cells_size_4, cells_start_4, expected_1);
+            sums = _e107;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:260
+        let _e111 = of_2.surface.normal;
+        let _e114 = of_2.surface.wo;
+        if (dot(_e111, _e114) < 0.3f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:261
+            least_share = 0.1f;
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:264
+    defence = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:265
+    let _e125 = sums.live;
+    if (_e125 > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:266
+        let _e131 = sums.weight;
+        let _e134 = sums.live;
+        defence = ((0.001f * _e131) / _e134);
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:268
+    total = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:269
+    blocks = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:270
+    counter_5 = 0u;
+    loop {
+        let block_1 = counter_5;
+        if (block_1 >= 64u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:271
+        let _e152 = sums.blocks[block_1];
+        let _e153 = defence;
+        let _e156 = sums.lives[block_1];
+        let weight_1 = (_e152 + (_e153 * _e156));
+        // glimt_render_gpu/src/kernels/proposal.rs:272
+        blocks[block_1] = weight_1;
+        // glimt_render_gpu/src/kernels/proposal.rs:273
+        let _e162 = total;
+        total = (_e162 + weight_1);
+        continuing {
+            let _e164 = counter_5;
+            counter_5 = (_e164 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:275
+    let _e168 = total;
+    let _e169 = lobe_worth;
+    let all_ = (_e168 + _e169);
+    // glimt_render_gpu/src/kernels/proposal.rs:276
+    lobe_share = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:277
+    if (all_ > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:278
+        let _e178 = lobe_worth;
+        let _e180 = least_share;
+        lobe_share = clamp((_e178 / all_), _e180, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:279
+        let _e184 = total;
+        if !((_e184 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:280
+            lobe_share = 1f;
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:283
+    let _e192 = of_2.diffuse;
+    let kd_1 = (_e192 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:284
+    let _e198 = of_2.specular;
+    let _e199 = share;
+    let _e203 = of_2;
+    let _e204 = blocks;
+    let _e205 = total;
+    let _e206 = defence;
+    let _e207 = lobe_worth;
+    let _e208 = lobe_share;
+    return Proposal(_e203, _e204, _e205, _e206, _e207, _e208, ((kd_1 * diffuse_2) + (_e198 * (specular_1 * _e199))));
+}
+
 // glimt_sampling/src/hash.rs:15
 fn hash_u32_(n: u32) -> u32 {
-    var x: u32;
+    var x_2: u32;
 
     // glimt_sampling/src/hash.rs:16
-    x = (n ^ 3875421163u);
+    x_2 = (n ^ 3875421163u);
     // glimt_sampling/src/hash.rs:17
-    let _e7 = x;
-    let _e10 = x;
-    x = (_e10 ^ (_e7 >> 16u));
+    let _e7 = x_2;
+    let _e10 = x_2;
+    x_2 = (_e10 ^ (_e7 >> 16u));
     // glimt_sampling/src/hash.rs:18
-    let _e13 = x;
-    x = (_e13 * 2146121005u);
+    let _e13 = x_2;
+    x_2 = (_e13 * 2146121005u);
     // glimt_sampling/src/hash.rs:19
-    let _e17 = x;
-    let _e20 = x;
-    x = (_e20 ^ (_e17 >> 15u));
+    let _e17 = x_2;
+    let _e20 = x_2;
+    x_2 = (_e20 ^ (_e17 >> 15u));
     // glimt_sampling/src/hash.rs:20
-    let _e23 = x;
-    x = (_e23 * 2221713035u);
+    let _e23 = x_2;
+    x_2 = (_e23 * 2221713035u);
     // glimt_sampling/src/hash.rs:21
-    let _e27 = x;
-    let _e28 = x;
+    let _e27 = x_2;
+    let _e28 = x_2;
     return (_e27 ^ (_e28 >> 16u));
 }
 
 // glimt_sampling/src/hash.rs:27
-fn hash2_(a: u32, b: u32) -> u32 {
+fn hash2_(a_1: u32, b: u32) -> u32 {
 
     // glimt_sampling/src/hash.rs:28
-    let _e4 = hash_u32_(a);
+    let _e4 = hash_u32_(a_1);
     let _e6 = hash_u32_((_e4 + b));
     return _e6;
 }
 
 // glimt_sampling/src/hash.rs:34
-fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+fn hash3_(a_2: u32, b_1: u32, c: u32) -> u32 {
 
     // glimt_sampling/src/hash.rs:35
-    let _e5 = hash2_(a_1, b_1);
+    let _e5 = hash2_(a_2, b_1);
     let _e7 = hash_u32_((_e5 + c));
     return _e7;
 }
@@ -296,249 +1202,13 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:108
-fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+// glimt_render_gpu/src/kernels/pattern.rs:122
+fn PixelPattern_sobol_point(this_8: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:109
-    let _e6 = hash2_(this_1.seed, purpose);
-    let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
+    // glimt_render_gpu/src/kernels/pattern.rs:123
+    let _e6 = hash2_(this_8.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_8.frame, this_8.pixel, index);
     return _e9;
-}
-
-// glimt_sampling/src/sobol.rs:21
-fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
-    var x_1: u32;
-
-    // glimt_sampling/src/sobol.rs:22
-    x_1 = (n_1 ^ (n_1 * 1025551850u));
-    // glimt_sampling/src/sobol.rs:23
-    let _e9 = x_1;
-    x_1 = (_e9 + scramble);
-    // glimt_sampling/src/sobol.rs:24
-    let _e12 = x_1;
-    x_1 = (_e12 * ((scramble >> 16u) | 1u));
-    // glimt_sampling/src/sobol.rs:25
-    let _e19 = x_1;
-    let _e22 = x_1;
-    x_1 = (_e22 ^ (_e19 * 89287766u));
-    // glimt_sampling/src/sobol.rs:26
-    let _e25 = x_1;
-    let _e26 = x_1;
-    return (_e25 ^ (_e26 * 1403136100u));
-}
-
-// glimt_sampling/src/sobol.rs:103
-fn shuffle(index_1: u32, seed_1: u32) -> u32 {
-
-    // glimt_sampling/src/sobol.rs:104
-    let _e7 = hash_u32_((seed_1 ^ 2043055690u));
-    let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
-    return reverseBits(_e8);
-}
-
-// glimt_sampling/src/sobol.rs:56
-fn pascal(index_2: u32) -> u32 {
-    var x_2: u32;
-
-    // glimt_sampling/src/sobol.rs:57
-    x_2 = index_2;
-    // glimt_sampling/src/sobol.rs:58
-    let _e5 = x_2;
-    let _e10 = x_2;
-    x_2 = (_e10 ^ ((_e5 >> 1u) & 21845u));
-    // glimt_sampling/src/sobol.rs:59
-    let _e13 = x_2;
-    let _e18 = x_2;
-    x_2 = (_e18 ^ ((_e13 >> 2u) & 13107u));
-    // glimt_sampling/src/sobol.rs:60
-    let _e21 = x_2;
-    let _e26 = x_2;
-    x_2 = (_e26 ^ ((_e21 >> 4u) & 3855u));
-    // glimt_sampling/src/sobol.rs:61
-    let _e29 = x_2;
-    let _e30 = x_2;
-    return (_e29 ^ ((_e30 >> 8u) & 255u));
-}
-
-// glimt_sampling/src/sobol.rs:66
-fn recurrence_2_(index_3: u32) -> u32 {
-    var bits: u32;
-    var v0_: u32;
-    var v1_: u32;
-    var sum: u32;
-
-    // glimt_sampling/src/sobol.rs:67
-    bits = index_3;
-    // glimt_sampling/src/sobol.rs:68
-    v0_ = 1u;
-    // glimt_sampling/src/sobol.rs:69
-    v1_ = 3u;
-    // glimt_sampling/src/sobol.rs:70
-    sum = 0u;
-    // glimt_sampling/src/sobol.rs:71
-    loop {
-        let _e14 = bits;
-        if !((_e14 != 0u)) {
-            break;
-        }
-        // glimt_sampling/src/sobol.rs:72
-        let _e19 = v0_;
-        let _e20 = bits;
-        let _e26 = sum;
-        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
-        // glimt_sampling/src/sobol.rs:73
-        let _e29 = v1_;
-        let _e30 = v0_;
-        let _e32 = v0_;
-        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
-        // glimt_sampling/src/sobol.rs:74
-        let _e37 = v1_;
-        v0_ = _e37;
-        // glimt_sampling/src/sobol.rs:75
-        v1_ = v2_1;
-        // glimt_sampling/src/sobol.rs:76
-        let _e40 = bits;
-        bits = (_e40 >> 1u);
-    }
-    // glimt_sampling/src/sobol.rs:78
-    let _e44 = sum;
-    return _e44;
-}
-
-// glimt_sampling/src/sobol.rs:83
-fn recurrence_3_(index_4: u32) -> u32 {
-    var bits_1: u32;
-    var v0_1: u32;
-    var v1_1: u32;
-    var v2_: u32;
-    var sum_1: u32;
-
-    // glimt_sampling/src/sobol.rs:84
-    bits_1 = index_4;
-    // glimt_sampling/src/sobol.rs:85
-    v0_1 = 1u;
-    // glimt_sampling/src/sobol.rs:86
-    v1_1 = 3u;
-    // glimt_sampling/src/sobol.rs:87
-    v2_ = 4u;
-    // glimt_sampling/src/sobol.rs:88
-    sum_1 = 0u;
-    // glimt_sampling/src/sobol.rs:89
-    loop {
-        let _e17 = bits_1;
-        if !((_e17 != 0u)) {
-            break;
-        }
-        // glimt_sampling/src/sobol.rs:90
-        let _e22 = v0_1;
-        let _e23 = bits_1;
-        let _e29 = sum_1;
-        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
-        // glimt_sampling/src/sobol.rs:91
-        let _e32 = v1_1;
-        let _e33 = v0_1;
-        let _e35 = v0_1;
-        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
-        // glimt_sampling/src/sobol.rs:92
-        let _e40 = v1_1;
-        v0_1 = _e40;
-        // glimt_sampling/src/sobol.rs:93
-        let _e42 = v2_;
-        v1_1 = _e42;
-        // glimt_sampling/src/sobol.rs:94
-        v2_ = v3_;
-        // glimt_sampling/src/sobol.rs:95
-        let _e45 = bits_1;
-        bits_1 = (_e45 >> 1u);
-    }
-    // glimt_sampling/src/sobol.rs:97
-    let _e49 = sum_1;
-    return _e49;
-}
-
-// glimt_sampling/src/sobol.rs:43
-fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
-    var chosen: u32;
-
-    // glimt_sampling/src/sobol.rs:44
-    let index_17 = (index_5 & 65535u);
-    // glimt_sampling/src/sobol.rs:45
-    let _e8 = (dimension & 3u);
-    if (_e8 == 0u) {
-        // glimt_sampling/src/sobol.rs:47
-        chosen = index_17;
-    } else {
-        if (_e8 == 1u) {
-            // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_17);
-            chosen = _e16;
-        } else {
-            if (_e8 == 2u) {
-                // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_17);
-                chosen = _e20;
-            } else {
-                // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_17);
-                chosen = _e22;
-            }
-        }
-    }
-    let _e23 = chosen;
-    return _e23;
-}
-
-// glimt_sampling/src/sobol.rs:109
-fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
-    var chosen_1: u32;
-
-    // glimt_sampling/src/sobol.rs:110
-    let _e6 = (dimension_1 & 3u);
-    if (_e6 == 0u) {
-        // glimt_sampling/src/sobol.rs:111
-        chosen_1 = 2435803578u;
-    } else {
-        if (_e6 == 1u) {
-            // glimt_sampling/src/sobol.rs:112
-            chosen_1 = 391059627u;
-        } else {
-            if (_e6 == 2u) {
-                // glimt_sampling/src/sobol.rs:113
-                chosen_1 = 1763603146u;
-            } else {
-                // glimt_sampling/src/sobol.rs:114
-                chosen_1 = 3020734904u;
-            }
-        }
-    }
-    let salt = chosen_1;
-    // glimt_sampling/src/sobol.rs:117
-    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
-    // glimt_sampling/src/sobol.rs:118
-    let _e29 = owen_scramble_reversed(reversed, _e27);
-    return reverseBits(_e29);
-}
-
-// glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
-
-    // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_2).dimension;
-    let dimension_3 = ((_e4 + 1u) & 4294967294u);
-    // glimt_sampling/src/sobol.rs:192
-    (*this_2).dimension = (dimension_3 + 2u);
-    // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_2).seed;
-    let _e18 = hash2_(_e15, (dimension_3 >> 2u));
-    // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_2).index;
-    let _e22 = shuffle(_e21, _e18);
-    // glimt_sampling/src/sobol.rs:195
-    let _e24 = sobol_reversed(_e22, dimension_3);
-    let _e25 = scramble_1(_e24, dimension_3, _e18);
-    let _e28 = sobol_reversed(_e22, (dimension_3 + 1u));
-    let _e31 = scramble_1(_e28, (dimension_3 + 1u), _e18);
-    return vec2<u32>(_e25, _e31);
 }
 
 // glimt_sampling/src/hash.rs:50
@@ -643,177 +1313,316 @@ fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
 }
 
 // glimt_sampling/src/xoshiro.rs:49
-fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
 
     // glimt_sampling/src/xoshiro.rs:50
-    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_1, 2654435769u));
     let _e8 = Xoshiro128PlusPlus_from_state(_e7);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:113
-fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+// glimt_render_gpu/src/kernels/pattern.rs:127
+fn PixelPattern_generator(this_9: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:114
-    let _e6 = hash3_(this_3.seed, purpose_1, index_6);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:128
+    let _e6 = hash3_(this_9.seed, purpose_1, index_1);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_9.frame, this_9.pixel);
     return _e9;
 }
 
+// glimt_render_gpu/src/kernels/pattern.rs:105
+fn PixelPattern_point(this_10: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:106
+    let _e8 = PixelPattern_sobol_point(this_10, purpose_2, index_2);
+    let _e9 = PixelPattern_generator(this_10, purpose_2, index_2);
+    return PatternSource((this_10.kind == 0u), _e8, _e9);
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+    var x_4: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_4 = (n_1 ^ (n_1 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_4;
+    x_4 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_4;
+    x_4 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e19 = x_4;
+    let _e22 = x_4;
+    x_4 = (_e22 ^ (_e19 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e25 = x_4;
+    let _e26 = x_4;
+    return (_e25 ^ (_e26 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index_3: u32, seed_2: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_2 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index_3), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_4: u32) -> u32 {
+    var x_5: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_5 = index_4;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_5;
+    let _e10 = x_5;
+    x_5 = (_e10 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e13 = x_5;
+    let _e18 = x_5;
+    x_5 = (_e18 ^ ((_e13 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e21 = x_5;
+    let _e26 = x_5;
+    x_5 = (_e26 ^ ((_e21 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e29 = x_5;
+    let _e30 = x_5;
+    return (_e29 ^ ((_e30 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_5: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_5;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum;
+        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e37 = v1_;
+        v0_ = _e37;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e40 = bits;
+        bits = (_e40 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e44 = sum;
+    return _e44;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_6: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_6;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_1;
+        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e40 = v1_1;
+        v0_1 = _e40;
+        // glimt_sampling/src/sobol.rs:93
+        let _e42 = v2_;
+        v1_1 = _e42;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e45 = bits_1;
+        bits_1 = (_e45 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e49 = sum_1;
+    return _e49;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_7: u32, dimension: u32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_20 = (index_7 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen_1 = index_20;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_20);
+            chosen_1 = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_20);
+                chosen_1 = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_20);
+                chosen_1 = _e22;
+            }
+        }
+    }
+    let _e23 = chosen_1;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_3: u32) -> u32 {
+    var chosen_2: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_2 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_2 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_2 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_2 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_2;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_3 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:135
+fn owen_sobol(index_8: u32, dimension_2: u32, seed_4: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:136
+    let _e5 = shuffle(index_8, seed_4);
+    let _e6 = sobol_reversed(_e5, dimension_2);
+    let _e7 = scramble_1(_e6, dimension_2, seed_4);
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:182
+fn OwenSobol_next_u32_(this_11: ptr<function, OwenSobol>) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:183
+    let dimension_3 = (*this_11).dimension;
+    // glimt_sampling/src/sobol.rs:184
+    (*this_11).dimension = (dimension_3 + 1u);
+    // glimt_sampling/src/sobol.rs:185
+    let _e11 = (*this_11).index;
+    let _e13 = (*this_11).seed;
+    let _e16 = hash2_(_e13, (dimension_3 >> 2u));
+    let _e17 = owen_sobol(_e11, dimension_3, _e16);
+    return _e17;
+}
+
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_12: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s = (*this_4).state;
+    let s_1 = (*this_12).state;
     // glimt_sampling/src/xoshiro.rs:58
-    let _e8 = (s.x + s.w);
-    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
+    let _e8 = (s_1.x + s_1.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_1.x);
     // glimt_sampling/src/xoshiro.rs:59
-    let z_1 = (s.z ^ s.x);
+    let z_1 = (s_1.z ^ s_1.x);
     // glimt_sampling/src/xoshiro.rs:60
-    let w_1 = (s.w ^ s.y);
+    let w_1 = (s_1.w ^ s_1.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_12).state = vec4<u32>((s_1.x ^ w_1), (s_1.y ^ z_1), (z_1 ^ (s_1.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
-// glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
-
-    // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
-    // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
-    // glimt_sampling/src/uniform.rs:37
-    return vec2<u32>(_e3, _e5);
-}
-
-// glimt_render_gpu/src/kernels/pattern.rs:118
-fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
-
-    // glimt_render_gpu/src/kernels/pattern.rs:119
-    let _e5 = hash2_(this_6.seed, purpose_2);
-    let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
-    return _e8;
-}
-
-// glimt_render_gpu/src/kernels/pattern.rs:193
-fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
-    var x_4: u32;
-    var round_key: u32;
-    var counter: i32;
-
-    // glimt_render_gpu/src/kernels/pattern.rs:194
-    if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:195
-        return 0u;
-    }
-    // glimt_render_gpu/src/kernels/pattern.rs:197
-    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:198
-    let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:199
-    x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:200
-    loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:201
-        round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:202
-        counter = 0i;
-        loop {
-            let _e31 = counter;
-            if (_e31 >= 3i) {
-                break;
-            }
-            // glimt_render_gpu/src/kernels/pattern.rs:203
-            let _e34 = round_key;
-            let _e35 = hash_u32_(_e34);
-            round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:205
-            let _e37 = x_4;
-            let _e38 = round_key;
-            x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:206
-            let _e44 = x_4;
-            let _e46 = (bits_2 / 2u);
-            let _e56 = x_4;
-            x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
-            continuing {
-                let _e58 = counter;
-                counter = (_e58 + 1i);
-            }
-        }
-        // glimt_render_gpu/src/kernels/pattern.rs:208
-        let _e62 = x_4;
-        if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:209
-            let _e65 = x_4;
-            let _e67 = hash_u32_(~(key));
-            return ((_e65 + (_e67 % length_)) % length_);
-        }
-    }
-    return u32();
-}
-
-// glimt_render_gpu/src/kernels/pattern.rs:184
-fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
-
-    // glimt_render_gpu/src/kernels/pattern.rs:185
-    return ((cell * (4294967295u / count)) + (jitter / count));
-}
-
-// glimt_render_gpu/src/kernels/pattern.rs:164
-fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
-
-    // glimt_render_gpu/src/kernels/pattern.rs:165
-    let columns_1 = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:166
-    let _e12 = (count_1 / columns_1);
-    let rows = select(_e12, (_e12 + 1u), ((count_1 % columns_1) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:167
-    let _e21 = hash2_(key_1, 1u);
-    let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:168
-    let _e26 = hash2_(key_1, 2u);
-    let _e27 = permute((_e22 % columns_1), columns_1, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:169
-    let _e31 = hash2_(key_1, 3u);
-    let _e32 = permute((_e22 / columns_1), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:170
-    let _e38 = stratum(((_e27 * rows) + _e32), (columns_1 * rows), jitter_1.x);
-    let _e40 = stratum(_e22, count_1, jitter_1.y);
-    return vec2<u32>(_e38, _e40);
-}
-
-// glimt_render_gpu/src/kernels/pattern.rs:55
-fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:157
+fn PatternSource_next_u32_(this_13: ptr<function, PatternSource>) -> u32 {
+    var chosen_3: u32;
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:56
-    let index_18 = ((this_7.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:57
-    if (this_7.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:58
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_18);
-        borrowed = _e14;
-        let _e16 = OwenSobol_next_uvec2_((&borrowed));
-        return _e16;
+    // glimt_render_gpu/src/kernels/pattern.rs:158
+    let _e5 = (*this_13).is_sobol;
+    if _e5 {
+        // glimt_render_gpu/src/kernels/pattern.rs:159
+        let _e9 = (*this_13).point;
+        borrowed = _e9;
+        let _e10 = OwenSobol_next_u32_((&borrowed));
+        let _e11 = borrowed;
+        (*this_13).point = _e11;
+        chosen_3 = _e10;
+    } else {
+        // glimt_render_gpu/src/kernels/pattern.rs:161
+        let _e15 = (*this_13).generator;
+        borrowed_1 = _e15;
+        let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
+        let _e17 = borrowed_1;
+        (*this_13).generator = _e17;
+        chosen_3 = _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:60
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_18);
-    borrowed_1 = _e18;
-    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:61
-    if (this_7.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:62
-        return _e20;
-    }
-    // glimt_render_gpu/src/kernels/pattern.rs:64
-    let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_18, (this_7.rays * samples), _e20, _e29);
-    return _e30;
+    let _e18 = chosen_3;
+    return _e18;
 }
 
 // glimt_sampling/src/uniform.rs:15
@@ -821,6 +1630,86 @@ fn unit_f32_(u: u32) -> f32 {
 
     // glimt_sampling/src/uniform.rs:16
     return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:132
+fn PixelPattern_key(this_14: PixelPattern, purpose_3: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:133
+    let _e5 = hash2_(this_14.seed, purpose_3);
+    let _e8 = hash3_(_e5, this_14.frame, this_14.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:117
+fn PixelPattern_ray_key(this_15: PixelPattern, purpose_4: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:118
+    let _e4 = PixelPattern_key(this_15, purpose_4);
+    let _e6 = hash2_(_e4, this_15.ray);
+    return _e6;
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn OwenSobol_next_uvec2_(this_16: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_16).dimension;
+    let dimension_4 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_16).dimension = (dimension_4 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_16).seed;
+    let _e18 = hash2_(_e15, (dimension_4 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e21 = (*this_16).index;
+    let _e22 = shuffle(_e21, _e18);
+    // glimt_sampling/src/sobol.rs:195
+    let _e24 = sobol_reversed(_e22, dimension_4);
+    let _e25 = scramble_1(_e24, dimension_4, _e18);
+    let _e28 = sobol_reversed(_e22, (dimension_4 + 1u));
+    let _e31 = scramble_1(_e28, (dimension_4 + 1u), _e18);
+    return vec2<u32>(_e25, _e31);
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_17: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_17);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_17);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:166
+fn PatternSource_next_uvec2_(this_18: ptr<function, PatternSource>) -> vec2<u32> {
+    var chosen_4: vec2<u32>;
+    var borrowed_2: OwenSobol;
+    var borrowed_3: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:167
+    let _e5 = (*this_18).is_sobol;
+    if _e5 {
+        // glimt_render_gpu/src/kernels/pattern.rs:168
+        let _e9 = (*this_18).point;
+        borrowed_2 = _e9;
+        let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
+        let _e11 = borrowed_2;
+        (*this_18).point = _e11;
+        chosen_4 = _e10;
+    } else {
+        // glimt_render_gpu/src/kernels/pattern.rs:170
+        let _e15 = (*this_18).generator;
+        borrowed_3 = _e15;
+        let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
+        let _e17 = borrowed_3;
+        (*this_18).generator = _e17;
+        chosen_4 = _e16;
+    }
+    let _e18 = chosen_4;
+    return _e18;
 }
 
 // glimt_sampling/src/uniform.rs:22
@@ -832,83 +1721,1087 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(_e4, _e6);
 }
 
-// glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/group_light.rs:137
+fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_5: vec2<u32>, cells_start_5: u32, pattern: PixelPattern, rays: f32, group: Group, word: u32, points_start_3: u32, points_len_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/camera.rs:24
-    let x_8 = (((2f * p.x) / f32(size.x)) - 1f);
-    // glimt_render_gpu/src/kernels/camera.rs:25
-    let y_2 = (((2f * p.y) / f32(size.y)) - 1f);
-    // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_8.forward + (this_8.right * x_8)) - (this_8.up * y_2)));
+    // glimt_render_gpu/src/kernels/group_light.rs:138
+    let _e6 = unit_f32_(word);
+    let k_3 = u32((_e6 * f32(group.members)));
+    // glimt_render_gpu/src/kernels/group_light.rs:139
+    let _e16 = Group_ray(group, min(k_3, (group.members - 1u)), points_start_3, points_len_3);
+    return _e16;
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:151
-fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
+// glimt_sampling/src/math.rs:45
+fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 
-    // glimt_render_gpu/src/kernels/frame.rs:152
-    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:153
-    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:159
-    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
-    return _e22;
+    // glimt_sampling/src/math.rs:46
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
+    // glimt_sampling/src/math.rs:47
+    let a_6 = (-1f / (sign_ + n_2.z));
+    // glimt_sampling/src/math.rs:48
+    let c_3 = ((n_2.x * n_2.y) * a_6);
+    // glimt_sampling/src/math.rs:49
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_6)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_6)), -(n_2.y)), n_2);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:103
-fn PixelPattern_ray_key(this_10: PixelPattern, purpose_4: u32) -> u32 {
+// glimt_sampling/src/math.rs:66
+fn ShadingFrame_to_local(this_19: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:104
-    let _e4 = PixelPattern_key(this_10, purpose_4);
-    let _e6 = hash2_(_e4, this_10.ray);
+    // glimt_sampling/src/math.rs:67
+    return vec3<f32>(dot(v_1, this_19.t), dot(v_1, this_19.b), dot(v_1, this_19.n));
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:76
+fn SeenPoint_shading_point(this_20: SeenPoint) -> ShadingPoint {
+
+    // glimt_render_gpu/src/kernels/seen.rs:77
+    let _e4 = ShadingFrame_from_normal(this_20.normal);
+    // glimt_render_gpu/src/kernels/seen.rs:78
+    let _e9 = ShadingFrame_to_local(_e4, this_20.wo);
+    return ShadingPoint(this_20.origin, this_20.geometric_normal, _e4, _e9, BlinnPhong(this_20.diffuse, this_20.specular, this_20.exponent), this_20.emission);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:66
+fn lobe_of(point_1: ShadingPoint) -> BlinnPhong {
+
+    // glimt_render_gpu/src/kernels/group_light.rs:67
+    return BlinnPhong(vec3(0f), point_1.brdf.specular, point_1.brdf.exponent);
+}
+
+// glimt_brdf/src/blinn_phong.rs:116
+fn BlinnPhong_pmf_specular(this_21: BlinnPhong) -> f32 {
+    var chosen_5: f32;
+
+    // glimt_brdf/src/blinn_phong.rs:117
+    let _e4 = luminance(this_21.specular);
+    // glimt_brdf/src/blinn_phong.rs:118
+    let _e7 = luminance(this_21.diffuse);
+    let both_4 = (_e7 + _e4);
+    // glimt_brdf/src/blinn_phong.rs:119
+    if (both_4 > 0f) {
+        chosen_5 = (_e4 / both_4);
+    } else {
+        chosen_5 = 0f;
+    }
+    let _e15 = chosen_5;
+    return _e15;
+}
+
+// glimt_sampling/src/warp.rs:190
+fn height_of(direction_1: vec3<f32>) -> f32 {
+    var chosen_6: f32;
+
+    // glimt_sampling/src/warp.rs:191
+    if (direction_1.z > 0f) {
+        // glimt_sampling/src/warp.rs:192
+        chosen_6 = (((direction_1.x * direction_1.x) + (direction_1.y * direction_1.y)) / (1f + direction_1.z));
+    } else {
+        // glimt_sampling/src/warp.rs:194
+        chosen_6 = (1f - direction_1.z);
+    }
+    let _e23 = chosen_6;
+    return _e23;
+}
+
+// glimt_sampling/src/warp.rs:201
+fn ln_cos_theta(direction_2: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:202
+    let _e3 = height_of(direction_2);
+    // glimt_sampling/src/warp.rs:203
+    if (_e3 < 0.1f) {
+        // glimt_sampling/src/warp.rs:204
+        let tail_1 = ((1f / 3f) + (_e3 * (0.25f + (_e3 * (0.2f + (_e3 * ((1f / 6f) + (_e3 / 7f))))))));
+        // glimt_sampling/src/warp.rs:205
+        return (0f - (_e3 * (1f + (_e3 * (0.5f + (_e3 * tail_1))))));
+    }
+    // glimt_sampling/src/warp.rs:207
+    return log(direction_2.z);
+}
+
+// glimt_sampling/src/warp.rs:289
+fn pdf_power_cosine_sr(direction_3: vec3<f32>, exponent_4: f32) -> f32 {
+    var chosen_7: f32;
+
+    // glimt_sampling/src/warp.rs:290
+    let normalisation_1 = ((exponent_4 + 1f) * (0.5f * 0.31830987f));
+    // glimt_sampling/src/warp.rs:291
+    if (exponent_4 <= 0f) {
+        // glimt_sampling/src/warp.rs:292
+        if (direction_3.z >= 0f) {
+            // glimt_sampling/src/warp.rs:293
+            chosen_7 = normalisation_1;
+        } else {
+            // glimt_sampling/src/warp.rs:295
+            chosen_7 = 0f;
+        }
+        let _e21 = chosen_7;
+        return _e21;
+    }
+    // glimt_sampling/src/warp.rs:298
+    if (direction_3.z <= 0f) {
+        // glimt_sampling/src/warp.rs:299
+        return 0f;
+    }
+    // glimt_sampling/src/warp.rs:301
+    let _e29 = ln_cos_theta(direction_3);
+    return (normalisation_1 * exp((exponent_4 * _e29)));
+}
+
+// glimt_sampling/src/warp.rs:182
+fn cos_sin_turns(turns: f32) -> vec2<f32> {
+    var chosen_8: f32;
+
+    // glimt_sampling/src/warp.rs:183
+    if (turns < 0.5f) {
+        chosen_8 = turns;
+    } else {
+        chosen_8 = (turns - 1f);
+    }
+    let signed = chosen_8;
+    // glimt_sampling/src/warp.rs:184
+    let phi = (6.2831855f * signed);
+    // glimt_sampling/src/warp.rs:185
+    return vec2<f32>(cos(phi), sin(phi));
+}
+
+// glimt_sampling/src/warp.rs:257
+fn sample_power_cosine(u_2: vec2<f32>, exponent_5: f32) -> DirectionSample {
+    var sin2_theta_1: f32;
+    var cos_theta: f32;
+
+    // glimt_sampling/src/warp.rs:258
+    if (u_2.x <= 0f) {
+        // glimt_sampling/src/warp.rs:259
+        let _e16 = pdf_power_cosine_sr(vec3<f32>(1f, 0f, 0f), exponent_5);
+        return DirectionSample(vec3<f32>(1f, 0f, 0f), _e16);
+    }
+    // glimt_sampling/src/warp.rs:266
+    let t_6 = ((2f / (exponent_5 + 1f)) * (0f - log(u_2.x)));
+    // glimt_sampling/src/warp.rs:269
+    if (t_6 < 0.25f) {
+        // glimt_sampling/src/warp.rs:270
+        let tail_2 = ((1f / 6f) - (t_6 * ((1f / 24f) - (t_6 * ((1f / 120f) - (t_6 / 720f))))));
+        // glimt_sampling/src/warp.rs:271
+        sin2_theta_1 = max((t_6 * (1f - (t_6 * (0.5f - (t_6 * tail_2))))), 0f);
+        // glimt_sampling/src/warp.rs:272
+        let _e62 = sin2_theta_1;
+        cos_theta = sqrt((1f - _e62));
+    } else {
+        // glimt_sampling/src/warp.rs:274
+        cos_theta = exp((-0.5f * t_6));
+        // glimt_sampling/src/warp.rs:275
+        let _e71 = cos_theta;
+        let _e72 = cos_theta;
+        sin2_theta_1 = (1f - (_e71 * _e72));
+    }
+    // glimt_sampling/src/warp.rs:277
+    let _e76 = sin2_theta_1;
+    let sin_theta = sqrt(_e76);
+    // glimt_sampling/src/warp.rs:278
+    let _e80 = cos_sin_turns(u_2.y);
+    // glimt_sampling/src/warp.rs:279
+    let _e86 = cos_theta;
+    let direction_10 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
+    // glimt_sampling/src/warp.rs:280
+    let _e89 = pdf_power_cosine_sr(direction_10, exponent_5);
+    return DirectionSample(direction_10, _e89);
+}
+
+// glimt_sampling/src/warp.rs:31
+fn sample_concentric_disk(u_3: vec2<f32>) -> vec2<f32> {
+
+    // glimt_sampling/src/warp.rs:32
+    let a_7 = ((2f * u_3.x) - 1f);
+    // glimt_sampling/src/warp.rs:33
+    let b_3 = ((2f * u_3.y) - 1f);
+    // glimt_sampling/src/warp.rs:34
+    if ((a_7 == 0f) && (b_3 == 0f)) {
+        // glimt_sampling/src/warp.rs:35
+        return vec2(0f);
+    }
+    // glimt_sampling/src/warp.rs:37
+    if ((a_7 * a_7) > (b_3 * b_3)) {
+        // glimt_sampling/src/warp.rs:38
+        let phi_1 = (0.7853982f * (b_3 / a_7));
+        // glimt_sampling/src/warp.rs:39
+        return vec2<f32>((a_7 * cos(phi_1)), (a_7 * sin(phi_1)));
+    }
+    // glimt_sampling/src/warp.rs:41
+    let phi_2 = (0.7853982f * (a_7 / b_3));
+    // glimt_sampling/src/warp.rs:42
+    return vec2<f32>((b_3 * sin(phi_2)), (b_3 * cos(phi_2)));
+}
+
+// glimt_sampling/src/warp.rs:88
+fn sample_cosine_hemisphere(u_4: vec2<f32>) -> DirectionSample {
+
+    // glimt_sampling/src/warp.rs:89
+    let _e3 = sample_concentric_disk(u_4);
+    // glimt_sampling/src/warp.rs:92
+    let _e10 = abs(((2f * u_4) - vec2(1f)));
+    let r_2 = max(_e10.x, _e10.y);
+    // glimt_sampling/src/warp.rs:93
+    let z_2 = sqrt(((1f - r_2) * (1f + r_2)));
+    // glimt_sampling/src/warp.rs:94
+    return DirectionSample(vec3<f32>(_e3, z_2), (z_2 * 0.31830987f));
+}
+
+// glimt_sampling/src/warp.rs:103
+fn pdf_cosine_hemisphere_sr(direction_4: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:104
+    return (max(direction_4.z, 0f) * 0.31830987f);
+}
+
+// glimt_brdf/src/lobe.rs:20
+fn HalfVector_new(wo_2: vec3<f32>, wi: vec3<f32>) -> HalfVector {
+
+    // glimt_brdf/src/lobe.rs:21
+    let sum_4 = (wo_2 + wi);
+    // glimt_brdf/src/lobe.rs:23
+    let length2_ = max(dot(sum_4, sum_4), 0.00000000000000000001f);
+    // glimt_brdf/src/lobe.rs:24
+    return HalfVector(((sum_4.z * sum_4.z) / length2_), (((sum_4.x * sum_4.x) + (sum_4.y * sum_4.y)) / length2_), (0.5f * sqrt(length2_)));
+}
+
+// glimt_brdf/src/lobe.rs:59
+fn cosine_power(cos2_theta: f32, sin2_theta_2: f32, exponent_6: f32) -> f32 {
+    var chosen_9: f32;
+
+    // glimt_brdf/src/lobe.rs:60
+    if (sin2_theta_2 < (1f / 16f)) {
+        // glimt_brdf/src/lobe.rs:62
+        let t_7 = (sin2_theta_2 / (2f - sin2_theta_2));
+        // glimt_brdf/src/lobe.rs:63
+        let t2_ = (t_7 * t_7);
+        // glimt_brdf/src/lobe.rs:64
+        chosen_9 = ((-2f * t_7) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
+    } else {
+        // glimt_brdf/src/lobe.rs:66
+        chosen_9 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
+    }
+    let log_cos2_ = chosen_9;
+    // glimt_brdf/src/lobe.rs:68
+    let log_power = ((0.5f * exponent_6) * log_cos2_);
+    // glimt_brdf/src/lobe.rs:69
+    if (log_power < -85f) {
+        // glimt_brdf/src/lobe.rs:70
+        return 0f;
+    }
+    // glimt_brdf/src/lobe.rs:72
+    return exp(log_power);
+}
+
+// glimt_brdf/src/lobe.rs:32
+fn HalfVector_lobe(this_22: HalfVector, exponent_7: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:33
+    let _e6 = cosine_power(this_22.cos2_theta, this_22.sin2_theta, exponent_7);
     return _e6;
 }
 
+// glimt_brdf/src/lobe.rs:37
+fn HalfVector_pdf_sr(this_23: HalfVector, exponent_8: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:38
+    let _e10 = HalfVector_lobe(this_23, exponent_8);
+    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_23.wo_dot_h));
+}
+
+// glimt_brdf/src/blinn_phong.rs:99
+fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+
+    // glimt_brdf/src/blinn_phong.rs:100
+    if ((wo_3.z <= 0f) || (wi_1.z <= 0f)) {
+        // glimt_brdf/src/blinn_phong.rs:101
+        return 0f;
+    }
+    // glimt_brdf/src/blinn_phong.rs:103
+    let _e15 = pdf_cosine_hemisphere_sr(wi_1);
+    // glimt_brdf/src/blinn_phong.rs:104
+    let _e17 = BlinnPhong_pmf_specular(this_24);
+    // glimt_brdf/src/blinn_phong.rs:105
+    if (_e17 <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:106
+        return _e15;
+    }
+    // glimt_brdf/src/blinn_phong.rs:108
+    let _e23 = HalfVector_new(wo_3, wi_1);
+    let _e25 = HalfVector_pdf_sr(_e23, this_24.exponent);
+    // glimt_brdf/src/blinn_phong.rs:109
+    return ((_e17 * _e25) + ((1f - _e17) * _e15));
+}
+
+// glimt_brdf/src/blinn_phong.rs:80
+fn BlinnPhong_sample(this_25: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+    var chosen_10: vec3<f32>;
+
+    // glimt_brdf/src/blinn_phong.rs:81
+    let _e7 = unit_f32_(u_lobe);
+    let _e8 = BlinnPhong_pmf_specular(this_25);
+    if (_e7 < _e8) {
+        // glimt_brdf/src/blinn_phong.rs:82
+        let _e12 = sample_power_cosine(u_5, this_25.exponent);
+        let h = _e12.direction;
+        // glimt_brdf/src/blinn_phong.rs:83
+        chosen_10 = (((2f * dot(wo_4, h)) * h) - wo_4);
+    } else {
+        // glimt_brdf/src/blinn_phong.rs:85
+        let _e21 = sample_cosine_hemisphere(u_5);
+        chosen_10 = _e21.direction;
+    }
+    let wi_4 = chosen_10;
+    // glimt_brdf/src/blinn_phong.rs:87
+    let _e25 = BlinnPhong_pdf_sr(this_25, wo_4, wi_4);
+    return BrdfSample(wi_4, _e25);
+}
+
+// glimt_sampling/src/math.rs:59
+fn ShadingFrame_to_world(this_26: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:60
+    return (((this_26.t * v_2.x) + (this_26.b * v_2.y)) + (this_26.n * v_2.z));
+}
+
+// glimt_probe/src/latlong.rs:45
+fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
+    var chosen_11: f32;
+    var chosen_12: f32;
+
+    // glimt_probe/src/latlong.rs:46
+    let horizontal = sqrt(((d_1.x * d_1.x) + (d_1.y * d_1.y)));
+    // glimt_probe/src/latlong.rs:47
+    if (horizontal <= 0f) {
+        // glimt_probe/src/latlong.rs:48
+        if (d_1.z < 0f) {
+            chosen_11 = 1f;
+        } else {
+            chosen_11 = 0f;
+        }
+        let v_6 = chosen_11;
+        // glimt_probe/src/latlong.rs:49
+        return vec2<f32>(0.5f, v_6);
+    }
+    // glimt_probe/src/latlong.rs:52
+    let v_7 = (atan2(horizontal, d_1.z) * 0.31830987f);
+    // glimt_probe/src/latlong.rs:53
+    let u_12 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
+    // glimt_probe/src/latlong.rs:54
+    if (u_12 < 1f) {
+        chosen_12 = max(u_12, 0f);
+    } else {
+        chosen_12 = 0f;
+    }
+    let _e47 = chosen_12;
+    return vec2<f32>(_e47, clamp(v_7, 0f, 1f));
+}
+
+// glimt_probe/src/latlong.rs:68
+fn direction_to_texel(d_2: vec3<f32>, size_5: vec2<u32>) -> vec2<u32> {
+
+    // glimt_probe/src/latlong.rs:69
+    let size_21 = max(size_5, vec2(1u));
+    // glimt_probe/src/latlong.rs:70
+    let _e8 = direction_to_uv(d_2);
+    let position = (_e8 * vec2<f32>(size_21));
+    // glimt_probe/src/latlong.rs:71
+    return min(vec2<u32>(position), (size_21 - vec2(1u)));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:97
+fn Environment_texel(size_6: vec2<u32>, rotation_2: vec2<f32>, direction_5: vec3<f32>) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:98
+    let _e5 = Environment_to_map(size_6, rotation_2, direction_5);
+    let _e6 = direction_to_texel(_e5, size_6);
+    return _e6;
+}
+
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin(start_1: u32, bins: u32, u_6: u32) -> Bin {
+    var at: u32;
+    var left: u32;
+
+    // glimt_envmap_cdf/src/search.rs:33
+    at = start_1;
+    // glimt_envmap_cdf/src/search.rs:34
+    left = bins;
+    // glimt_envmap_cdf/src/search.rs:35
+    loop {
+        let _e9 = left;
+        if !((_e9 > 1u)) {
+            break;
+        }
+        // glimt_envmap_cdf/src/search.rs:36
+        let _e14 = left;
+        let half_1 = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at;
+        let _e22 = env_tables[(_e18 + half_1)];
+        if (_e22 <= u_6) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at;
+            at = (_e25 + half_1);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left;
+        left = (_e28 - half_1);
+    }
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at;
+    let first_4 = env_tables[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at;
+    let _e38 = at;
+    let _e43 = env_tables[(_e38 + 1u)];
+    return Bin((_e36 - start_1), first_4, (_e43 - first_4));
+}
+
+// glimt_light_cells/src/partition.rs:99
+fn column_of(x_6: u32, width: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:100
+    return (((32u * (x_6 + 1u)) - 1u) / width);
+}
+
+// glimt_light_cells/src/partition.rs:133
+fn LightCells_cell_of(size_7: vec2<u32>, start_2: u32, texel: vec2<u32>) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:134
+    let _e7 = find_bin(start_2, 16u, texel.y);
+    let row_3 = _e7.index;
+    // glimt_light_cells/src/partition.rs:135
+    let _e14 = column_of(texel.x, size_7.x);
+    return ((row_3 * 32u) + _e14);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:166
+fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_6: vec2<u32>, cells_start_6: u32, pattern_1: PixelPattern, rays_1: f32, group_1: Group, index_9: u32, points_start_4: u32, points_len_4: u32) -> Look {
+    var source: PatternSource;
+
+    // glimt_render_gpu/src/kernels/group_light.rs:167
+    let _e13 = PixelPattern_point(pattern_1, 11u, index_9);
+    source = _e13;
+    // glimt_render_gpu/src/kernels/group_light.rs:168
+    let _e16 = PatternSource_next_uvec2_((&source));
+    let _e17 = unit_vec2_(_e16);
+    // glimt_render_gpu/src/kernels/group_light.rs:169
+    let _e19 = PatternSource_next_u32_((&source));
+    let _e20 = GroupLight_member(env_size_2, env_rotation_2, cells_size_6, cells_start_6, pattern_1, rays_1, group_1, _e19, points_start_4, points_len_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:170
+    let _e25 = points[(points_start_4 + _e20)];
+    let _e26 = SeenPoint_shading_point(_e25);
+    // glimt_render_gpu/src/kernels/group_light.rs:171
+    let _e28 = lobe_of(_e26);
+    let _e31 = BlinnPhong_sample(_e28, _e26.wo, 0u, _e17);
+    // glimt_render_gpu/src/kernels/group_light.rs:172
+    let _e35 = ShadingFrame_to_world(_e26.frame, _e31.wi);
+    // glimt_render_gpu/src/kernels/group_light.rs:173
+    let _e37 = Environment_texel(env_size_2, env_rotation_2, _e35);
+    // glimt_render_gpu/src/kernels/group_light.rs:174
+    let _e39 = Environment_to_map(env_size_2, env_rotation_2, _e35);
+    let _e40 = LightCells_cell_of(cells_size_6, cells_start_6, _e37);
+    return Look(_e39, _e35, _e37, _e40, _e20, (_e31.pdf_sr > 0f));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:417
+fn Place_new(target_: f32) -> Place {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:418
+    return Place(target_, 0f, 0u, 0f, 0f, false);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:430
+fn Place_offer(this_27: ptr<function, Place>, index_10: u32, width_1: f32) {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:431
+    let _e8 = (*this_27).is_found;
+    if ((width_1 > 0f) && !(_e8)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:432
+        (*this_27).index = index_10;
+        // glimt_render_gpu/src/kernels/proposal.rs:433
+        let _e15 = (*this_27).sum;
+        (*this_27).first = _e15;
+        // glimt_render_gpu/src/kernels/proposal.rs:434
+        (*this_27).width = width_1;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:436
+    let _e21 = (*this_27).sum;
+    (*this_27).sum = (_e21 + width_1);
+    // glimt_render_gpu/src/kernels/proposal.rs:437
+    let _e25 = (*this_27).is_found;
+    let _e27 = (*this_27).sum;
+    let _e29 = (*this_27).target_;
+    (*this_27).is_found = (_e25 || (_e27 > _e29));
+    return;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:443
+fn Place_word(this_28: Place, whole: f32, fraction: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:444
+    let unit_1 = (whole * (1f / 16777216f));
+    // glimt_render_gpu/src/kernels/proposal.rs:445
+    let fine = ((this_28.target_ - this_28.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
+    // glimt_render_gpu/src/kernels/proposal.rs:446
+    let place_2 = clamp((fine / max(this_28.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    // glimt_render_gpu/src/kernels/proposal.rs:447
+    return ((u32((place_2 * 16777216f)) << 8u) | (fraction & 255u));
+}
+
+// glimt_light_cells/src/partition.rs:140
+fn LightCells_texel_rows(size_8: vec2<u32>, start_3: u32, row: u32) -> vec2<u32> {
+
+    // glimt_light_cells/src/partition.rs:141
+    let at_5 = (start_3 + row);
+    // glimt_light_cells/src/partition.rs:142
+    let _e8 = env_tables[at_5];
+    let _e13 = env_tables[(at_5 + 1u)];
+    return vec2<u32>(_e8, _e13);
+}
+
+// glimt_light_cells/src/partition.rs:73
+fn first_row_word() -> u32 {
+
+    // glimt_light_cells/src/partition.rs:74
+    return (32u + (19u * 512u));
+}
+
+// glimt_light_cells/src/partition.rs:147
+fn LightCells_row_edges(size_9: vec2<u32>, start_4: u32, cell: u32, rows: vec2<u32>) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:148
+    let _e9 = Tuple_u32_u32_((cell % 32u), (cell / 32u));
+    let column_1 = _e9.fa;
+    let row_4 = _e9.fb;
+    // glimt_light_cells/src/partition.rs:149
+    let of_band = (32u * (rows.x + row_4));
+    // glimt_light_cells/src/partition.rs:150
+    let _e18 = first_row_word();
+    return (((start_4 + _e18) + of_band) + (column_1 * ((rows.y - rows.x) + 1u)));
+}
+
+// glimt_light_cells/src/partition.rs:92
+fn first_column(column: u32, width_2: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:93
+    return ((column * width_2) / 32u);
+}
+
+// glimt_light_cells/src/partition.rs:105
+fn column_unit(u_7: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:106
+    return (u_7 >> 17u);
+}
+
+// glimt_light_cells/src/partition.rs:79
+fn first_column_word(size_10: vec2<u32>) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:80
+    let _e3 = first_row_word();
+    return (_e3 + (32u * (size_10.y + 16u)));
+}
+
+// glimt_light_cells/src/partition.rs:85
+fn column_words(width_3: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:86
+    let _e4 = (width_3 / 2u);
+    return select(_e4, (_e4 + 1u), ((width_3 % 2u) != 0u));
+}
+
+// glimt_light_cells/src/partition.rs:155
+fn LightCells_column_edge(size_11: vec2<u32>, start_5: u32, x_7: u32, y_1: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:156
+    let _e6 = first_column_word(size_11);
+    let _e9 = column_words(size_11.x);
+    let at_6 = (((start_5 + _e6) + (y_1 * _e9)) + (x_7 / 2u));
+    // glimt_light_cells/src/partition.rs:157
+    let _e18 = env_tables[at_6];
+    return ((_e18 >> ((16u * (x_7 & 1u)) & 31u)) & 65535u);
+}
+
+// glimt_light_cells/src/partition.rs:209
+fn LightCells_pmf(size_12: vec2<u32>, start_6: u32, row_1: Bin, texel_1: vec2<u32>, first_1: u32) -> f32 {
+    var chosen_13: u32;
+
+    // glimt_light_cells/src/partition.rs:210
+    if (texel_1.x > first_1) {
+        // glimt_light_cells/src/partition.rs:211
+        let _e15 = LightCells_column_edge(size_12, start_6, (texel_1.x - 1u), texel_1.y);
+        chosen_13 = _e15;
+    } else {
+        // glimt_light_cells/src/partition.rs:213
+        chosen_13 = 0u;
+    }
+    let lower = chosen_13;
+    // glimt_light_cells/src/partition.rs:215
+    let _e22 = LightCells_column_edge(size_12, start_6, texel_1.x, texel_1.y);
+    let units = (_e22 - lower);
+    // glimt_light_cells/src/partition.rs:216
+    return ((f32(row_1.units) * (1f / 2147483600f)) * (f32(units) * (1f / 32768f)));
+}
+
+// glimt_light_cells/src/partition.rs:163
+fn LightCells_sample(size_13: vec2<u32>, start_7: u32, cell_1: u32, u_8: vec2<u32>) -> TexelDraw {
+    var at_1: u32;
+    var left_1: u32;
+
+    // glimt_light_cells/src/partition.rs:164
+    let _e8 = LightCells_texel_rows(size_13, start_7, (cell_1 / 32u));
+    // glimt_light_cells/src/partition.rs:165
+    let _e10 = LightCells_row_edges(size_13, start_7, cell_1, _e8);
+    // glimt_light_cells/src/partition.rs:166
+    let _e18 = find_bin(_e10, (_e8.y - _e8.x), (u_8.y >> 1u));
+    // glimt_light_cells/src/partition.rs:172
+    let y_2 = (_e8.x + _e18.index);
+    // glimt_light_cells/src/partition.rs:173
+    let column_2 = (cell_1 % 32u);
+    // glimt_light_cells/src/partition.rs:174
+    let _e28 = first_column(column_2, size_13.x);
+    // glimt_light_cells/src/partition.rs:176
+    let _e31 = column_unit(u_8.x);
+    // glimt_light_cells/src/partition.rs:177
+    at_1 = _e28;
+    // glimt_light_cells/src/partition.rs:178
+    let _e38 = first_column((column_2 + 1u), size_13.x);
+    left_1 = (_e38 - _e28);
+    // glimt_light_cells/src/partition.rs:179
+    loop {
+        let _e42 = left_1;
+        if !((_e42 > 1u)) {
+            break;
+        }
+        // glimt_light_cells/src/partition.rs:180
+        let _e47 = left_1;
+        let half_2 = (_e47 / 2u);
+        // glimt_light_cells/src/partition.rs:181
+        let _e51 = at_1;
+        let _e55 = LightCells_column_edge(size_13, start_7, ((_e51 + half_2) - 1u), y_2);
+        if (_e55 <= _e31) {
+            // glimt_light_cells/src/partition.rs:182
+            let _e58 = at_1;
+            at_1 = (_e58 + half_2);
+        }
+        // glimt_light_cells/src/partition.rs:184
+        let _e61 = left_1;
+        left_1 = (_e61 - half_2);
+    }
+    // glimt_light_cells/src/partition.rs:186
+    let _e64 = at_1;
+    let _e66 = at_1;
+    let _e68 = LightCells_pmf(size_13, start_7, _e18, vec2<u32>(_e66, y_2), _e28);
+    return TexelDraw(vec2<u32>(_e64, y_2), _e68);
+}
+
+// glimt_probe/src/trig.rs:25
+fn cos_sin_pi(x_8: f32) -> vec2<f32> {
+    var chosen_14: vec2<f32>;
+
+    // glimt_probe/src/trig.rs:27
+    let quarter = floor(((2f * x_8) + 0.5f));
+    // glimt_probe/src/trig.rs:28
+    let y_3 = (x_8 - (0.5f * quarter));
+    // glimt_probe/src/trig.rs:29
+    let y2_ = (y_3 * y_3);
+    // glimt_probe/src/trig.rs:31
+    let c_4 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
+    // glimt_probe/src/trig.rs:34
+    let s_2 = (y_3 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    // glimt_probe/src/trig.rs:37
+    let _e49 = (i32(quarter) & 3i);
+    if (_e49 == 0i) {
+        // glimt_probe/src/trig.rs:38
+        chosen_14 = vec2<f32>(c_4, (s_2 + 0f));
+    } else {
+        if (_e49 == 1i) {
+            // glimt_probe/src/trig.rs:39
+            chosen_14 = vec2<f32>((0f - s_2), c_4);
+        } else {
+            if (_e49 == 2i) {
+                // glimt_probe/src/trig.rs:40
+                chosen_14 = vec2<f32>((0f - c_4), (0f - s_2));
+            } else {
+                // glimt_probe/src/trig.rs:41
+                chosen_14 = vec2<f32>((s_2 + 0f), (0f - c_4));
+            }
+        }
+    }
+    let _e77 = chosen_14;
+    return _e77;
+}
+
+// glimt_probe/src/latlong.rs:142
+fn direction_in_texel(texel_2: vec2<u32>, size_14: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+    var chosen_15: u32;
+    var chosen_16: u32;
+    var chosen_17: f32;
+
+    // glimt_probe/src/latlong.rs:143
+    let size_22 = max(size_14, vec2(1u));
+    // glimt_probe/src/latlong.rs:144
+    let row_5 = min(texel_2.y, (size_22.y - 1u));
+    // glimt_probe/src/latlong.rs:146
+    let southern = ((2u * row_5) >= size_22.y);
+    // glimt_probe/src/latlong.rs:147
+    if southern {
+        chosen_15 = (size_22.y - row_5);
+    } else {
+        chosen_15 = row_5;
+    }
+    let upper = chosen_15;
+    // glimt_probe/src/latlong.rs:148
+    if southern {
+        chosen_16 = ((size_22.y - row_5) - 1u);
+    } else {
+        chosen_16 = (row_5 + 1u);
+    }
+    let lower_1 = chosen_16;
+    // glimt_probe/src/latlong.rs:149
+    let half_3 = (0.5f / f32(size_22.y));
+    // glimt_probe/src/latlong.rs:150
+    let _e41 = cos_sin_pi((f32(upper) * half_3));
+    let sin_upper = _e41.y;
+    // glimt_probe/src/latlong.rs:151
+    let _e46 = cos_sin_pi((f32(lower_1) * half_3));
+    let sin_lower = _e46.y;
+    // glimt_probe/src/latlong.rs:152
+    let s_upper = (sin_upper * sin_upper);
+    // glimt_probe/src/latlong.rs:153
+    let s_3 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
+    // glimt_probe/src/latlong.rs:154
+    let sin_theta_1 = (2f * sqrt(max((s_3 * (1f - s_3)), 0f)));
+    // glimt_probe/src/latlong.rs:155
+    if southern {
+        // glimt_probe/src/latlong.rs:156
+        chosen_17 = ((2f * s_3) - 1f);
+    } else {
+        // glimt_probe/src/latlong.rs:158
+        chosen_17 = (1f - (2f * s_3));
+    }
+    let cos_theta_1 = chosen_17;
+    // glimt_probe/src/latlong.rs:160
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_2.x) + r.x)) / f32(size_22.x))));
+    // glimt_probe/src/latlong.rs:161
+    return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:349
+fn Proposal_sample_cells(this_29: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u32>, cells_start_7: u32, expected_2: Unknown) -> CellDraw {
+    var self_: Proposal;
+    var row_place: Place;
+    var counter_6: u32;
+    var sum_2: f32;
+    var counter_7: u32;
+    var block_place: Place;
+    var counter_8: u32;
+    var cell_place: Place;
+    var counter_9: u32;
+
+    self_ = this_29;
+    // glimt_render_gpu/src/kernels/proposal.rs:355
+    let per_row = (64u / 16u);
+    // glimt_render_gpu/src/kernels/proposal.rs:357
+    let _e13 = unit_f32_(u_9.y);
+    let _e15 = self_.total;
+    let _e17 = Place_new((_e13 * _e15));
+    row_place = _e17;
+    // glimt_render_gpu/src/kernels/proposal.rs:358
+    counter_6 = 0u;
+    loop {
+        let row_6 = counter_6;
+        if (row_6 >= 16u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:359
+        sum_2 = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:360
+        counter_7 = (row_6 * per_row);
+        loop {
+            let block_2 = counter_7;
+            if (block_2 >= ((row_6 + 1u) * per_row)) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/proposal.rs:361
+            let _e39 = self_.blocks[block_2];
+            let _e40 = sum_2;
+            sum_2 = (_e40 + _e39);
+            continuing {
+                let _e42 = counter_7;
+                counter_7 = (_e42 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:363
+        let _e46 = sum_2;
+        Place_offer((&row_place), row_6, _e46);
+        continuing {
+            let _e47 = counter_6;
+            counter_6 = (_e47 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:365
+    let _e52 = row_place.index;
+    let first_5 = (_e52 * per_row);
+    // glimt_render_gpu/src/kernels/proposal.rs:366
+    let _e56 = unit_f32_(u_9.x);
+    let _e58 = row_place.width;
+    let target_1 = (_e56 * _e58);
+    // glimt_render_gpu/src/kernels/proposal.rs:367
+    let _e61 = Place_new(target_1);
+    block_place = _e61;
+    // glimt_render_gpu/src/kernels/proposal.rs:368
+    counter_8 = first_5;
+    loop {
+        let block_3 = counter_8;
+        if (block_3 >= (first_5 + per_row)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:369
+        let _e71 = self_.blocks[block_3];
+        Place_offer((&block_place), block_3, _e71);
+        continuing {
+            let _e72 = counter_8;
+            counter_8 = (_e72 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:371
+    let _e77 = block_place.first;
+    let _e78 = Place_new(target_1);
+    cell_place = Place(_e78.target_, _e77, _e78.index, _e78.first, _e78.width, _e78.is_found);
+    // glimt_render_gpu/src/kernels/proposal.rs:375
+    counter_9 = 0u;
+    loop {
+        let half_4 = counter_9;
+        if (half_4 >= 2u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:376
+        let _e95 = block_place.index;
+        let quad_5 = ((2u * _e95) + half_4);
+        // glimt_render_gpu/src/kernels/proposal.rs:377
+        let _e100 = LightCells_quad(cells_size_7, cells_start_7, 0u, quad_5);
+        // glimt_render_gpu/src/kernels/proposal.rs:378
+        let _e104 = self_.of_.surface;
+        let _e105 = CellSurface_terms(_e104, cells_size_7, cells_start_7, quad_5);
+        // glimt_render_gpu/src/kernels/proposal.rs:379
+        let _e109 = self_.of_.surface;
+        let _e110 = Unknown_quad(expected_2, quad_5);
+        let _e111 = weights(_e109, _e105, _e100, _e110);
+        // glimt_render_gpu/src/kernels/proposal.rs:380
+        let _e116 = self_.defence;
+        let all_1 = (_e111 + ((_e100 * _e105.live) * _e116));
+        // glimt_render_gpu/src/kernels/proposal.rs:381
+        Place_offer((&cell_place), (4u * quad_5), all_1.x);
+        // glimt_render_gpu/src/kernels/proposal.rs:382
+        Place_offer((&cell_place), ((4u * quad_5) + 1u), all_1.y);
+        // glimt_render_gpu/src/kernels/proposal.rs:383
+        Place_offer((&cell_place), ((4u * quad_5) + 2u), all_1.z);
+        // glimt_render_gpu/src/kernels/proposal.rs:384
+        Place_offer((&cell_place), ((4u * quad_5) + 3u), all_1.w);
+        continuing {
+            let _e141 = counter_9;
+            counter_9 = (_e141 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:386
+    let _e147 = hash2_(u_9.x, u_9.y);
+    // glimt_render_gpu/src/kernels/proposal.rs:387
+    let _e149 = cell_place;
+    let _e151 = row_place.width;
+    let _e154 = Place_word(_e149, _e151, (_e147 & 65535u));
+    let _e155 = row_place;
+    let _e157 = self_.total;
+    let _e160 = Place_word(_e155, _e157, (_e147 >> 16u));
+    let within = vec2<u32>(_e154, _e160);
+    // glimt_render_gpu/src/kernels/proposal.rs:391
+    let _e164 = cell_place.index;
+    let _e165 = LightCells_sample(cells_size_7, cells_start_7, _e164, within);
+    // glimt_render_gpu/src/kernels/proposal.rs:392
+    let _e168 = hash2_(_e147, u_9.x);
+    // glimt_render_gpu/src/kernels/proposal.rs:393
+    let place_3 = vec2<u32>((_e168 << 16u), (_e168 & 4294901760u));
+    // glimt_render_gpu/src/kernels/proposal.rs:394
+    let _e177 = unit_vec2_(place_3);
+    let _e178 = direction_in_texel(_e165.texel, cells_size_7, _e177);
+    let _e181 = cell_place.index;
+    return CellDraw(_e178, _e165.texel, _e181);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:143
+fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_8: vec2<u32>, cells_start_8: u32, pattern_2: PixelPattern, rays_2: f32, group_2: Group, proposal: Proposal, expected_3: Unknown, index_11: u32, points_start_5: u32, points_len_5: u32) -> Look {
+    var proposal_1: Proposal;
+    var source_1: PatternSource;
+
+    proposal_1 = proposal;
+    // glimt_render_gpu/src/kernels/group_light.rs:151
+    let _e16 = PixelPattern_point(pattern_2, 10u, index_11);
+    source_1 = _e16;
+    // glimt_render_gpu/src/kernels/group_light.rs:152
+    let _e19 = PatternSource_next_uvec2_((&source_1));
+    // glimt_render_gpu/src/kernels/group_light.rs:153
+    let _e21 = PatternSource_next_u32_((&source_1));
+    let _e22 = GroupLight_member(env_size_3, env_rotation_3, cells_size_8, cells_start_8, pattern_2, rays_2, group_2, _e21, points_start_5, points_len_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:154
+    let _e24 = proposal_1;
+    let _e25 = Proposal_sample_cells(_e24, _e19, cells_size_8, cells_start_8, expected_3);
+    // glimt_render_gpu/src/kernels/group_light.rs:155
+    let _e29 = rotate_z(_e25.direction, env_rotation_3);
+    return Look(_e25.direction, _e29, _e25.texel, _e25.cell, _e22, true);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:298
+fn Proposal_cell(this_30: Proposal, cell_2: u32, cells_size_9: vec2<u32>, cells_start_9: u32, expected_4: Unknown) -> CellAt {
+    var self_1: Proposal;
+
+    self_1 = this_30;
+    // glimt_render_gpu/src/kernels/proposal.rs:299
+    let _e12 = Tuple_u32_usize((cell_2 / 4u), (cell_2 % 4u));
+    let quad_6 = _e12.fa;
+    let lane = _e12.fb;
+    // glimt_render_gpu/src/kernels/proposal.rs:300
+    let _e17 = LightCells_quad(cells_size_9, cells_start_9, 0u, quad_6);
+    // glimt_render_gpu/src/kernels/proposal.rs:301
+    let _e21 = self_1.of_.surface;
+    let _e22 = CellSurface_terms(_e21, cells_size_9, cells_start_9, quad_6);
+    // glimt_render_gpu/src/kernels/proposal.rs:302
+    let _e24 = Unknown_quad(expected_4, quad_6);
+    // glimt_render_gpu/src/kernels/proposal.rs:303
+    let _e28 = self_1.of_.surface;
+    let _e29 = weights(_e28, _e22, _e17, _e24);
+    // glimt_render_gpu/src/kernels/proposal.rs:304
+    return CellAt(_e29[lane], (_e17 * _e22.live)[lane], _e22.cosine[lane], (_e22.full[lane] > 0.5f), _e22.lobe[lane], _e24[lane]);
+}
+
+// glimt_light_cells/src/partition.rs:195
+fn LightCells_pmf_in_cell(size_15: vec2<u32>, start_8: u32, texel_3: vec2<u32>, cell_3: u32) -> f32 {
+
+    // glimt_light_cells/src/partition.rs:196
+    let _e8 = LightCells_texel_rows(size_15, start_8, (cell_3 / 32u));
+    // glimt_light_cells/src/partition.rs:197
+    let _e10 = LightCells_row_edges(size_15, start_8, cell_3, _e8);
+    let at_7 = ((_e10 + texel_3.y) - _e8.x);
+    // glimt_light_cells/src/partition.rs:198
+    let _e22 = env_tables[(at_7 + 1u)];
+    let _e25 = env_tables[at_7];
+    let of_row = Bin(0u, 0u, (_e22 - _e25));
+    // glimt_light_cells/src/partition.rs:203
+    let _e32 = first_column((cell_3 % 32u), size_15.x);
+    // glimt_light_cells/src/partition.rs:204
+    let _e34 = LightCells_pmf(size_15, start_8, of_row, texel_3, _e32);
+    return _e34;
+}
+
+// glimt_probe/src/latlong.rs:121
+fn texel_solid_angle_sr(row_2: u32, size_16: vec2<u32>) -> f32 {
+
+    // glimt_probe/src/latlong.rs:122
+    let size_23 = max(size_16, vec2(1u));
+    // glimt_probe/src/latlong.rs:123
+    let row_7 = min(row_2, (size_23.y - 1u));
+    // glimt_probe/src/latlong.rs:124
+    let from_pole = min(row_7, ((size_23.y - 1u) - row_7));
+    // glimt_probe/src/latlong.rs:125
+    let half_row = (0.5f / f32(size_23.y));
+    // glimt_probe/src/latlong.rs:126
+    let middle = (f32(((2u * from_pole) + 1u)) * half_row);
+    // glimt_probe/src/latlong.rs:127
+    let _e37 = cos_sin_pi(middle);
+    let _e40 = cos_sin_pi(half_row);
+    return ((((4f * 3.1415927f) / f32(size_23.x)) * _e37.y) * _e40.y);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:317
+fn Proposal_cells_pdf_sr(this_31: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_10: vec2<u32>, cells_start_10: u32) -> f32 {
+    var self_2: Proposal;
+
+    self_2 = this_31;
+    // glimt_render_gpu/src/kernels/proposal.rs:324
+    let _e10 = self_2.total;
+    if !((_e10 > 0f)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:325
+        return 0f;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:327
+    let _e19 = self_2.defence;
+    let weight_2 = (at_2.weight + (_e19 * at_2.live));
+    // glimt_render_gpu/src/kernels/proposal.rs:328
+    let _e25 = self_2.total;
+    let _e27 = LightCells_pmf_in_cell(cells_size_10, cells_start_10, texel_4, cell_4);
+    let pmf = ((weight_2 / _e25) * _e27);
+    // glimt_render_gpu/src/kernels/proposal.rs:329
+    let _e31 = texel_solid_angle_sr(texel_4.y, cells_size_10);
+    return (pmf / _e31);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:104
+fn Environment_radiance(size_17: vec2<u32>, rotation_3: vec2<f32>, texel_5: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:105
+    let _e11 = env_texels[((texel_5.y * size_17.x) + texel_5.x)];
+    return _e11.xyz;
+}
+
+// glimt_brdf/src/blinn_phong.rs:59
+fn BlinnPhong_eval(this_32: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_brdf/src/blinn_phong.rs:60
+    if ((wo_5.z <= 0f) || (wi_2.z <= 0f)) {
+        // glimt_brdf/src/blinn_phong.rs:61
+        return vec3(0f);
+    }
+    // glimt_brdf/src/blinn_phong.rs:63
+    let diffuse_3 = (this_32.diffuse * 0.31830987f);
+    // glimt_brdf/src/blinn_phong.rs:65
+    if (max(max(this_32.specular.x, this_32.specular.y), this_32.specular.z) <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:66
+        return diffuse_3;
+    }
+    // glimt_brdf/src/blinn_phong.rs:68
+    let _e31 = normalisation(this_32.exponent);
+    let _e32 = HalfVector_new(wo_5, wi_2);
+    let _e34 = HalfVector_lobe(_e32, this_32.exponent);
+    let lobe_2 = (_e31 * _e34);
+    // glimt_brdf/src/blinn_phong.rs:69
+    return (diffuse_3 + (this_32.specular * lobe_2));
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:75
+fn reflectance(point_2: ShadingPoint, wi_3: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/group_light.rs:76
+    if (wi_3.z > 0f) {
+        // glimt_render_gpu/src/kernels/group_light.rs:77
+        let _e10 = BlinnPhong_eval(point_2.brdf, point_2.wo, wi_3);
+        return (_e10 * wi_3.z);
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:79
+    return vec3(0f);
+}
+
 // glimt_render_gpu/src/kernels/ray.rs:59
-fn inverse(x_5: f32) -> f32 {
+fn inverse(x_9: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/ray.rs:60
-    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_5), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_5) & 2147483648u))));
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_9), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_9) & 2147483648u))));
 }
 
 // glimt_render_gpu/src/kernels/ray.rs:44
-fn Ray_keyed(origin: vec3<f32>, direction: vec3<f32>, key_2: u32) -> Ray {
+fn Ray_keyed(origin: vec3<f32>, direction_6: vec3<f32>, key: u32) -> Ray {
 
     // glimt_render_gpu/src/kernels/ray.rs:45
-    let _e6 = inverse(direction.x);
-    let _e8 = inverse(direction.y);
-    let _e10 = inverse(direction.z);
-    return Ray(origin, direction, vec3<f32>(_e6, _e8, _e10), key_2);
-}
-
-// glimt_render_gpu/src/kernels/frame.rs:134
-fn FrameParams_camera_ray(this_11: FrameParams, pattern: PixelPattern) -> Ray {
-    var chosen_2: vec2<f32>;
-
-    // glimt_render_gpu/src/kernels/frame.rs:135
-    let film = PixelPattern(pattern.kind, pattern.seed, this_11.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-    // glimt_render_gpu/src/kernels/frame.rs:139
-    if (this_11.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:140
-        chosen_2 = vec2(0.5f);
-    } else {
-        // glimt_render_gpu/src/kernels/frame.rs:142
-        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
-        let _e24 = unit_vec2_(_e23);
-        chosen_2 = _e24;
-    }
-    let place_2 = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:144
-    let _e28 = FrameParams_direction(this_11, pattern.pixel, place_2);
-    // glimt_render_gpu/src/kernels/frame.rs:145
-    let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_11.eye, _e28, _e32);
-    return _e33;
+    let _e6 = inverse(direction_6.x);
+    let _e8 = inverse(direction_6.y);
+    let _e10 = inverse(direction_6.z);
+    return Ray(origin, direction_6, vec3<f32>(_e6, _e8, _e10), key);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:30
 fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
-    var chosen_3: f32;
+    var chosen_18: f32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:31
     let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
@@ -916,72 +2809,72 @@ fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
     let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:33
     let _e16 = min(to_min, to_max);
-    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
+    let near_2 = max(max(_e16.x, _e16.y), _e16.z);
     // glimt_render_gpu/src/kernels/bvh.rs:34
     let _e23 = max(to_min, to_max);
     let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
     // glimt_render_gpu/src/kernels/bvh.rs:35
-    if ((far_1 >= near_1) && (far_1 >= 0f)) {
+    if ((far_1 >= near_2) && (far_1 >= 0f)) {
         // glimt_render_gpu/src/kernels/bvh.rs:36
-        chosen_3 = near_1;
+        chosen_18 = near_2;
     } else {
         // glimt_render_gpu/src/kernels/bvh.rs:38
-        chosen_3 = 0x1.fffffep+127f;
+        chosen_18 = 0x1.fffffep+127f;
     }
-    let _e40 = chosen_3;
+    let _e40 = chosen_18;
     return _e40;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:111
-fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+fn edge_functions(a_3: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_7: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:112
-    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
+    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_7), dot(cross((c_1 - a_3), (c_1 + a_3)), direction_7), dot(cross((a_3 - b_2), (a_3 + b_2)), direction_7));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:124
 fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
-    var chosen_4: f32;
+    var chosen_19: f32;
 
     // glimt_render_gpu/src/kernels/triangle.rs:125
-    let a_4 = (triangle.v0_ - ray_2.origin);
+    let a_8 = (triangle.v0_ - ray_2.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:126
     let b_4 = (triangle.v1_ - ray_2.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:127
-    let c_2 = (triangle.v2_ - ray_2.origin);
+    let c_5 = (triangle.v2_ - ray_2.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:128
-    let _e18 = edge_functions(a_4, b_4, c_2, ray_2.direction);
+    let _e18 = edge_functions(a_8, b_4, c_5, ray_2.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:129
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
         // glimt_render_gpu/src/kernels/triangle.rs:130
         return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:132
-    let normal_2 = cross((c_2 - a_4), (a_4 - b_4));
+    let normal_3 = cross((c_5 - a_8), (a_8 - b_4));
     // glimt_render_gpu/src/kernels/triangle.rs:133
-    let slope = dot(normal_2, ray_2.direction);
+    let slope_1 = dot(normal_3, ray_2.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:134
-    if (slope == 0f) {
+    if (slope_1 == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:135
         return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:137
-    let t_5 = (dot(a_4, normal_2) / slope);
+    let t_8 = (dot(a_8, normal_3) / slope_1);
     // glimt_render_gpu/src/kernels/triangle.rs:138
-    if ((t_5 > 0f) && (t_5 < t_max)) {
-        chosen_4 = t_5;
+    if ((t_8 > 0f) && (t_8 < t_max)) {
+        chosen_19 = t_8;
     } else {
-        chosen_4 = 0x1.fffffep+127f;
+        chosen_19 = 0x1.fffffep+127f;
     }
-    let _e59 = chosen_4;
+    let _e59 = chosen_19;
     return _e59;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:59
-fn Triangle_is_see_through(this_12: Triangle) -> bool {
+fn Triangle_is_see_through(this_33: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:60
-    return ((this_12.object & 1073741824u) != 0u);
+    return ((this_33.object & 1073741824u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:144
@@ -990,132 +2883,132 @@ fn barycentrics(triangle_1: Triangle, ray_3: Ray) -> vec2<f32> {
     // glimt_render_gpu/src/kernels/triangle.rs:145
     let _e14 = edge_functions((triangle_1.v0_ - ray_3.origin), (triangle_1.v1_ - ray_3.origin), (triangle_1.v2_ - ray_3.origin), ray_3.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:151
-    let sum_4 = ((_e14.x + _e14.y) + _e14.z);
+    let sum_5 = ((_e14.x + _e14.y) + _e14.z);
     // glimt_render_gpu/src/kernels/triangle.rs:152
-    if (sum_4 == 0f) {
+    if (sum_5 == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:154
         return vec2((1f / 3f));
     }
     // glimt_render_gpu/src/kernels/triangle.rs:156
-    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_4));
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_5));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:141
-fn Attributes_of_corner(first: u32) -> Attributes {
+fn Attributes_of_corner(first_2: u32) -> Attributes {
 
     // glimt_render_gpu/src/kernels/material.rs:142
-    let _e7 = scene_surface[(first + 2u)];
-    let _e12 = scene_surface[(first + 3u)];
+    let _e7 = scene_surface[(first_2 + 2u)];
+    let _e12 = scene_surface[(first_2 + 3u)];
     let _e13 = Tuple_u32_u32_(_e7, _e12);
     let low = _e13.fa;
     let high = _e13.fb;
     // glimt_render_gpu/src/kernels/material.rs:143
     let color = vec4<f32>(f32((low & 65535u)), f32((low >> 16u)), f32((high & 65535u)), f32((high >> 16u)));
     // glimt_render_gpu/src/kernels/material.rs:149
-    let _e33 = scene_surface[first];
-    let _e39 = scene_surface[(first + 1u)];
+    let _e33 = scene_surface[first_2];
+    let _e39 = scene_surface[(first_2 + 1u)];
     return Attributes(vec2<f32>(bitcast<f32>(_e33), bitcast<f32>(_e39)), (color / vec4(65535f)));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:129
-fn Attributes_at(first_1: u32, u_2: f32, v_1: f32) -> Attributes {
+fn Attributes_at(first_3: u32, u_10: f32, v_3: f32) -> Attributes {
 
     // glimt_render_gpu/src/kernels/material.rs:130
-    let _e5 = Attributes_of_corner(first_1);
+    let _e5 = Attributes_of_corner(first_3);
     // glimt_render_gpu/src/kernels/material.rs:131
-    let _e9 = Attributes_of_corner((first_1 + 4u));
+    let _e9 = Attributes_of_corner((first_3 + 4u));
     // glimt_render_gpu/src/kernels/material.rs:132
-    let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
+    let _e15 = Attributes_of_corner((first_3 + (2u * 4u)));
     // glimt_render_gpu/src/kernels/material.rs:133
-    let w_2 = ((1f - u_2) - v_1);
+    let w_2 = ((1f - u_10) - v_3);
     // glimt_render_gpu/src/kernels/material.rs:134
-    return Attributes((((_e5.uv * w_2) + (_e9.uv * u_2)) + (_e15.uv * v_1)), (((_e5.color * w_2) + (_e9.color * u_2)) + (_e15.color * v_1)));
+    return Attributes((((_e5.uv * w_2) + (_e9.uv * u_10)) + (_e15.uv * v_3)), (((_e5.color * w_2) + (_e9.color * u_10)) + (_e15.color * v_3)));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:172
-fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
+fn MaterialView_new(index_12: u32) -> Returned_MaterialView_new {
 
     // glimt_render_gpu/src/kernels/material.rs:173
-    let first_2 = (256u + (index_9 * 76u));
+    let first_6 = (256u + (index_12 * 76u));
     // glimt_render_gpu/src/kernels/material.rs:174
-    return Returned_MaterialView_new(first_2, ((first_2 + 76u) - first_2));
+    return Returned_MaterialView_new(first_6, ((first_6 + 76u) - first_6));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:181
-fn MaterialView_number(words_start: u32, words_len: u32, word: u32) -> f32 {
+fn MaterialView_number(words_start: u32, words_len: u32, word_1: u32) -> f32 {
 
     // glimt_render_gpu/src/kernels/material.rs:182
-    let _e7 = scene_surface[(words_start + word)];
+    let _e7 = scene_surface[(words_start + word_1)];
     return bitcast<f32>(_e7);
 }
 
 // glimt_render_gpu/src/kernels/material.rs:195
-fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_1: u32) -> TextureView {
+fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_2: u32) -> TextureView {
 
     // glimt_render_gpu/src/kernels/material.rs:196
-    let _e7 = scene_surface[(words_start_1 + word_1)];
-    let _e13 = scene_surface[(words_start_1 + (word_1 + 1u))];
-    let _e19 = scene_surface[(words_start_1 + (word_1 + 2u))];
-    let _e25 = scene_surface[(words_start_1 + (word_1 + 3u))];
+    let _e7 = scene_surface[(words_start_1 + word_2)];
+    let _e13 = scene_surface[(words_start_1 + (word_2 + 1u))];
+    let _e19 = scene_surface[(words_start_1 + (word_2 + 2u))];
+    let _e25 = scene_surface[(words_start_1 + (word_2 + 3u))];
     return TextureView(_e7, _e13, _e19, _e25);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_13: TextureView) -> bool {
+fn TextureView_exists(this_34: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_13.width > 0u);
+    return (this_34.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
-fn wrap(x_6: f32, mode: u32) -> f32 {
+fn wrap(x_10: f32, mode: u32) -> f32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:91
     if (mode == 2u) {
         // glimt_render_gpu/src/kernels/texture.rs:92
-        return clamp(x_6, 0f, 1f);
+        return clamp(x_10, 0f, 1f);
     }
     // glimt_render_gpu/src/kernels/texture.rs:94
     if (mode == 1u) {
         // glimt_render_gpu/src/kernels/texture.rs:95
-        let folded = (x_6 - (2f * floor((0.5f * x_6))));
+        let folded = (x_10 - (2f * floor((0.5f * x_10))));
         // glimt_render_gpu/src/kernels/texture.rs:96
         return clamp(min(folded, (2f - folded)), 0f, 1f);
     }
     // glimt_render_gpu/src/kernels/texture.rs:98
-    return clamp((x_6 - floor(x_6)), 0f, 1f);
+    return clamp((x_10 - floor(x_10)), 0f, 1f);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:103
-fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
+fn neighbour(index_13: i32, size_18: u32, mode_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:104
-    let last = (i32(size_1) - 1i);
+    let last = (i32(size_18) - 1i);
     // glimt_render_gpu/src/kernels/texture.rs:105
     if (mode_1 == 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:106
-        if (index_10 < 0i) {
+        if (index_13 < 0i) {
             // glimt_render_gpu/src/kernels/texture.rs:107
             return u32(last);
         }
         // glimt_render_gpu/src/kernels/texture.rs:109
-        if (index_10 > last) {
+        if (index_13 > last) {
             // glimt_render_gpu/src/kernels/texture.rs:110
             return 0u;
         }
     }
     // glimt_render_gpu/src/kernels/texture.rs:113
-    return u32(clamp(index_10, 0i, last));
+    return u32(clamp(index_13, 0i, last));
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
-    var chosen_5: vec4<f32>;
+fn TextureView_texel(this_35: TextureView, index_14: u32) -> vec4<f32> {
+    var chosen_20: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_4 = scene_surface[(this_14.first + index_11)];
+    let word_4 = scene_surface[(this_35.first + index_14)];
     // glimt_render_gpu/src/kernels/texture.rs:71
-    let r_1 = (word_4 & 255u);
+    let r_3 = (word_4 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
     let g = ((word_4 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
@@ -1123,83 +3016,83 @@ fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_14.flags & 1u) != 0u) {
+    if ((this_35.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
-        let _e38 = scene_surface[r_1];
+        let _e38 = scene_surface[r_3];
         let _e42 = scene_surface[g];
         let _e46 = scene_surface[b_5];
-        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
+        chosen_20 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_5 = vec4<f32>((f32(r_1) / 255f), (f32(g) / 255f), (f32(b_5) / 255f), alpha_2);
+        chosen_20 = vec4<f32>((f32(r_3) / 255f), (f32(g) / 255f), (f32(b_5) / 255f), alpha_2);
     }
-    let _e60 = chosen_5;
+    let _e60 = chosen_20;
     return _e60;
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_36: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_15.flags >> 1u) & 3u);
+    let wrap_u = ((this_36.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_15.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_36.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_9 = ((_e21 * f32(this_15.width)) - 0.5f);
+    let x_13 = ((_e21 * f32(this_36.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_3 = ((_e29 * f32(this_15.height)) - 0.5f);
+    let y_4 = ((_e29 * f32(this_36.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
-    let _e38 = Tuple_f32_f32_(floor(x_9), floor(y_3));
-    let left_1 = _e38.fa;
+    let _e38 = Tuple_f32_f32_(floor(x_13), floor(y_4));
+    let left_2 = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left_1), this_15.width, wrap_u);
+    let _e44 = neighbour(i32(left_2), this_36.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left_1) + 1i), this_15.width, wrap_u);
+    let _e50 = neighbour((i32(left_2) + 1i), this_36.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e54 = neighbour(i32(top), this_15.height, wrap_v);
-    let row0_ = (_e54 * this_15.width);
+    let _e54 = neighbour(i32(top), this_36.height, wrap_v);
+    let row0_ = (_e54 * this_36.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e62 = neighbour((i32(top) + 1i), this_15.height, wrap_v);
-    let row1_ = (_e62 * this_15.width);
+    let _e62 = neighbour((i32(top) + 1i), this_36.height, wrap_v);
+    let row1_ = (_e62 * this_36.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e67 = TextureView_texel(this_15, (row0_ + _e44));
-    let _e69 = TextureView_texel(this_15, (row0_ + _e50));
-    let _e70 = (x_9 - left_1);
-    let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
+    let _e67 = TextureView_texel(this_36, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_36, (row0_ + _e50));
+    let _e70 = (x_13 - left_2);
+    let upper_1 = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e78 = TextureView_texel(this_15, (row1_ + _e44));
-    let _e80 = TextureView_texel(this_15, (row1_ + _e50));
-    let _e81 = (x_9 - left_1);
-    let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
+    let _e78 = TextureView_texel(this_36, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_36, (row1_ + _e50));
+    let _e81 = (x_13 - left_2);
+    let lower_2 = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
-    let _e88 = (y_3 - top);
-    return ((upper * (1f - _e88)) + (lower * _e88));
+    let _e88 = (y_4 - top);
+    return ((upper_1 * (1f - _e88)) + (lower_2 * _e88));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:206
-fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, texture: TextureView, uv_1: vec2<f32>) -> vec4<f32> {
-    var place_1: vec2<f32>;
+fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_3: u32, texture: TextureView, uv_1: vec2<f32>) -> vec4<f32> {
+    var place: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/material.rs:207
-    place_1 = uv_1;
+    place = uv_1;
     // glimt_render_gpu/src/kernels/material.rs:208
     if ((texture.flags & 65536u) != 0u) {
         // glimt_render_gpu/src/kernels/material.rs:209
-        let t_6 = (word_2 + 4u);
+        let t_9 = (word_3 + 4u);
         // glimt_render_gpu/src/kernels/material.rs:210
-        let _e18 = MaterialView_number(words_start_2, words_len_2, t_6);
-        let _e21 = MaterialView_number(words_start_2, words_len_2, (t_6 + 1u));
-        let _e27 = MaterialView_number(words_start_2, words_len_2, (t_6 + 2u));
-        let _e30 = MaterialView_number(words_start_2, words_len_2, (t_6 + 3u));
-        let _e37 = MaterialView_number(words_start_2, words_len_2, (t_6 + 4u));
-        let _e40 = MaterialView_number(words_start_2, words_len_2, (t_6 + 5u));
-        place_1 = (((vec2<f32>(_e18, _e21) * uv_1.x) + (vec2<f32>(_e27, _e30) * uv_1.y)) + vec2<f32>(_e37, _e40));
+        let _e18 = MaterialView_number(words_start_2, words_len_2, t_9);
+        let _e21 = MaterialView_number(words_start_2, words_len_2, (t_9 + 1u));
+        let _e27 = MaterialView_number(words_start_2, words_len_2, (t_9 + 2u));
+        let _e30 = MaterialView_number(words_start_2, words_len_2, (t_9 + 3u));
+        let _e37 = MaterialView_number(words_start_2, words_len_2, (t_9 + 4u));
+        let _e40 = MaterialView_number(words_start_2, words_len_2, (t_9 + 5u));
+        place = (((vec2<f32>(_e18, _e21) * uv_1.x) + (vec2<f32>(_e27, _e30) * uv_1.y)) + vec2<f32>(_e37, _e40));
     }
     // glimt_render_gpu/src/kernels/material.rs:214
-    let _e44 = place_1;
+    let _e44 = place;
     let _e45 = TextureView_sample(texture, _e44);
     return _e45;
 }
@@ -1207,7 +3100,7 @@ fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, textur
 // glimt_render_gpu/src/kernels/material.rs:280
 fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
     var alpha: f32;
-    var chosen_6: f32;
+    var chosen_21: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:281
     let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
@@ -1233,19 +3126,19 @@ fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, ver
     // glimt_render_gpu/src/kernels/material.rs:290
     let _e31 = alpha;
     if (_e31 >= _e23) {
-        chosen_6 = 1f;
+        chosen_21 = 1f;
     } else {
-        chosen_6 = 0f;
+        chosen_21 = 0f;
     }
-    let _e35 = chosen_6;
+    let _e35 = chosen_21;
     return _e35;
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:14
-fn alpha_at(triangle_2: Triangle, u_3: f32, v_2: f32) -> f32 {
+fn alpha_at(triangle_2: Triangle, u_11: f32, v_4: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/opacity.rs:15
-    let _e6 = Attributes_at(triangle_2.attributes, u_3, v_2);
+    let _e6 = Attributes_at(triangle_2.attributes, u_11, v_4);
     // glimt_render_gpu/src/kernels/opacity.rs:16
     let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
     // glimt_render_gpu/src/kernels/opacity.rs:17
@@ -1254,75 +3147,75 @@ fn alpha_at(triangle_2: Triangle, u_3: f32, v_2: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:26
-fn passes(key_3: u32, index_12: u32, alpha_1: f32) -> bool {
+fn passes(key_1: u32, index_15: u32, alpha_1: f32) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:27
-    let _e5 = hash2_(key_3, index_12);
+    let _e5 = hash2_(key_1, index_15);
     let _e6 = unit_f32_(_e5);
     return (_e6 >= alpha_1);
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:33
-fn is_passed(index_13: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+fn is_passed(index_16: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:34
     let _e5 = barycentrics(triangle_3, ray_4);
     // glimt_render_gpu/src/kernels/opacity.rs:35
     let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
     // glimt_render_gpu/src/kernels/opacity.rs:36
-    let _e12 = passes(ray_4.key, index_13, _e9);
+    let _e12 = passes(ray_4.key, index_16, _e9);
     return _e12;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
-fn Triangle_is_catcher(this_16: Triangle) -> bool {
+fn Triangle_is_catcher(this_37: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:46
-    return ((this_16.object & 2147483648u) != 0u);
+    return ((this_37.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_17: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_38: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_17.v1_ - this_17.v0_), (this_17.v2_ - this_17.v0_));
+    return cross((this_38.v1_ - this_38.v0_), (this_38.v2_ - this_38.v0_));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_18: Triangle) -> f32 {
+fn Triangle_ray_offset(this_39: Triangle) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_18.v0_), abs(this_18.v1_)), abs(this_18.v2_));
+    let extent = max(max(abs(this_39.v0_), abs(this_39.v1_)), abs(this_39.v2_));
     // glimt_render_gpu/src/kernels/triangle.rs:68
     return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_19: Triangle, ray_5: Ray, t: f32) -> f32 {
+fn Triangle_setback(this_40: Triangle, ray_5: Ray, t_1: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_19);
+    let _e5 = Triangle_area_normal(this_40);
     // glimt_render_gpu/src/kernels/triangle.rs:76
     let across = abs(dot(_e5, ray_5.direction));
     // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_19);
-    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_5.direction, ray_5.direction)))));
+    let _e12 = Triangle_ray_offset(this_40);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t_1) * sqrt(dot(ray_5.direction, ray_5.direction)))));
     // glimt_render_gpu/src/kernels/triangle.rs:82
-    return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
+    return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t_1);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_14: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
-    var both: bool;
+fn held(index_17: u32, triangle_4: Triangle, ray_6: Ray, t_2: f32, no_catcher: bool) -> f32 {
+    var both_1: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:195
     let _e7 = Triangle_is_see_through(triangle_4);
-    both = _e7;
+    both_1 = _e7;
     if _e7 {
-        let _e9 = is_passed(index_14, triangle_4, ray_6);
-        both = _e9;
+        let _e9 = is_passed(index_17, triangle_4, ray_6);
+        both_1 = _e9;
     }
-    let _e10 = both;
+    let _e10 = both_1;
     if _e10 {
         // glimt_render_gpu/src/kernels/bvh.rs:196
         return 0x1.fffffep+127f;
@@ -1331,7 +3224,7 @@ fn held(index_14: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: b
     let _e14 = Triangle_is_catcher(triangle_4);
     if !(_e14) {
         // glimt_render_gpu/src/kernels/bvh.rs:199
-        return t_1;
+        return t_2;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:201
     if no_catcher {
@@ -1339,23 +3232,23 @@ fn held(index_14: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: b
         return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:204
-    let _e21 = Triangle_setback(triangle_4, ray_6, t_1);
-    return (t_1 + _e21);
+    let _e21 = Triangle_setback(triangle_4, ray_6, t_2);
+    return (t_2 + _e21);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:160
 fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
-    var counter_1: u32;
-    var t_2: f32;
-    var both_1: bool;
+    var counter_10: u32;
+    var t_3: f32;
+    var both_2: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:169
     nearest = best;
     // glimt_render_gpu/src/kernels/bvh.rs:170
-    counter_1 = leaf.first;
+    counter_10 = leaf.first;
     loop {
-        let i = counter_1;
+        let i = counter_10;
         if (i >= (leaf.first + leaf.count)) {
             break;
         }
@@ -1363,37 +3256,37 @@ fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, n
         let _e19 = scene_triangles[i];
         let _e20 = (*reach);
         let _e21 = intersect(_e19, ray_7, _e20);
-        t_2 = _e21;
+        t_3 = _e21;
         // glimt_render_gpu/src/kernels/bvh.rs:173
-        let _e24 = t_2;
+        let _e24 = t_3;
         let _e25 = (*reach);
         let _e26 = (_e24 < _e25);
-        both_1 = _e26;
+        both_2 = _e26;
         if _e26 {
             let _e31 = scene_triangles[i].object;
-            both_1 = (_e31 >= 1073741824u);
+            both_2 = (_e31 >= 1073741824u);
         }
-        let _e34 = both_1;
+        let _e34 = both_2;
         if _e34 {
             // glimt_render_gpu/src/kernels/bvh.rs:174
             let _e38 = scene_triangles[i];
-            let _e39 = t_2;
+            let _e39 = t_3;
             let _e40 = held(i, _e38, ray_7, _e39, no_catcher_1);
-            t_2 = _e40;
+            t_3 = _e40;
         }
         // glimt_render_gpu/src/kernels/bvh.rs:176
-        let _e42 = t_2;
+        let _e42 = t_3;
         let _e43 = (*reach);
         if (_e42 < _e43) {
             // glimt_render_gpu/src/kernels/bvh.rs:177
-            let _e46 = t_2;
+            let _e46 = t_3;
             (*reach) = _e46;
             // glimt_render_gpu/src/kernels/bvh.rs:178
             nearest = i;
         }
         continuing {
-            let _e48 = counter_1;
-            counter_1 = (_e48 + 1u);
+            let _e48 = counter_10;
+            counter_10 = (_e48 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/bvh.rs:181
@@ -1403,7 +3296,7 @@ fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, n
 
 // glimt_render_gpu/src/kernels/bvh.rs:91
 fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
-    var either: bool;
+    var either_1: bool;
     var best_1: u32;
     var stack: array<u32, 64>;
     var height: u32;
@@ -1417,15 +3310,15 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
 
     // glimt_render_gpu/src/kernels/bvh.rs:99
     let _e8 = (arrayLength((&scene_nodes)) == 0u);
-    either = _e8;
+    either_1 = _e8;
     if _e8 {
     } else {
         let _e13 = scene_nodes[0u];
         let _e14 = box_distance(_e13, ray_8);
         let _e15 = (*reach_1);
-        either = (_e14 >= _e15);
+        either_1 = (_e14 >= _e15);
     }
-    let _e17 = either;
+    let _e17 = either_1;
     if _e17 {
         // glimt_render_gpu/src/kernels/bvh.rs:100
         return 4294967295u;
@@ -1476,12 +3369,12 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:119
             far = node_1;
             // glimt_render_gpu/src/kernels/bvh.rs:120
-            let t_7 = t_near;
+            let t_10 = t_near;
             // glimt_render_gpu/src/kernels/bvh.rs:121
             let _e80 = t_far;
             t_near = _e80;
             // glimt_render_gpu/src/kernels/bvh.rs:122
-            t_far = t_7;
+            t_far = t_10;
         }
         // glimt_render_gpu/src/kernels/bvh.rs:124
         let _e83 = t_near;
@@ -1573,1568 +3466,532 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:47
-fn closest_hit(ray_9: Ray, t_max_1: f32) -> Option_Hit {
-    var t_3: f32;
-
-    // glimt_render_gpu/src/kernels/bvh.rs:54
-    t_3 = t_max_1;
-    // glimt_render_gpu/src/kernels/bvh.rs:55
-    let _e7 = traverse(ray_9, (&t_3), false);
-    // glimt_render_gpu/src/kernels/bvh.rs:56
-    if (_e7 == 4294967295u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:57
-        return Option_Hit();
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:59
-    let triangle_5 = scene_triangles[_e7];
-    // glimt_render_gpu/src/kernels/bvh.rs:60
-    let _e18 = Triangle_is_catcher(triangle_5);
-    if _e18 {
-        // glimt_render_gpu/src/kernels/bvh.rs:62
-        let _e21 = intersect(triangle_5, ray_9, 0x1.fffffep+127f);
-        t_3 = _e21;
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:64
-    let _e23 = t_3;
-    let _e24 = barycentrics(triangle_5, ray_9);
-    return Option_Hit(true, Hit(_e7, _e23, _e24));
-}
-
-// glimt_render_gpu/src/kernels/scene.rs:82
-fn Scene_closest_hit(ray_10: Ray) -> Option_Hit {
-
-    // glimt_render_gpu/src/kernels/scene.rs:83
-    let _e4 = closest_hit(ray_10, 0x1.fffffep+127f);
-    return _e4;
-}
-
-// glimt_render_gpu/src/kernels/triangle.rs:88
-fn Triangle_outward(this_20: Triangle) -> vec3<f32> {
-    var chosen_7: vec3<f32>;
-
-    // glimt_render_gpu/src/kernels/triangle.rs:89
-    let _e3 = Triangle_area_normal(this_20);
-    // glimt_render_gpu/src/kernels/triangle.rs:90
-    if ((this_20.object & 536870912u) != 0u) {
-        // glimt_render_gpu/src/kernels/triangle.rs:91
-        chosen_7 = -(_e3);
-    } else {
-        // glimt_render_gpu/src/kernels/triangle.rs:93
-        chosen_7 = _e3;
-    }
-    let _e14 = chosen_7;
-    return _e14;
-}
-
-// glimt_render_gpu/src/kernels/scene.rs:144
-fn unit_or(v_3: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
-    var chosen_8: vec3<f32>;
-
-    // glimt_render_gpu/src/kernels/scene.rs:145
-    let length_squared = dot(v_3, v_3);
-    // glimt_render_gpu/src/kernels/scene.rs:146
-    if (length_squared > 0.000000000001f) {
-        // glimt_render_gpu/src/kernels/scene.rs:147
-        chosen_8 = (v_3 / vec3(sqrt(length_squared)));
-    } else {
-        // glimt_render_gpu/src/kernels/scene.rs:149
-        chosen_8 = otherwise;
-    }
-    let _e14 = chosen_8;
-    return _e14;
-}
-
-// glimt_render_gpu/src/kernels/material.rs:298
-fn MaterialView_bumped_normal(words_start_4: u32, words_len_4: u32, uv_3: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/material.rs:299
-    let _e9 = MaterialView_texture(words_start_4, words_len_4, 40u);
-    // glimt_render_gpu/src/kernels/material.rs:300
-    let across_1 = (tangent - (normal * dot(normal, tangent)));
-    // glimt_render_gpu/src/kernels/material.rs:301
-    let _e15 = TextureView_exists(_e9);
-    if (!(_e15) || !((dot(across_1, across_1) > 0.000000000001f))) {
-        // glimt_render_gpu/src/kernels/material.rs:302
-        return normal;
-    }
-    // glimt_render_gpu/src/kernels/material.rs:304
-    let t_8 = normalize(across_1);
-    // glimt_render_gpu/src/kernels/material.rs:305
-    let b_6 = (cross(normal, t_8) * handedness);
-    // glimt_render_gpu/src/kernels/material.rs:306
-    let _e30 = MaterialView_sample(words_start_4, words_len_4, 40u, _e9, uv_3);
-    let bump = ((_e30.xyz * 2f) - vec3(1f));
-    // glimt_render_gpu/src/kernels/material.rs:307
-    let _e44 = MaterialView_number(words_start_4, words_len_4, 14u);
-    let tilt = (((t_8 * bump.x) + (b_6 * bump.y)) * _e44);
-    // glimt_render_gpu/src/kernels/material.rs:308
-    let _e50 = unit_or((tilt + (normal * bump.z)), normal);
-    return _e50;
-}
-
-// glimt_render_gpu/src/kernels/scene.rs:69
-fn bent_towards(normal_1: vec3<f32>, to_eye: vec3<f32>, geometric_normal: vec3<f32>) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/scene.rs:70
-    let least = min(0.01f, (0.9f * dot(geometric_normal, to_eye)));
-    // glimt_render_gpu/src/kernels/scene.rs:71
-    let cosine = dot(normal_1, to_eye);
-    // glimt_render_gpu/src/kernels/scene.rs:72
-    if (cosine >= least) {
-        // glimt_render_gpu/src/kernels/scene.rs:73
-        return normal_1;
-    }
-    // glimt_render_gpu/src/kernels/scene.rs:75
-    let _e19 = unit_or((normal_1 + (to_eye * (least - cosine))), geometric_normal);
-    return _e19;
-}
-
-// glimt_sampling/src/math.rs:45
-fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
-
-    // glimt_sampling/src/math.rs:46
-    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
-    // glimt_sampling/src/math.rs:47
-    let a_5 = (-1f / (sign_ + n_2.z));
-    // glimt_sampling/src/math.rs:48
-    let c_3 = ((n_2.x * n_2.y) * a_5);
-    // glimt_sampling/src/math.rs:49
-    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_5)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_5)), -(n_2.y)), n_2);
-}
-
-// glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_21: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
-
-    // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_4, this_21.t), dot(v_4, this_21.b), dot(v_4, this_21.n));
-}
-
-// glimt_render_gpu/src/kernels/material.rs:186
-fn MaterialView_vector(words_start_5: u32, words_len_5: u32, word_3: u32) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/material.rs:187
-    let _e5 = MaterialView_number(words_start_5, words_len_5, word_3);
-    let _e8 = MaterialView_number(words_start_5, words_len_5, (word_3 + 1u));
-    let _e11 = MaterialView_number(words_start_5, words_len_5, (word_3 + 2u));
-    return vec3<f32>(_e5, _e8, _e11);
-}
-
-// glimt_render_gpu/src/kernels/material.rs:219
-fn MaterialView_color(words_start_6: u32, words_len_6: u32, uv_4: vec2<f32>, vertex_color: vec3<f32>) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/material.rs:220
-    let _e7 = MaterialView_vector(words_start_6, words_len_6, 0u);
-    let color_1 = (_e7 * vertex_color);
-    // glimt_render_gpu/src/kernels/material.rs:221
-    let _e11 = MaterialView_texture(words_start_6, words_len_6, 16u);
-    // glimt_render_gpu/src/kernels/material.rs:222
-    let _e13 = TextureView_exists(_e11);
-    if _e13 {
-        // glimt_render_gpu/src/kernels/material.rs:223
-        let _e16 = MaterialView_sample(words_start_6, words_len_6, 16u, _e11, uv_4);
-        return (color_1 * _e16.xyz);
-    }
-    // glimt_render_gpu/src/kernels/material.rs:225
-    return color_1;
-}
-
-// glimt_brdf/src/metallic_roughness.rs:31
-fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness: f32) -> BlinnPhong {
-
-    // glimt_brdf/src/metallic_roughness.rs:32
-    let base_1 = clamp(base, vec3(0f), vec3(1f));
-    // glimt_brdf/src/metallic_roughness.rs:33
-    let metallic_2 = clamp(metallic, 0f, 1f);
-    // glimt_brdf/src/metallic_roughness.rs:34
-    let roughness_2 = clamp(roughness, 0.12f, 1f);
-    // glimt_brdf/src/metallic_roughness.rs:35
-    let alpha_3 = (roughness_2 * roughness_2);
-    // glimt_brdf/src/metallic_roughness.rs:36
-    let dielectric = (1f - metallic_2);
-    // glimt_brdf/src/metallic_roughness.rs:37
-    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_3 * alpha_3)) - 2f));
-}
-
-// glimt_render_gpu/src/kernels/material.rs:231
-fn MaterialView_brdf(words_start_7: u32, words_len_7: u32, uv_5: vec2<f32>, vertex_color_1: vec3<f32>) -> BlinnPhong {
-    var metallic_1: f32;
-    var roughness_1: f32;
-
-    // glimt_render_gpu/src/kernels/material.rs:232
-    let _e10 = scene_surface[(words_start_7 + 3u)];
-    let kind = (_e10 & 2147483647u);
-    // glimt_render_gpu/src/kernels/material.rs:233
-    if (kind == 0u) {
-        // glimt_render_gpu/src/kernels/material.rs:234
-        let _e18 = MaterialView_vector(words_start_7, words_len_7, 0u);
-        let _e21 = MaterialView_vector(words_start_7, words_len_7, 4u);
-        let _e23 = MaterialView_number(words_start_7, words_len_7, 7u);
-        return BlinnPhong((_e18 * vertex_color_1), _e21, _e23);
-    }
-    // glimt_render_gpu/src/kernels/material.rs:240
-    if (kind == 2u) {
-        // glimt_render_gpu/src/kernels/material.rs:241
-        return BlinnPhong(vec3(0f), vec3(0f), 0f);
-    }
-    // glimt_render_gpu/src/kernels/material.rs:247
-    let _e36 = MaterialView_color(words_start_7, words_len_7, uv_5, vertex_color_1);
-    // glimt_render_gpu/src/kernels/material.rs:248
-    let _e39 = MaterialView_number(words_start_7, words_len_7, 12u);
-    metallic_1 = _e39;
-    // glimt_render_gpu/src/kernels/material.rs:249
-    let _e43 = MaterialView_number(words_start_7, words_len_7, 13u);
-    roughness_1 = _e43;
-    // glimt_render_gpu/src/kernels/material.rs:250
-    let _e47 = MaterialView_texture(words_start_7, words_len_7, 28u);
-    // glimt_render_gpu/src/kernels/material.rs:251
-    let _e49 = TextureView_exists(_e47);
-    if _e49 {
-        // glimt_render_gpu/src/kernels/material.rs:252
-        let _e52 = MaterialView_sample(words_start_7, words_len_7, 28u, _e47, uv_5);
-        // glimt_render_gpu/src/kernels/material.rs:253
-        let _e55 = roughness_1;
-        roughness_1 = (_e55 * _e52.y);
-        // glimt_render_gpu/src/kernels/material.rs:254
-        let _e59 = metallic_1;
-        metallic_1 = (_e59 * _e52.z);
-    }
-    // glimt_render_gpu/src/kernels/material.rs:256
-    let _e62 = metallic_1;
-    let _e63 = roughness_1;
-    let _e64 = BlinnPhong_from_metallic_roughness(_e36, _e62, _e63);
-    return _e64;
-}
-
-// glimt_render_gpu/src/kernels/material.rs:262
-fn MaterialView_emission(words_start_8: u32, words_len_8: u32, uv_6: vec2<f32>, vertex_color_2: vec3<f32>) -> vec3<f32> {
-    var radiance: vec3<f32>;
-
-    // glimt_render_gpu/src/kernels/material.rs:263
-    radiance = vec3(0f);
-    // glimt_render_gpu/src/kernels/material.rs:264
-    let _e14 = scene_surface[(words_start_8 + 3u)];
-    if ((_e14 & 2147483648u) != 0u) {
-        // glimt_render_gpu/src/kernels/material.rs:265
-        let _e21 = MaterialView_vector(words_start_8, words_len_8, 8u);
-        radiance = _e21;
-        // glimt_render_gpu/src/kernels/material.rs:266
-        let _e24 = MaterialView_texture(words_start_8, words_len_8, 52u);
-        // glimt_render_gpu/src/kernels/material.rs:267
-        let _e26 = TextureView_exists(_e24);
-        if _e26 {
-            // glimt_render_gpu/src/kernels/material.rs:268
-            let _e29 = MaterialView_sample(words_start_8, words_len_8, 52u, _e24, uv_6);
-            let _e31 = radiance;
-            radiance = (_e31 * _e29.xyz);
-        }
-    }
-    // glimt_render_gpu/src/kernels/material.rs:271
-    let _e38 = scene_surface[(words_start_8 + 3u)];
-    if ((_e38 & 2147483647u) == 2u) {
-        // glimt_render_gpu/src/kernels/material.rs:272
-        let _e44 = MaterialView_color(words_start_8, words_len_8, uv_6, vertex_color_2);
-        let _e45 = radiance;
-        radiance = (_e45 + _e44);
-    }
-    // glimt_render_gpu/src/kernels/material.rs:274
-    let _e48 = radiance;
-    return _e48;
-}
-
-// glimt_render_gpu/src/kernels/scene.rs:88
-fn Scene_shading_point(ray_11: Ray, hit: Hit) -> ShadingPoint {
-    var chosen_9: vec3<f32>;
-    var chosen_10: f32;
-    var chosen_11: vec3<f32>;
-    var vertex_color_3: vec3<f32>;
-
-    // glimt_render_gpu/src/kernels/scene.rs:89
-    let triangle_6 = scene_triangles[hit.triangle];
-    // glimt_render_gpu/src/kernels/scene.rs:90
-    let first_3 = (3u * hit.triangle);
-    // glimt_render_gpu/src/kernels/scene.rs:91
-    let a_6 = scene_corners[first_3];
-    // glimt_render_gpu/src/kernels/scene.rs:92
-    let b_7 = scene_corners[(first_3 + 1u)];
-    // glimt_render_gpu/src/kernels/scene.rs:93
-    let c_4 = scene_corners[(first_3 + 2u)];
-    // glimt_render_gpu/src/kernels/scene.rs:94
-    let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
-    let u_11 = _e33.fa;
-    let v_6 = _e33.fb;
-    // glimt_render_gpu/src/kernels/scene.rs:95
-    let w_3 = ((1f - u_11) - v_6);
-    // glimt_render_gpu/src/kernels/scene.rs:97
-    let to_eye_1 = -(ray_11.direction);
-    // glimt_render_gpu/src/kernels/scene.rs:98
-    let _e44 = Triangle_outward(triangle_6);
-    let outward = normalize(_e44);
-    // glimt_render_gpu/src/kernels/scene.rs:99
-    let is_inside = (dot(outward, to_eye_1) < 0f);
-    // glimt_render_gpu/src/kernels/scene.rs:100
-    if is_inside {
-        chosen_9 = -(outward);
-    } else {
-        chosen_9 = outward;
-    }
-    let geometric_normal_1 = chosen_9;
-    // glimt_render_gpu/src/kernels/scene.rs:101
-    let _e63 = unit_or((((a_6.normal * w_3) + (b_7.normal * u_11)) + (c_4.normal * v_6)), outward);
-    // glimt_render_gpu/src/kernels/scene.rs:103
-    let uv_7 = vec2<f32>((((a_6.u * w_3) + (b_7.u * u_11)) + (c_4.u * v_6)), (((a_6.v * w_3) + (b_7.v * u_11)) + (c_4.v * v_6)));
-    // glimt_render_gpu/src/kernels/scene.rs:104
-    let _e86 = MaterialView_new((triangle_6.material & 2147483647u));
-    // glimt_render_gpu/src/kernels/scene.rs:105
-    let tangent_1 = (((a_6.tangent * w_3) + (b_7.tangent * u_11)) + (c_4.tangent * v_6));
-    // glimt_render_gpu/src/kernels/scene.rs:106
-    if ((triangle_6.material & 2147483648u) != 0u) {
-        // glimt_render_gpu/src/kernels/scene.rs:107
-        chosen_10 = -1f;
-    } else {
-        // glimt_render_gpu/src/kernels/scene.rs:109
-        chosen_10 = 1f;
-    }
-    let handedness_1 = chosen_10;
-    // glimt_render_gpu/src/kernels/scene.rs:111
-    let _e111 = MaterialView_bumped_normal(_e86.value_words_start, _e86.value_words_len, uv_7, _e63, tangent_1, handedness_1);
-    // glimt_render_gpu/src/kernels/scene.rs:113
-    if is_inside {
-        chosen_11 = -(_e111);
-    } else {
-        chosen_11 = _e111;
-    }
-    let sided = chosen_11;
-    // glimt_render_gpu/src/kernels/scene.rs:114
-    let _e117 = bent_towards(sided, to_eye_1, geometric_normal_1);
-    // glimt_render_gpu/src/kernels/scene.rs:116
-    vertex_color_3 = vec3(1f);
-    // glimt_render_gpu/src/kernels/scene.rs:117
-    if (triangle_6.attributes != 0u) {
-        // glimt_render_gpu/src/kernels/scene.rs:118
-        let _e128 = Attributes_at(triangle_6.attributes, u_11, v_6);
-        // glimt_render_gpu/src/kernels/scene.rs:119
-        vertex_color_3 = _e128.color.xyz;
-    }
-    // glimt_render_gpu/src/kernels/scene.rs:121
-    let _e133 = ShadingFrame_from_normal(_e117);
-    // glimt_render_gpu/src/kernels/scene.rs:122
-    let edges = (((triangle_6.v1_ - triangle_6.v0_) * u_11) + ((triangle_6.v2_ - triangle_6.v0_) * v_6));
-    // glimt_render_gpu/src/kernels/scene.rs:123
-    let _e147 = Triangle_ray_offset(triangle_6);
-    let _e150 = ShadingFrame_to_local(_e133, to_eye_1);
-    let _e151 = vertex_color_3;
-    let _e152 = MaterialView_brdf(_e86.value_words_start, _e86.value_words_len, uv_7, _e151);
-    let _e153 = vertex_color_3;
-    let _e154 = MaterialView_emission(_e86.value_words_start, _e86.value_words_len, uv_7, _e153);
-    return ShadingPoint(((triangle_6.v0_ + edges) + (geometric_normal_1 * _e147)), geometric_normal_1, _e133, _e150, _e152, _e154);
-}
-
-// glimt_probe/src/rotate.rs:33
-fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
-
-    // glimt_probe/src/rotate.rs:34
-    return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:78
-fn Environment_to_map(size_2: vec2<u32>, rotation: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/environment.rs:79
-    let _e8 = rotate_z(direction_2, vec2<f32>(rotation.x, -(rotation.y)));
-    return _e8;
-}
-
-// glimt_sampling/src/math.rs:16
-fn luminance(rgb: vec3<f32>) -> f32 {
-
-    // glimt_sampling/src/math.rs:17
-    return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
-}
-
-// glimt_render_gpu/src/kernels/product.rs:91
-fn CellLobe_new(point: ShadingPoint, env_size: vec2<u32>, env_rotation: vec2<f32>) -> CellLobe {
-
-    // glimt_render_gpu/src/kernels/product.rs:92
-    let _e7 = Environment_to_map(env_size, env_rotation, point.frame.t);
-    let _e10 = Environment_to_map(env_size, env_rotation, point.frame.b);
-    let _e13 = Environment_to_map(env_size, env_rotation, point.frame.n);
-    let _e17 = luminance(point.brdf.diffuse);
-    let _e20 = luminance(point.brdf.specular);
-    return CellLobe(_e7, _e10, _e13, point.wo, _e17, _e20, point.brdf.exponent);
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:120
-fn marginal_words(size_3: vec2<u32>) -> u32 {
-
-    // glimt_render_gpu/src/kernels/environment.rs:121
-    return (size_3.y + 1u);
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:127
-fn cdf_words(size_4: vec2<u32>) -> u32 {
-
-    // glimt_render_gpu/src/kernels/environment.rs:128
-    let _e3 = marginal_words(size_4);
-    return (_e3 + (size_4.y * (size_4.x + 1u)));
-}
-
-// glimt_render_gpu/src/kernels/product.rs:33
-fn first_word(size_5: vec2<u32>) -> u32 {
-
-    // glimt_render_gpu/src/kernels/product.rs:34
-    let _e3 = cdf_words(size_5);
-    return _e3;
-}
-
-// glimt_brdf/src/lobe.rs:86
-fn normalisation(exponent: f32) -> f32 {
-
-    // glimt_brdf/src/lobe.rs:87
-    let tail = exp2(max((-0.5f * exponent), -60f));
-    // glimt_brdf/src/lobe.rs:88
-    return ((((exponent + 2f) * (exponent + 4f)) * (0.125f * 0.31830987f)) / (tail + exponent));
-}
-
-// glimt_brdf/src/lobe.rs:20
-fn HalfVector_new(wo: vec3<f32>, wi: vec3<f32>) -> HalfVector {
-
-    // glimt_brdf/src/lobe.rs:21
-    let sum_5 = (wo + wi);
-    // glimt_brdf/src/lobe.rs:23
-    let length2_ = max(dot(sum_5, sum_5), 0.00000000000000000001f);
-    // glimt_brdf/src/lobe.rs:24
-    return HalfVector(((sum_5.z * sum_5.z) / length2_), (((sum_5.x * sum_5.x) + (sum_5.y * sum_5.y)) / length2_), (0.5f * sqrt(length2_)));
-}
-
-// glimt_brdf/src/lobe.rs:59
-fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
-    var chosen_12: f32;
-
-    // glimt_brdf/src/lobe.rs:60
-    if (sin2_theta < (1f / 16f)) {
-        // glimt_brdf/src/lobe.rs:62
-        let t_9 = (sin2_theta / (2f - sin2_theta));
-        // glimt_brdf/src/lobe.rs:63
-        let t2_ = (t_9 * t_9);
-        // glimt_brdf/src/lobe.rs:64
-        chosen_12 = ((-2f * t_9) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
-    } else {
-        // glimt_brdf/src/lobe.rs:66
-        chosen_12 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
-    }
-    let log_cos2_ = chosen_12;
-    // glimt_brdf/src/lobe.rs:68
-    let log_power = ((0.5f * exponent_1) * log_cos2_);
-    // glimt_brdf/src/lobe.rs:69
-    if (log_power < -85f) {
-        // glimt_brdf/src/lobe.rs:70
-        return 0f;
-    }
-    // glimt_brdf/src/lobe.rs:72
-    return exp(log_power);
-}
-
-// glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_22: HalfVector, exponent_2: f32) -> f32 {
-
-    // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_22.cos2_theta, this_22.sin2_theta, exponent_2);
-    return _e6;
-}
-
-// glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_23: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
-
-    // glimt_brdf/src/blinn_phong.rs:60
-    if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
-        // glimt_brdf/src/blinn_phong.rs:61
-        return vec3(0f);
-    }
-    // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_23.diffuse * 0.31830987f);
-    // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_23.specular.x, this_23.specular.y), this_23.specular.z) <= 0f) {
-        // glimt_brdf/src/blinn_phong.rs:66
-        return diffuse;
-    }
-    // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_23.exponent);
-    let _e32 = HalfVector_new(wo_1, wi_1);
-    let _e34 = HalfVector_lobe(_e32, this_23.exponent);
-    let lobe_5 = (_e31 * _e34);
-    // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_23.specular * lobe_5));
-}
-
-// glimt_render_gpu/src/kernels/product.rs:106
-fn CellLobe_weight(this_24: CellLobe, cell_1: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> f32 {
-
-    // glimt_render_gpu/src/kernels/product.rs:107
-    let _e5 = first_word(env_size_1);
-    let at_1 = (((_e5 + 16u) + 1u) + (cell_1 * 5u));
-    // glimt_render_gpu/src/kernels/product.rs:108
-    let _e18 = env_tables[(at_1 + 3u)];
-    let flux = bitcast<f32>(_e18);
-    // glimt_render_gpu/src/kernels/product.rs:109
-    if !((flux > 0f)) {
-        // glimt_render_gpu/src/kernels/product.rs:110
-        return 0f;
-    }
-    // glimt_render_gpu/src/kernels/product.rs:112
-    let _e29 = env_tables[at_1];
-    let _e35 = env_tables[(at_1 + 1u)];
-    let _e41 = env_tables[(at_1 + 2u)];
-    let d_3 = vec3<f32>(bitcast<f32>(_e29), bitcast<f32>(_e35), bitcast<f32>(_e41));
-    // glimt_render_gpu/src/kernels/product.rs:117
-    let _e49 = env_tables[(at_1 + 4u)];
-    let radius = bitcast<f32>(_e49);
-    // glimt_render_gpu/src/kernels/product.rs:118
-    let z_2 = dot(this_24.normal, d_3);
-    // glimt_render_gpu/src/kernels/product.rs:119
-    let cosine_1 = max(z_2, (0.25f * (z_2 + radius)));
-    // glimt_render_gpu/src/kernels/product.rs:120
-    if !((cosine_1 > 0f)) {
-        // glimt_render_gpu/src/kernels/product.rs:121
-        return 0f;
-    }
-    // glimt_render_gpu/src/kernels/product.rs:123
-    let wi_4 = normalize(vec3<f32>(dot(this_24.tangent, d_3), dot(this_24.bitangent, d_3), cosine_1));
-    // glimt_render_gpu/src/kernels/product.rs:124
-    let widened = BlinnPhong(vec3(this_24.diffuse), vec3(this_24.specular), (4f / ((4f / max(this_24.exponent, 0.001f)) + ((0.7f * radius) * radius))));
-    // glimt_render_gpu/src/kernels/product.rs:129
-    let _e91 = BlinnPhong_eval(widened, this_24.wo, wi_4);
-    return (flux * (_e91.x * cosine_1));
-}
-
-// glimt_render_gpu/src/kernels/product.rs:251
-fn Product_total(this_25: Product, lobe: CellLobe, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> f32 {
-    var total: f32;
-    var counter_2: u32;
-
-    // glimt_render_gpu/src/kernels/product.rs:252
-    total = 0f;
-    // glimt_render_gpu/src/kernels/product.rs:253
-    counter_2 = 0u;
-    loop {
-        let cell_5 = counter_2;
-        if (cell_5 >= 512u) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/product.rs:254
-        let _e14 = CellLobe_weight(lobe, cell_5, env_size_2, env_rotation_2);
-        let _e15 = total;
-        total = (_e15 + _e14);
-        continuing {
-            let _e17 = counter_2;
-            counter_2 = (_e17 + 1u);
-        }
-    }
-    // glimt_render_gpu/src/kernels/product.rs:256
-    let _e21 = total;
-    return _e21;
-}
-
-// glimt_sampling/src/sobol.rs:135
-fn owen_sobol(index_15: u32, dimension_2: u32, seed_4: u32) -> u32 {
-
-    // glimt_sampling/src/sobol.rs:136
-    let _e5 = shuffle(index_15, seed_4);
-    let _e6 = sobol_reversed(_e5, dimension_2);
-    let _e7 = scramble_1(_e6, dimension_2, seed_4);
-    return _e7;
-}
-
-// glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_26: ptr<function, OwenSobol>) -> u32 {
-
-    // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_26).dimension;
-    // glimt_sampling/src/sobol.rs:184
-    (*this_26).dimension = (dimension_4 + 1u);
-    // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_26).index;
-    let _e13 = (*this_26).seed;
-    let _e16 = hash2_(_e13, (dimension_4 >> 2u));
-    let _e17 = owen_sobol(_e11, dimension_4, _e16);
-    return _e17;
-}
-
-// glimt_render_gpu/src/kernels/pattern.rs:178
-fn jittered(index_16: u32, count_2: u32, jitter_2: u32, key_4: u32) -> u32 {
-
-    // glimt_render_gpu/src/kernels/pattern.rs:179
-    let _e7 = hash2_(key_4, 4u);
-    let _e8 = permute(index_16, count_2, _e7);
-    let _e9 = stratum(_e8, count_2, jitter_2);
-    return _e9;
-}
-
-// glimt_render_gpu/src/kernels/pattern.rs:70
-fn PixelPattern_triple(this_27: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
-    var point_1: OwenSobol;
-    var generator: Xoshiro128PlusPlus;
-
-    // glimt_render_gpu/src/kernels/pattern.rs:71
-    let index_19 = ((this_27.ray * samples_1) + sample_1);
-    // glimt_render_gpu/src/kernels/pattern.rs:72
-    if (this_27.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:73
-        let _e14 = PixelPattern_sobol_point(this_27, purpose_5, index_19);
-        point_1 = _e14;
-        // glimt_render_gpu/src/kernels/pattern.rs:74
-        let _e17 = OwenSobol_next_uvec2_((&point_1));
-        // glimt_render_gpu/src/kernels/pattern.rs:75
-        let _e19 = OwenSobol_next_u32_((&point_1));
-        return vec3<u32>(_e17, _e19);
-    }
-    // glimt_render_gpu/src/kernels/pattern.rs:77
-    let _e22 = PixelPattern_generator(this_27, purpose_5, index_19);
-    generator = _e22;
-    // glimt_render_gpu/src/kernels/pattern.rs:78
-    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:79
-    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:80
-    if (this_27.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:81
-        return vec3<u32>(_e25, _e27);
-    }
-    // glimt_render_gpu/src/kernels/pattern.rs:83
-    let _e37 = PixelPattern_key(this_27, purpose_5);
-    let _e38 = Tuple_u32_u32_((this_27.rays * samples_1), _e37);
-    let count_3 = _e38.fa;
-    let key_7 = _e38.fb;
-    // glimt_render_gpu/src/kernels/pattern.rs:84
-    let _e42 = jittered_pair(index_19, count_3, _e25, key_7);
-    let _e43 = jittered(index_19, count_3, _e27, key_7);
-    return vec3<u32>(_e42, _e43);
-}
-
-// glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_28: BlinnPhong) -> f32 {
-    var chosen_13: f32;
-
-    // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_28.specular);
-    // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_28.diffuse);
-    let both_2 = (_e7 + _e4);
-    // glimt_brdf/src/blinn_phong.rs:119
-    if (both_2 > 0f) {
-        chosen_13 = (_e4 / both_2);
-    } else {
-        chosen_13 = 0f;
-    }
-    let _e15 = chosen_13;
-    return _e15;
-}
-
-// glimt_sampling/src/warp.rs:190
-fn height_of(direction_3: vec3<f32>) -> f32 {
-    var chosen_14: f32;
-
-    // glimt_sampling/src/warp.rs:191
-    if (direction_3.z > 0f) {
-        // glimt_sampling/src/warp.rs:192
-        chosen_14 = (((direction_3.x * direction_3.x) + (direction_3.y * direction_3.y)) / (1f + direction_3.z));
-    } else {
-        // glimt_sampling/src/warp.rs:194
-        chosen_14 = (1f - direction_3.z);
-    }
-    let _e23 = chosen_14;
-    return _e23;
-}
-
-// glimt_sampling/src/warp.rs:201
-fn ln_cos_theta(direction_4: vec3<f32>) -> f32 {
-
-    // glimt_sampling/src/warp.rs:202
-    let _e3 = height_of(direction_4);
-    // glimt_sampling/src/warp.rs:203
-    if (_e3 < 0.1f) {
-        // glimt_sampling/src/warp.rs:204
-        let tail_1 = ((1f / 3f) + (_e3 * (0.25f + (_e3 * (0.2f + (_e3 * ((1f / 6f) + (_e3 / 7f))))))));
-        // glimt_sampling/src/warp.rs:205
-        return (0f - (_e3 * (1f + (_e3 * (0.5f + (_e3 * tail_1))))));
-    }
-    // glimt_sampling/src/warp.rs:207
-    return log(direction_4.z);
-}
-
-// glimt_sampling/src/warp.rs:289
-fn pdf_power_cosine_sr(direction_5: vec3<f32>, exponent_3: f32) -> f32 {
-    var chosen_15: f32;
-
-    // glimt_sampling/src/warp.rs:290
-    let normalisation_1 = ((exponent_3 + 1f) * (0.5f * 0.31830987f));
-    // glimt_sampling/src/warp.rs:291
-    if (exponent_3 <= 0f) {
-        // glimt_sampling/src/warp.rs:292
-        if (direction_5.z >= 0f) {
-            // glimt_sampling/src/warp.rs:293
-            chosen_15 = normalisation_1;
-        } else {
-            // glimt_sampling/src/warp.rs:295
-            chosen_15 = 0f;
-        }
-        let _e21 = chosen_15;
-        return _e21;
-    }
-    // glimt_sampling/src/warp.rs:298
-    if (direction_5.z <= 0f) {
-        // glimt_sampling/src/warp.rs:299
-        return 0f;
-    }
-    // glimt_sampling/src/warp.rs:301
-    let _e29 = ln_cos_theta(direction_5);
-    return (normalisation_1 * exp((exponent_3 * _e29)));
-}
-
-// glimt_sampling/src/warp.rs:182
-fn cos_sin_turns(turns: f32) -> vec2<f32> {
-    var chosen_16: f32;
-
-    // glimt_sampling/src/warp.rs:183
-    if (turns < 0.5f) {
-        chosen_16 = turns;
-    } else {
-        chosen_16 = (turns - 1f);
-    }
-    let signed = chosen_16;
-    // glimt_sampling/src/warp.rs:184
-    let phi = (6.2831855f * signed);
-    // glimt_sampling/src/warp.rs:185
-    return vec2<f32>(cos(phi), sin(phi));
-}
-
-// glimt_sampling/src/warp.rs:257
-fn sample_power_cosine(u_4: vec2<f32>, exponent_4: f32) -> DirectionSample {
-    var sin2_theta_1: f32;
-    var cos_theta: f32;
-
-    // glimt_sampling/src/warp.rs:258
-    if (u_4.x <= 0f) {
-        // glimt_sampling/src/warp.rs:259
-        let _e16 = pdf_power_cosine_sr(vec3<f32>(1f, 0f, 0f), exponent_4);
-        return DirectionSample(vec3<f32>(1f, 0f, 0f), _e16);
-    }
-    // glimt_sampling/src/warp.rs:266
-    let t_10 = ((2f / (exponent_4 + 1f)) * (0f - log(u_4.x)));
-    // glimt_sampling/src/warp.rs:269
-    if (t_10 < 0.25f) {
-        // glimt_sampling/src/warp.rs:270
-        let tail_2 = ((1f / 6f) - (t_10 * ((1f / 24f) - (t_10 * ((1f / 120f) - (t_10 / 720f))))));
-        // glimt_sampling/src/warp.rs:271
-        sin2_theta_1 = max((t_10 * (1f - (t_10 * (0.5f - (t_10 * tail_2))))), 0f);
-        // glimt_sampling/src/warp.rs:272
-        let _e62 = sin2_theta_1;
-        cos_theta = sqrt((1f - _e62));
-    } else {
-        // glimt_sampling/src/warp.rs:274
-        cos_theta = exp((-0.5f * t_10));
-        // glimt_sampling/src/warp.rs:275
-        let _e71 = cos_theta;
-        let _e72 = cos_theta;
-        sin2_theta_1 = (1f - (_e71 * _e72));
-    }
-    // glimt_sampling/src/warp.rs:277
-    let _e76 = sin2_theta_1;
-    let sin_theta = sqrt(_e76);
-    // glimt_sampling/src/warp.rs:278
-    let _e80 = cos_sin_turns(u_4.y);
-    // glimt_sampling/src/warp.rs:279
-    let _e86 = cos_theta;
-    let direction_10 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
-    // glimt_sampling/src/warp.rs:280
-    let _e89 = pdf_power_cosine_sr(direction_10, exponent_4);
-    return DirectionSample(direction_10, _e89);
-}
-
-// glimt_sampling/src/warp.rs:31
-fn sample_concentric_disk(u_5: vec2<f32>) -> vec2<f32> {
-
-    // glimt_sampling/src/warp.rs:32
-    let a_7 = ((2f * u_5.x) - 1f);
-    // glimt_sampling/src/warp.rs:33
-    let b_8 = ((2f * u_5.y) - 1f);
-    // glimt_sampling/src/warp.rs:34
-    if ((a_7 == 0f) && (b_8 == 0f)) {
-        // glimt_sampling/src/warp.rs:35
-        return vec2(0f);
-    }
-    // glimt_sampling/src/warp.rs:37
-    if ((a_7 * a_7) > (b_8 * b_8)) {
-        // glimt_sampling/src/warp.rs:38
-        let phi_1 = (0.7853982f * (b_8 / a_7));
-        // glimt_sampling/src/warp.rs:39
-        return vec2<f32>((a_7 * cos(phi_1)), (a_7 * sin(phi_1)));
-    }
-    // glimt_sampling/src/warp.rs:41
-    let phi_2 = (0.7853982f * (a_7 / b_8));
-    // glimt_sampling/src/warp.rs:42
-    return vec2<f32>((b_8 * sin(phi_2)), (b_8 * cos(phi_2)));
-}
-
-// glimt_sampling/src/warp.rs:88
-fn sample_cosine_hemisphere(u_6: vec2<f32>) -> DirectionSample {
-
-    // glimt_sampling/src/warp.rs:89
-    let _e3 = sample_concentric_disk(u_6);
-    // glimt_sampling/src/warp.rs:92
-    let _e10 = abs(((2f * u_6) - vec2(1f)));
-    let r_2 = max(_e10.x, _e10.y);
-    // glimt_sampling/src/warp.rs:93
-    let z_3 = sqrt(((1f - r_2) * (1f + r_2)));
-    // glimt_sampling/src/warp.rs:94
-    return DirectionSample(vec3<f32>(_e3, z_3), (z_3 * 0.31830987f));
-}
-
-// glimt_sampling/src/warp.rs:103
-fn pdf_cosine_hemisphere_sr(direction_6: vec3<f32>) -> f32 {
-
-    // glimt_sampling/src/warp.rs:104
-    return (max(direction_6.z, 0f) * 0.31830987f);
-}
-
-// glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_29: HalfVector, exponent_5: f32) -> f32 {
-
-    // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_29, exponent_5);
-    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_29.wo_dot_h));
-}
-
-// glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_30: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
-
-    // glimt_brdf/src/blinn_phong.rs:100
-    if ((wo_2.z <= 0f) || (wi_2.z <= 0f)) {
-        // glimt_brdf/src/blinn_phong.rs:101
-        return 0f;
-    }
-    // glimt_brdf/src/blinn_phong.rs:103
-    let _e15 = pdf_cosine_hemisphere_sr(wi_2);
-    // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_30);
-    // glimt_brdf/src/blinn_phong.rs:105
-    if (_e17 <= 0f) {
-        // glimt_brdf/src/blinn_phong.rs:106
-        return _e15;
-    }
-    // glimt_brdf/src/blinn_phong.rs:108
-    let _e23 = HalfVector_new(wo_2, wi_2);
-    let _e25 = HalfVector_pdf_sr(_e23, this_30.exponent);
-    // glimt_brdf/src/blinn_phong.rs:109
-    return ((_e17 * _e25) + ((1f - _e17) * _e15));
-}
-
-// glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_31: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_7: vec2<f32>) -> BrdfSample {
-    var chosen_17: vec3<f32>;
-
-    // glimt_brdf/src/blinn_phong.rs:81
-    let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_31);
-    if (_e7 < _e8) {
-        // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_7, this_31.exponent);
-        let h = _e12.direction;
-        // glimt_brdf/src/blinn_phong.rs:83
-        chosen_17 = (((2f * dot(wo_3, h)) * h) - wo_3);
-    } else {
-        // glimt_brdf/src/blinn_phong.rs:85
-        let _e21 = sample_cosine_hemisphere(u_7);
-        chosen_17 = _e21.direction;
-    }
-    let wi_5 = chosen_17;
-    // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_31, wo_3, wi_5);
-    return BrdfSample(wi_5, _e25);
-}
-
-// glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_32: ShadingFrame, v_5: vec3<f32>) -> vec3<f32> {
-
-    // glimt_sampling/src/math.rs:60
-    return (((this_32.t * v_5.x) + (this_32.b * v_5.y)) + (this_32.n * v_5.z));
-}
-
-// glimt_probe/src/latlong.rs:45
-fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
-    var chosen_18: f32;
-    var chosen_19: f32;
-
-    // glimt_probe/src/latlong.rs:46
-    let horizontal = sqrt(((d_1.x * d_1.x) + (d_1.y * d_1.y)));
-    // glimt_probe/src/latlong.rs:47
-    if (horizontal <= 0f) {
-        // glimt_probe/src/latlong.rs:48
-        if (d_1.z < 0f) {
-            chosen_18 = 1f;
-        } else {
-            chosen_18 = 0f;
-        }
-        let v_7 = chosen_18;
-        // glimt_probe/src/latlong.rs:49
-        return vec2<f32>(0.5f, v_7);
-    }
-    // glimt_probe/src/latlong.rs:52
-    let v_8 = (atan2(horizontal, d_1.z) * 0.31830987f);
-    // glimt_probe/src/latlong.rs:53
-    let u_12 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
-    // glimt_probe/src/latlong.rs:54
-    if (u_12 < 1f) {
-        chosen_19 = max(u_12, 0f);
-    } else {
-        chosen_19 = 0f;
-    }
-    let _e47 = chosen_19;
-    return vec2<f32>(_e47, clamp(v_8, 0f, 1f));
-}
-
-// glimt_probe/src/latlong.rs:68
-fn direction_to_texel(d_2: vec3<f32>, size_6: vec2<u32>) -> vec2<u32> {
-
-    // glimt_probe/src/latlong.rs:69
-    let size_12 = max(size_6, vec2(1u));
-    // glimt_probe/src/latlong.rs:70
-    let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_12));
-    // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_12 - vec2(1u)));
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:85
-fn Environment_texel(size_7: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
-
-    // glimt_render_gpu/src/kernels/environment.rs:86
-    let _e5 = Environment_to_map(size_7, rotation_1, direction_7);
-    let _e6 = direction_to_texel(_e5, size_7);
-    return _e6;
-}
-
-// glimt_envmap_cdf/src/search.rs:31
-fn find_bin(start: u32, bins: u32, u_8: u32) -> Bin {
-    var at: u32;
-    var left: u32;
-
-    // glimt_envmap_cdf/src/search.rs:33
-    at = start;
-    // glimt_envmap_cdf/src/search.rs:34
-    left = bins;
-    // glimt_envmap_cdf/src/search.rs:35
-    loop {
-        let _e9 = left;
-        if !((_e9 > 1u)) {
-            break;
-        }
-        // glimt_envmap_cdf/src/search.rs:36
-        let _e14 = left;
-        let half = (_e14 / 2u);
-        // glimt_envmap_cdf/src/search.rs:37
-        let _e18 = at;
-        let _e22 = env_tables[(_e18 + half)];
-        if (_e22 <= u_8) {
-            // glimt_envmap_cdf/src/search.rs:38
-            let _e25 = at;
-            at = (_e25 + half);
-        }
-        // glimt_envmap_cdf/src/search.rs:40
-        let _e28 = left;
-        left = (_e28 - half);
-    }
-    // glimt_envmap_cdf/src/search.rs:42
-    let _e31 = at;
-    let first_4 = env_tables[_e31];
-    // glimt_envmap_cdf/src/search.rs:43
-    let _e36 = at;
-    let _e38 = at;
-    let _e43 = env_tables[(_e38 + 1u)];
-    return Bin((_e36 - start), first_4, (_e43 - first_4));
-}
-
-// glimt_render_gpu/src/kernels/product.rs:158
-fn cell_of(texel: vec2<u32>, env_size_3: vec2<u32>, env_rotation_3: vec2<f32>) -> u32 {
-
-    // glimt_render_gpu/src/kernels/product.rs:159
-    let _e4 = first_word(env_size_3);
-    // glimt_render_gpu/src/kernels/product.rs:160
-    let _e8 = find_bin(_e4, 16u, texel.y);
-    let row_4 = _e8.index;
-    // glimt_render_gpu/src/kernels/product.rs:161
-    let column_4 = (((32u * (texel.x + 1u)) - 1u) / env_size_3.x);
-    // glimt_render_gpu/src/kernels/product.rs:162
-    return ((row_4 * 32u) + column_4);
-}
-
-// glimt_render_gpu/src/kernels/product.rs:144
-fn texel_rows(row: u32, env_size_4: vec2<u32>, env_rotation_4: vec2<f32>) -> vec2<u32> {
-
-    // glimt_render_gpu/src/kernels/product.rs:145
-    let _e4 = first_word(env_size_4);
-    let at_2 = (_e4 + row);
-    // glimt_render_gpu/src/kernels/product.rs:146
-    let _e9 = env_tables[at_2];
-    let _e14 = env_tables[(at_2 + 1u)];
-    return vec2<u32>(_e9, _e14);
-}
-
-// glimt_render_gpu/src/kernels/product.rs:55
-fn first_edge(column: u32, row_1: u32, first_row: u32, height_1: u32) -> u32 {
-
-    // glimt_render_gpu/src/kernels/product.rs:56
-    return (((((16u + 1u) + (512u * 5u)) + (column * (height_1 + 16u))) + first_row) + row_1);
-}
-
-// glimt_render_gpu/src/kernels/product.rs:47
-fn first_column(column_1: u32, width: u32) -> u32 {
-
-    // glimt_render_gpu/src/kernels/product.rs:48
-    return ((column_1 * width) / 32u);
-}
-
-// glimt_render_gpu/src/kernels/product.rs:151
-fn texel_columns(column_2: u32, width_1: u32) -> vec2<u32> {
-
-    // glimt_render_gpu/src/kernels/product.rs:152
-    let _e4 = first_column(column_2, width_1);
-    let _e7 = first_column((column_2 + 1u), width_1);
-    return vec2<u32>(_e4, _e7);
-}
-
-// glimt_render_gpu/src/kernels/product.rs:178
-fn column_units(y_1: u32, columns: vec2<u32>, env_size_5: vec2<u32>, env_rotation_5: vec2<f32>) -> vec2<u32> {
-
-    // glimt_render_gpu/src/kernels/product.rs:179
-    let _e5 = marginal_words(env_size_5);
-    let start_1 = (_e5 + (y_1 * (env_size_5.x + 1u)));
-    // glimt_render_gpu/src/kernels/product.rs:180
-    let low_1 = env_tables[(start_1 + columns.x)];
-    // glimt_render_gpu/src/kernels/product.rs:181
-    let _e22 = env_tables[(start_1 + columns.y)];
-    return vec2<u32>(low_1, (_e22 - low_1));
-}
-
-// glimt_render_gpu/src/kernels/product.rs:240
-fn pmf(row_2: Bin, column_3: Bin, all_: u32) -> f32 {
-
-    // glimt_render_gpu/src/kernels/product.rs:241
-    if (all_ == 0u) {
-        // glimt_render_gpu/src/kernels/product.rs:242
-        return 0f;
-    }
-    // glimt_render_gpu/src/kernels/product.rs:244
-    return ((f32(row_2.units) * (1f / 2147483600f)) * (f32(column_3.units) / f32(all_)));
-}
-
-// glimt_render_gpu/src/kernels/product.rs:217
-fn pmf_in_cell(texel_1: vec2<u32>, cell_2: u32, env_size_6: vec2<u32>, env_rotation_6: vec2<f32>) -> f32 {
-
-    // glimt_render_gpu/src/kernels/product.rs:218
-    let _e10 = Tuple_u32_u32_((cell_2 % 32u), (cell_2 / 32u));
-    let column_5 = _e10.fa;
-    let row_5 = _e10.fb;
-    // glimt_render_gpu/src/kernels/product.rs:219
-    let _e14 = texel_rows(row_5, env_size_6, env_rotation_6);
-    // glimt_render_gpu/src/kernels/product.rs:220
-    let _e16 = first_word(env_size_6);
-    let _e19 = first_edge(column_5, row_5, _e14.x, env_size_6.y);
-    let edges_1 = (_e16 + _e19);
-    // glimt_render_gpu/src/kernels/product.rs:221
-    let at_3 = (edges_1 + (texel_1.y - _e14.x));
-    // glimt_render_gpu/src/kernels/product.rs:222
-    let _e33 = env_tables[(at_3 + 1u)];
-    let _e36 = env_tables[at_3];
-    let of_row = Bin(0u, 0u, (_e33 - _e36));
-    // glimt_render_gpu/src/kernels/product.rs:227
-    let _e41 = texel_columns(column_5, env_size_6.x);
-    // glimt_render_gpu/src/kernels/product.rs:228
-    let _e44 = column_units(texel_1.y, _e41, env_size_6, env_rotation_6);
-    // glimt_render_gpu/src/kernels/product.rs:229
-    let _e46 = marginal_words(env_size_6);
-    let start_2 = ((_e46 + (texel_1.y * (env_size_6.x + 1u))) + texel_1.x);
-    // glimt_render_gpu/src/kernels/product.rs:230
-    let _e62 = env_tables[(start_2 + 1u)];
-    let _e65 = env_tables[start_2];
-    let of_column = Bin(0u, 0u, (_e62 - _e65));
-    // glimt_render_gpu/src/kernels/product.rs:235
-    let _e70 = pmf(of_row, of_column, _e44.y);
-    return _e70;
-}
-
-// glimt_probe/src/trig.rs:25
-fn cos_sin_pi(x_7: f32) -> vec2<f32> {
-    var chosen_20: vec2<f32>;
-
-    // glimt_probe/src/trig.rs:27
-    let quarter = floor(((2f * x_7) + 0.5f));
-    // glimt_probe/src/trig.rs:28
-    let y_4 = (x_7 - (0.5f * quarter));
-    // glimt_probe/src/trig.rs:29
-    let y2_ = (y_4 * y_4);
-    // glimt_probe/src/trig.rs:31
-    let c_5 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
-    // glimt_probe/src/trig.rs:34
-    let s_1 = (y_4 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
-    // glimt_probe/src/trig.rs:37
-    let _e49 = (i32(quarter) & 3i);
-    if (_e49 == 0i) {
-        // glimt_probe/src/trig.rs:38
-        chosen_20 = vec2<f32>(c_5, (s_1 + 0f));
-    } else {
-        if (_e49 == 1i) {
-            // glimt_probe/src/trig.rs:39
-            chosen_20 = vec2<f32>((0f - s_1), c_5);
-        } else {
-            if (_e49 == 2i) {
-                // glimt_probe/src/trig.rs:40
-                chosen_20 = vec2<f32>((0f - c_5), (0f - s_1));
-            } else {
-                // glimt_probe/src/trig.rs:41
-                chosen_20 = vec2<f32>((s_1 + 0f), (0f - c_5));
-            }
-        }
-    }
-    let _e77 = chosen_20;
-    return _e77;
-}
-
-// glimt_probe/src/latlong.rs:121
-fn texel_solid_angle_sr(row_3: u32, size_8: vec2<u32>) -> f32 {
-
-    // glimt_probe/src/latlong.rs:122
-    let size_13 = max(size_8, vec2(1u));
-    // glimt_probe/src/latlong.rs:123
-    let row_6 = min(row_3, (size_13.y - 1u));
-    // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_6, ((size_13.y - 1u) - row_6));
-    // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_13.y));
-    // glimt_probe/src/latlong.rs:126
-    let middle = (f32(((2u * from_pole) + 1u)) * half_row);
-    // glimt_probe/src/latlong.rs:127
-    let _e37 = cos_sin_pi(middle);
-    let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_13.x)) * _e37.y) * _e40.y);
-}
-
-// glimt_render_gpu/src/kernels/product.rs:262
-fn Product_pdf_sr(this_33: Product, texel_2: vec2<u32>, total_1: f32, lobe_1: CellLobe, env_size_7: vec2<u32>, env_rotation_7: vec2<f32>) -> f32 {
-
-    // glimt_render_gpu/src/kernels/product.rs:263
-    if !((total_1 > 0f)) {
-        // glimt_render_gpu/src/kernels/product.rs:264
-        return 0f;
-    }
-    // glimt_render_gpu/src/kernels/product.rs:266
-    let _e13 = cell_of(texel_2, env_size_7, env_rotation_7);
-    // glimt_render_gpu/src/kernels/product.rs:267
-    let _e15 = CellLobe_weight(lobe_1, _e13, env_size_7, env_rotation_7);
-    let _e17 = pmf_in_cell(texel_2, _e13, env_size_7, env_rotation_7);
-    let pmf_1 = ((_e15 / total_1) * _e17);
-    // glimt_render_gpu/src/kernels/product.rs:268
-    let _e21 = texel_solid_angle_sr(texel_2.y, env_size_7);
-    return (pmf_1 / _e21);
-}
-
-// glimt_sampling/src/mis.rs:59
-fn multi_sample_density(n_f: u32, pdf_f: f32, n_g: u32, pdf_g: f32) -> f32 {
-
-    // glimt_sampling/src/mis.rs:60
-    return ((f32(n_f) * pdf_f) + (f32(n_g) * pdf_g));
-}
-
-// glimt_render_gpu/src/kernels/product.rs:298
-fn Product_density(this_34: Product, brdf_pdf_sr: f32, product_pdf_sr: f32) -> f32 {
-
-    // glimt_render_gpu/src/kernels/product.rs:299
-    let _e7 = multi_sample_density(this_34.brdf_samples, brdf_pdf_sr, this_34.env_samples, product_pdf_sr);
-    return _e7;
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:92
-fn Environment_radiance(size_9: vec2<u32>, rotation_2: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/environment.rs:93
-    let _e11 = env_texels[((texel_3.y * size_9.x) + texel_3.x)];
-    return _e11.xyz;
-}
-
-// glimt_render_gpu/src/kernels/estimator.rs:76
-fn LightSample_new(point_2: ShadingPoint, direction_8: vec3<f32>, wi_3: vec3<f32>, radiance_1: vec3<f32>, density: f32) -> LightSample {
-
-    // glimt_render_gpu/src/kernels/estimator.rs:83
-    let in_front = ((wi_3.z > 0f) && (dot(point_2.geometric_normal, direction_8) > 0f));
-    // glimt_render_gpu/src/kernels/estimator.rs:84
-    if (!(in_front) || !((density > 0.000000000000000000000000000000000000011754944f))) {
-        // glimt_render_gpu/src/kernels/estimator.rs:85
-        return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
-    }
-    // glimt_render_gpu/src/kernels/estimator.rs:88
-    let _e32 = BlinnPhong_eval(point_2.brdf, point_2.wo, wi_3);
-    let weight_1 = (_e32 * (wi_3.z / density));
-    // glimt_render_gpu/src/kernels/estimator.rs:89
-    return LightSample(direction_8, (radiance_1 * weight_1));
-}
-
-// glimt_render_gpu/src/kernels/product.rs:308
-fn Product_brdf_sample(this_35: Product, sample_2: u32, total_2: f32, lobe_2: CellLobe, point_3: ShadingPoint, pattern_1: PixelPattern, env_size_8: vec2<u32>, env_rotation_8: vec2<f32>) -> LightSample {
-
-    // glimt_render_gpu/src/kernels/product.rs:317
-    let _e12 = PixelPattern_triple(pattern_1, 2u, sample_2, this_35.brdf_samples);
-    // glimt_render_gpu/src/kernels/product.rs:318
-    let _e18 = unit_vec2_(_e12.xy);
-    let _e19 = BlinnPhong_sample(point_3.brdf, point_3.wo, _e12.z, _e18);
-    // glimt_render_gpu/src/kernels/product.rs:319
-    if !((_e19.pdf_sr > 0f)) {
-        // glimt_render_gpu/src/kernels/product.rs:320
-        return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
-    }
-    // glimt_render_gpu/src/kernels/product.rs:322
-    let _e36 = ShadingFrame_to_world(point_3.frame, _e19.wi);
-    // glimt_render_gpu/src/kernels/product.rs:323
-    let _e38 = Environment_texel(env_size_8, env_rotation_8, _e36);
-    // glimt_render_gpu/src/kernels/product.rs:324
-    let _e41 = Product_pdf_sr(this_35, _e38, total_2, lobe_2, env_size_8, env_rotation_8);
-    let _e42 = Product_density(this_35, _e19.pdf_sr, _e41);
-    // glimt_render_gpu/src/kernels/product.rs:325
-    let _e45 = Environment_radiance(env_size_8, env_rotation_8, _e38);
-    let _e46 = LightSample_new(point_3, _e36, _e19.wi, _e45, _e42);
-    return _e46;
-}
-
 // glimt_render_gpu/src/kernels/bvh.rs:73
-fn any_hit(ray_12: Ray, t_max_2: f32) -> bool {
+fn any_hit(ray_9: Ray, t_max_1: f32) -> bool {
     var t_4: f32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:80
-    t_4 = t_max_2;
+    t_4 = t_max_1;
     // glimt_render_gpu/src/kernels/bvh.rs:81
-    let _e7 = traverse(ray_12, (&t_4), true);
+    let _e7 = traverse(ray_9, (&t_4), true);
     return (_e7 != 4294967295u);
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:136
-fn Scene_is_lit(point_4: ShadingPoint, direction_9: vec3<f32>, key_5: u32) -> bool {
+fn Scene_is_lit(point_3: ShadingPoint, direction_8: vec3<f32>, key_2: u32) -> bool {
 
     // glimt_render_gpu/src/kernels/scene.rs:137
-    let _e6 = Ray_keyed(point_4.origin, direction_9, key_5);
+    let _e6 = Ray_keyed(point_3.origin, direction_8, key_2);
     // glimt_render_gpu/src/kernels/scene.rs:138
     let _e9 = any_hit(_e6, 0x1.fffffep+127f);
     return !(_e9);
 }
 
-// glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_36: LightSample, point_5: ShadingPoint, key_6: u32) -> Reflected {
-    var chosen_21: Reflected;
+// glimt_render_gpu/src/kernels/proposal.rs:335
+fn Proposal_control(this_41: Proposal, direction_9: vec3<f32>, at_3: CellAt) -> vec3<f32> {
+    var self_3: Proposal;
+    var chosen_22: f32;
 
-    // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_36.contribution.x, this_36.contribution.y), this_36.contribution.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/estimator.rs:100
+    self_3 = this_41;
+    // glimt_render_gpu/src/kernels/proposal.rs:336
+    if at_3.is_full {
+        // glimt_render_gpu/src/kernels/proposal.rs:337
+        let _e11 = self_3.of_.mean_normal;
+        chosen_22 = dot(_e11, direction_9);
+    } else {
+        // glimt_render_gpu/src/kernels/proposal.rs:339
+        chosen_22 = at_3.cosine;
+    }
+    let cosine_1 = chosen_22;
+    // glimt_render_gpu/src/kernels/proposal.rs:341
+    let _e19 = self_3.of_.diffuse;
+    let kd_2 = (_e19 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:342
+    let _e26 = self_3.of_.specular;
+    return (((kd_2 * cosine_1) + (_e26 * at_3.lobe)) * at_3.visibility);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:236
+fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, group_3: Group, proposal_2: Proposal, look: Look, point_4: ShadingPoint, f: vec3<f32>, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
+    var proposal_3: Proposal;
+    var own: vec3<f32>;
+    var sum_3: vec3<f32>;
+    var counter_11: u32;
+
+    proposal_3 = proposal_2;
+    // glimt_render_gpu/src/kernels/group_light.rs:245
+    if (group_3.members < 2u) {
+        // glimt_render_gpu/src/kernels/group_light.rs:246
+        return vec3(0f);
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:248
+    let _e20 = proposal_3.of_.surface.specular;
+    let has_lobe_1 = (_e20 > 0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:249
+    let _e27 = proposal_3.of_.surface.spread;
+    if !((has_lobe_1 || (_e27 > 0.035f))) {
+        // glimt_render_gpu/src/kernels/group_light.rs:250
+        let _e35 = proposal_3.of_.mean_normal;
+        let apart_1 = (dot(_e35, look.of_map) - dot(point_4.frame.n, look.direction));
+        // glimt_render_gpu/src/kernels/group_light.rs:252
+        let _e46 = proposal_3.of_.diffuse;
+        return (_e46 * (0.31830987f * apart_1));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:254
+    let _e52 = proposal_3.lobe_share;
+    let with_lobes = !((_e52 > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:255
+    own = f;
+    // glimt_render_gpu/src/kernels/group_light.rs:256
+    if !(with_lobes) {
+        // glimt_render_gpu/src/kernels/group_light.rs:257
+        let cosine_2 = max(dot(point_4.frame.n, look.direction), 0f);
+        // glimt_render_gpu/src/kernels/group_light.rs:258
+        own = (point_4.brdf.diffuse * (0.31830987f * cosine_2));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:260
+    sum_3 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:261
+    counter_11 = 0u;
+    loop {
+        let k_4 = counter_11;
+        if (k_4 >= group_3.members) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/group_light.rs:262
+        let _e84 = Group_ray(group_3, k_4, points_start_6, points_len_6);
+        // glimt_render_gpu/src/kernels/group_light.rs:263
+        if with_lobes {
+            // glimt_render_gpu/src/kernels/group_light.rs:264
+            let _e90 = points[(points_start_6 + _e84)];
+            let _e91 = SeenPoint_shading_point(_e90);
+            // glimt_render_gpu/src/kernels/group_light.rs:265
+            let _e95 = ShadingFrame_to_local(_e91.frame, look.direction);
+            let _e96 = reflectance(_e91, _e95);
+            let _e97 = sum_3;
+            sum_3 = (_e97 + _e96);
+        } else {
+            // glimt_render_gpu/src/kernels/group_light.rs:267
+            let other = points[(points_start_6 + _e84)];
+            // glimt_render_gpu/src/kernels/group_light.rs:268
+            let cosine_3 = max(dot(other.normal, look.direction), 0f);
+            // glimt_render_gpu/src/kernels/group_light.rs:269
+            let _e115 = sum_3;
+            sum_3 = (_e115 + (other.diffuse * (0.31830987f * cosine_3)));
+        }
+        continuing {
+            let _e117 = counter_11;
+            counter_11 = (_e117 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:272
+    let _e121 = sum_3;
+    let _e126 = own;
+    return ((_e121 / vec3(f32(group_3.members))) - _e126);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:186
+fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, group_4: Group, proposal_4: Proposal, expected_5: Unknown, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Reflected {
+    var proposal_5: Proposal;
+    var pdf_sr: f32;
+    var both_3: bool;
+    var lit: vec3<f32>;
+    var blocked: vec3<f32>;
+
+    proposal_5 = proposal_4;
+    // glimt_render_gpu/src/kernels/group_light.rs:195
+    let _e20 = points[(points_start_7 + look_1.ray)];
+    let _e21 = SeenPoint_shading_point(_e20);
+    // glimt_render_gpu/src/kernels/group_light.rs:196
+    let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
+    // glimt_render_gpu/src/kernels/group_light.rs:197
+    let _e27 = proposal_5;
+    let _e29 = Proposal_cell(_e27, look_1.cell, cells_size_12, cells_start_12, expected_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:198
+    let share_2 = proposal_5.lobe_share;
+    // glimt_render_gpu/src/kernels/group_light.rs:199
+    pdf_sr = 0f;
+    // glimt_render_gpu/src/kernels/group_light.rs:200
+    if (share_2 < 1f) {
+        // glimt_render_gpu/src/kernels/group_light.rs:201
+        let _e40 = proposal_5;
+        let _e43 = Proposal_cells_pdf_sr(_e40, look_1.texel, look_1.cell, _e29, cells_size_12, cells_start_12);
+        // glimt_render_gpu/src/kernels/group_light.rs:202
+        pdf_sr = ((1f - share_2) * _e43);
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:204
+    if (share_2 > 0f) {
+        // glimt_render_gpu/src/kernels/group_light.rs:205
+        let _e52 = lobe_of(_e21);
+        let _e54 = BlinnPhong_pdf_sr(_e52, _e21.wo, _e25);
+        let _e56 = pdf_sr;
+        pdf_sr = (_e56 + (share_2 * _e54));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:207
+    let _e59 = pdf_sr;
+    if !((_e59 > 0.000000000000000000000000000000000000011754944f)) {
+        // glimt_render_gpu/src/kernels/group_light.rs:208
         return Reflected(vec3(0f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e23 = Scene_is_lit(point_5, this_36.direction, key_6);
-    if _e23 {
-        // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_21 = Reflected(this_36.contribution, vec3(0f));
-    } else {
-        // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_21 = Reflected(vec3(0f), this_36.contribution);
+    // glimt_render_gpu/src/kernels/group_light.rs:210
+    let _e71 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
+    // glimt_render_gpu/src/kernels/group_light.rs:211
+    let _e73 = reflectance(_e21, _e25);
+    // glimt_render_gpu/src/kernels/group_light.rs:212
+    let is_seen = ((max(max(_e73.x, _e73.y), _e73.z) > 0f) && (dot(_e21.geometric_normal, look_1.direction) > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:213
+    both_3 = is_seen;
+    if is_seen {
+        let _e91 = Scene_is_lit(_e21, look_1.direction, key_3);
+        both_3 = _e91;
     }
-    let _e34 = chosen_21;
-    return _e34;
+    let arrives = both_3;
+    // glimt_render_gpu/src/kernels/group_light.rs:214
+    lit = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:215
+    blocked = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:216
+    if arrives {
+        // glimt_render_gpu/src/kernels/group_light.rs:217
+        lit = _e73;
+    } else {
+        if is_seen {
+            // glimt_render_gpu/src/kernels/group_light.rs:219
+            blocked = _e73;
+        }
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:221
+    if false {
+        // glimt_render_gpu/src/kernels/group_light.rs:222
+        let _e107 = lit;
+        let _e108 = proposal_5;
+        let _e110 = Proposal_control(_e108, look_1.of_map, _e29);
+        let _e112 = proposal_5;
+        let _e113 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, group_4, _e112, look_1, _e21, _e73, points_start_7, points_len_7);
+        lit = ((_e107 - _e110) + (_e113 * _e29.visibility));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:226
+    let _e118 = lit;
+    let _e119 = pdf_sr;
+    let _e123 = blocked;
+    let _e124 = pdf_sr;
+    return Reflected((_e71 * (_e118 / vec3(_e119))), (_e71 * (_e123 / vec3(_e124))));
 }
 
-// glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_37: ptr<function, Reflected>, light: Reflected) {
+// glimt_render_gpu/src/kernels/group_light.rs:87
+fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_5: PixelPattern, rays_5: f32, group_5: Group, number: u32, expected_6: Unknown, points_start_8: u32, points_len_8: u32, drawn: ptr<function, Drawn>) -> Reflected {
+    var proposal_6: Proposal;
+    var source_2: PatternSource;
+    var worth_1: f32;
+    var chosen_23: f32;
+    var lit_1: vec3<f32>;
+    var blocked_1: vec3<f32>;
+    var counter_12: u32;
+    var chosen_24: Look;
 
-    // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_37).lit;
-    (*this_37).lit = (_e6 + light.lit);
-    // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_37).blocked;
-    (*this_37).blocked = (_e11 + light.blocked);
-    return;
-}
-
-// glimt_render_gpu/src/kernels/product.rs:168
-fn multiply_high(a_3: u32, b_3: u32) -> u32 {
-
-    // glimt_render_gpu/src/kernels/product.rs:169
-    let _e8 = Tuple_u32_u32_((a_3 >> 16u), (a_3 & 65535u));
-    let a_high = _e8.fa;
-    let a_low = _e8.fb;
-    // glimt_render_gpu/src/kernels/product.rs:170
-    let _e16 = Tuple_u32_u32_((b_3 >> 16u), (b_3 & 65535u));
-    let b_high = _e16.fa;
-    let b_low = _e16.fb;
-    // glimt_render_gpu/src/kernels/product.rs:171
-    let middle_1 = ((a_high * b_low) + ((a_low * b_low) >> 16u));
-    // glimt_render_gpu/src/kernels/product.rs:172
-    let other = ((a_low * b_high) + (middle_1 & 65535u));
-    // glimt_render_gpu/src/kernels/product.rs:173
-    return (((a_high * b_high) + (middle_1 >> 16u)) + (other >> 16u));
-}
-
-// glimt_render_gpu/src/kernels/product.rs:187
-fn sample_in_cell(cell_3: u32, u_9: vec2<u32>, env_size_9: vec2<u32>, env_rotation_9: vec2<f32>) -> TexelDraw {
-
-    // glimt_render_gpu/src/kernels/product.rs:188
-    let _e10 = Tuple_u32_u32_((cell_3 % 32u), (cell_3 / 32u));
-    let column_6 = _e10.fa;
-    let row_7 = _e10.fb;
-    // glimt_render_gpu/src/kernels/product.rs:189
-    let _e14 = texel_rows(row_7, env_size_9, env_rotation_9);
-    // glimt_render_gpu/src/kernels/product.rs:190
-    let _e16 = first_word(env_size_9);
-    let _e19 = first_edge(column_6, row_7, _e14.x, env_size_9.y);
-    let edges_2 = (_e16 + _e19);
-    // glimt_render_gpu/src/kernels/product.rs:191
-    let _e28 = find_bin(edges_2, (_e14.y - _e14.x), (u_9.y >> 1u));
-    // glimt_render_gpu/src/kernels/product.rs:197
-    let y_5 = (_e14.x + _e28.index);
-    // glimt_render_gpu/src/kernels/product.rs:198
-    let _e35 = texel_columns(column_6, env_size_9.x);
-    // glimt_render_gpu/src/kernels/product.rs:199
-    let _e37 = column_units(y_5, _e35, env_size_9, env_rotation_9);
-    // glimt_render_gpu/src/kernels/product.rs:200
-    let _e39 = marginal_words(env_size_9);
-    let start_3 = ((_e39 + (y_5 * (env_size_9.x + 1u))) + _e35.x);
-    // glimt_render_gpu/src/kernels/product.rs:201
-    let _e51 = multiply_high(u_9.x, _e37.y);
-    let within = (_e37.x + _e51);
-    // glimt_render_gpu/src/kernels/product.rs:202
-    let _e57 = find_bin(start_3, (_e35.y - _e35.x), within);
-    // glimt_render_gpu/src/kernels/product.rs:208
-    let _e64 = pmf(_e28, _e57, _e37.y);
-    return TexelDraw(vec2<u32>((_e35.x + _e57.index), y_5), _e64);
-}
-
-// glimt_render_gpu/src/kernels/product.rs:274
-fn Product_sample(this_38: Product, u_10: vec3<u32>, total_3: f32, lobe_3: CellLobe, env_size_10: vec2<u32>, env_rotation_10: vec2<f32>) -> TexelDraw {
-    var sum_2: f32;
-    var cell_4: u32;
-    var weight: f32;
-    var next: u32;
-
-    // glimt_render_gpu/src/kernels/product.rs:275
-    let _e8 = unit_f32_(u_10.z);
-    let target_ = (_e8 * total_3);
-    // glimt_render_gpu/src/kernels/product.rs:276
-    sum_2 = 0f;
-    // glimt_render_gpu/src/kernels/product.rs:277
-    cell_4 = 0u;
-    // glimt_render_gpu/src/kernels/product.rs:278
-    weight = 0f;
-    // glimt_render_gpu/src/kernels/product.rs:279
-    next = 0u;
-    // glimt_render_gpu/src/kernels/product.rs:281
+    // glimt_render_gpu/src/kernels/group_light.rs:95
+    let _e14 = Group_representative(group_5, points_start_8, points_len_8, env_size_6, env_rotation_6);
+    // glimt_render_gpu/src/kernels/group_light.rs:96
+    let _e16 = Proposal_new(_e14, cells_size_13, cells_start_13, expected_6);
+    proposal_6 = _e16;
+    // glimt_render_gpu/src/kernels/group_light.rs:97
+    let _e20 = PixelPattern_point(pattern_5, 12u, number);
+    source_2 = _e20;
+    // glimt_render_gpu/src/kernels/group_light.rs:98
+    let _e23 = PatternSource_next_u32_((&source_2));
+    let _e24 = unit_f32_(_e23);
+    // glimt_render_gpu/src/kernels/group_light.rs:99
+    worth_1 = ((rays_5 * f32(group_5.members)) / f32(pattern_5.rays));
+    // glimt_render_gpu/src/kernels/group_light.rs:100
+    let _e34 = worth_1;
+    worth_1 = clamp(_e34, 0.02f, 256f);
+    // glimt_render_gpu/src/kernels/group_light.rs:101
+    let _e40 = proposal_6.total;
+    let _e45 = proposal_6.lobe_share;
+    if (!((_e40 > 0f)) && !((_e45 > 0f))) {
+        // glimt_render_gpu/src/kernels/group_light.rs:102
+        worth_1 = 0f;
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:104
+    let _e53 = worth_1;
+    let _e54 = PatternSource_next_u32_((&source_2));
+    let _e55 = unit_f32_(_e54);
+    let count_2 = u32((_e53 + _e55));
+    // glimt_render_gpu/src/kernels/group_light.rs:105
+    let _e60 = worth_1;
+    if (_e60 < 1f) {
+        let _e63 = worth_1;
+        chosen_23 = _e63;
+    } else {
+        chosen_23 = f32(count_2);
+    }
+    let divisor = chosen_23;
+    // glimt_render_gpu/src/kernels/group_light.rs:106
+    let _e68 = PixelPattern_ray_key(pattern_5, 9u);
+    let _e69 = hash2_(_e68, number);
+    // glimt_render_gpu/src/kernels/group_light.rs:107
+    lit_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:108
+    blocked_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:109
+    counter_12 = 0u;
     loop {
-        let _e23 = next;
-        let _e26 = sum_2;
-        if ((_e23 < 512u) && !((_e26 > target_))) {
-            // glimt_render_gpu/src/kernels/product.rs:282
-            let _e31 = next;
-            let _e32 = CellLobe_weight(lobe_3, _e31, env_size_10, env_rotation_10);
-            // glimt_render_gpu/src/kernels/product.rs:283
-            if (_e32 > 0f) {
-                // glimt_render_gpu/src/kernels/product.rs:284
-                let _e37 = next;
-                cell_4 = _e37;
-                // glimt_render_gpu/src/kernels/product.rs:285
-                weight = _e32;
-                // glimt_render_gpu/src/kernels/product.rs:286
-                let _e40 = sum_2;
-                sum_2 = (_e40 + _e32);
-            }
-            // glimt_render_gpu/src/kernels/product.rs:288
-            let _e44 = next;
-            next = (_e44 + 1u);
+        let s_4 = counter_12;
+        if (s_4 >= count_2) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/group_light.rs:110
+        let _e86 = proposal_6.lobe_share;
+        let before = u32(((f32(s_4) * _e86) + _e24));
+        // glimt_render_gpu/src/kernels/group_light.rs:111
+        let _e95 = proposal_6.lobe_share;
+        let after = u32(((f32((s_4 + 1u)) * _e95) + _e24));
+        // glimt_render_gpu/src/kernels/group_light.rs:112
+        if (after > before) {
+            // glimt_render_gpu/src/kernels/group_light.rs:113
+            let _e105 = (*drawn).lobes;
+            (*drawn).lobes = (_e105 + 1u);
+            // glimt_render_gpu/src/kernels/group_light.rs:114
+            let _e109 = (*drawn).lobes;
+            let _e112 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, group_5, (_e109 - 1u), points_start_8, points_len_8);
+            chosen_24 = _e112;
         } else {
-            break;
+            // glimt_render_gpu/src/kernels/group_light.rs:116
+            let _e116 = (*drawn).cells;
+            (*drawn).cells = (_e116 + 1u);
+            // glimt_render_gpu/src/kernels/group_light.rs:117
+            let _e119 = proposal_6;
+            let _e121 = (*drawn).cells;
+            let _e124 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, group_5, _e119, expected_6, (_e121 - 1u), points_start_8, points_len_8);
+            chosen_24 = _e124;
         }
-    }
-    // glimt_render_gpu/src/kernels/product.rs:290
-    let _e47 = cell_4;
-    let _e51 = sample_in_cell(_e47, vec2<u32>(u_10.x, u_10.y), env_size_10, env_rotation_10);
-    // glimt_render_gpu/src/kernels/product.rs:291
-    let _e55 = weight;
-    return TexelDraw(_e51.texel, (_e51.pmf * (_e55 / total_3)));
-}
-
-// glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel_4: vec2<u32>, size_10: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
-    var chosen_22: u32;
-    var chosen_23: u32;
-    var chosen_24: f32;
-
-    // glimt_probe/src/latlong.rs:143
-    let size_14 = max(size_10, vec2(1u));
-    // glimt_probe/src/latlong.rs:144
-    let row_8 = min(texel_4.y, (size_14.y - 1u));
-    // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_8) >= size_14.y);
-    // glimt_probe/src/latlong.rs:147
-    if southern {
-        chosen_22 = (size_14.y - row_8);
-    } else {
-        chosen_22 = row_8;
-    }
-    let upper_1 = chosen_22;
-    // glimt_probe/src/latlong.rs:148
-    if southern {
-        chosen_23 = ((size_14.y - row_8) - 1u);
-    } else {
-        chosen_23 = (row_8 + 1u);
-    }
-    let lower_1 = chosen_23;
-    // glimt_probe/src/latlong.rs:149
-    let half_1 = (0.5f / f32(size_14.y));
-    // glimt_probe/src/latlong.rs:150
-    let _e41 = cos_sin_pi((f32(upper_1) * half_1));
-    let sin_upper = _e41.y;
-    // glimt_probe/src/latlong.rs:151
-    let _e46 = cos_sin_pi((f32(lower_1) * half_1));
-    let sin_lower = _e46.y;
-    // glimt_probe/src/latlong.rs:152
-    let s_upper = (sin_upper * sin_upper);
-    // glimt_probe/src/latlong.rs:153
-    let s_2 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
-    // glimt_probe/src/latlong.rs:154
-    let sin_theta_1 = (2f * sqrt(max((s_2 * (1f - s_2)), 0f)));
-    // glimt_probe/src/latlong.rs:155
-    if southern {
-        // glimt_probe/src/latlong.rs:156
-        chosen_24 = ((2f * s_2) - 1f);
-    } else {
-        // glimt_probe/src/latlong.rs:158
-        chosen_24 = (1f - (2f * s_2));
-    }
-    let cos_theta_1 = chosen_24;
-    // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_4.x) + r.x)) / f32(size_14.x))));
-    // glimt_probe/src/latlong.rs:161
-    return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
-}
-
-// glimt_render_gpu/src/kernels/product.rs:329
-fn Product_product_sample(this_39: Product, sample_3: u32, total_4: f32, lobe_4: CellLobe, point_6: ShadingPoint, pattern_2: PixelPattern, env_size_11: vec2<u32>, env_rotation_11: vec2<f32>) -> LightSample {
-
-    // glimt_render_gpu/src/kernels/product.rs:338
-    let _e12 = PixelPattern_triple(pattern_2, 3u, sample_3, this_39.env_samples);
-    // glimt_render_gpu/src/kernels/product.rs:339
-    let _e14 = Product_sample(this_39, _e12, total_4, lobe_4, env_size_11, env_rotation_11);
-    // glimt_render_gpu/src/kernels/product.rs:340
-    if !((_e14.pmf > 0f)) {
-        // glimt_render_gpu/src/kernels/product.rs:341
-        return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
-    }
-    // glimt_render_gpu/src/kernels/product.rs:343
-    let _e31 = hash2_(_e12.x, _e12.y);
-    // glimt_render_gpu/src/kernels/product.rs:344
-    let place_3 = vec2<u32>((_e31 << 16u), (_e31 & 4294901760u));
-    // glimt_render_gpu/src/kernels/product.rs:345
-    let _e40 = unit_vec2_(place_3);
-    let _e41 = direction_in_texel(_e14.texel, env_size_11, _e40);
-    // glimt_render_gpu/src/kernels/product.rs:346
-    let _e43 = rotate_z(_e41, env_rotation_11);
-    // glimt_render_gpu/src/kernels/product.rs:347
-    let _e46 = ShadingFrame_to_local(point_6.frame, _e43);
-    // glimt_render_gpu/src/kernels/product.rs:348
-    let _e51 = texel_solid_angle_sr(_e14.texel.y, env_size_11);
-    let pdf_sr = (_e14.pmf / _e51);
-    // glimt_render_gpu/src/kernels/product.rs:349
-    let _e56 = BlinnPhong_pdf_sr(point_6.brdf, point_6.wo, _e46);
-    let _e57 = Product_density(this_39, _e56, pdf_sr);
-    // glimt_render_gpu/src/kernels/product.rs:350
-    let _e60 = Environment_radiance(env_size_11, env_rotation_11, _e14.texel);
-    let _e61 = LightSample_new(point_6, _e43, _e46, _e60, _e57);
-    return _e61;
-}
-
-// glimt_render_gpu/src/kernels/product.rs:356
-fn Product_reflected(this_40: Product, point_7: ShadingPoint, pattern_3: PixelPattern, env_size_12: vec2<u32>, env_rotation_12: vec2<f32>) -> Reflected {
-    var sum_3: Reflected;
-    var counter_3: u32;
-    var counter_4: u32;
-
-    // glimt_render_gpu/src/kernels/product.rs:363
-    let _e7 = CellLobe_new(point_7, env_size_12, env_rotation_12);
-    // glimt_render_gpu/src/kernels/product.rs:364
-    let _e9 = Product_total(this_40, _e7, env_size_12, env_rotation_12);
-    // glimt_render_gpu/src/kernels/product.rs:365
-    let _e12 = PixelPattern_ray_key(pattern_3, 9u);
-    // glimt_render_gpu/src/kernels/product.rs:366
-    sum_3 = Reflected(vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/product.rs:367
-    counter_3 = 0u;
-    loop {
-        let i_1 = counter_3;
-        if (i_1 >= this_40.brdf_samples) {
-            break;
+        let look_2 = chosen_24;
+        // glimt_render_gpu/src/kernels/group_light.rs:119
+        if look_2.is_possible {
+            // glimt_render_gpu/src/kernels/group_light.rs:120
+            let own_2 = (_e69 + s_4);
+            // glimt_render_gpu/src/kernels/group_light.rs:121
+            let _e131 = proposal_6;
+            let _e132 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, group_5, _e131, expected_6, look_2, own_2, points_start_8, points_len_8);
+            // glimt_render_gpu/src/kernels/group_light.rs:122
+            let _e135 = lit_1;
+            lit_1 = (_e135 + _e132.lit);
+            // glimt_render_gpu/src/kernels/group_light.rs:123
+            let _e139 = blocked_1;
+            blocked_1 = (_e139 + _e132.blocked);
         }
-        // glimt_render_gpu/src/kernels/product.rs:368
-        let _e27 = Product_brdf_sample(this_40, i_1, _e9, _e7, point_7, pattern_3, env_size_12, env_rotation_12);
-        // glimt_render_gpu/src/kernels/product.rs:369
-        let _e30 = LightSample_traced(_e27, point_7, (_e12 + i_1));
-        Reflected_gather((&sum_3), _e30);
         continuing {
-            let _e31 = counter_3;
-            counter_3 = (_e31 + 1u);
+            let _e141 = counter_12;
+            counter_12 = (_e141 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/product.rs:371
-    if (_e9 > 0f) {
-        // glimt_render_gpu/src/kernels/product.rs:372
-        counter_4 = 0u;
-        loop {
-            let i_2 = counter_4;
-            if (i_2 >= this_40.env_samples) {
-                break;
-            }
-            // glimt_render_gpu/src/kernels/product.rs:373
-            let _e44 = Product_product_sample(this_40, i_2, _e9, _e7, point_7, pattern_3, env_size_12, env_rotation_12);
-            // glimt_render_gpu/src/kernels/product.rs:374
-            let _e49 = LightSample_traced(_e44, point_7, (_e12 + (this_40.brdf_samples + i_2)));
-            Reflected_gather((&sum_3), _e49);
-            continuing {
-                let _e50 = counter_4;
-                counter_4 = (_e50 + 1u);
-            }
-        }
+    // glimt_render_gpu/src/kernels/group_light.rs:126
+    if (count_2 > 0u) {
+        // glimt_render_gpu/src/kernels/group_light.rs:127
+        let _e148 = lit_1;
+        lit_1 = (_e148 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:128
+        let _e152 = blocked_1;
+        blocked_1 = (_e152 / vec3(divisor));
     }
-    // glimt_render_gpu/src/kernels/product.rs:377
-    let _e54 = sum_3;
-    return _e54;
+    // glimt_render_gpu/src/kernels/group_light.rs:130
+    let _e157 = proposal_6.integral;
+    let _e158 = lit_1;
+    let _e160 = blocked_1;
+    return Reflected((_e157 + _e158), _e160);
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:39
-fn LayerSample_of(light_1: Reflected, is_catcher: bool) -> LayerSample {
+fn LayerSample_of(light: Reflected, is_catcher: bool) -> LayerSample {
 
     // glimt_render_gpu/src/kernels/layers.rs:40
     if is_catcher {
         // glimt_render_gpu/src/kernels/layers.rs:41
-        return LayerSample(light_1.lit, 0f, light_1.blocked, 1f);
+        return LayerSample(light.lit, 0f, light.blocked, 1f);
     }
     // glimt_render_gpu/src/kernels/layers.rs:48
-    return LayerSample(light_1.lit, 1f, vec3(0f), 0f);
+    return LayerSample(light.lit, 1f, vec3(0f), 0f);
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:41
-fn LayerSample_of_surface(light_2: Reflected, is_catcher_1: bool) -> LayerSample {
+fn LayerSample_of_surface(light_1: Reflected, is_catcher_1: bool) -> LayerSample {
 
     // glimt_render_gpu/src/kernels/shade.rs:42
-    let _e4 = LayerSample_of(light_2, is_catcher_1);
+    let _e4 = LayerSample_of(light_1, is_catcher_1);
     return _e4;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:56
-fn Environment_map(size_11: vec2<u32>, rotation_3: vec2<f32>) -> Returned_Environment_map {
+// glimt_render_gpu/src/kernels/pattern.rs:207
+fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
+    var x_11: u32;
+    var round_key: u32;
+    var counter_13: i32;
 
-    // glimt_render_gpu/src/kernels/environment.rs:57
-    return Returned_Environment_map(size_11, rotation_3);
+    // glimt_render_gpu/src/kernels/pattern.rs:208
+    if (length_ <= 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:209
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:211
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
+    // glimt_render_gpu/src/kernels/pattern.rs:212
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:213
+    x_11 = index_18;
+    // glimt_render_gpu/src/kernels/pattern.rs:214
+    loop {
+        // glimt_render_gpu/src/kernels/pattern.rs:215
+        round_key = key_4;
+        // glimt_render_gpu/src/kernels/pattern.rs:216
+        counter_13 = 0i;
+        loop {
+            let _e31 = counter_13;
+            if (_e31 >= 3i) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pattern.rs:217
+            let _e34 = round_key;
+            let _e35 = hash_u32_(_e34);
+            round_key = _e35;
+            // glimt_render_gpu/src/kernels/pattern.rs:219
+            let _e37 = x_11;
+            let _e38 = round_key;
+            x_11 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:220
+            let _e44 = x_11;
+            let _e46 = (bits_2 / 2u);
+            let _e56 = x_11;
+            x_11 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            continuing {
+                let _e58 = counter_13;
+                counter_13 = (_e58 + 1i);
+            }
+        }
+        // glimt_render_gpu/src/kernels/pattern.rs:222
+        let _e62 = x_11;
+        if (_e62 < length_) {
+            // glimt_render_gpu/src/kernels/pattern.rs:223
+            let _e65 = x_11;
+            let _e67 = hash_u32_(~(key_4));
+            return ((_e65 + (_e67 % length_)) % length_);
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:198
+fn stratum(cell_5: u32, count: u32, jitter: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:199
+    return ((cell_5 * (4294967295u / count)) + (jitter / count));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:178
+fn jittered_pair(index_19: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:179
+    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    // glimt_render_gpu/src/kernels/pattern.rs:180
+    let _e12 = (count_1 / columns);
+    let rows_1 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    // glimt_render_gpu/src/kernels/pattern.rs:181
+    let _e21 = hash2_(key_5, 1u);
+    let _e22 = permute(index_19, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:182
+    let _e26 = hash2_(key_5, 2u);
+    let _e27 = permute((_e22 % columns), columns, _e26);
+    // glimt_render_gpu/src/kernels/pattern.rs:183
+    let _e31 = hash2_(key_5, 3u);
+    let _e32 = permute((_e22 / columns), rows_1, _e31);
+    // glimt_render_gpu/src/kernels/pattern.rs:184
+    let _e38 = stratum(((_e27 * rows_1) + _e32), (columns * rows_1), jitter_1.x);
+    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    return vec2<u32>(_e38, _e40);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:61
+fn PixelPattern_pair(this_42: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed_4: OwenSobol;
+    var borrowed_5: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:62
+    let index_21 = ((this_42.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:63
+    if (this_42.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:64
+        let _e14 = PixelPattern_sobol_point(this_42, purpose_5, index_21);
+        borrowed_4 = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed_4));
+        return _e16;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:66
+    let _e18 = PixelPattern_generator(this_42, purpose_5, index_21);
+    borrowed_5 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    if (this_42.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:68
+        return _e20;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:70
+    let _e29 = PixelPattern_key(this_42, purpose_5);
+    let _e30 = jittered_pair(index_21, (this_42.rays * samples), _e20, _e29);
+    return _e30;
+}
+
+// glimt_render_gpu/src/kernels/camera.rs:23
+fn CameraView_direction(this_43: CameraView, p: vec2<f32>, size_19: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/camera.rs:24
+    let x_14 = (((2f * p.x) / f32(size_19.x)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:25
+    let y_5 = (((2f * p.y) / f32(size_19.y)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:26
+    return normalize(((this_43.forward + (this_43.right * x_14)) - (this_43.up * y_5)));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:151
+fn FrameParams_direction(this_44: FrameParams, pixel_2: u32, place_1: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/frame.rs:152
+    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_44.width), (pixel_2 / this_44.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:153
+    let view = CameraView(this_44.eye, this_44.forward, this_44.right, this_44.up);
+    // glimt_render_gpu/src/kernels/frame.rs:159
+    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_44.width, this_44.height));
+    return _e22;
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:134
+fn FrameParams_camera_ray(this_45: FrameParams, pattern_6: PixelPattern) -> Ray {
+    var chosen_25: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/frame.rs:135
+    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_45.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
+    // glimt_render_gpu/src/kernels/frame.rs:139
+    if (this_45.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:140
+        chosen_25 = vec2(0.5f);
+    } else {
+        // glimt_render_gpu/src/kernels/frame.rs:142
+        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e24 = unit_vec2_(_e23);
+        chosen_25 = _e24;
+    }
+    let place_4 = chosen_25;
+    // glimt_render_gpu/src/kernels/frame.rs:144
+    let _e28 = FrameParams_direction(this_45, pattern_6.pixel, place_4);
+    // glimt_render_gpu/src/kernels/frame.rs:145
+    let _e32 = PixelPattern_ray_key(film, 8u);
+    let _e33 = Ray_keyed(this_45.eye, _e28, _e32);
+    return _e33;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:57
+fn Environment_map(size_20: vec2<u32>, rotation_4: vec2<f32>) -> Returned_Environment_map {
+
+    // glimt_render_gpu/src/kernels/environment.rs:58
+    return Returned_Environment_map(size_20, rotation_4);
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:46
@@ -3144,41 +4001,111 @@ fn LayerSample_of_background(_ray: Ray, _frame: FrameParams, _map_size: vec2<u32
     return LayerSample(vec3(0f), 0f, vec3(0f), 0f);
 }
 
-// glimt_render_gpu/src/kernels/shade.rs:53
-fn shade(ray_13: u32, frame_2: FrameParams, estimator: Product, env_size_13: vec2<u32>, env_rotation_13: vec2<f32>) -> LayerSample {
-    var light_3: Reflected;
+// glimt_render_gpu/src/kernels/product.rs:54
+fn shade_groups(pixel_3: u32, frame_2: FrameParams, rays_6: f32, expected_7: Unknown, env_size_7: vec2<u32>, env_rotation_7: vec2<f32>, points_start_9: u32, points_len_9: u32, samples_start: u32, samples_len: u32) {
+    var drawn_1: Drawn;
+    var leader_2: u32;
+    var filled: u32;
+    var number_1: u32;
+    var group_6: Group;
+    var counter_14: u32;
+    var counter_15: u32;
 
-    // glimt_render_gpu/src/kernels/shade.rs:60
-    let _e7 = FrameParams_pattern_of(frame_2, ray_13);
-    // glimt_render_gpu/src/kernels/shade.rs:61
-    let _e9 = FrameParams_camera_ray(frame_2, _e7);
-    // glimt_render_gpu/src/kernels/shade.rs:62
-    let _e11 = Scene_closest_hit(_e9);
-    let hit_1 = _e11.value;
-    if _e11.is_some {
-        // glimt_render_gpu/src/kernels/shade.rs:63
-        let _e15 = Scene_shading_point(_e9, hit_1);
-        // glimt_render_gpu/src/kernels/shade.rs:64
-        let _e17 = Product_reflected(estimator, _e15, _e7, env_size_13, env_rotation_13);
-        light_3 = _e17;
-        // glimt_render_gpu/src/kernels/shade.rs:65
-        let _e23 = scene_triangles[hit_1.triangle];
-        let _e24 = Triangle_is_catcher(_e23);
-        // glimt_render_gpu/src/kernels/shade.rs:66
-        if !(_e24) {
-            // glimt_render_gpu/src/kernels/shade.rs:67
-            let _e30 = light_3.lit;
-            light_3.lit = (_e30 + _e15.emission);
+    // glimt_render_gpu/src/kernels/product.rs:64
+    let first_7 = (pixel_3 * frame_2.rays_per_pixel);
+    // glimt_render_gpu/src/kernels/product.rs:65
+    let _e14 = Environment_cells(env_size_7, env_rotation_7);
+    let _e17 = FrameParams_pattern_of(frame_2, first_7);
+    // glimt_render_gpu/src/kernels/product.rs:72
+    drawn_1 = Drawn(0u, 0u);
+    // glimt_render_gpu/src/kernels/product.rs:73
+    leader_2 = 0u;
+    // glimt_render_gpu/src/kernels/product.rs:74
+    filled = 0u;
+    // glimt_render_gpu/src/kernels/product.rs:75
+    number_1 = 0u;
+    // glimt_render_gpu/src/kernels/product.rs:76
+    let _e33 = filled;
+    let _e34 = next_group(points_start_9, points_len_9, (&leader_2), _e33);
+    group_6 = _e34;
+    // glimt_render_gpu/src/kernels/product.rs:77
+    loop {
+        let _e38 = group_6.members;
+        if !((_e38 > 0u)) {
+            break;
         }
-        // glimt_render_gpu/src/kernels/shade.rs:69
-        let _e33 = light_3;
-        let _e34 = LayerSample_of_surface(_e33, _e24);
-        return _e34;
+        // glimt_render_gpu/src/kernels/product.rs:78
+        let _e43 = group_6;
+        let _e44 = number_1;
+        let _e45 = GroupLight_reflected(env_size_7, env_rotation_7, _e14.value_size, _e14.value_start, _e17, rays_6, _e43, _e44, expected_7, points_start_9, points_len_9, (&drawn_1));
+        // glimt_render_gpu/src/kernels/product.rs:79
+        let _e49 = group_6.members;
+        counter_14 = 0u;
+        loop {
+            let k_5 = counter_14;
+            if (k_5 >= _e49) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/product.rs:80
+            let _e54 = group_6;
+            let _e55 = Group_ray(_e54, k_5, points_start_9, points_len_9);
+            // glimt_render_gpu/src/kernels/product.rs:81
+            let point_7 = points[(points_start_9 + _e55)];
+            // glimt_render_gpu/src/kernels/product.rs:82
+            let own_3 = Reflected((_e45.lit + point_7.emission), _e45.blocked);
+            // glimt_render_gpu/src/kernels/product.rs:86
+            let _e71 = LayerSample_of_surface(own_3, (point_7.catcher != 0u));
+            samples_1[(samples_start + _e55)] = _e71;
+            continuing {
+                let _e75 = counter_14;
+                counter_14 = (_e75 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/product.rs:88
+        let _e80 = group_6.members;
+        let _e81 = filled;
+        filled = (_e81 + _e80);
+        // glimt_render_gpu/src/kernels/product.rs:89
+        let _e85 = number_1;
+        number_1 = (_e85 + 1u);
+        // glimt_render_gpu/src/kernels/product.rs:90
+        let _e88 = filled;
+        let _e89 = next_group(points_start_9, points_len_9, (&leader_2), _e88);
+        group_6 = _e89;
     }
-    // glimt_render_gpu/src/kernels/shade.rs:71
-    let _e36 = Environment_map(env_size_13, env_rotation_13);
-    let _e39 = LayerSample_of_background(_e9, frame_2, _e36.value_size, _e36.value_rotation);
-    return _e39;
+    // glimt_render_gpu/src/kernels/product.rs:92
+    counter_15 = 0u;
+    loop {
+        let ray_11 = counter_15;
+        if (ray_11 >= frame_2.rays_per_pixel) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/product.rs:93
+        let _e100 = points[(points_start_9 + ray_11)];
+        let _e101 = SeenPoint_is_hit(_e100);
+        if !(_e101) {
+            // glimt_render_gpu/src/kernels/product.rs:94
+            let _e105 = FrameParams_pattern_of(frame_2, (first_7 + ray_11));
+            let _e106 = FrameParams_camera_ray(frame_2, _e105);
+            // glimt_render_gpu/src/kernels/product.rs:95
+            let _e108 = Environment_map(env_size_7, env_rotation_7);
+            let _e111 = LayerSample_of_background(_e106, frame_2, _e108.value_size, _e108.value_rotation);
+            samples_1[(samples_start + ray_11)] = _e111;
+        }
+        continuing {
+            let _e115 = counter_15;
+            counter_15 = (_e115 + 1u);
+        }
+    }
+    return;
+}
+
+// glimt_render_gpu/src/kernels/product.rs:31
+fn shade_product(pixel_4: u32, frame_3: FrameParams, product: Product, env_size_8: vec2<u32>, env_rotation_8: vec2<f32>, points_start_10: u32, points_len_10: u32, samples_start_1: u32, samples_len_1: u32) {
+
+    // glimt_render_gpu/src/kernels/product.rs:40
+    shade_groups(pixel_4, frame_3, product.rays, Unknown(), env_size_8, env_rotation_8, points_start_10, points_len_10, samples_start_1, samples_len_1);
+    return;
 }
 
 @compute @workgroup_size(64, 1, 1) 
@@ -3190,9 +4117,10 @@ fn shade_product_layers(@builtin(global_invocation_id) id: vec3<u32>, @builtin(n
     }
     let _e14 = params.first;
     let _e17 = params.frame;
-    let _e19 = params.estimator;
+    let _e19 = params.product;
     let _e21 = params.env_size;
     let _e23 = params.env_rotation;
-    let _e24 = shade((_e14 + local), _e17, _e19, _e21, _e23);
-    out[local] = _e24;
+    let _e25 = params.points_len;
+    let _e28 = params.samples_len;
+    shade_product((_e14 + local), _e17, _e19, _e21, _e23, (local * _e25), _e25, (local * _e28), _e28);
 }

@@ -15,9 +15,8 @@ use crate::generated::entries::{RECONSTRUCT, SHADE_MIS, TONEMAP};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
-use crate::kernels::smc_point::SmcPoint;
 use crate::methods::smc::{Following, Own, TILE_GRANULE};
-use crate::methods::{Inputs, Method, MethodMemory};
+use crate::methods::{Inputs, Method, MethodMemory, Points, Work};
 use crate::prepare::env::PreparedEnv;
 use crate::prepare::plate::Plate;
 use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer, SettingsError};
@@ -62,8 +61,7 @@ struct TileBuffers {
     count: u32,
     rays_per_pixel: u32,
     samples: Samples<Gpu>,
-    /// Of the sequential sampler alone.
-    points: Option<GpuVec<SmcPoint>>,
+    points: Points<Gpu>,
     pixels: Pixels<Gpu>,
     plate: GpuVec<PlatePixel>,
     diagnostics: GpuVec<Vec4>,
@@ -220,11 +218,10 @@ impl GpuRenderer {
     ) -> Result<(), GpuError> {
         let largest = self.largest_tile(frame, in_layers, settings);
         let pixels = frame.width * frame.height;
-        let is_sequential = settings.method.has_memory();
         let fits = |tile: &TileBuffers| {
             tile.rays_per_pixel == frame.rays_per_pixel
                 && matches!(tile.samples, Samples::Layered(_)) == in_layers
-                && tile.points.is_some() == is_sequential
+                && tile.points.fit(&settings.method)
                 && (tile.count == pixels || tile.count == largest)
         };
         if !self.tile.as_ref().is_some_and(fits) {
@@ -234,7 +231,7 @@ impl GpuRenderer {
                 largest,
                 frame.rays_per_pixel,
                 in_layers,
-                is_sequential,
+                &settings.method,
             )?);
         }
         Ok(())
@@ -381,7 +378,7 @@ impl TileBuffers {
         count: u32,
         rays_per_pixel: u32,
         in_layers: bool,
-        is_sequential: bool,
+        method: &Method,
     ) -> Result<Self, GpuError> {
         let (pixels, rays) = (count as usize, u64::from(count) * u64::from(rays_per_pixel));
         let layered = if in_layers { pixels } else { 1 };
@@ -392,10 +389,7 @@ impl TileBuffers {
                 false => Samples::Flat(context.zeroed("samples", rays)?),
                 true => Samples::Layered(context.zeroed("samples", rays)?),
             },
-            points: match is_sequential {
-                false => None,
-                true => Some(context.zeroed("points", rays)?),
-            },
+            points: Points::new(context, method, rays as usize)?,
             pixels: Pixels::new(context, pixels, layered)?,
             diagnostics: context.zeroed("diagnostics", pixels as u64)?,
             plate: context.zeroed("plate", layered as u64)?,
@@ -438,9 +432,8 @@ impl TileWork<'_> {
         }
         let mut executor = Direct::with_progress(self.context, progress);
         let out = tile.samples.out(rays);
-        match following.zip(tile.points.as_mut()) {
-            None => method.shade(None, &mut executor, self.inputs, rays, out)?,
-            Some(((following, fitting), points)) => {
+        match (following, &mut tile.points) {
+            (Some((following, fitting)), Points::Smc(points)) => {
                 let first = frame.first_pixel as usize * frame.rays_per_pixel as usize;
                 let own_rays = first..first + rays as usize;
                 let view = following.window(fitting, frame.first_pixel, count);
@@ -452,12 +445,16 @@ impl TileWork<'_> {
                     particles: Gpu::chunks(&mut now.particles, sets, n),
                 };
                 let points = Gpu::chunks(points, 0..rays as usize, 1);
-                let smc = reading.tile(&view, count, points, own);
-                method.shade(Some(smc), &mut executor, self.inputs, rays, out)?;
+                let work = Work::Smc(reading.tile(&view, count, points, own));
+                method.shade(work, &mut executor, self.inputs, rays, out)?;
                 let mut film = Direct::new(self.context);
                 let out = Gpu::chunks(&mut tile.diagnostics, 0..count as usize, 1);
                 following.diagnose(&mut film, frame, own_rays, out, count)?;
                 times.film += film.take_report();
+            }
+            (_, points) => {
+                let work = points.seen(rays);
+                method.shade(work, &mut executor, self.inputs, rays, out)?;
             }
         }
         times.shade += executor.take_report();

@@ -2,6 +2,7 @@
 
 use glam::{UVec2, Vec2, Vec3, Vec4};
 use glimt_envmap_cdf::{EnvCdf, EnvSample};
+use glimt_light_cells::LightCells;
 use glimt_probe::latlong::{direction_to_texel, direction_to_uv};
 use glimt_probe::rotate::rotate_z;
 
@@ -69,6 +70,17 @@ impl<'a> Environment<'a> {
             size: self.size,
             marginal: self.tables,
             conditional: &self.tables[marginal_words(self.size) as usize..],
+        }
+    }
+
+    /// The map's cells.
+    #[inline]
+    #[must_use]
+    pub fn cells(&self) -> LightCells<'a> {
+        LightCells {
+            size: self.size,
+            words: self.tables,
+            start: cdf_words(self.size),
         }
     }
 

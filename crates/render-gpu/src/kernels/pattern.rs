@@ -27,6 +27,12 @@ pub const PARTICLES: u32 = 7;
 pub const SEEN_THROUGH: u32 = 8;
 /// What uniforms are for: that of shadow rays.
 pub const LIT_THROUGH: u32 = 9;
+/// What uniforms are for: directions by cells of the light, and the members of a group that look there.
+pub const CELLS: u32 = 10;
+/// What uniforms are for: directions by the lobes of a group's members.
+pub const LOBE: u32 = 11;
+/// What uniforms are for: how many samples a group takes, and by which technique.
+pub const COUNT: u32 = 12;
 
 /// The pattern of one pixel, as one of its rays sees it.
 ///
@@ -89,10 +95,18 @@ impl PixelPattern {
     #[inline]
     #[must_use]
     pub fn source(&self, purpose: u32) -> PatternSource {
+        self.point(purpose, self.ray)
+    }
+
+    /// As many uniform words as are wanted for point `index` of the pixel's for a purpose, whichever of its rays asks: its dimensions,
+    /// or a generator of the point's own, where the pattern has no points.
+    #[inline]
+    #[must_use]
+    pub fn point(&self, purpose: u32, index: u32) -> PatternSource {
         PatternSource {
             is_sobol: self.kind == Pattern::OwenSobol,
-            point: self.sobol_point(purpose, self.ray),
-            generator: self.generator(purpose, self.ray),
+            point: self.sobol_point(purpose, index),
+            generator: self.generator(purpose, index),
         }
     }
 

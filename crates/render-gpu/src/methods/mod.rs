@@ -9,11 +9,12 @@ pub mod smc;
 use std::fmt::Debug;
 
 use glimt_executor::gpu::Gpu;
-use glimt_executor::{Entry, Executor, Memory, Pass};
+use glimt_executor::{Device, Entry, Executor, Memory, Pass};
 
 use crate::film::SamplesOut;
-use crate::generated::passes::{self, EnvironmentArg, SceneArg};
+use crate::generated::passes::{self, EnvironmentArg, SceneArg, See};
 use crate::kernels::frame::FrameParams;
+use crate::kernels::seen::SeenPoint;
 use crate::kernels::smc_point::SmcPoint;
 use crate::prepare::smc_state::SmcState;
 use crate::settings::SettingError;
@@ -57,6 +58,9 @@ trait Memoryless: Copy + Debug + PartialEq {
 /// Name of the tables that draw directions in proportion to a light's luminance.
 pub(crate) const CDF: &str = "cdf";
 
+/// Name of the table of a light's cells.
+pub(crate) const LIGHT_CELLS: &str = "light cells";
+
 /// The most of any count.
 const MOST: u32 = 65_536;
 
@@ -98,6 +102,68 @@ impl<'a, M: Memory> Inputs<'a, M> {
     }
 }
 
+/// Where the passes of a method meet, one value for each ray of a tile.
+pub(crate) enum Points<M: Memory> {
+    /// Of methods of one pass.
+    None,
+    /// Of methods that estimate a pixel's light at once.
+    Seen(M::Buffer<SeenPoint>),
+    /// Of [`Method::Smc`].
+    Smc(M::Buffer<SmcPoint>),
+}
+
+impl<M: Memory> Points<M> {
+    /// Room for so many rays.
+    pub(crate) fn new<D: Device<Memory = M>>(
+        device: &D,
+        method: &Method,
+        rays: usize,
+    ) -> Result<Self, D::Error> {
+        Ok(match method.way() {
+            Way::Rays => Self::None,
+            Way::Groups => Self::Seen(device.zeroed("points", rays)?),
+            Way::Particles => Self::Smc(device.zeroed("points", rays)?),
+        })
+    }
+
+    /// Whether they are those of a method.
+    pub(crate) fn fit(&self, method: &Method) -> bool {
+        matches!(
+            (self, method.way()),
+            (Self::None, Way::Rays) | (Self::Seen(_), Way::Groups) | (Self::Smc(_), Way::Particles)
+        )
+    }
+
+    /// What a method without memory takes of a tile's first `rays` rays.
+    pub(crate) fn seen(&mut self, rays: u32) -> Work<'_, M> {
+        match self {
+            Self::Seen(points) => Work::Groups(M::chunks(points, 0..rays as usize, 1)),
+            Self::None | Self::Smc(_) => Work::Rays,
+        }
+    }
+}
+
+/// What the passes of a method go over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Way {
+    /// One pass over rays.
+    Rays,
+    /// One over rays, then one over pixels.
+    Groups,
+    /// Those of [`Method::Smc`].
+    Particles,
+}
+
+/// A tile as a method's passes take it, beside what all see of it.
+pub(crate) enum Work<'a, M: Memory> {
+    /// Each ray by itself.
+    Rays,
+    /// The hits of a pixel's rays together.
+    Groups(M::Chunks<'a, SeenPoint>),
+    /// With particles.
+    Smc(smc::Tile<'a, M>),
+}
+
 /// What a renderer keeps between frames, by the method that keeps it: saved, restored, forgotten as one.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -107,7 +173,93 @@ pub enum MethodMemory {
 }
 
 macro_rules! methods {
-    ($($settings:ident in $module:ident = $word:literal, $estimator:literal, $flat:ident, $layers:ident;)+) => {
+    (
+        rays { $($ray:ident in $ray_module:ident = $ray_word:literal, $_re:literal, $ray_flat:ident, $ray_layers:ident;)+ }
+        groups { $($group:ident in $group_module:ident = $group_word:literal, $_ge:literal, $group_flat:ident, $group_layers:ident;)+ }
+    ) => {
+        memoryless! {
+            $($ray in $ray_module = $ray_word, $ray_flat, $ray_layers;)+
+            $($group in $group_module = $group_word, $group_flat, $group_layers;)+
+        }
+
+        impl Method {
+            /// What its passes go over.
+            fn way(&self) -> Way {
+                match self {
+                    $(Self::$ray(_) => Way::Rays,)+
+                    $(Self::$group(_) => Way::Groups,)+
+                    Self::Smc(_) => Way::Particles,
+                }
+            }
+
+            /// Pass 1: finds what the first `rays` rays of a tile show.
+            pub(crate) fn shade<M: Memory, E: Executor<Memory = M>>(
+                &self,
+                work: Work<'_, M>,
+                executor: &mut E,
+                inputs: Inputs<'_, M>,
+                rays: u32,
+                out: SamplesOut<'_, M>,
+            ) -> Result<(), E::Error> {
+                let Inputs { frame, env, scene } = inputs.shorten();
+                match (self, work, out) {
+                    $(
+                        (Self::$ray(own), _, SamplesOut::Flat(out)) => {
+                            let (estimator, out) = (&own.params(), M::shorten_chunks(out));
+                            executor.run(passes::$ray_flat { frame, estimator, env, scene, out }, 0..rays)
+                        }
+                        (Self::$ray(own), _, SamplesOut::Layered(out)) => {
+                            let (estimator, out) = (&own.params(), M::shorten_chunks(out));
+                            executor.run(passes::$ray_layers { frame, estimator, env, scene, out }, 0..rays)
+                        }
+                    )+
+                    $(
+                        (Self::$group(own), Work::Groups(mut seen), SamplesOut::Flat(out)) => {
+                            see(executor, inputs, &mut seen, rays)?;
+                            let (per_pixel, pixels) = per_pixel(frame, rays);
+                            let points = M::in_chunks_of(M::shorten_chunks(seen), per_pixel);
+                            let out = M::in_chunks_of(M::shorten_chunks(out), per_pixel);
+                            let own = &own.params();
+                            executor.run(passes::$group_flat { frame, $group_module: own, env, scene, points, samples: out }, 0..pixels)
+                        }
+                        (Self::$group(own), Work::Groups(mut seen), SamplesOut::Layered(out)) => {
+                            see(executor, inputs, &mut seen, rays)?;
+                            let (per_pixel, pixels) = per_pixel(frame, rays);
+                            let points = M::in_chunks_of(M::shorten_chunks(seen), per_pixel);
+                            let out = M::in_chunks_of(M::shorten_chunks(out), per_pixel);
+                            let own = &own.params();
+                            executor.run(passes::$group_layers { frame, $group_module: own, env, scene, points, samples: out }, 0..pixels)
+                        }
+                        (Self::$group(_), _, _) => unreachable!("points were made for this method"),
+                    )+
+                    (Self::Smc(_), Work::Smc(tile), out) => tile.shade(executor, inputs, rays, out),
+                    (Self::Smc(_), _, _) => unreachable!("a tile of the sequential sampler comes with its rays"),
+                }
+            }
+        }
+    };
+}
+
+/// Finds what the rays of a tile hit.
+fn see<M: Memory, E: Executor<Memory = M>>(
+    executor: &mut E,
+    inputs: Inputs<'_, M>,
+    seen: &mut M::Chunks<'_, SeenPoint>,
+    rays: u32,
+) -> Result<(), E::Error> {
+    let Inputs { frame, scene, .. } = inputs.shorten();
+    let out = M::reborrow(seen);
+    executor.run(See { frame, scene, out }, 0..rays)
+}
+
+/// Rays of a pixel, and pixels of so many rays.
+fn per_pixel(frame: &FrameParams, rays: u32) -> (usize, u32) {
+    let per_pixel = frame.rays_per_pixel;
+    (per_pixel as usize, rays / per_pixel)
+}
+
+macro_rules! memoryless {
+    ($($settings:ident in $module:ident = $word:literal, $flat:ident, $layers:ident;)+) => {
         $(
             pub mod $module;
             pub use $module::$settings;
@@ -216,15 +368,17 @@ macro_rules! methods {
             pub(crate) fn passes(&self) -> u32 {
                 match self {
                     Self::Smc(_) => smc::PASSES,
+                    _ if self.way() == Way::Groups => 2,
                     _ => 1,
                 }
             }
 
             /// Bytes of a ray that go from one of those passes to the next.
             pub(crate) fn bytes_between_passes(&self) -> u64 {
-                match self {
-                    Self::Smc(_) => size_of::<SmcPoint>() as u64,
-                    _ => 0,
+                match self.way() {
+                    Way::Rays => 0,
+                    Way::Groups => size_of::<SeenPoint>() as u64,
+                    Way::Particles => size_of::<SmcPoint>() as u64,
                 }
             }
 
@@ -250,39 +404,17 @@ macro_rules! methods {
             /// The entries of its first passes on a GPU, over rays and in layers.
             pub(crate) fn entries(&self) -> Vec<&'static Entry> {
                 match self {
-                    $(Self::$settings(_) => vec![
-                        passes::$flat::<Gpu>::entry(),
-                        passes::$layers::<Gpu>::entry(),
-                    ],)+
+                    $(Self::$settings(_) => {
+                        let mut list = vec![
+                            passes::$flat::<Gpu>::entry(),
+                            passes::$layers::<Gpu>::entry(),
+                        ];
+                        if self.way() == Way::Groups {
+                            list.push(See::<Gpu>::entry());
+                        }
+                        list
+                    })+
                     Self::Smc(_) => smc::entries(),
-                }
-            }
-
-            /// Pass 1: finds what the first `rays` rays of a tile show. `tile` is what the sequential sampler needs of one.
-            pub(crate) fn shade<M: Memory, E: Executor<Memory = M>>(
-                &self,
-                tile: Option<smc::Tile<'_, M>>,
-                executor: &mut E,
-                inputs: Inputs<'_, M>,
-                rays: u32,
-                out: SamplesOut<'_, M>,
-            ) -> Result<(), E::Error> {
-                let Inputs { frame, env, scene } = inputs.shorten();
-                match (self, out) {
-                    $(
-                        (Self::$settings(own), SamplesOut::Flat(out)) => {
-                            let (estimator, out) = (&own.params(), M::shorten_chunks(out));
-                            executor.run(passes::$flat { frame, estimator, env, scene, out }, 0..rays)
-                        }
-                        (Self::$settings(own), SamplesOut::Layered(out)) => {
-                            let (estimator, out) = (&own.params(), M::shorten_chunks(out));
-                            executor.run(passes::$layers { frame, estimator, env, scene, out }, 0..rays)
-                        }
-                    )+
-                    (Self::Smc(_), out) => match tile {
-                        Some(tile) => tile.shade(executor, inputs, rays, out),
-                        None => unreachable!("a tile of the sequential sampler comes with its rays"),
-                    },
                 }
             }
         }

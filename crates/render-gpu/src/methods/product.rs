@@ -1,20 +1,15 @@
-//! Host file: samples of the product of light and reflection, by cells of the light map.
+//! Host file: samples of the product of light and reflection, by groups of a pixel's hits.
 
-use super::{CDF, Memoryless, scaled};
+use super::{LIGHT_CELLS, Memoryless};
 use crate::kernels::product;
-use crate::settings::{SettingError, at_most, between, settings};
-
-/// Name of the cells' table.
-pub(crate) const CELLS: &str = "product cells";
+use crate::settings::{SettingError, between, settings};
 
 settings! {
-    /// Product sampling: the light is sampled by 32 × 16 cells in proportion to their share of what the point reflects, and combined
-    /// with samples of the material by the balance heuristic.
+    /// Product sampling: the hits of a pixel that lie on one surface share a proposal, which weighs the light's 512 cells by what the
+    /// surface reflects of them. Lobes that are sharper than the cells are sampled by themselves.
     Product in "product" {
-        /// BRDF samples N_ρ on each ray; at least 1, since they alone find light where all of a cell's product is in its corner.
-        brdf_samples: u32 = 1, between(1, 65_536), "1 is usual";
-        /// Samples N_P of the product on each ray.
-        env_samples: u32 = 1, at_most(65_536), "1 is usual";
+        /// Shadow rays of a pixel whose camera rays all hit something, on average.
+        rays: u32 = 32, between(1, 65_536), "32 is usual";
     }
 }
 
@@ -27,36 +22,34 @@ impl Memoryless for Product {
 
     fn params(&self) -> product::Product {
         product::Product {
-            brdf_samples: self.brdf_samples,
-            env_samples: self.env_samples,
+            rays: self.rays as f32,
+            unused_a: 0,
+            unused_b: 0,
+            unused_c: 0,
         }
     }
 
     fn reads(&self, table: &str) -> bool {
-        [CDF, CELLS].contains(&table)
+        table == LIGHT_CELLS
     }
 
     fn samples_per_ray(&self) -> u32 {
-        self.brdf_samples.max(self.env_samples)
+        1
     }
 
     fn cost(&self) -> [u32; 2] {
-        [self.brdf_samples, self.env_samples]
+        [self.rays, 0]
     }
 
     fn count(&self) -> u32 {
-        self.samples_per_ray()
+        self.rays
     }
 
     fn with_count(&self, count: u32) -> Vec<(&'static str, u32)> {
-        let other = |n| scaled(n, count, self.count());
-        vec![
-            ("product.brdf_samples", other(self.brdf_samples)),
-            ("product.env_samples", other(self.env_samples)),
-        ]
+        vec![("product.rays", count)]
     }
 
     fn describe(&self) -> String {
-        format!("{} + {} of the product", self.brdf_samples, self.env_samples)
+        format!("{} rays a pixel", self.rays)
     }
 }

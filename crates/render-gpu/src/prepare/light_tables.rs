@@ -4,13 +4,13 @@
 //! that is its [`LightTable::first`].
 
 mod cdf;
-mod product_cells;
+mod light_cells;
 
 use glam::{UVec2, Vec4};
 use glimt_envmap_cdf::{BuildError, required_len};
 
 /// All tables, in the order in which they lie.
-const TABLES: &[LightTable] = &[cdf::TABLE, product_cells::TABLE];
+const TABLES: &[LightTable] = &[cdf::TABLE, light_cells::TABLE];
 
 /// A table of words that is made of each light map.
 struct LightTable {

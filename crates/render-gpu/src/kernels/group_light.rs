@@ -1,0 +1,274 @@
+//! Shared file: light that a group of a pixel's hits reflects, by one proposal for all of them.
+
+use glam::{UVec2, Vec3};
+use glimt_brdf::BlinnPhong;
+use glimt_light_cells::LightCells;
+use glimt_probe::rotate::rotate_z;
+use glimt_sampling::hash::hash2;
+use glimt_sampling::uniform::{UniformSource, unit_f32, unit_vec2};
+
+use super::environment::Environment;
+use super::estimator::Reflected;
+use super::groups::Group;
+use super::pattern::{CELLS, COUNT, LIT_THROUGH, LOBE, PixelPattern};
+use super::proposal::{Expectation, Proposal};
+use super::scene::{Scene, ShadingPoint};
+use super::seen::SeenPoint;
+
+/// The fewest and the most rays that a group is worth, on average.
+const FEWEST: f32 = 0.02;
+const MOST: f32 = 256.0;
+
+/// The least spread of normals, in radians, for which samples of diffuse members are compared with the group's mean: 2°.
+const SPREAD: f32 = 0.035;
+
+/// How many samples of a pixel each technique has drawn. Each counts its own, so that each has all of its points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Drawn {
+    /// By cells.
+    pub cells: u32,
+    /// By lobes.
+    pub lobes: u32,
+}
+
+/// What estimating a group's light needs beside the group.
+#[derive(Clone, Copy, Debug)]
+pub struct GroupLight<'a> {
+    /// The light.
+    pub env: Environment<'a>,
+    /// Its cells.
+    pub cells: LightCells<'a>,
+    /// What blocks it.
+    pub scene: Scene<'a>,
+    /// The pixel's pattern.
+    pub pattern: PixelPattern,
+    /// Shadow rays of a pixel whose rays all hit something.
+    pub rays: f32,
+}
+
+/// A direction to look for light in, and the member that looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Look {
+    /// In the map's coordinates.
+    of_map: Vec3,
+    /// In the world.
+    direction: Vec3,
+    texel: UVec2,
+    cell: u32,
+    /// The member's ray.
+    ray: u32,
+    /// Whether there is such a direction: a lobe may reflect below the horizon.
+    is_possible: bool,
+}
+
+/// The member's lobe alone.
+#[inline]
+fn lobe_of(point: &ShadingPoint) -> BlinnPhong {
+    BlinnPhong {
+        diffuse: Vec3::ZERO,
+        ..point.brdf
+    }
+}
+
+/// `f = ρ(ωo, ω) ⟨ω·n⟩` of a point, 0 behind its shading normal.
+#[inline]
+fn reflectance(point: &ShadingPoint, wi: Vec3) -> Vec3 {
+    if wi.z > 0.0 {
+        return point.brdf.eval(point.wo, wi) * wi.z;
+    }
+    Vec3::ZERO
+}
+
+impl GroupLight<'_> {
+    /// Light that a group reflects, a mean over its members. `number` is the group's in its pixel, `drawn` what the groups before it
+    /// have drawn.
+    #[inline]
+    #[must_use]
+    pub fn reflected<P: Expectation>(
+        &self,
+        group: &Group,
+        number: u32,
+        expected: &P,
+        points: &mut [SeenPoint],
+        drawn: &mut Drawn,
+    ) -> Reflected {
+        let representative = group.representative(points, self.env);
+        let proposal = Proposal::new(&representative, &self.cells, expected);
+        let mut source = self.pattern.point(COUNT, number);
+        let start = unit_f32(source.next_u32());
+        let mut worth = self.rays * group.members as f32 / self.pattern.rays as f32;
+        worth = worth.clamp(FEWEST, MOST);
+        if !(proposal.total > 0.0) && !(proposal.lobe_share > 0.0) {
+            worth = 0.0;
+        }
+        let count = (worth + unit_f32(source.next_u32())) as u32;
+        let divisor = if worth < 1.0 { worth } else { count as f32 };
+        let key = hash2(self.pattern.ray_key(LIT_THROUGH), number);
+        let mut lit = Vec3::ZERO;
+        let mut blocked = Vec3::ZERO;
+        for s in 0..count {
+            let before = (s as f32 * proposal.lobe_share + start) as u32;
+            let after = ((s + 1) as f32 * proposal.lobe_share + start) as u32;
+            let look = if after > before {
+                drawn.lobes += 1;
+                self.look_by_lobe(group, drawn.lobes - 1, points)
+            } else {
+                drawn.cells += 1;
+                self.look_by_cells(group, &proposal, expected, drawn.cells - 1, points)
+            };
+            if look.is_possible {
+                let own = key.wrapping_add(s);
+                let light = self.sample(group, &proposal, expected, &look, own, points);
+                lit += light.lit;
+                blocked += light.blocked;
+            }
+        }
+        if count > 0 {
+            lit = lit / divisor;
+            blocked = blocked / divisor;
+        }
+        Reflected {
+            lit: proposal.integral + lit,
+            blocked,
+        }
+    }
+
+    #[inline]
+    fn member(&self, group: &Group, word: u32, points: &mut [SeenPoint]) -> u32 {
+        let k = (unit_f32(word) * group.members as f32) as u32;
+        group.ray(k.min(group.members - 1), points)
+    }
+
+    #[inline]
+    fn look_by_cells<P: Expectation>(
+        &self,
+        group: &Group,
+        proposal: &Proposal,
+        expected: &P,
+        index: u32,
+        points: &mut [SeenPoint],
+    ) -> Look {
+        let mut source = self.pattern.point(CELLS, index);
+        let u = source.next_uvec2();
+        let ray = self.member(group, source.next_u32(), points);
+        let drawn = proposal.sample_cells(u, &self.cells, expected);
+        Look {
+            of_map: drawn.direction,
+            direction: rotate_z(drawn.direction, self.env.rotation),
+            texel: drawn.texel,
+            cell: drawn.cell,
+            ray,
+            is_possible: true,
+        }
+    }
+
+    #[inline]
+    fn look_by_lobe(&self, group: &Group, index: u32, points: &mut [SeenPoint]) -> Look {
+        let mut source = self.pattern.point(LOBE, index);
+        let u = unit_vec2(source.next_uvec2());
+        let ray = self.member(group, source.next_u32(), points);
+        let point = points[ray as usize].shading_point();
+        let drawn = lobe_of(&point).sample(point.wo, 0, u);
+        let direction = point.frame.to_world(drawn.wi);
+        let texel = self.env.texel(direction);
+        Look {
+            of_map: self.env.to_map(direction),
+            direction,
+            texel,
+            cell: self.cells.cell_of(texel),
+            ray,
+            is_possible: drawn.pdf_sr > 0.0,
+        }
+    }
+
+    /// What one direction contributes, before it is divided by their number.
+    #[inline]
+    fn sample<P: Expectation>(
+        &self,
+        group: &Group,
+        proposal: &Proposal,
+        expected: &P,
+        look: &Look,
+        key: u32,
+        points: &mut [SeenPoint],
+    ) -> Reflected {
+        let point = points[look.ray as usize].shading_point();
+        let wi = point.frame.to_local(look.direction);
+        let at = proposal.cell(look.cell, &self.cells, expected);
+        let share = proposal.lobe_share;
+        let mut pdf_sr = 0.0;
+        if share < 1.0 {
+            let by_cells = proposal.cells_pdf_sr(look.texel, look.cell, &at, &self.cells);
+            pdf_sr = (1.0 - share) * by_cells;
+        }
+        if share > 0.0 {
+            pdf_sr += share * lobe_of(&point).pdf_sr(point.wo, wi);
+        }
+        if !(pdf_sr > f32::MIN_POSITIVE) {
+            return Reflected::NONE;
+        }
+        let radiance = self.env.radiance(look.texel);
+        let f = reflectance(&point, wi);
+        let is_seen = f.max_element() > 0.0 && point.geometric_normal.dot(look.direction) > 0.0;
+        let arrives = is_seen && self.scene.is_lit(&point, look.direction, key);
+        let mut lit = Vec3::ZERO;
+        let mut blocked = Vec3::ZERO;
+        if arrives {
+            lit = f;
+        } else if is_seen {
+            blocked = f;
+        }
+        if P::CONTROL {
+            lit = lit - proposal.control(look.of_map, &at)
+                + self.of_others(group, proposal, look, &point, f, points) * at.visibility;
+        }
+        // The quotient is bounded where the radiance may be huge, so it comes first.
+        Reflected {
+            lit: radiance * (lit / pdf_sr),
+            blocked: radiance * (blocked / pdf_sr),
+        }
+    }
+
+    /// `f̄(ω) − f_k(ω)`: the mean over the members less that of the one that looks. Its mean over the members is 0, so it moves no
+    /// estimate; it takes away the noise of who looks. Where lobes draw samples, which do not cover other members' lobes, it is that of
+    /// the diffuse parts.
+    #[inline]
+    fn of_others(
+        &self,
+        group: &Group,
+        proposal: &Proposal,
+        look: &Look,
+        point: &ShadingPoint,
+        f: Vec3,
+        points: &mut [SeenPoint],
+    ) -> Vec3 {
+        if group.members < 2 {
+            return Vec3::ZERO;
+        }
+        let has_lobe = proposal.of.surface.specular > 0.0;
+        if !(has_lobe || proposal.of.surface.spread > SPREAD) {
+            let apart =
+                proposal.of.mean_normal.dot(look.of_map) - point.frame.n.dot(look.direction);
+            return proposal.of.diffuse * (core::f32::consts::FRAC_1_PI * apart);
+        }
+        let with_lobes = !(proposal.lobe_share > 0.0);
+        let mut own = f;
+        if !with_lobes {
+            let cosine = point.frame.n.dot(look.direction).max(0.0);
+            own = point.brdf.diffuse * (core::f32::consts::FRAC_1_PI * cosine);
+        }
+        let mut sum = Vec3::ZERO;
+        for k in 0..group.members {
+            let ray = group.ray(k, points);
+            if with_lobes {
+                let other = points[ray as usize].shading_point();
+                sum += reflectance(&other, other.frame.to_local(look.direction));
+            } else {
+                let other = points[ray as usize];
+                let cosine = other.normal.dot(look.direction).max(0.0);
+                sum += other.diffuse * (core::f32::consts::FRAC_1_PI * cosine);
+            }
+        }
+        sum / group.members as f32 - own
+    }
+}

@@ -1,0 +1,449 @@
+//! Shared file: where a group of hits looks for light: a density over directions, made of weights of light cells and of the lobe's own,
+//! with a function near the integrand whose integral is known.
+
+use glam::{UVec2, Vec3, Vec4};
+use glimt_light_cells::{BLOCKS, CellSurface, LightCells, ROWS, field};
+use glimt_probe::latlong::{direction_in_texel, texel_solid_angle_sr};
+use glimt_sampling::hash::hash2;
+use glimt_sampling::uniform::{unit_f32, unit_vec2};
+
+use super::groups::Representative;
+
+/// The share of the weights that goes to all cells alike that a surface may see, by their light alone.
+const DEFENCE: f32 = 1e-3;
+
+/// The greatest f32 below 1.
+const BELOW_ONE: f32 = 1.0 - 1.0 / 16_777_216.0;
+
+/// Below this cosine between normal and eye a lobe's highlight is too sharp for cells.
+const GRAZING: f32 = 0.3;
+
+/// The least share of rays that a lobe seen at such an angle gets, and the most of any.
+const LEAST_AT_GRAZING: f32 = 0.1;
+const MOST_TO_LOBE: f32 = 0.95;
+
+/// What is expected of the visibility of cells, from rays that have been traced before.
+pub trait Expectation {
+    /// Whether it is good for a control variate. Else cells are weighted by what they reflect.
+    const CONTROL: bool;
+
+    /// The share of the light of cells `4 · quad` on that is expected to arrive, 0 to 1.
+    fn quad(&self, quad: u32) -> Vec4;
+}
+
+/// Nothing is known of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unknown;
+
+impl Expectation for Unknown {
+    const CONTROL: bool = false;
+
+    #[inline]
+    fn quad(&self, _quad: u32) -> Vec4 {
+        Vec4::ZERO
+    }
+}
+
+/// One cell as a proposal has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CellAt {
+    /// Its weight, without the defensive share.
+    pub weight: f32,
+    /// Its flux where the surface may see it, else 0.
+    pub live: f32,
+    /// Cosine of its mean direction, at least 0.
+    pub cosine: f32,
+    /// Whether the surface sees all of it.
+    pub is_full: bool,
+    /// The lobe's part of it.
+    pub lobe: f32,
+    /// The share of its light that is expected to arrive.
+    pub visibility: f32,
+}
+
+/// A direction with its texel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CellDraw {
+    /// Unit vector in the map's coordinates.
+    pub direction: Vec3,
+    /// Its texel.
+    pub texel: UVec2,
+    /// The texel's cell.
+    pub cell: u32,
+}
+
+/// A density over directions for a group of hits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Proposal {
+    /// What the group's members have in common; its surface has the share β of the lobe that cells sample.
+    pub of: Representative,
+    /// Weights of blocks of cells, with the defensive share.
+    blocks: [f32; BLOCKS as usize],
+    /// W: their sum.
+    pub total: f32,
+    /// What a cell's [`CellAt::live`] adds to its weight.
+    defence: f32,
+    /// B: what the lobe's own samples are worth beside W.
+    pub lobe_worth: f32,
+    /// φ: the share of samples that the lobe draws.
+    pub lobe_share: f32,
+    /// Γ: the integral of the control variate; 0 without one.
+    pub integral: Vec3,
+}
+
+/// Sums over all cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Totals {
+    blocks: [f32; BLOCKS as usize],
+    lives: [f32; BLOCKS as usize],
+    weight: f32,
+    live: f32,
+    /// Of a = s Λ: Σ a, Σ a κ², Σ a p̂; and Σ s Q, Σ s Ω.
+    lobe: f32,
+    lobe_spread: f32,
+    lobe_visible: f32,
+    lobe_square: f32,
+    lobe_area: f32,
+    /// Γ by diffuse reflection and by the lobe, without kd/π and ks.
+    diffuse: Vec3,
+    specular: Vec3,
+}
+
+/// One channel of Γ over four cells: its diffuse part where the cells are seen whole, and where not.
+#[inline]
+fn channel_sum(
+    cells: &LightCells<'_>,
+    quad: u32,
+    channel: u32,
+    normal: Vec3,
+    full: Vec4,
+    cut: Vec4,
+) -> f32 {
+    let list = field::MOMENT + 3 * channel;
+    let moment = cells.quad(list, quad) * normal.x
+        + cells.quad(list + 1, quad) * normal.y
+        + cells.quad(list + 2, quad) * normal.z;
+    let radiance = cells.quad(field::RADIANCE + channel, quad);
+    (full * moment + cut * radiance).element_sum()
+}
+
+/// One channel of a sum over four cells of factors times radiance.
+#[inline]
+fn radiance_sum(cells: &LightCells<'_>, quad: u32, factors: Vec4) -> Vec3 {
+    Vec3::new(
+        (cells.quad(field::RADIANCE, quad) * factors).element_sum(),
+        (cells.quad(field::RADIANCE + 1, quad) * factors).element_sum(),
+        (cells.quad(field::RADIANCE + 2, quad) * factors).element_sum(),
+    )
+}
+
+#[inline]
+fn weigh<P: Expectation>(of: &Representative, cells: &LightCells<'_>, expected: &P) -> Totals {
+    let surface = of.surface;
+    let has_lobe = surface.specular > 0.0;
+    let mut t = Totals {
+        blocks: [0.0; BLOCKS as usize],
+        lives: [0.0; BLOCKS as usize],
+        weight: 0.0,
+        live: 0.0,
+        lobe: 0.0,
+        lobe_spread: 0.0,
+        lobe_visible: 0.0,
+        lobe_square: 0.0,
+        lobe_area: 0.0,
+        diffuse: Vec3::ZERO,
+        specular: Vec3::ZERO,
+    };
+    for block in 0..BLOCKS {
+        let mut weight = 0.0;
+        let mut live = 0.0;
+        for half in 0..2 {
+            let quad = 2 * block + half;
+            let flux = cells.quad(field::FLUX, quad);
+            let terms = surface.terms(cells, quad);
+            let seen = (flux * terms.live).element_sum();
+            // Half of all cells lie below the horizon, and many of a night's are black.
+            if seen > 0.0 {
+                live += seen;
+                let visibility = expected.quad(quad);
+                weight += weights::<P>(&surface, &terms, flux, visibility).element_sum();
+                if P::CONTROL {
+                    let full = terms.full * visibility;
+                    let cut = (visibility - full) * terms.cosine;
+                    t.diffuse += Vec3::new(
+                        channel_sum(cells, quad, 0, of.mean_normal, full, cut),
+                        channel_sum(cells, quad, 1, of.mean_normal, full, cut),
+                        channel_sum(cells, quad, 2, of.mean_normal, full, cut),
+                    );
+                }
+                if has_lobe {
+                    let a = terms.lobe * flux;
+                    let spread = a * terms.lobe_spread * terms.lobe_spread;
+                    t.lobe += a.element_sum();
+                    t.lobe_spread += spread.element_sum();
+                    t.lobe_visible += (a * visibility).element_sum();
+                    t.lobe_square += (terms.lobe * cells.quad(field::SQUARE, quad)).element_sum();
+                    t.lobe_area +=
+                        (terms.lobe * cells.quad(field::SOLID_ANGLE, quad)).element_sum();
+                    if P::CONTROL {
+                        t.specular += radiance_sum(cells, quad, terms.lobe * visibility);
+                    }
+                }
+            }
+        }
+        t.blocks[block as usize] = weight;
+        t.lives[block as usize] = live;
+        t.weight += weight;
+        t.live += live;
+    }
+    t
+}
+
+#[inline]
+fn weights<P: Expectation>(
+    surface: &CellSurface,
+    terms: &glimt_light_cells::CellTerms,
+    flux: Vec4,
+    visibility: Vec4,
+) -> Vec4 {
+    if P::CONTROL {
+        surface.residual_weights(terms, flux, visibility)
+    } else {
+        surface.product_weights(terms, flux)
+    }
+}
+
+/// What a share of the lobe that cells leave to its own samples is worth, beside weights of cells: `a` is what the lobe reflects
+/// of all cells, `visible` the share of it that is expected to arrive, `variance` the light's relative variance under the lobe.
+#[inline]
+fn worth<P: Expectation>(a: f32, visible: f32, variance: f32) -> f32 {
+    if P::CONTROL {
+        return a * libm::sqrtf(visible * (1.0 - visible) + visible * variance);
+    }
+    // Product weights are in units of the light itself; half of it is taken to arrive.
+    a * libm::sqrtf(1.0 + 2.0 * variance)
+}
+
+impl Proposal {
+    /// The proposal of a group.
+    #[inline]
+    #[must_use]
+    pub fn new<P: Expectation>(
+        of: &Representative,
+        cells: &LightCells<'_>,
+        expected: &P,
+    ) -> Proposal {
+        let mut of = *of;
+        let mut sums = weigh(&of, cells, expected);
+        let (diffuse, specular) = (sums.diffuse, sums.specular);
+        let mut lobe_worth = 0.0;
+        let mut least_share = 0.0;
+        let mut share = 1.0;
+        if of.surface.specular > 0.0 && sums.lobe > 0.0 {
+            // Relative variances of a sample of the lobe's light: drawn through cells, and drawn from the lobe.
+            let by_cells = sums.lobe_spread / sums.lobe;
+            let by_lobe = (sums.lobe_square / sums.lobe * (sums.lobe_area / sums.lobe) - 1.0)
+                .clamp(1e-4, 1e6);
+            share = by_lobe / (by_lobe + by_cells);
+            if share > 0.9 {
+                share = 1.0;
+            } else if share < 0.1 {
+                share = 0.0;
+            }
+            let a = sums.lobe * of.surface.specular;
+            let visible = (sums.lobe_visible / sums.lobe).min(1.0);
+            if share < 1.0 {
+                lobe_worth = (1.0 - share) * worth::<P>(a, visible, by_lobe);
+                of.surface.share = share;
+                sums = weigh(&of, cells, expected);
+            }
+            if of.surface.normal.dot(of.surface.wo) < GRAZING {
+                least_share = LEAST_AT_GRAZING;
+            }
+        }
+        let mut defence = 0.0;
+        if sums.live > 0.0 {
+            defence = DEFENCE * sums.weight / sums.live;
+        }
+        let mut total = 0.0;
+        let mut blocks = [0.0; BLOCKS as usize];
+        for block in 0..BLOCKS as usize {
+            let weight = sums.blocks[block] + defence * sums.lives[block];
+            blocks[block] = weight;
+            total += weight;
+        }
+        let all = total + lobe_worth;
+        let mut lobe_share = 0.0;
+        if all > 0.0 {
+            lobe_share = (lobe_worth / all).clamp(least_share, MOST_TO_LOBE);
+            if !(total > 0.0) {
+                lobe_share = 1.0;
+            }
+        }
+        let kd = of.diffuse * core::f32::consts::FRAC_1_PI;
+        Proposal {
+            integral: kd * diffuse + of.specular * (specular * share),
+            of,
+            blocks,
+            total,
+            defence,
+            lobe_worth,
+            lobe_share,
+        }
+    }
+
+    /// Cell `cell` as this proposal has it.
+    #[inline]
+    #[must_use]
+    pub fn cell<P: Expectation>(&self, cell: u32, cells: &LightCells<'_>, expected: &P) -> CellAt {
+        let (quad, lane) = (cell / 4, (cell % 4) as usize);
+        let flux = cells.quad(field::FLUX, quad);
+        let terms = self.of.surface.terms(cells, quad);
+        let visibility = expected.quad(quad);
+        let weight = weights::<P>(&self.of.surface, &terms, flux, visibility);
+        CellAt {
+            weight: weight[lane],
+            live: (flux * terms.live)[lane],
+            cosine: terms.cosine[lane],
+            is_full: terms.full[lane] > 0.5,
+            lobe: terms.lobe[lane],
+            visibility: visibility[lane],
+        }
+    }
+
+    /// Density of the cells' samples in a texel of the cell `at`, in 1/sr.
+    #[inline]
+    #[must_use]
+    pub fn cells_pdf_sr(
+        &self,
+        texel: UVec2,
+        cell: u32,
+        at: &CellAt,
+        cells: &LightCells<'_>,
+    ) -> f32 {
+        if !(self.total > 0.0) {
+            return 0.0;
+        }
+        let weight = at.weight + self.defence * at.live;
+        let pmf = weight / self.total * cells.pmf_in_cell(texel, cell);
+        pmf / texel_solid_angle_sr(texel.y, cells.size)
+    }
+
+    /// The control variate `g(ω)` in a direction of the cell `at`, in the map's coordinates.
+    #[inline]
+    #[must_use]
+    pub fn control(&self, direction: Vec3, at: &CellAt) -> Vec3 {
+        let cosine = if at.is_full {
+            self.of.mean_normal.dot(direction)
+        } else {
+            at.cosine
+        };
+        let kd = self.of.diffuse * core::f32::consts::FRAC_1_PI;
+        (kd * cosine + self.of.specular * at.lobe) * at.visibility
+    }
+
+    /// Draws a direction by the cells: the row of cells and the row of texels by `u.y`, the columns by `u.x`. The weights sum to
+    /// more than 0.
+    #[inline]
+    #[must_use]
+    pub fn sample_cells<P: Expectation>(
+        &self,
+        u: UVec2,
+        cells: &LightCells<'_>,
+        expected: &P,
+    ) -> CellDraw {
+        let per_row = (BLOCKS / ROWS) as usize;
+        // The last row, block and cell of positive weight stands where rounding leaves the target beyond the sum.
+        let mut row_place = Place::new(unit_f32(u.y) * self.total);
+        for row in 0..ROWS as usize {
+            let mut sum = 0.0;
+            for block in row * per_row..(row + 1) * per_row {
+                sum += self.blocks[block];
+            }
+            row_place.offer(row as u32, sum);
+        }
+        let first = row_place.index * per_row as u32;
+        let target = unit_f32(u.x) * row_place.width;
+        let mut block_place = Place::new(target);
+        for block in first..first + per_row as u32 {
+            block_place.offer(block, self.blocks[block as usize]);
+        }
+        let mut cell_place = Place {
+            sum: block_place.first,
+            ..Place::new(target)
+        };
+        for half in 0..2 {
+            let quad = 2 * block_place.index + half;
+            let flux = cells.quad(field::FLUX, quad);
+            let terms = self.of.surface.terms(cells, quad);
+            let own = weights::<P>(&self.of.surface, &terms, flux, expected.quad(quad));
+            let all = own + flux * terms.live * self.defence;
+            cell_place.offer(4 * quad, all.x);
+            cell_place.offer(4 * quad + 1, all.y);
+            cell_place.offer(4 * quad + 2, all.z);
+            cell_place.offer(4 * quad + 3, all.w);
+        }
+        let hash = hash2(u.x, u.y);
+        let within = UVec2::new(
+            cell_place.word(row_place.width, hash & 0xffff),
+            row_place.word(self.total, hash >> 16),
+        );
+        let drawn = cells.sample(cell_place.index, within);
+        let place = hash2(hash, u.x);
+        let place = UVec2::new(place << 16, place & 0xffff_0000);
+        CellDraw {
+            direction: direction_in_texel(drawn.texel, cells.size, unit_vec2(place)),
+            texel: drawn.texel,
+            cell: cell_place.index,
+        }
+    }
+}
+
+/// The interval of a running sum that a number falls into.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Place {
+    target: f32,
+    /// The sum so far.
+    sum: f32,
+    /// The interval's number, its lower edge and its width.
+    index: u32,
+    first: f32,
+    width: f32,
+    is_found: bool,
+}
+
+impl Place {
+    #[inline]
+    fn new(target: f32) -> Place {
+        Place {
+            target,
+            sum: 0.0,
+            index: 0,
+            first: 0.0,
+            width: 0.0,
+            is_found: false,
+        }
+    }
+
+    /// The next interval.
+    #[inline]
+    fn offer(&mut self, index: u32, width: f32) {
+        if width > 0.0 && !self.is_found {
+            self.index = index;
+            self.first = self.sum;
+            self.width = width;
+        }
+        self.sum += width;
+        self.is_found = self.is_found || self.sum > self.target;
+    }
+
+    /// Where in its interval the target lies, as a uniform word, refined below the 24 bits that it had of `whole` by 16 bits of
+    /// `fraction`.
+    #[inline]
+    fn word(&self, whole: f32, fraction: u32) -> u32 {
+        let unit = whole * (1.0 / 16_777_216.0);
+        let fine = self.target - self.first + unit * (fraction as f32 * (1.0 / 65_536.0));
+        let place = (fine / self.width.max(f32::MIN_POSITIVE)).clamp(0.0, BELOW_ONE);
+        ((place * 16_777_216.0) as u32) << 8 | (fraction & 0xff)
+    }
+}
