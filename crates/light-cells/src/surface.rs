@@ -204,5 +204,20 @@ impl CellSurface {
     }
 }
 
+impl CellSurface {
+    /// As [`CellSurface::residual_weights`], where the light that is blocked is estimated without a control variate: as of surfaces that
+    /// must stay as they are where nothing is blocked.
+    #[inline]
+    #[must_use]
+    pub fn blocked_weights(&self, terms: &CellTerms, flux: Vec4, visibility: Vec4) -> Vec4 {
+        let reflected = terms.cosine * self.diffuse + terms.lobe * self.specular;
+        let blocked = Vec4::ONE - visibility * visibility + Vec4::splat(UNKNOWN_VISIBILITY);
+        let diffuse = terms.cosine_spread * self.diffuse;
+        let lobe = terms.lobe * terms.lobe_spread * self.specular;
+        let by_shape = diffuse * diffuse + lobe * lobe;
+        flux * terms.live * sqrt(reflected * reflected * blocked + by_shape)
+    }
+}
+
 /// What `p (1 − p)` of a visibility grows by, as no count of rays is certain.
 pub const UNKNOWN_VISIBILITY: f32 = 0.0008;

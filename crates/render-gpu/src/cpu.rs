@@ -6,7 +6,7 @@ mod tiles;
 use glimt_executor::{Chunks, Cpu, Host, Rayon, Serial};
 
 use crate::methods::smc::{Following, Own};
-use crate::methods::{Inputs, Method, MethodMemory, Points, Work};
+use crate::methods::{Before, Inputs, Method, MethodMemory, Points, Work};
 use crate::prepare::env::PreparedEnv;
 use crate::prepare::plate::Plate;
 use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer};
@@ -75,6 +75,13 @@ impl Renderer for CpuRenderer {
         let mut following = self.begin(scene, env, settings)?;
         let view = following.as_ref().map(|f| f.window(u64::MAX, 0, 0));
         let job = Job::new(whole, env, scene, plate, settings);
+        let inputs = Inputs {
+            frame: &whole,
+            env: job.env.shorten(),
+            scene: job.scene.shorten(),
+        };
+        let before = Before::find(&Cpu, &mut Rayon::default(), inputs, settings);
+        let before = before.map_err(RenderError::device)?;
         let mut image = Image::new(settings).map_err(RenderError::device)?;
         let (own, reading) = match &mut following {
             Some(following) => {
@@ -100,7 +107,7 @@ impl Renderer for CpuRenderer {
                         let points = Chunks::new(points, 1);
                         Work::Smc(reading.tile(view, tile.pixels, points, own.shorten()))
                     }
-                    (_, _, _, points) => points.seen(rays),
+                    (_, _, _, points) => points.work(&before, rays),
                 };
                 let (env, scene) = (job.env.shorten(), job.scene.shorten());
                 let inputs = Inputs { frame, env, scene };

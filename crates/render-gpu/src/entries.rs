@@ -106,6 +106,18 @@ pub fn all() -> Vec<EntrySpec> {
 
 const PIXELS: &[(&str, &str)] = &[
     ("see", "seen::see"),
+    ("scout", "scout::scout"),
+    ("see_in_tile", "scout::see_in_tile"),
+    ("pilot", "pilot::pilot"),
+    ("expect", "expect::expect"),
+    ("worth", "expect::worth"),
+    ("add_worths", "expect::add_worths"),
+    ("shade_cells", "cells::shade_cells::<glam::Vec4>"),
+    (
+        "shade_cells_layers",
+        "cells::shade_cells::<glimt_render_gpu::kernels::layers::LayerSample>",
+    ),
+    ("gather_cells", "cells::gather_cells"),
     ("find_smc", "smc_point::find_smc"),
     ("advance_smc", "smc::advance_smc"),
     ("gather_smc", "smc_gather::gather_smc::<glam::Vec4>"),

@@ -37,6 +37,8 @@ macro_rules! tables {
                 /// Multiple importance sampling.
                 #[default] Mis = $mis,
                 $(#[doc = concat!("The estimator `", $word, "`.")] $settings = $word,)*
+                /// A control variate over light cells.
+                Cells = "cells",
                 /// Sequential Monte Carlo.
                 Smc = "smc",
                 /// Precomputed radiance transfer.
@@ -45,7 +47,7 @@ macro_rules! tables {
         }
 
         /// The words of [`Method`], as help prints them.
-        pub const METHODS: &str = concat!($mis, $("|", $word,)* "|smc|prt");
+        pub const METHODS: &str = concat!($mis, $("|", $word,)* "|cells|smc|prt");
 
         /// How it is rendered.
         #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -58,6 +60,8 @@ macro_rules! tables {
             /// Environment samples on each ray.
             pub env_samples: u32,
             $(#[doc = concat!("Of the method \"", $word, "\".")] pub $module: methods::$settings,)*
+            /// Of the method "cells".
+            pub cells: methods::Cells,
             /// Of the method "smc".
             pub smc: Smc,
             /// Of the method "prt".
@@ -81,6 +85,7 @@ macro_rules! tables {
                     brdf_samples: mis.brdf_samples,
                     env_samples: mis.env_samples,
                     $($module: methods::$settings::default(),)*
+                    cells: methods::Cells::default(),
                     smc: Smc::default(),
                     prt: Prt::default(),
                     preset: Preset::None,
@@ -97,6 +102,7 @@ macro_rules! tables {
                 vec![
                     (Method::Mis, self.mis().into()),
                     $((Method::$settings, self.$module.into()),)*
+                    (Method::Cells, self.cells.into()),
                     (Method::Smc, self.smc.into()),
                 ]
             }

@@ -312,11 +312,19 @@ fn SmcPoint_is_hit(this_: SmcPoint) -> bool {
     return (this_.depth > 0f);
 }
 
+// glimt_render_gpu/src/kernels/frame.rs:130
+fn FrameParams_pattern_at(this_1: FrameParams, pixel: u32, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:131
+    return PixelPattern(this_1.pattern, this_1.seed, this_1.frame, pixel, ray, this_1.rays_per_pixel);
+}
+
 // glimt_render_gpu/src/kernels/frame.rs:120
-fn FrameParams_pattern_of(this_1: FrameParams, ray: u32) -> PixelPattern {
+fn FrameParams_pattern_of(this_2: FrameParams, ray_1: u32) -> PixelPattern {
 
     // glimt_render_gpu/src/kernels/frame.rs:121
-    return PixelPattern(this_1.pattern, this_1.seed, this_1.frame, (this_1.first_pixel + (ray / this_1.rays_per_pixel)), (ray % this_1.rays_per_pixel), this_1.rays_per_pixel);
+    let _e10 = FrameParams_pattern_at(this_2, (this_2.first_pixel + (ray_1 / this_2.rays_per_pixel)), (ray_1 % this_2.rays_per_pixel));
+    return _e10;
 }
 
 // glimt_sampling/src/math.rs:45
@@ -333,20 +341,20 @@ fn ShadingFrame_from_normal(n: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_2: ShadingFrame, v: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_3: ShadingFrame, v: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v, this_2.t), dot(v, this_2.b), dot(v, this_2.n));
+    return vec3<f32>(dot(v, this_3.t), dot(v, this_3.b), dot(v, this_3.n));
 }
 
 // glimt_render_gpu/src/kernels/smc_point.rs:80
-fn SmcPoint_shading_point(this_3: SmcPoint) -> ShadingPoint {
+fn SmcPoint_shading_point(this_4: SmcPoint) -> ShadingPoint {
 
     // glimt_render_gpu/src/kernels/smc_point.rs:81
-    let _e4 = ShadingFrame_from_normal(this_3.normal);
+    let _e4 = ShadingFrame_from_normal(this_4.normal);
     // glimt_render_gpu/src/kernels/smc_point.rs:82
-    let _e9 = ShadingFrame_to_local(_e4, this_3.wo);
-    return ShadingPoint(this_3.origin, this_3.geometric_normal, _e4, _e9, BlinnPhong(this_3.diffuse, this_3.specular, this_3.exponent), this_3.emission);
+    let _e9 = ShadingFrame_to_local(_e4, this_4.wo);
+    return ShadingPoint(this_4.origin, this_4.geometric_normal, _e4, _e9, BlinnPhong(this_4.diffuse, this_4.specular, this_4.exponent), this_4.emission);
 }
 
 // glimt_sampling/src/math.rs:16
@@ -420,20 +428,20 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:171
-fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
 
     // glimt_sampling/src/sobol.rs:172
-    let _e6 = hash3_(seed, frame, pixel);
+    let _e6 = hash3_(seed, frame, pixel_1);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:122
-fn PixelPattern_sobol_point(this_4: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+// glimt_render_gpu/src/kernels/pattern.rs:126
+fn PixelPattern_sobol_point(this_5: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:123
-    let _e6 = hash2_(this_4.seed, purpose);
-    let _e9 = OwenSobol_new(_e6, this_4.frame, this_4.pixel, index);
+    // glimt_render_gpu/src/kernels/pattern.rs:127
+    let _e6 = hash2_(this_5.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_5.frame, this_5.pixel, index);
     return _e9;
 }
 
@@ -539,52 +547,52 @@ fn Xoshiro128PlusPlus_from_state(state_1: vec4<u32>) -> Xoshiro128PlusPlus {
 }
 
 // glimt_sampling/src/xoshiro.rs:49
-fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_1: u32, pixel_2: u32) -> Xoshiro128PlusPlus {
 
     // glimt_sampling/src/xoshiro.rs:50
-    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_1, 2654435769u));
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_2, frame_1, seed_1, 2654435769u));
     let _e8 = Xoshiro128PlusPlus_from_state(_e7);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:127
-fn PixelPattern_generator(this_5: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
+// glimt_render_gpu/src/kernels/pattern.rs:131
+fn PixelPattern_generator(this_6: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:128
-    let _e6 = hash3_(this_5.seed, purpose_1, index_1);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_5.frame, this_5.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:132
+    let _e6 = hash3_(this_6.seed, purpose_1, index_1);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_6.frame, this_6.pixel);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:105
-fn PixelPattern_point(this_6: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
+// glimt_render_gpu/src/kernels/pattern.rs:109
+fn PixelPattern_point(this_7: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:106
-    let _e8 = PixelPattern_sobol_point(this_6, purpose_2, index_2);
-    let _e9 = PixelPattern_generator(this_6, purpose_2, index_2);
-    return PatternSource((this_6.kind == 0u), _e8, _e9);
+    // glimt_render_gpu/src/kernels/pattern.rs:110
+    let _e8 = PixelPattern_sobol_point(this_7, purpose_2, index_2);
+    let _e9 = PixelPattern_generator(this_7, purpose_2, index_2);
+    return PatternSource((this_7.kind == 0u), _e8, _e9);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:97
-fn PixelPattern_source(this_7: PixelPattern, purpose_3: u32) -> PatternSource {
+// glimt_render_gpu/src/kernels/pattern.rs:101
+fn PixelPattern_source(this_8: PixelPattern, purpose_3: u32) -> PatternSource {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:98
-    let _e5 = PixelPattern_point(this_7, purpose_3, this_7.ray);
+    // glimt_render_gpu/src/kernels/pattern.rs:102
+    let _e5 = PixelPattern_point(this_8, purpose_3, this_8.ray);
     return _e5;
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:69
-fn SmcParams_sampler(this_8: SmcParams) -> Sampler {
+fn SmcParams_sampler(this_9: SmcParams) -> Sampler {
 
     // glimt_render_gpu/src/kernels/smc.rs:70
-    return Sampler(Bridge(this_8.path, this_8.intermediate), this_8.scheme, this_8.ess_threshold);
+    return Sampler(Bridge(this_9.path, this_9.intermediate), this_9.scheme, this_9.ess_threshold);
 }
 
 // glimt_smc/src/bridge.rs:48
-fn Bridge_steps(this_9: Bridge) -> u32 {
+fn Bridge_steps(this_10: Bridge) -> u32 {
 
     // glimt_smc/src/bridge.rs:49
-    return (this_9.intermediate + 1u);
+    return (this_10.intermediate + 1u);
 }
 
 // glimt_brdf/src/lobe.rs:86
@@ -636,15 +644,15 @@ fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_10: HalfVector, exponent_2: f32) -> f32 {
+fn HalfVector_lobe(this_11: HalfVector, exponent_2: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_10.cos2_theta, this_10.sin2_theta, exponent_2);
+    let _e6 = cosine_power(this_11.cos2_theta, this_11.sin2_theta, exponent_2);
     return _e6;
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_11: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_12: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -652,33 +660,33 @@ fn BlinnPhong_eval(this_11: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_11.diffuse * 0.31830987f);
+    let diffuse = (this_12.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_11.specular.x, this_11.specular.y), this_11.specular.z) <= 0f) {
+    if (max(max(this_12.specular.x, this_12.specular.y), this_12.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_11.exponent);
+    let _e31 = normalisation(this_12.exponent);
     let _e32 = HalfVector_new(wo_1, wi_1);
-    let _e34 = HalfVector_lobe(_e32, this_11.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_12.exponent);
     let lobe_3 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_11.specular * lobe_3));
+    return (diffuse + (this_12.specular * lobe_3));
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:57
-fn LightLobe_value(this_12: LightLobe, direction: vec3<f32>) -> f32 {
+fn LightLobe_value(this_13: LightLobe, direction: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:58
-    let _e5 = ShadingFrame_to_local(this_12.frame, direction);
+    let _e5 = ShadingFrame_to_local(this_13.frame, direction);
     // glimt_render_gpu/src/kernels/light_target.rs:59
     if !((_e5.z > 0f)) {
         // glimt_render_gpu/src/kernels/light_target.rs:60
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:62
-    let _e16 = BlinnPhong_eval(this_12.brdf, this_12.wo, _e5);
+    let _e16 = BlinnPhong_eval(this_13.brdf, this_13.wo, _e5);
     return (_e16.x * _e5.z);
 }
 
@@ -816,7 +824,7 @@ fn LightTarget_densities(previous_light_size_2: vec2<u32>, previous_light_rotati
 }
 
 // glimt_smc/src/bridge.rs:65
-fn Bridge_density(this_13: Bridge, k: u32, ends: Endpoints) -> f32 {
+fn Bridge_density(this_14: Bridge, k: u32, ends: Endpoints) -> f32 {
 
     // glimt_smc/src/bridge.rs:66
     if (k == 0u) {
@@ -824,16 +832,16 @@ fn Bridge_density(this_13: Bridge, k: u32, ends: Endpoints) -> f32 {
         return ends.previous;
     }
     // glimt_smc/src/bridge.rs:69
-    let _e10 = Bridge_steps(this_13);
+    let _e10 = Bridge_steps(this_14);
     if (k >= _e10) {
         // glimt_smc/src/bridge.rs:70
         return ends.current;
     }
     // glimt_smc/src/bridge.rs:72
-    let _e16 = Bridge_steps(this_13);
+    let _e16 = Bridge_steps(this_14);
     let beta = (f32(k) / f32(_e16));
     // glimt_smc/src/bridge.rs:73
-    if (this_13.path == 0u) {
+    if (this_14.path == 0u) {
         // glimt_smc/src/bridge.rs:74
         return (((1f - beta) * ends.previous) + (beta * ends.current));
     }
@@ -985,10 +993,10 @@ fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, tar
 }
 
 // glimt_smc/src/particle.rs:25
-fn Particle_weight(this_14: Particle) -> f32 {
+fn Particle_weight(this_15: Particle) -> f32 {
 
     // glimt_smc/src/particle.rs:26
-    return exp(this_14.log_weight);
+    return exp(this_15.log_weight);
 }
 
 // glimt_smc/src/weights.rs:65
@@ -1270,25 +1278,25 @@ fn owen_sobol(index_8: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_15: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_16: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_3 = (*this_15).dimension;
+    let dimension_3 = (*this_16).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_15).dimension = (dimension_3 + 1u);
+    (*this_16).dimension = (dimension_3 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_15).index;
-    let _e13 = (*this_15).seed;
+    let _e11 = (*this_16).index;
+    let _e13 = (*this_16).seed;
     let _e16 = hash2_(_e13, (dimension_3 >> 2u));
     let _e17 = owen_sobol(_e11, dimension_3, _e16);
     return _e17;
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_16: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_17: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s = (*this_16).state;
+    let s = (*this_17).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s.x + s.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
@@ -1297,34 +1305,34 @@ fn Xoshiro128PlusPlus_next_u32_(this_16: ptr<function, Xoshiro128PlusPlus>) -> u
     // glimt_sampling/src/xoshiro.rs:60
     let w_1 = (s.w ^ s.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_16).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_17).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:157
-fn PatternSource_next_u32_(this_17: ptr<function, PatternSource>) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:161
+fn PatternSource_next_u32_(this_18: ptr<function, PatternSource>) -> u32 {
     var chosen_8: u32;
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:158
-    let _e5 = (*this_17).is_sobol;
+    // glimt_render_gpu/src/kernels/pattern.rs:162
+    let _e5 = (*this_18).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:159
-        let _e9 = (*this_17).point;
+        // glimt_render_gpu/src/kernels/pattern.rs:163
+        let _e9 = (*this_18).point;
         borrowed = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed));
         let _e11 = borrowed;
-        (*this_17).point = _e11;
+        (*this_18).point = _e11;
         chosen_8 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:161
-        let _e15 = (*this_17).generator;
+        // glimt_render_gpu/src/kernels/pattern.rs:165
+        let _e15 = (*this_18).generator;
         borrowed_1 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
         let _e17 = borrowed_1;
-        (*this_17).generator = _e17;
+        (*this_18).generator = _e17;
         chosen_8 = _e16;
     }
     let _e18 = chosen_8;
@@ -1339,47 +1347,47 @@ fn unit_f32_(u: u32) -> f32 {
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth(this_18: ptr<function, Comb>, source: ptr<function, PatternSource>) {
+fn Comb_place_tooth(this_19: ptr<function, Comb>, source: ptr<function, PatternSource>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_18).made;
-    let _e7 = (*this_18).teeth;
+    let _e5 = (*this_19).made;
+    let _e7 = (*this_19).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_18).made;
+    let _e12 = (*this_19).made;
     let first_1 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_18).scheme;
+    let _e16 = (*this_19).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_18).state;
-        (*this_18).next = (first_1 + _e21);
+        let _e21 = (*this_19).state;
+        (*this_19).next = (first_1 + _e21);
     } else {
-        let _e25 = (*this_18).scheme;
+        let _e25 = (*this_19).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = PatternSource_next_u32_(source);
             let _e30 = unit_f32_(_e29);
-            (*this_18).next = (first_1 + _e30);
+            (*this_19).next = (first_1 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = PatternSource_next_u32_(source);
             let _e36 = unit_f32_(_e35);
             let v_5 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_18).teeth;
-            let _e42 = (*this_18).made;
+            let _e40 = (*this_19).teeth;
+            let _e42 = (*this_19).made;
             let left_2 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_18).state;
-            (*this_18).state = (_e50 * pow(v_5, (1f / left_2)));
+            let _e50 = (*this_19).state;
+            (*this_19).state = (_e50 * pow(v_5, (1f / left_2)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_18).state;
-            let _e58 = (*this_18).teeth;
-            (*this_18).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_19).state;
+            let _e58 = (*this_19).teeth;
+            (*this_19).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -1406,54 +1414,54 @@ fn Comb_new(scheme_1: u32, picks: u32, sure: u32, source_1: ptr<function, Patter
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take(this_19: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
+fn Comb_take(this_20: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_19).scheme;
+    let _e6 = (*this_20).scheme;
     let _e7 = sure_copies(_e6, expected_1);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_19).reach;
-    (*this_19).reach = (_e12 + (expected_1 - f32(_e7)));
+    let _e12 = (*this_20).reach;
+    (*this_20).reach = (_e12 + (expected_1 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before = (*this_19).made;
+    let before = (*this_20).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_19).made;
-        let _e21 = (*this_19).teeth;
-        let _e24 = (*this_19).next;
-        let _e26 = (*this_19).reach;
+        let _e19 = (*this_20).made;
+        let _e21 = (*this_20).teeth;
+        let _e24 = (*this_20).next;
+        let _e26 = (*this_20).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_19).made;
-            (*this_19).made = (_e32 + 1u);
+            let _e32 = (*this_20).made;
+            (*this_20).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth(this_19, source_2);
+            Comb_place_tooth(this_20, source_2);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_19).made;
+    let _e37 = (*this_20).made;
     return (_e7 + (_e37 - before));
 }
 
 // glimt_sampling/src/resample.rs:121
-fn Comb_finish(this_20: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
+fn Comb_finish(this_21: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
     var counter_5: u32;
 
     // glimt_sampling/src/resample.rs:122
-    let _e5 = (*this_20).teeth;
-    let _e7 = (*this_20).made;
+    let _e5 = (*this_21).teeth;
+    let _e7 = (*this_21).made;
     let left_3 = (_e5 - _e7);
     // glimt_sampling/src/resample.rs:123
-    let _e11 = (*this_20).scheme;
+    let _e11 = (*this_21).scheme;
     if (_e11 != 0u) {
         // glimt_sampling/src/resample.rs:125
-        let _e16 = (*this_20).teeth;
-        let _e18 = (*this_20).made;
+        let _e16 = (*this_21).teeth;
+        let _e18 = (*this_21).made;
         let drawn = min(_e16, (_e18 + 1u));
         // glimt_sampling/src/resample.rs:126
-        let _e24 = (*this_20).picks;
+        let _e24 = (*this_21).picks;
         counter_5 = drawn;
         loop {
             let _e26 = counter_5;
@@ -1469,8 +1477,8 @@ fn Comb_finish(this_20: ptr<function, Comb>, source_3: ptr<function, PatternSour
         }
     }
     // glimt_sampling/src/resample.rs:130
-    let _e35 = (*this_20).teeth;
-    (*this_20).made = _e35;
+    let _e35 = (*this_21).teeth;
+    (*this_21).made = _e35;
     // glimt_sampling/src/resample.rs:131
     return left_3;
 }
@@ -1686,18 +1694,18 @@ fn skip(scheme_4: u32, picks_3: u32, source_5: ptr<function, PatternSource>) {
 }
 
 // glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_22: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_21).dimension;
+    let _e4 = (*this_22).dimension;
     let dimension_4 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:192
-    (*this_21).dimension = (dimension_4 + 2u);
+    (*this_22).dimension = (dimension_4 + 2u);
     // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_21).seed;
+    let _e15 = (*this_22).seed;
     let _e18 = hash2_(_e15, (dimension_4 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_21).index;
+    let _e21 = (*this_22).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
     let _e24 = sobol_reversed(_e22, dimension_4);
@@ -1708,39 +1716,39 @@ fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_22: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_22);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_23);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_22);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_23);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:166
-fn PatternSource_next_uvec2_(this_23: ptr<function, PatternSource>) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:170
+fn PatternSource_next_uvec2_(this_24: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_10: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:167
-    let _e5 = (*this_23).is_sobol;
+    // glimt_render_gpu/src/kernels/pattern.rs:171
+    let _e5 = (*this_24).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:168
-        let _e9 = (*this_23).point;
+        // glimt_render_gpu/src/kernels/pattern.rs:172
+        let _e9 = (*this_24).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_23).point = _e11;
+        (*this_24).point = _e11;
         chosen_10 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:170
-        let _e15 = (*this_23).generator;
+        // glimt_render_gpu/src/kernels/pattern.rs:174
+        let _e15 = (*this_24).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_23).generator = _e17;
+        (*this_24).generator = _e17;
         chosen_10 = _e16;
     }
     let _e18 = chosen_10;
@@ -1822,18 +1830,18 @@ fn sample_cap(u_2: vec2<f32>, height: f32) -> DirectionSample {
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_24: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_25: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_24.t * v_2.x) + (this_24.b * v_2.y)) + (this_24.n * v_2.z));
+    return (((this_25.t * v_2.x) + (this_25.b * v_2.y)) + (this_25.n * v_2.z));
 }
 
 // glimt_smc/src/proposal.rs:43
-fn CapMove_propose(this_25: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
+fn CapMove_propose(this_26: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:44
     let _e6 = unit_vec2_(u_3.xy);
-    let _e8 = sample_cap(_e6, this_25.height);
+    let _e8 = sample_cap(_e6, this_26.height);
     let local = _e8.direction;
     // glimt_smc/src/proposal.rs:45
     let _e11 = ShadingFrame_from_normal(from_);
@@ -2180,13 +2188,13 @@ fn Independent_LightDraw_propose(sampler_light_size: vec2<u32>, sampler_light_ro
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_26: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_27: BlinnPhong) -> f32 {
     var chosen_18: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_26.specular);
+    let _e4 = luminance(this_27.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_26.diffuse);
+    let _e7 = luminance(this_27.diffuse);
     let both_2 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_2 > 0f) {
@@ -2349,15 +2357,15 @@ fn pdf_cosine_hemisphere_sr(direction_9: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_27: HalfVector, exponent_5: f32) -> f32 {
+fn HalfVector_pdf_sr(this_28: HalfVector, exponent_5: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_27, exponent_5);
-    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_27.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_28, exponent_5);
+    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_28.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_28: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_2.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2367,7 +2375,7 @@ fn BlinnPhong_pdf_sr(this_28: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_2);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_28);
+    let _e17 = BlinnPhong_pmf_specular(this_29);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -2375,21 +2383,21 @@ fn BlinnPhong_pdf_sr(this_28: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_2, wi_2);
-    let _e25 = HalfVector_pdf_sr(_e23, this_28.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_29.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_29: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_30: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
     var chosen_21: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_29);
+    let _e8 = BlinnPhong_pmf_specular(this_30);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_14, this_29.exponent);
+        let _e12 = sample_power_cosine(u_14, this_30.exponent);
         let h_1 = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_21 = (((2f * dot(wo_3, h_1)) * h_1) - wo_3);
@@ -2400,37 +2408,37 @@ fn BlinnPhong_sample(this_29: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: ve
     }
     let wi_4 = chosen_21;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_29, wo_3, wi_4);
+    let _e25 = BlinnPhong_pdf_sr(this_30, wo_3, wi_4);
     return BrdfSample(wi_4, _e25);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:133
-fn BrdfDraw_sample(this_30: BrdfDraw, u_15: vec3<u32>) -> Sampled {
+fn BrdfDraw_sample(this_31: BrdfDraw, u_15: vec3<u32>) -> Sampled {
 
     // glimt_render_gpu/src/kernels/light_target.rs:134
     let _e8 = unit_vec2_(u_15.xy);
-    let _e9 = BlinnPhong_sample(this_30.brdf, this_30.wo, u_15.z, _e8);
+    let _e9 = BlinnPhong_sample(this_31.brdf, this_31.wo, u_15.z, _e8);
     // glimt_render_gpu/src/kernels/light_target.rs:135
-    let _e13 = ShadingFrame_to_world(this_30.frame, _e9.wi);
+    let _e13 = ShadingFrame_to_world(this_31.frame, _e9.wi);
     return Sampled(_e13, _e9.pdf_sr);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:142
-fn BrdfDraw_pdf(this_31: BrdfDraw, state_4: vec3<f32>) -> f32 {
+fn BrdfDraw_pdf(this_32: BrdfDraw, state_4: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:143
-    let _e7 = ShadingFrame_to_local(this_31.frame, state_4);
-    let _e8 = BlinnPhong_pdf_sr(this_31.brdf, this_31.wo, _e7);
+    let _e7 = ShadingFrame_to_local(this_32.frame, state_4);
+    let _e8 = BlinnPhong_pdf_sr(this_32.brdf, this_32.wo, _e7);
     return _e8;
 }
 
 // glimt_smc/src/proposal.rs:81
-fn Independent_BrdfDraw_propose(this_32: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
+fn Independent_BrdfDraw_propose(this_33: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:82
-    let _e6 = BrdfDraw_sample(this_32.sampler, u_16);
+    let _e6 = BrdfDraw_sample(this_33.sampler, u_16);
     // glimt_smc/src/proposal.rs:83
-    let _e11 = BrdfDraw_pdf(this_32.sampler, from_2);
+    let _e11 = BrdfDraw_pdf(this_33.sampler, from_2);
     return Proposed(_e6.state, _e6.pdf, _e11);
 }
 
@@ -2511,7 +2519,7 @@ fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32
 }
 
 // glimt_smc/src/sampler.rs:47
-fn Sampler_step(this_33: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
+fn Sampler_step(this_34: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
     var accepted: u32;
     var counter_11: u32;
     var borrowed_4: Particle;
@@ -2519,18 +2527,18 @@ fn Sampler_step(this_33: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 
     // glimt_smc/src/sampler.rs:55
     // glimt_smc/src/sampler.rs:56
-    let _e23 = reweight(k_3, this_33.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
+    let _e23 = reweight(k_3, this_34.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:57
     let _e25 = ess(particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:58
-    let resampled = ((_e25 < (this_33.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
+    let resampled = ((_e25 < (this_34.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
     // glimt_smc/src/sampler.rs:59
     if resampled {
         // glimt_smc/src/sampler.rs:60
-        resample(this_33.scheme, particles_start_6, particles_len_6, source_6);
+        resample(this_34.scheme, particles_start_6, particles_len_6, source_6);
     } else {
         // glimt_smc/src/sampler.rs:62
-        skip(this_33.scheme, particles_len_6, source_6);
+        skip(this_34.scheme, particles_len_6, source_6);
     }
     // glimt_smc/src/sampler.rs:64
     accepted = 0u;
@@ -2552,7 +2560,7 @@ fn Sampler_step(this_33: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
         // glimt_smc/src/sampler.rs:70
         let _e63 = particles[(particles_start_6 + i_9)];
         borrowed_4 = _e63;
-        let _e64 = metropolis(k_3, this_33.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_4), u_23);
+        let _e64 = metropolis(k_3, this_34.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_4), u_23);
         let _e65 = borrowed_4;
         particles[(particles_start_6 + i_9)] = _e65;
         if _e64 {
@@ -2578,7 +2586,7 @@ fn Sampler_step(this_33: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 }
 
 // glimt_smc/src/sampler.rs:85
-fn Sampler_advance(this_34: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
+fn Sampler_advance(this_35: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
     var frame_2: Report;
     var counter_12: u32;
     var chosen_25: f32;
@@ -2587,7 +2595,7 @@ fn Sampler_advance(this_34: Sampler, target_previous_light_size_3: vec2<u32>, ta
     // glimt_smc/src/sampler.rs:92
     frame_2 = Report(0f, f32(particles_len_7), 0u, 0u);
     // glimt_smc/src/sampler.rs:98
-    let _e29 = Bridge_steps(this_34.bridge);
+    let _e29 = Bridge_steps(this_35.bridge);
     counter_12 = 1u;
     loop {
         let k_4 = counter_12;
@@ -2595,7 +2603,7 @@ fn Sampler_advance(this_34: Sampler, target_previous_light_size_3: vec2<u32>, ta
             break;
         }
         // glimt_smc/src/sampler.rs:99
-        let _e36 = Sampler_step(this_34, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
+        let _e36 = Sampler_step(this_35, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
         // glimt_smc/src/sampler.rs:100
         let _e40 = is_log_zero(_e36.log_ratio);
         either = _e40;
@@ -2636,12 +2644,12 @@ fn Sampler_advance(this_34: Sampler, target_previous_light_size_3: vec2<u32>, ta
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:83
-fn SmcParams_advance(this_35: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_1: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
+fn SmcParams_advance(this_36: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_1: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
 
     // glimt_render_gpu/src/kernels/smc.rs:90
     // glimt_render_gpu/src/kernels/smc.rs:111
-    let _e25 = SmcParams_sampler(this_35);
-    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_35.cap_share, CapMove(this_35.cap_height), this_35.light_share, target_light_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_1.frame, point_1.wo, point_1.brdf)), particles_start_8, particles_len_8, source_8);
+    let _e25 = SmcParams_sampler(this_36);
+    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_36.cap_share, CapMove(this_36.cap_height), this_36.light_share, target_light_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_1.frame, point_1.wo, point_1.brdf)), particles_start_8, particles_len_8, source_8);
     return _e26;
 }
 
@@ -2653,22 +2661,22 @@ fn RisSum_new() -> RisSum {
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:65
-fn Candidates_of_brdf(this_36: Candidates) -> u32 {
+fn Candidates_of_brdf(this_37: Candidates) -> u32 {
     var chosen_26: u32;
     var chosen_27: u32;
 
     // glimt_render_gpu/src/kernels/candidates.rs:66
-    if (this_36.source == 0u) {
+    if (this_37.source == 0u) {
         // glimt_render_gpu/src/kernels/candidates.rs:67
-        chosen_26 = this_36.count;
+        chosen_26 = this_37.count;
     } else {
-        if (this_36.source == 1u) {
+        if (this_37.source == 1u) {
             // glimt_render_gpu/src/kernels/candidates.rs:69
             chosen_27 = 0u;
         } else {
             // glimt_render_gpu/src/kernels/candidates.rs:71
-            let _e18 = (this_36.count / 2u);
-            chosen_27 = select(_e18, (_e18 + 1u), ((this_36.count % 2u) != 0u));
+            let _e18 = (this_37.count / 2u);
+            chosen_27 = select(_e18, (_e18 + 1u), ((this_37.count % 2u) != 0u));
         }
         let _e25 = chosen_27;
         chosen_26 = _e25;
@@ -2677,52 +2685,52 @@ fn Candidates_of_brdf(this_36: Candidates) -> u32 {
     return _e26;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:132
-fn PixelPattern_key(this_37: PixelPattern, purpose_4: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:136
+fn PixelPattern_key(this_38: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:133
-    let _e5 = hash2_(this_37.seed, purpose_4);
-    let _e8 = hash3_(_e5, this_37.frame, this_37.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:137
+    let _e5 = hash2_(this_38.seed, purpose_4);
+    let _e8 = hash3_(_e5, this_38.frame, this_38.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:207
+// glimt_render_gpu/src/kernels/pattern.rs:211
 fn permute(index_9: u32, length_: u32, key: u32) -> u32 {
     var x_5: u32;
     var round_key: u32;
     var counter_13: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:208
+    // glimt_render_gpu/src/kernels/pattern.rs:212
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:209
+        // glimt_render_gpu/src/kernels/pattern.rs:213
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:211
+    // glimt_render_gpu/src/kernels/pattern.rs:215
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:212
+    // glimt_render_gpu/src/kernels/pattern.rs:216
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:213
+    // glimt_render_gpu/src/kernels/pattern.rs:217
     x_5 = index_9;
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:218
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:219
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:216
+        // glimt_render_gpu/src/kernels/pattern.rs:220
         counter_13 = 0i;
         loop {
             let _e31 = counter_13;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:217
+            // glimt_render_gpu/src/kernels/pattern.rs:221
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:219
+            // glimt_render_gpu/src/kernels/pattern.rs:223
             let _e37 = x_5;
             let _e38 = round_key;
             x_5 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:220
+            // glimt_render_gpu/src/kernels/pattern.rs:224
             let _e44 = x_5;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_5;
@@ -2732,10 +2740,10 @@ fn permute(index_9: u32, length_: u32, key: u32) -> u32 {
                 counter_13 = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:222
+        // glimt_render_gpu/src/kernels/pattern.rs:226
         let _e62 = x_5;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:227
             let _e65 = x_5;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -2744,128 +2752,128 @@ fn permute(index_9: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:198
+// glimt_render_gpu/src/kernels/pattern.rs:202
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:199
+    // glimt_render_gpu/src/kernels/pattern.rs:203
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:178
+// glimt_render_gpu/src/kernels/pattern.rs:182
 fn jittered_pair(index_10: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:179
+    // glimt_render_gpu/src/kernels/pattern.rs:183
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:180
+    // glimt_render_gpu/src/kernels/pattern.rs:184
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:181
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_10, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:182
+    // glimt_render_gpu/src/kernels/pattern.rs:186
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:183
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:184
+    // glimt_render_gpu/src/kernels/pattern.rs:188
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:192
+// glimt_render_gpu/src/kernels/pattern.rs:196
 fn jittered(index_11: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:193
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let _e7 = hash2_(key_2, 4u);
     let _e8 = permute(index_11, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:76
-fn PixelPattern_triple(this_38: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec3<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:80
+fn PixelPattern_triple(this_39: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec3<u32> {
     var point_2: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:77
-    let index_14 = ((this_38.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:78
-    if (this_38.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:79
-        let _e14 = PixelPattern_sobol_point(this_38, purpose_5, index_14);
+    // glimt_render_gpu/src/kernels/pattern.rs:81
+    let index_14 = ((this_39.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:82
+    if (this_39.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:83
+        let _e14 = PixelPattern_sobol_point(this_39, purpose_5, index_14);
         point_2 = _e14;
-        // glimt_render_gpu/src/kernels/pattern.rs:80
+        // glimt_render_gpu/src/kernels/pattern.rs:84
         let _e17 = OwenSobol_next_uvec2_((&point_2));
-        // glimt_render_gpu/src/kernels/pattern.rs:81
+        // glimt_render_gpu/src/kernels/pattern.rs:85
         let _e19 = OwenSobol_next_u32_((&point_2));
         return vec3<u32>(_e17, _e19);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:83
-    let _e22 = PixelPattern_generator(this_38, purpose_5, index_14);
+    // glimt_render_gpu/src/kernels/pattern.rs:87
+    let _e22 = PixelPattern_generator(this_39, purpose_5, index_14);
     generator = _e22;
-    // glimt_render_gpu/src/kernels/pattern.rs:84
+    // glimt_render_gpu/src/kernels/pattern.rs:88
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:85
+    // glimt_render_gpu/src/kernels/pattern.rs:89
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:86
-    if (this_38.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:87
+    // glimt_render_gpu/src/kernels/pattern.rs:90
+    if (this_39.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:91
         return vec3<u32>(_e25, _e27);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:89
-    let _e37 = PixelPattern_key(this_38, purpose_5);
-    let _e38 = Tuple_u32_u32_((this_38.rays * samples), _e37);
+    // glimt_render_gpu/src/kernels/pattern.rs:93
+    let _e37 = PixelPattern_key(this_39, purpose_5);
+    let _e38 = Tuple_u32_u32_((this_39.rays * samples), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
-    // glimt_render_gpu/src/kernels/pattern.rs:90
+    // glimt_render_gpu/src/kernels/pattern.rs:94
     let _e42 = jittered_pair(index_14, count_3, _e25, key_3);
     let _e43 = jittered(index_14, count_3, _e27, key_3);
     return vec3<u32>(_e42, _e43);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:61
-fn PixelPattern_pair(this_39: PixelPattern, purpose_6: u32, sample_1: u32, samples_1: u32) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:65
+fn PixelPattern_pair(this_40: PixelPattern, purpose_6: u32, sample_1: u32, samples_1: u32) -> vec2<u32> {
     var borrowed_5: OwenSobol;
     var borrowed_6: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:62
-    let index_15 = ((this_39.ray * samples_1) + sample_1);
-    // glimt_render_gpu/src/kernels/pattern.rs:63
-    if (this_39.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:64
-        let _e14 = PixelPattern_sobol_point(this_39, purpose_6, index_15);
+    // glimt_render_gpu/src/kernels/pattern.rs:66
+    let index_15 = ((this_40.ray * samples_1) + sample_1);
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    if (this_40.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:68
+        let _e14 = PixelPattern_sobol_point(this_40, purpose_6, index_15);
         borrowed_5 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_5));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:66
-    let _e18 = PixelPattern_generator(this_39, purpose_6, index_15);
+    // glimt_render_gpu/src/kernels/pattern.rs:70
+    let _e18 = PixelPattern_generator(this_40, purpose_6, index_15);
     borrowed_6 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_6));
-    // glimt_render_gpu/src/kernels/pattern.rs:67
-    if (this_39.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:68
+    // glimt_render_gpu/src/kernels/pattern.rs:71
+    if (this_40.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:72
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:70
-    let _e29 = PixelPattern_key(this_39, purpose_6);
-    let _e30 = jittered_pair(index_15, (this_39.rays * samples_1), _e20, _e29);
+    // glimt_render_gpu/src/kernels/pattern.rs:74
+    let _e29 = PixelPattern_key(this_40, purpose_6);
+    let _e30 = jittered_pair(index_15, (this_40.rays * samples_1), _e20, _e29);
     return _e30;
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:78
-fn Candidates_draw(this_40: Candidates, index_12: u32, point_3: ShadingPoint, pattern: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_41: Candidates, index_12: u32, point_3: ShadingPoint, pattern: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density_1: f32;
     var direction_10: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/candidates.rs:85
-    let _e8 = Candidates_of_brdf(this_40);
+    let _e8 = Candidates_of_brdf(this_41);
     // glimt_render_gpu/src/kernels/candidates.rs:86
-    let of_env = (this_40.count - _e8);
+    let of_env = (this_41.count - _e8);
     // glimt_render_gpu/src/kernels/candidates.rs:88
     density_1 = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:92
@@ -2949,41 +2957,41 @@ fn Candidates_draw(this_40: Candidates, index_12: u32, point_3: ShadingPoint, pa
     // glimt_render_gpu/src/kernels/candidates.rs:124
     let _e161 = radiance;
     let _e162 = luminance(_e161);
-    let target_ = ((_e162 + this_40.floor) * reflected);
+    let target_ = ((_e162 + this_41.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:125
     let _e167 = direction_10;
     let _e168 = wi_3;
     let _e169 = radiance;
     let _e172 = density_1;
-    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_40.count) / _e172)));
+    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_41.count) / _e172)));
 }
 
 // glimt_sampling/src/ris.rs:72
-fn RisSum_add(this_41: ptr<function, RisSum>, weight: f32) {
+fn RisSum_add(this_42: ptr<function, RisSum>, weight: f32) {
 
     // glimt_sampling/src/ris.rs:73
-    let _e6 = (*this_41).candidates;
-    (*this_41).candidates = (_e6 + 1u);
+    let _e6 = (*this_42).candidates;
+    (*this_42).candidates = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
         // glimt_sampling/src/ris.rs:75
-        let _e13 = (*this_41).sum;
-        (*this_41).sum = (_e13 + weight);
+        let _e13 = (*this_42).sum;
+        (*this_42).sum = (_e13 + weight);
         // glimt_sampling/src/ris.rs:76
-        let _e17 = (*this_41).candidates;
-        (*this_41).end = _e17;
+        let _e17 = (*this_42).candidates;
+        (*this_42).end = _e17;
     }
     return;
 }
 
 // glimt_sampling/src/ris.rs:83
-fn RisSum_normaliser(this_42: RisSum) -> f32 {
+fn RisSum_normaliser(this_43: RisSum) -> f32 {
     var chosen_28: f32;
 
     // glimt_sampling/src/ris.rs:84
-    if (this_42.candidates > 0u) {
+    if (this_43.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_28 = (this_42.sum / f32(this_42.candidates));
+        chosen_28 = (this_43.sum / f32(this_43.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
         chosen_28 = 0f;
@@ -2993,55 +3001,55 @@ fn RisSum_normaliser(this_42: RisSum) -> f32 {
 }
 
 // glimt_sampling/src/ris.rs:109
-fn Word_next_u32_(this_43: ptr<function, Word>) -> u32 {
+fn Word_next_u32_(this_44: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/ris.rs:110
-    let _e4 = (*this_43).f0_;
+    let _e4 = (*this_44).f0_;
     return _e4;
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth_1(this_44: ptr<function, Comb>, source_9: ptr<function, Word>) {
+fn Comb_place_tooth_1(this_45: ptr<function, Comb>, source_9: ptr<function, Word>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_44).made;
-    let _e7 = (*this_44).teeth;
+    let _e5 = (*this_45).made;
+    let _e7 = (*this_45).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_44).made;
+    let _e12 = (*this_45).made;
     let first_5 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_44).scheme;
+    let _e16 = (*this_45).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_44).state;
-        (*this_44).next = (first_5 + _e21);
+        let _e21 = (*this_45).state;
+        (*this_45).next = (first_5 + _e21);
     } else {
-        let _e25 = (*this_44).scheme;
+        let _e25 = (*this_45).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = Word_next_u32_(source_9);
             let _e30 = unit_f32_(_e29);
-            (*this_44).next = (first_5 + _e30);
+            (*this_45).next = (first_5 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = Word_next_u32_(source_9);
             let _e36 = unit_f32_(_e35);
             let v_6 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_44).teeth;
-            let _e42 = (*this_44).made;
+            let _e40 = (*this_45).teeth;
+            let _e42 = (*this_45).made;
             let left_4 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_44).state;
-            (*this_44).state = (_e50 * pow(v_6, (1f / left_4)));
+            let _e50 = (*this_45).state;
+            (*this_45).state = (_e50 * pow(v_6, (1f / left_4)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_44).state;
-            let _e58 = (*this_44).teeth;
-            (*this_44).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_45).state;
+            let _e58 = (*this_45).teeth;
+            (*this_45).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -3088,82 +3096,82 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take_1(this_45: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
+fn Comb_take_1(this_46: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_45).scheme;
+    let _e6 = (*this_46).scheme;
     let _e7 = sure_copies(_e6, expected_2);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_45).reach;
-    (*this_45).reach = (_e12 + (expected_2 - f32(_e7)));
+    let _e12 = (*this_46).reach;
+    (*this_46).reach = (_e12 + (expected_2 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before_1 = (*this_45).made;
+    let before_1 = (*this_46).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_45).made;
-        let _e21 = (*this_45).teeth;
-        let _e24 = (*this_45).next;
-        let _e26 = (*this_45).reach;
+        let _e19 = (*this_46).made;
+        let _e21 = (*this_46).teeth;
+        let _e24 = (*this_46).next;
+        let _e26 = (*this_46).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_45).made;
-            (*this_45).made = (_e32 + 1u);
+            let _e32 = (*this_46).made;
+            (*this_46).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth_1(this_45, source_11);
+            Comb_place_tooth_1(this_46, source_11);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_45).made;
+    let _e37 = (*this_46).made;
     return (_e7 + (_e37 - before_1));
 }
 
 // glimt_sampling/src/ris.rs:133
-fn RisPicks_take(this_46: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+fn RisPicks_take(this_47: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     var chosen_30: u32;
     var borrowed_8: Comb;
     var borrowed_9: Word;
 
     // glimt_sampling/src/ris.rs:134
-    let _e6 = (*this_46).candidate;
-    (*this_46).candidate = (_e6 + 1u);
+    let _e6 = (*this_47).candidate;
+    (*this_47).candidate = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:135
-    let _e13 = (*this_46).left;
+    let _e13 = (*this_47).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
         // glimt_sampling/src/ris.rs:136
         return 0u;
     }
     // glimt_sampling/src/ris.rs:138
-    let _e22 = (*this_46).candidate;
-    let _e24 = (*this_46).end;
+    let _e22 = (*this_47).candidate;
+    let _e24 = (*this_47).end;
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
-        let _e28 = (*this_46).left;
+        let _e28 = (*this_47).left;
         chosen_30 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
-        let _e32 = (*this_46).comb;
+        let _e32 = (*this_47).comb;
         borrowed_8 = _e32;
-        let _e34 = (*this_46).sum;
-        let _e37 = (*this_46).samples;
+        let _e34 = (*this_47).sum;
+        let _e37 = (*this_47).samples;
         borrowed_9 = Word(0u);
         let _e42 = Comb_take_1((&borrowed_8), ((weight_1 / _e34) * _e37), (&borrowed_9));
         let _e43 = borrowed_8;
-        (*this_46).comb = _e43;
-        let _e45 = (*this_46).left;
+        (*this_47).comb = _e43;
+        let _e45 = (*this_47).left;
         chosen_30 = min(_e42, _e45);
     }
     let picks_6 = chosen_30;
     // glimt_sampling/src/ris.rs:146
-    let _e50 = (*this_46).left;
-    (*this_46).left = (_e50 - picks_6);
+    let _e50 = (*this_47).left;
+    (*this_47).left = (_e50 - picks_6);
     // glimt_sampling/src/ris.rs:147
     return picks_6;
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:117
-fn SmcParams_start(this_47: SmcParams, point_4: ShadingPoint, pattern_1: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
+fn SmcParams_start(this_48: SmcParams, point_4: ShadingPoint, pattern_1: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
     var counter_14: u32;
     var counter_15: u32;
@@ -3174,7 +3182,7 @@ fn SmcParams_start(this_47: SmcParams, point_4: ShadingPoint, pattern_1: PixelPa
 
     // glimt_render_gpu/src/kernels/smc.rs:124
     // glimt_render_gpu/src/kernels/smc.rs:125
-    let candidates = Candidates(this_47.candidates, this_47.source, this_47.floor);
+    let candidates = Candidates(this_48.candidates, this_48.source, this_48.floor);
     // glimt_render_gpu/src/kernels/smc.rs:130
     let _e15 = RisSum_new();
     weights_1 = _e15;
@@ -3182,7 +3190,7 @@ fn SmcParams_start(this_47: SmcParams, point_4: ShadingPoint, pattern_1: PixelPa
     counter_14 = 0u;
     loop {
         let j = counter_14;
-        if (j >= this_47.candidates) {
+        if (j >= this_48.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:132
@@ -3226,7 +3234,7 @@ fn SmcParams_start(this_47: SmcParams, point_4: ShadingPoint, pattern_1: PixelPa
     counter_16 = 0u;
     loop {
         let j_1 = counter_16;
-        if (j_1 >= this_47.candidates) {
+        if (j_1 >= this_48.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:147
@@ -3263,7 +3271,7 @@ fn SmcParams_start(this_47: SmcParams, point_4: ShadingPoint, pattern_1: PixelPa
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:162
-fn advance_smc_1(ray_1: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_10: u32, particles_len_10: u32) {
+fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_10: u32, particles_len_10: u32) {
     var now: RayState;
     var counter_18: u32;
     var source_12: PatternSource;
@@ -3273,7 +3281,7 @@ fn advance_smc_1(ray_1: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: v
     var chosen_33: f32;
 
     // glimt_render_gpu/src/kernels/smc.rs:173
-    let seen = points[ray_1];
+    let seen = points[ray_2];
     // glimt_render_gpu/src/kernels/smc.rs:174
     let _e16 = SmcPoint_is_hit(seen);
     if !(_e16) {
@@ -3283,7 +3291,7 @@ fn advance_smc_1(ray_1: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: v
         return;
     }
     // glimt_render_gpu/src/kernels/smc.rs:178
-    let _e40 = FrameParams_pattern_of(frame_3, ray_1);
+    let _e40 = FrameParams_pattern_of(frame_3, ray_2);
     // glimt_render_gpu/src/kernels/smc.rs:179
     let _e42 = SmcPoint_shading_point(seen);
     // glimt_render_gpu/src/kernels/smc.rs:180

@@ -194,6 +194,226 @@ pub static SEE: Entry = Entry {
     ]),
 };
 
+/// `scout::scout` as a compute entry point.
+pub static SCOUT: Entry = Entry {
+    name: Borrowed("scout"),
+    kernel: Borrowed("glimt_render_gpu::kernels::scout::scout"),
+    wgsl: Borrowed(include_str!("scout.wgsl")),
+    workgroup_size: 64,
+    params_size: 256,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("entries_len", 8, 4),
+        ParamField::new("frame", 16, 208),
+        ParamField::new("cells", 224, 32),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("scene.nodes", 1, 32, false),
+        BufferSlot::new("scene.triangles", 2, 48, false),
+        BufferSlot::new("scene.corners", 3, 32, false),
+        BufferSlot::new("scene.surface", 4, 4, false),
+        BufferSlot::new("entries", 5, 64, true),
+    ]),
+};
+
+/// `scout::see_in_tile` as a compute entry point.
+pub static SEE_IN_TILE: Entry = Entry {
+    name: Borrowed("see_in_tile"),
+    kernel: Borrowed("glimt_render_gpu::kernels::scout::see_in_tile"),
+    wgsl: Borrowed(include_str!("see_in_tile.wgsl")),
+    workgroup_size: 64,
+    params_size: 256,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 208),
+        ParamField::new("cells", 224, 32),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("scene.nodes", 1, 32, false),
+        BufferSlot::new("scene.triangles", 2, 48, false),
+        BufferSlot::new("scene.corners", 3, 32, false),
+        BufferSlot::new("scene.surface", 4, 4, false),
+        BufferSlot::new("entries", 5, 64, false),
+        BufferSlot::new("out", 6, 112, true),
+    ]),
+};
+
+/// `pilot::pilot` as a compute entry point.
+pub static PILOT: Entry = Entry {
+    name: Borrowed("pilot"),
+    kernel: Borrowed("glimt_render_gpu::kernels::pilot::pilot"),
+    wgsl: Borrowed(include_str!("pilot.wgsl")),
+    workgroup_size: 64,
+    params_size: 272,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("counts_len", 8, 4),
+        ParamField::new("frame", 16, 208),
+        ParamField::new("cells", 224, 32),
+        ParamField::new("env.size", 256, 8),
+        ParamField::new("env.rotation", 264, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.tables", 1, 4, false),
+        BufferSlot::new("scene.nodes", 2, 32, false),
+        BufferSlot::new("scene.triangles", 3, 48, false),
+        BufferSlot::new("scene.corners", 4, 32, false),
+        BufferSlot::new("scene.surface", 5, 4, false),
+        BufferSlot::new("entries", 6, 64, false),
+        BufferSlot::new("counts", 7, 4, true),
+    ]),
+};
+
+/// `expect::expect` as a compute entry point.
+pub static EXPECT: Entry = Entry {
+    name: Borrowed("expect"),
+    kernel: Borrowed("glimt_render_gpu::kernels::expect::expect"),
+    wgsl: Borrowed(include_str!("expect.wgsl")),
+    workgroup_size: 64,
+    params_size: 48,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("visibility_len", 8, 4),
+        ParamField::new("cells", 16, 32),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("entries", 1, 64, false),
+        BufferSlot::new("counts", 2, 4, false),
+        BufferSlot::new("visibility", 3, 4, true),
+    ]),
+};
+
+/// `expect::worth` as a compute entry point.
+pub static WORTH: Entry = Entry {
+    name: Borrowed("worth"),
+    kernel: Borrowed("glimt_render_gpu::kernels::expect::worth"),
+    wgsl: Borrowed(include_str!("worth.wgsl")),
+    workgroup_size: 64,
+    params_size: 32,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("env.size", 8, 8),
+        ParamField::new("env.rotation", 16, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.tables", 1, 4, false),
+        BufferSlot::new("entries", 2, 64, false),
+        BufferSlot::new("visibility", 3, 4, false),
+        BufferSlot::new("out", 4, 4, true),
+    ]),
+};
+
+/// `expect::add_worths` as a compute entry point.
+pub static ADD_WORTHS: Entry = Entry {
+    name: Borrowed("add_worths"),
+    kernel: Borrowed("glimt_render_gpu::kernels::expect::add_worths"),
+    wgsl: Borrowed(include_str!("add_worths.wgsl")),
+    workgroup_size: 64,
+    params_size: 64,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("cells", 16, 32),
+        ParamField::new("parts", 48, 4),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("worths", 1, 4, false),
+        BufferSlot::new("out", 2, 4, true),
+    ]),
+};
+
+/// `cells::shade_cells::<glam::Vec4>` as a compute entry point.
+pub static SHADE_CELLS: Entry = Entry {
+    name: Borrowed("shade_cells"),
+    kernel: Borrowed("glimt_render_gpu::kernels::cells::shade_cells::<glam::Vec4>"),
+    wgsl: Borrowed(include_str!("shade_cells.wgsl")),
+    workgroup_size: 64,
+    params_size: 272,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("points_len", 8, 4),
+        ParamField::new("samples_len", 12, 4),
+        ParamField::new("frame", 16, 208),
+        ParamField::new("cells", 224, 32),
+        ParamField::new("env.size", 256, 8),
+        ParamField::new("env.rotation", 264, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.tables", 2, 4, false),
+        BufferSlot::new("scene.nodes", 3, 32, false),
+        BufferSlot::new("scene.triangles", 4, 48, false),
+        BufferSlot::new("scene.surface", 5, 4, false),
+        BufferSlot::new("visibility", 6, 4, false),
+        BufferSlot::new("points", 7, 112, true),
+        BufferSlot::new("samples", 8, 16, true),
+    ]),
+};
+
+/// `cells::shade_cells::<crate::kernels::layers::LayerSample>` as a compute entry point.
+pub static SHADE_CELLS_LAYERS: Entry = Entry {
+    name: Borrowed("shade_cells_layers"),
+    kernel: Borrowed("glimt_render_gpu::kernels::cells::shade_cells::<glimt_render_gpu::kernels::layers::LayerSample>"),
+    wgsl: Borrowed(include_str!("shade_cells_layers.wgsl")),
+    workgroup_size: 64,
+    params_size: 272,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("points_len", 8, 4),
+        ParamField::new("samples_len", 12, 4),
+        ParamField::new("frame", 16, 208),
+        ParamField::new("cells", 224, 32),
+        ParamField::new("env.size", 256, 8),
+        ParamField::new("env.rotation", 264, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.texels", 1, 16, false),
+        BufferSlot::new("env.tables", 2, 4, false),
+        BufferSlot::new("scene.nodes", 3, 32, false),
+        BufferSlot::new("scene.triangles", 4, 48, false),
+        BufferSlot::new("scene.surface", 5, 4, false),
+        BufferSlot::new("visibility", 6, 4, false),
+        BufferSlot::new("points", 7, 112, true),
+        BufferSlot::new("samples", 8, 32, true),
+    ]),
+};
+
+/// `cells::gather_cells` as a compute entry point.
+pub static GATHER_CELLS: Entry = Entry {
+    name: Borrowed("gather_cells"),
+    kernel: Borrowed("glimt_render_gpu::kernels::cells::gather_cells"),
+    wgsl: Borrowed(include_str!("gather_cells.wgsl")),
+    workgroup_size: 64,
+    params_size: 256,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("counts_len", 8, 4),
+        ParamField::new("frame", 16, 208),
+        ParamField::new("cells", 224, 32),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("points", 1, 112, false),
+        BufferSlot::new("counts", 2, 4, true),
+    ]),
+};
+
 /// `smc_point::find_smc` as a compute entry point.
 pub static FIND_SMC: Entry = Entry {
     name: Borrowed("find_smc"),

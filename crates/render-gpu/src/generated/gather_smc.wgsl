@@ -229,11 +229,19 @@ fn SmcPoint_is_hit(this_: SmcPoint) -> bool {
     return (this_.depth > 0f);
 }
 
+// glimt_render_gpu/src/kernels/frame.rs:130
+fn FrameParams_pattern_at(this_1: FrameParams, pixel: u32, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:131
+    return PixelPattern(this_1.pattern, this_1.seed, this_1.frame, pixel, ray, this_1.rays_per_pixel);
+}
+
 // glimt_render_gpu/src/kernels/frame.rs:120
-fn FrameParams_pattern_of(this_1: FrameParams, ray: u32) -> PixelPattern {
+fn FrameParams_pattern_of(this_2: FrameParams, ray_1: u32) -> PixelPattern {
 
     // glimt_render_gpu/src/kernels/frame.rs:121
-    return PixelPattern(this_1.pattern, this_1.seed, this_1.frame, (this_1.first_pixel + (ray / this_1.rays_per_pixel)), (ray % this_1.rays_per_pixel), this_1.rays_per_pixel);
+    let _e10 = FrameParams_pattern_at(this_2, (this_2.first_pixel + (ray_1 / this_2.rays_per_pixel)), (ray_1 % this_2.rays_per_pixel));
+    return _e10;
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -280,21 +288,21 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
     return _e7;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:132
-fn PixelPattern_key(this_2: PixelPattern, purpose: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:136
+fn PixelPattern_key(this_3: PixelPattern, purpose: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:133
-    let _e5 = hash2_(this_2.seed, purpose);
-    let _e8 = hash3_(_e5, this_2.frame, this_2.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:137
+    let _e5 = hash2_(this_3.seed, purpose);
+    let _e8 = hash3_(_e5, this_3.frame, this_3.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:117
-fn PixelPattern_ray_key(this_3: PixelPattern, purpose_1: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:121
+fn PixelPattern_ray_key(this_4: PixelPattern, purpose_1: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:118
-    let _e4 = PixelPattern_key(this_3, purpose_1);
-    let _e6 = hash2_(_e4, this_3.ray);
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e4 = PixelPattern_key(this_4, purpose_1);
+    let _e6 = hash2_(_e4, this_4.ray);
     return _e6;
 }
 
@@ -319,20 +327,20 @@ fn ShadingFrame_from_normal(n_1: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_4: ShadingFrame, v: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_5: ShadingFrame, v: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v, this_4.t), dot(v, this_4.b), dot(v, this_4.n));
+    return vec3<f32>(dot(v, this_5.t), dot(v, this_5.b), dot(v, this_5.n));
 }
 
 // glimt_render_gpu/src/kernels/smc_point.rs:80
-fn SmcPoint_shading_point(this_5: SmcPoint) -> ShadingPoint {
+fn SmcPoint_shading_point(this_6: SmcPoint) -> ShadingPoint {
 
     // glimt_render_gpu/src/kernels/smc_point.rs:81
-    let _e4 = ShadingFrame_from_normal(this_5.normal);
+    let _e4 = ShadingFrame_from_normal(this_6.normal);
     // glimt_render_gpu/src/kernels/smc_point.rs:82
-    let _e9 = ShadingFrame_to_local(_e4, this_5.wo);
-    return ShadingPoint(this_5.origin, this_5.geometric_normal, _e4, _e9, BlinnPhong(this_5.diffuse, this_5.specular, this_5.exponent), this_5.emission);
+    let _e9 = ShadingFrame_to_local(_e4, this_6.wo);
+    return ShadingPoint(this_6.origin, this_6.geometric_normal, _e4, _e9, BlinnPhong(this_6.diffuse, this_6.specular, this_6.exponent), this_6.emission);
 }
 
 // glimt_sampling/src/math.rs:16
@@ -477,15 +485,15 @@ fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_6: HalfVector, exponent_2: f32) -> f32 {
+fn HalfVector_lobe(this_7: HalfVector, exponent_2: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_6.cos2_theta, this_6.sin2_theta, exponent_2);
+    let _e6 = cosine_power(this_7.cos2_theta, this_7.sin2_theta, exponent_2);
     return _e6;
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_7: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_8: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -493,33 +501,33 @@ fn BlinnPhong_eval(this_7: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_7.diffuse * 0.31830987f);
+    let diffuse = (this_8.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_7.specular.x, this_7.specular.y), this_7.specular.z) <= 0f) {
+    if (max(max(this_8.specular.x, this_8.specular.y), this_8.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_7.exponent);
+    let _e31 = normalisation(this_8.exponent);
     let _e32 = HalfVector_new(wo_1, wi_1);
-    let _e34 = HalfVector_lobe(_e32, this_7.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_8.exponent);
     let lobe = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_7.specular * lobe));
+    return (diffuse + (this_8.specular * lobe));
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:57
-fn LightLobe_value(this_8: LightLobe, direction_2: vec3<f32>) -> f32 {
+fn LightLobe_value(this_9: LightLobe, direction_2: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:58
-    let _e5 = ShadingFrame_to_local(this_8.frame, direction_2);
+    let _e5 = ShadingFrame_to_local(this_9.frame, direction_2);
     // glimt_render_gpu/src/kernels/light_target.rs:59
     if !((_e5.z > 0f)) {
         // glimt_render_gpu/src/kernels/light_target.rs:60
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:62
-    let _e16 = BlinnPhong_eval(this_8.brdf, this_8.wo, _e5);
+    let _e16 = BlinnPhong_eval(this_9.brdf, this_9.wo, _e5);
     return (_e16.x * _e5.z);
 }
 
@@ -558,13 +566,13 @@ fn Ray_keyed(origin: vec3<f32>, direction_4: vec3<f32>, key: u32) -> Ray {
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:30
-fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
+fn box_distance(node: BvhNode, ray_2: Ray) -> f32 {
     var chosen_3: f32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:31
-    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
+    let to_min = ((node.min - ray_2.origin) * ray_2.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:32
-    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    let to_max = ((node.max - ray_2.origin) * ray_2.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:33
     let _e16 = min(to_min, to_max);
     let near_1 = max(max(_e16.x, _e16.y), _e16.z);
@@ -591,17 +599,17 @@ fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_5: v
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:124
-fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
+fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
     var chosen_4: f32;
 
     // glimt_render_gpu/src/kernels/triangle.rs:125
-    let a_4 = (triangle.v0_ - ray_2.origin);
+    let a_4 = (triangle.v0_ - ray_3.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:126
-    let b_3 = (triangle.v1_ - ray_2.origin);
+    let b_3 = (triangle.v1_ - ray_3.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:127
-    let c_3 = (triangle.v2_ - ray_2.origin);
+    let c_3 = (triangle.v2_ - ray_3.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:128
-    let _e18 = edge_functions(a_4, b_3, c_3, ray_2.direction);
+    let _e18 = edge_functions(a_4, b_3, c_3, ray_3.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:129
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
         // glimt_render_gpu/src/kernels/triangle.rs:130
@@ -610,7 +618,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:132
     let normal = cross((c_3 - a_4), (a_4 - b_3));
     // glimt_render_gpu/src/kernels/triangle.rs:133
-    let slope = dot(normal, ray_2.direction);
+    let slope = dot(normal, ray_3.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:134
     if (slope == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:135
@@ -629,17 +637,17 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:59
-fn Triangle_is_see_through(this_9: Triangle) -> bool {
+fn Triangle_is_see_through(this_10: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:60
-    return ((this_9.object & 1073741824u) != 0u);
+    return ((this_10.object & 1073741824u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:144
-fn barycentrics(triangle_1: Triangle, ray_3: Ray) -> vec2<f32> {
+fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:145
-    let _e14 = edge_functions((triangle_1.v0_ - ray_3.origin), (triangle_1.v1_ - ray_3.origin), (triangle_1.v2_ - ray_3.origin), ray_3.direction);
+    let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:151
     let sum_4 = ((_e14.x + _e14.y) + _e14.z);
     // glimt_render_gpu/src/kernels/triangle.rs:152
@@ -712,10 +720,10 @@ fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_1: u32) -> Te
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_10: TextureView) -> bool {
+fn TextureView_exists(this_11: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_10.width > 0u);
+    return (this_11.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -760,11 +768,11 @@ fn neighbour(index_1: i32, size_4: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_11: TextureView, index_2: u32) -> vec4<f32> {
+fn TextureView_texel(this_12: TextureView, index_2: u32) -> vec4<f32> {
     var chosen_5: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_3 = scene_surface[(this_11.first + index_2)];
+    let word_3 = scene_surface[(this_12.first + index_2)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r = (word_3 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -774,7 +782,7 @@ fn TextureView_texel(this_11: TextureView, index_2: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_3 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_11.flags & 1u) != 0u) {
+    if ((this_12.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r];
         let _e42 = scene_surface[g];
@@ -789,40 +797,40 @@ fn TextureView_texel(this_11: TextureView, index_2: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_12: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_13: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_12.flags >> 1u) & 3u);
+    let wrap_u = ((this_13.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_12.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_13.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_7 = ((_e21 * f32(this_12.width)) - 0.5f);
+    let x_7 = ((_e21 * f32(this_13.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_1 = ((_e29 * f32(this_12.height)) - 0.5f);
+    let y_1 = ((_e29 * f32(this_13.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e38 = Tuple_f32_f32_(floor(x_7), floor(y_1));
     let left = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left), this_12.width, wrap_u);
+    let _e44 = neighbour(i32(left), this_13.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left) + 1i), this_12.width, wrap_u);
+    let _e50 = neighbour((i32(left) + 1i), this_13.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e54 = neighbour(i32(top), this_12.height, wrap_v);
-    let row0_ = (_e54 * this_12.width);
+    let _e54 = neighbour(i32(top), this_13.height, wrap_v);
+    let row0_ = (_e54 * this_13.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e62 = neighbour((i32(top) + 1i), this_12.height, wrap_v);
-    let row1_ = (_e62 * this_12.width);
+    let _e62 = neighbour((i32(top) + 1i), this_13.height, wrap_v);
+    let row1_ = (_e62 * this_13.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e67 = TextureView_texel(this_12, (row0_ + _e44));
-    let _e69 = TextureView_texel(this_12, (row0_ + _e50));
+    let _e67 = TextureView_texel(this_13, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_13, (row0_ + _e50));
     let _e70 = (x_7 - left);
     let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e78 = TextureView_texel(this_12, (row1_ + _e44));
-    let _e80 = TextureView_texel(this_12, (row1_ + _e50));
+    let _e78 = TextureView_texel(this_13, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_13, (row1_ + _e50));
     let _e81 = (x_7 - left);
     let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -921,63 +929,63 @@ fn passes(key_1: u32, index_3: u32, alpha_1: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:33
-fn is_passed(index_4: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+fn is_passed(index_4: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:34
-    let _e5 = barycentrics(triangle_3, ray_4);
+    let _e5 = barycentrics(triangle_3, ray_5);
     // glimt_render_gpu/src/kernels/opacity.rs:35
     let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
     // glimt_render_gpu/src/kernels/opacity.rs:36
-    let _e12 = passes(ray_4.key, index_4, _e9);
+    let _e12 = passes(ray_5.key, index_4, _e9);
     return _e12;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
-fn Triangle_is_catcher(this_13: Triangle) -> bool {
+fn Triangle_is_catcher(this_14: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:46
-    return ((this_13.object & 2147483648u) != 0u);
+    return ((this_14.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_14: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_15: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_14.v1_ - this_14.v0_), (this_14.v2_ - this_14.v0_));
+    return cross((this_15.v1_ - this_15.v0_), (this_15.v2_ - this_15.v0_));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_15: Triangle) -> f32 {
+fn Triangle_ray_offset(this_16: Triangle) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_15.v0_), abs(this_15.v1_)), abs(this_15.v2_));
+    let extent = max(max(abs(this_16.v0_), abs(this_16.v1_)), abs(this_16.v2_));
     // glimt_render_gpu/src/kernels/triangle.rs:68
     return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_16: Triangle, ray_5: Ray, t: f32) -> f32 {
+fn Triangle_setback(this_17: Triangle, ray_6: Ray, t: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_16);
+    let _e5 = Triangle_area_normal(this_17);
     // glimt_render_gpu/src/kernels/triangle.rs:76
-    let across = abs(dot(_e5, ray_5.direction));
+    let across = abs(dot(_e5, ray_6.direction));
     // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_16);
-    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_5.direction, ray_5.direction)))));
+    let _e12 = Triangle_ray_offset(this_17);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_6.direction, ray_6.direction)))));
     // glimt_render_gpu/src/kernels/triangle.rs:82
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_5: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
+fn held(index_5: u32, triangle_4: Triangle, ray_7: Ray, t_1: f32, no_catcher: bool) -> f32 {
     var both: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:195
     let _e7 = Triangle_is_see_through(triangle_4);
     both = _e7;
     if _e7 {
-        let _e9 = is_passed(index_5, triangle_4, ray_6);
+        let _e9 = is_passed(index_5, triangle_4, ray_7);
         both = _e9;
     }
     let _e10 = both;
@@ -997,12 +1005,12 @@ fn held(index_5: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bo
         return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:204
-    let _e21 = Triangle_setback(triangle_4, ray_6, t_1);
+    let _e21 = Triangle_setback(triangle_4, ray_7, t_1);
     return (t_1 + _e21);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:160
-fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+fn visit_leaf(leaf: BvhNode, ray_8: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
     var counter: u32;
     var t_2: f32;
@@ -1020,7 +1028,7 @@ fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, n
         // glimt_render_gpu/src/kernels/bvh.rs:171
         let _e19 = scene_triangles[i];
         let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_7, _e20);
+        let _e21 = intersect(_e19, ray_8, _e20);
         t_2 = _e21;
         // glimt_render_gpu/src/kernels/bvh.rs:173
         let _e24 = t_2;
@@ -1036,7 +1044,7 @@ fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, n
             // glimt_render_gpu/src/kernels/bvh.rs:174
             let _e38 = scene_triangles[i];
             let _e39 = t_2;
-            let _e40 = held(i, _e38, ray_7, _e39, no_catcher_1);
+            let _e40 = held(i, _e38, ray_8, _e39, no_catcher_1);
             t_2 = _e40;
         }
         // glimt_render_gpu/src/kernels/bvh.rs:176
@@ -1060,7 +1068,7 @@ fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, n
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:91
-fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+fn traverse(ray_9: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     var either: bool;
     var best_1: u32;
     var stack: array<u32, 64>;
@@ -1079,7 +1087,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     if _e8 {
     } else {
         let _e13 = scene_nodes[0u];
-        let _e14 = box_distance(_e13, ray_8);
+        let _e14 = box_distance(_e13, ray_9);
         let _e15 = (*reach_1);
         either = (_e14 >= _e15);
     }
@@ -1093,7 +1101,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     // glimt_render_gpu/src/kernels/bvh.rs:103
     if (root.count > 0u) {
         // glimt_render_gpu/src/kernels/bvh.rs:104
-        let _e31 = visit_leaf(root, ray_8, reach_1, 4294967295u, any_);
+        let _e31 = visit_leaf(root, ray_9, reach_1, 4294967295u, any_);
         return _e31;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:106
@@ -1116,11 +1124,11 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
         far = _e58;
         // glimt_render_gpu/src/kernels/bvh.rs:113
         let _e61 = near;
-        let _e62 = box_distance(_e61, ray_8);
+        let _e62 = box_distance(_e61, ray_9);
         t_near = _e62;
         // glimt_render_gpu/src/kernels/bvh.rs:114
         let _e65 = far;
-        let _e66 = box_distance(_e65, ray_8);
+        let _e66 = box_distance(_e65, ray_9);
         t_far = _e66;
         // glimt_render_gpu/src/kernels/bvh.rs:116
         let _e69 = t_near;
@@ -1152,7 +1160,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:126
             let _e95 = near;
             let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_8, reach_1, _e96, any_);
+            let _e97 = visit_leaf(_e95, ray_9, reach_1, _e96, any_);
             best_1 = _e97;
             // glimt_render_gpu/src/kernels/bvh.rs:127
             let _e99 = best_1;
@@ -1175,7 +1183,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:134
             let _e120 = far;
             let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_8, reach_1, _e121, any_);
+            let _e122 = visit_leaf(_e120, ray_9, reach_1, _e121, any_);
             best_1 = _e122;
             // glimt_render_gpu/src/kernels/bvh.rs:135
             let _e124 = best_1;
@@ -1232,13 +1240,13 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:73
-fn any_hit(ray_9: Ray, t_max_1: f32) -> bool {
+fn any_hit(ray_10: Ray, t_max_1: f32) -> bool {
     var t_3: f32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:80
     t_3 = t_max_1;
     // glimt_render_gpu/src/kernels/bvh.rs:81
-    let _e7 = traverse(ray_9, (&t_3), true);
+    let _e7 = traverse(ray_10, (&t_3), true);
     return (_e7 != 4294967295u);
 }
 
@@ -1253,36 +1261,36 @@ fn Scene_is_lit(point_2: ShadingPoint, direction_6: vec3<f32>, key_2: u32) -> bo
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_17: LightSample, point_3: ShadingPoint, key_3: u32) -> Reflected {
+fn LightSample_traced(this_18: LightSample, point_3: ShadingPoint, key_3: u32) -> Reflected {
     var chosen_7: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_17.contribution.x, this_17.contribution.y), this_17.contribution.z) > 0f)) {
+    if !((max(max(this_18.contribution.x, this_18.contribution.y), this_18.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e23 = Scene_is_lit(point_3, this_17.direction, key_3);
+    let _e23 = Scene_is_lit(point_3, this_18.direction, key_3);
     if _e23 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_7 = Reflected(this_17.contribution, vec3(0f));
+        chosen_7 = Reflected(this_18.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_7 = Reflected(vec3(0f), this_17.contribution);
+        chosen_7 = Reflected(vec3(0f), this_18.contribution);
     }
     let _e34 = chosen_7;
     return _e34;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_18: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_19: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_18).lit;
-    (*this_18).lit = (_e6 + light.lit);
+    let _e6 = (*this_19).lit;
+    (*this_19).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_18).blocked;
-    (*this_18).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_19).blocked;
+    (*this_19).blocked = (_e11 + light.blocked);
     return;
 }
 
@@ -1353,20 +1361,20 @@ fn Vec4_of_surface(light_1: Reflected, _is_catcher: bool) -> vec4<f32> {
 }
 
 // glimt_sampling/src/sobol.rs:171
-fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
 
     // glimt_sampling/src/sobol.rs:172
-    let _e6 = hash3_(seed, frame, pixel);
+    let _e6 = hash3_(seed, frame, pixel_1);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:122
-fn PixelPattern_sobol_point(this_19: PixelPattern, purpose_2: u32, index_6: u32) -> OwenSobol {
+// glimt_render_gpu/src/kernels/pattern.rs:126
+fn PixelPattern_sobol_point(this_20: PixelPattern, purpose_2: u32, index_6: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:123
-    let _e6 = hash2_(this_19.seed, purpose_2);
-    let _e9 = OwenSobol_new(_e6, this_19.frame, this_19.pixel, index_6);
+    // glimt_render_gpu/src/kernels/pattern.rs:127
+    let _e6 = hash2_(this_20.seed, purpose_2);
+    let _e9 = OwenSobol_new(_e6, this_20.frame, this_20.pixel, index_6);
     return _e9;
 }
 
@@ -1585,18 +1593,18 @@ fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_20: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_20).dimension;
+    let _e4 = (*this_21).dimension;
     let dimension_2 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:192
-    (*this_20).dimension = (dimension_2 + 2u);
+    (*this_21).dimension = (dimension_2 + 2u);
     // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_20).seed;
+    let _e15 = (*this_21).seed;
     let _e18 = hash2_(_e15, (dimension_2 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_20).index;
+    let _e21 = (*this_21).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
     let _e24 = sobol_reversed(_e22, dimension_2);
@@ -1708,28 +1716,28 @@ fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
 }
 
 // glimt_sampling/src/xoshiro.rs:49
-fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_2: u32) -> Xoshiro128PlusPlus {
 
     // glimt_sampling/src/xoshiro.rs:50
-    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_2, frame_1, seed_3, 2654435769u));
     let _e8 = Xoshiro128PlusPlus_from_state(_e7);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:127
-fn PixelPattern_generator(this_21: PixelPattern, purpose_3: u32, index_12: u32) -> Xoshiro128PlusPlus {
+// glimt_render_gpu/src/kernels/pattern.rs:131
+fn PixelPattern_generator(this_22: PixelPattern, purpose_3: u32, index_12: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:128
-    let _e6 = hash3_(this_21.seed, purpose_3, index_12);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_21.frame, this_21.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:132
+    let _e6 = hash3_(this_22.seed, purpose_3, index_12);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_22.frame, this_22.pixel);
     return _e9;
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_22: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_23: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s = (*this_22).state;
+    let s = (*this_23).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s.x + s.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
@@ -1738,59 +1746,59 @@ fn Xoshiro128PlusPlus_next_u32_(this_22: ptr<function, Xoshiro128PlusPlus>) -> u
     // glimt_sampling/src/xoshiro.rs:60
     let w_2 = (s.w ^ s.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_22).state = vec4<u32>((s.x ^ w_2), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_2 << 11u) | (w_2 >> ((0u - 11u) & 31u))));
+    (*this_23).state = vec4<u32>((s.x ^ w_2), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_2 << 11u) | (w_2 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_24: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_23);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_24);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_23);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_24);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:207
+// glimt_render_gpu/src/kernels/pattern.rs:211
 fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
     var x_6: u32;
     var round_key: u32;
     var counter_2: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:208
+    // glimt_render_gpu/src/kernels/pattern.rs:212
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:209
+        // glimt_render_gpu/src/kernels/pattern.rs:213
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:211
+    // glimt_render_gpu/src/kernels/pattern.rs:215
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:212
+    // glimt_render_gpu/src/kernels/pattern.rs:216
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:213
+    // glimt_render_gpu/src/kernels/pattern.rs:217
     x_6 = index_13;
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:218
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:219
         round_key = key_5;
-        // glimt_render_gpu/src/kernels/pattern.rs:216
+        // glimt_render_gpu/src/kernels/pattern.rs:220
         counter_2 = 0i;
         loop {
             let _e31 = counter_2;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:217
+            // glimt_render_gpu/src/kernels/pattern.rs:221
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:219
+            // glimt_render_gpu/src/kernels/pattern.rs:223
             let _e37 = x_6;
             let _e38 = round_key;
             x_6 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:220
+            // glimt_render_gpu/src/kernels/pattern.rs:224
             let _e44 = x_6;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_6;
@@ -1800,10 +1808,10 @@ fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
                 counter_2 = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:222
+        // glimt_render_gpu/src/kernels/pattern.rs:226
         let _e62 = x_6;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:227
             let _e65 = x_6;
             let _e67 = hash_u32_(~(key_5));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -1812,63 +1820,63 @@ fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:198
+// glimt_render_gpu/src/kernels/pattern.rs:202
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:199
+    // glimt_render_gpu/src/kernels/pattern.rs:203
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:178
+// glimt_render_gpu/src/kernels/pattern.rs:182
 fn jittered_pair(index_14: u32, count_1: u32, jitter_1: vec2<u32>, key_6: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:179
+    // glimt_render_gpu/src/kernels/pattern.rs:183
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:180
+    // glimt_render_gpu/src/kernels/pattern.rs:184
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:181
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     let _e21 = hash2_(key_6, 1u);
     let _e22 = permute(index_14, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:182
+    // glimt_render_gpu/src/kernels/pattern.rs:186
     let _e26 = hash2_(key_6, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:183
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     let _e31 = hash2_(key_6, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:184
+    // glimt_render_gpu/src/kernels/pattern.rs:188
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:61
-fn PixelPattern_pair(this_24: PixelPattern, purpose_4: u32, sample: u32, samples: u32) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:65
+fn PixelPattern_pair(this_25: PixelPattern, purpose_4: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:62
-    let index_16 = ((this_24.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:63
-    if (this_24.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:64
-        let _e14 = PixelPattern_sobol_point(this_24, purpose_4, index_16);
+    // glimt_render_gpu/src/kernels/pattern.rs:66
+    let index_16 = ((this_25.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    if (this_25.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:68
+        let _e14 = PixelPattern_sobol_point(this_25, purpose_4, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:66
-    let _e18 = PixelPattern_generator(this_24, purpose_4, index_16);
+    // glimt_render_gpu/src/kernels/pattern.rs:70
+    let _e18 = PixelPattern_generator(this_25, purpose_4, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:67
-    if (this_24.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:68
+    // glimt_render_gpu/src/kernels/pattern.rs:71
+    if (this_25.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:72
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:70
-    let _e29 = PixelPattern_key(this_24, purpose_4);
-    let _e30 = jittered_pair(index_16, (this_24.rays * samples), _e20, _e29);
+    // glimt_render_gpu/src/kernels/pattern.rs:74
+    let _e29 = PixelPattern_key(this_25, purpose_4);
+    let _e30 = jittered_pair(index_16, (this_25.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -1882,50 +1890,50 @@ fn unit_vec2_(u_3: vec2<u32>) -> vec2<f32> {
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_25: CameraView, p: vec2<f32>, size_5: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_26: CameraView, p: vec2<f32>, size_5: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
     let x_8 = (((2f * p.x) / f32(size_5.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
     let y_2 = (((2f * p.y) / f32(size_5.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_25.forward + (this_25.right * x_8)) - (this_25.up * y_2)));
+    return normalize(((this_26.forward + (this_26.right * x_8)) - (this_26.up * y_2)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:151
-fn FrameParams_direction(this_26: FrameParams, pixel_2: u32, place_1: vec2<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/frame.rs:161
+fn FrameParams_direction(this_27: FrameParams, pixel_3: u32, place_1: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:152
-    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_26.width), (pixel_2 / this_26.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:153
-    let view = CameraView(this_26.eye, this_26.forward, this_26.right, this_26.up);
-    // glimt_render_gpu/src/kernels/frame.rs:159
-    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_26.width, this_26.height));
+    // glimt_render_gpu/src/kernels/frame.rs:162
+    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_27.width), (pixel_3 / this_27.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:163
+    let view = CameraView(this_27.eye, this_27.forward, this_27.right, this_27.up);
+    // glimt_render_gpu/src/kernels/frame.rs:169
+    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_27.width, this_27.height));
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:134
-fn FrameParams_camera_ray(this_27: FrameParams, pattern: PixelPattern) -> Ray {
+// glimt_render_gpu/src/kernels/frame.rs:144
+fn FrameParams_camera_ray(this_28: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_10: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:135
-    let film = PixelPattern(pattern.kind, pattern.seed, this_27.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-    // glimt_render_gpu/src/kernels/frame.rs:139
-    if (this_27.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:140
+    // glimt_render_gpu/src/kernels/frame.rs:145
+    let film = PixelPattern(pattern.kind, pattern.seed, this_28.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+    // glimt_render_gpu/src/kernels/frame.rs:149
+    if (this_28.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:150
         chosen_10 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:142
+        // glimt_render_gpu/src/kernels/frame.rs:152
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_10 = _e24;
     }
     let place_2 = chosen_10;
-    // glimt_render_gpu/src/kernels/frame.rs:144
-    let _e28 = FrameParams_direction(this_27, pattern.pixel, place_2);
-    // glimt_render_gpu/src/kernels/frame.rs:145
+    // glimt_render_gpu/src/kernels/frame.rs:154
+    let _e28 = FrameParams_direction(this_28, pattern.pixel, place_2);
+    // glimt_render_gpu/src/kernels/frame.rs:155
     let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_27.eye, _e28, _e32);
+    let _e33 = Ray_keyed(this_28.eye, _e28, _e32);
     return _e33;
 }
 
@@ -1978,12 +1986,12 @@ fn RadianceMap_background(size_8: vec2<u32>, rotation_4: vec2<f32>, direction_7:
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:30
-fn Vec4_of_background(ray_10: Ray, frame_2: FrameParams, map_size: vec2<u32>, map_rotation: vec2<f32>) -> vec4<f32> {
+fn Vec4_of_background(ray_11: Ray, frame_2: FrameParams, map_size: vec2<u32>, map_rotation: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/shade.rs:31
     if (frame_2.background == 0u) {
         // glimt_render_gpu/src/kernels/shade.rs:32
-        let _e11 = RadianceMap_background(map_size, map_rotation, ray_10.direction);
+        let _e11 = RadianceMap_background(map_size, map_rotation, ray_11.direction);
         return vec4<f32>(_e11, 1f);
     }
     // glimt_render_gpu/src/kernels/shade.rs:34
@@ -1991,21 +1999,21 @@ fn Vec4_of_background(ray_10: Ray, frame_2: FrameParams, map_size: vec2<u32>, ma
 }
 
 // glimt_render_gpu/src/kernels/smc_gather.rs:51
-fn gather_smc_1(ray_11: u32, frame_3: FrameParams, floor_1: f32, particles_per_ray: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> vec4<f32> {
+fn gather_smc_1(ray_12: u32, frame_3: FrameParams, floor_1: f32, particles_per_ray: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> vec4<f32> {
     var light_2: Reflected;
 
     // glimt_render_gpu/src/kernels/smc_gather.rs:62
-    let seen_1 = points[ray_11];
+    let seen_1 = points[ray_12];
     // glimt_render_gpu/src/kernels/smc_gather.rs:63
     let _e12 = SmcPoint_is_hit(seen_1);
     if _e12 {
         // glimt_render_gpu/src/kernels/smc_gather.rs:64
-        let first_3 = (ray_11 * particles_per_ray);
+        let first_3 = (ray_12 * particles_per_ray);
         // glimt_render_gpu/src/kernels/smc_gather.rs:65
         // glimt_render_gpu/src/kernels/smc_gather.rs:66
-        let log_normaliser_1 = states[ray_11].log_normaliser;
+        let log_normaliser_1 = states[ray_12].log_normaliser;
         // glimt_render_gpu/src/kernels/smc_gather.rs:67
-        let _e24 = FrameParams_pattern_of(frame_3, ray_11);
+        let _e24 = FrameParams_pattern_of(frame_3, ray_12);
         let _e26 = PixelPattern_ray_key(_e24, 9u);
         // glimt_render_gpu/src/kernels/smc_gather.rs:68
         let _e28 = estimate(seen_1, log_normaliser_1, floor_1, _e26, env_size_1, env_rotation_1, first_3, ((first_3 + particles_per_ray) - first_3));
@@ -2019,7 +2027,7 @@ fn gather_smc_1(ray_11: u32, frame_3: FrameParams, floor_1: f32, particles_per_r
         return _e40;
     }
     // glimt_render_gpu/src/kernels/smc_gather.rs:72
-    let _e42 = FrameParams_pattern_of(frame_3, ray_11);
+    let _e42 = FrameParams_pattern_of(frame_3, ray_12);
     let _e43 = FrameParams_camera_ray(frame_3, _e42);
     // glimt_render_gpu/src/kernels/smc_gather.rs:73
     let _e45 = Environment_map(env_size_1, env_rotation_1);

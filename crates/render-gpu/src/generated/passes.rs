@@ -740,6 +740,563 @@ impl<'a, M: Memory> Pass for See<'a, M> {
     }
 }
 
+/// `scout::scout` with its arguments.
+pub struct Scout<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `cells`.
+    pub cells: &'a crate::kernels::scout::CellParams,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// The kernel's own `entries`.
+    pub entries: M::Chunks<'a, crate::kernels::cell_state::TileEntry>,
+}
+
+impl<'a, M: Memory> Pass for Scout<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SCOUT
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(3, self.frame);
+        binder.value(4, self.cells);
+        binder.slice(0, self.scene.nodes);
+        binder.slice(1, self.scene.triangles);
+        binder.slice(2, self.scene.corners);
+        binder.slice(3, self.scene.surface);
+        binder.chunks(4, 2, &self.entries);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.entries)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (entries, rest_of_entries) = M::split_at(self.entries, at);
+        (
+            Self { frame: self.frame, cells: self.cells, scene: self.scene, entries },
+            Self { frame: self.frame, cells: self.cells, scene: self.scene, entries: rest_of_entries },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let scene = self.scene.view();
+        for (id, entries) in (first..).zip(M::each(self.entries)) {
+            crate::kernels::scout::scout(id, self.frame, self.cells, scene, entries);
+        }
+    }
+}
+
+/// `scout::see_in_tile` with its arguments.
+pub struct SeeInTile<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `cells`.
+    pub cells: &'a crate::kernels::scout::CellParams,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// The kernel's `entries`.
+    pub entries: M::Slice<'a, crate::kernels::cell_state::TileEntry>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::seen::SeenPoint>,
+}
+
+impl<'a, M: Memory> Pass for SeeInTile<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SEE_IN_TILE
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.value(3, self.cells);
+        binder.slice(0, self.scene.nodes);
+        binder.slice(1, self.scene.triangles);
+        binder.slice(2, self.scene.corners);
+        binder.slice(3, self.scene.surface);
+        binder.slice(4, self.entries);
+        binder.out(5, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, cells: self.cells, scene: self.scene, entries: self.entries, out },
+            Self { frame: self.frame, cells: self.cells, scene: self.scene, entries: self.entries, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let scene = self.scene.view();
+        let entries = M::values(self.entries);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::scout::see_in_tile(id, self.frame, self.cells, scene, entries);
+        }
+    }
+}
+
+/// `pilot::pilot` with its arguments.
+pub struct Pilot<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `cells`.
+    pub cells: &'a crate::kernels::scout::CellParams,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// The kernel's `entries`.
+    pub entries: M::Slice<'a, crate::kernels::cell_state::TileEntry>,
+    /// The kernel's own `counts`.
+    pub counts: M::Chunks<'a, u32>,
+}
+
+impl<'a, M: Memory> Pass for Pilot<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::PILOT
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(3, self.frame);
+        binder.value(4, self.cells);
+        binder.value(5, &self.env.size);
+        binder.value(6, &self.env.rotation);
+        binder.slice(0, self.env.tables);
+        binder.slice(1, self.scene.nodes);
+        binder.slice(2, self.scene.triangles);
+        binder.slice(3, self.scene.corners);
+        binder.slice(4, self.scene.surface);
+        binder.slice(5, self.entries);
+        binder.chunks(6, 2, &self.counts);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.counts)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (counts, rest_of_counts) = M::split_at(self.counts, at);
+        (
+            Self { frame: self.frame, cells: self.cells, env: self.env, scene: self.scene, entries: self.entries, counts },
+            Self { frame: self.frame, cells: self.cells, env: self.env, scene: self.scene, entries: self.entries, counts: rest_of_counts },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        let entries = M::values(self.entries);
+        for (id, counts) in (first..).zip(M::each(self.counts)) {
+            crate::kernels::pilot::pilot(id, self.frame, self.cells, env, scene, entries, counts);
+        }
+    }
+}
+
+/// `expect::expect` with its arguments.
+pub struct Expect<'a, M: Memory> {
+    /// The kernel's `cells`.
+    pub cells: &'a crate::kernels::scout::CellParams,
+    /// The kernel's `entries`.
+    pub entries: M::Slice<'a, crate::kernels::cell_state::TileEntry>,
+    /// The kernel's `counts`.
+    pub counts: M::Slice<'a, u32>,
+    /// The kernel's own `visibility`.
+    pub visibility: M::Chunks<'a, u32>,
+}
+
+impl<'a, M: Memory> Pass for Expect<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::EXPECT
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(3, self.cells);
+        binder.slice(0, self.entries);
+        binder.slice(1, self.counts);
+        binder.chunks(2, 2, &self.visibility);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.visibility)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (visibility, rest_of_visibility) = M::split_at(self.visibility, at);
+        (
+            Self { cells: self.cells, entries: self.entries, counts: self.counts, visibility },
+            Self { cells: self.cells, entries: self.entries, counts: self.counts, visibility: rest_of_visibility },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let entries = M::values(self.entries);
+        let counts = M::values(self.counts);
+        for (id, visibility) in (first..).zip(M::each(self.visibility)) {
+            crate::kernels::expect::expect(id, self.cells, entries, counts, visibility);
+        }
+    }
+}
+
+/// `expect::worth` with its arguments.
+pub struct Worth<'a, M: Memory> {
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `entries`.
+    pub entries: M::Slice<'a, crate::kernels::cell_state::TileEntry>,
+    /// The kernel's `visibility`.
+    pub visibility: M::Slice<'a, u32>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, f32>,
+}
+
+impl<'a, M: Memory> Pass for Worth<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::WORTH
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, &self.env.size);
+        binder.value(3, &self.env.rotation);
+        binder.slice(0, self.env.tables);
+        binder.slice(1, self.entries);
+        binder.slice(2, self.visibility);
+        binder.out(3, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { env: self.env, entries: self.entries, visibility: self.visibility, out },
+            Self { env: self.env, entries: self.entries, visibility: self.visibility, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let entries = M::values(self.entries);
+        let visibility = M::values(self.visibility);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::expect::worth(id, env, entries, visibility);
+        }
+    }
+}
+
+/// `expect::add_worths` with its arguments.
+pub struct AddWorths<'a, M: Memory> {
+    /// The kernel's `cells`.
+    pub cells: &'a crate::kernels::scout::CellParams,
+    /// The kernel's `parts`.
+    pub parts: u32,
+    /// The kernel's `worths`.
+    pub worths: M::Slice<'a, f32>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, u32>,
+}
+
+impl<'a, M: Memory> Pass for AddWorths<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::ADD_WORTHS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.cells);
+        binder.value(3, &self.parts);
+        binder.slice(0, self.worths);
+        binder.out(1, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { cells: self.cells, parts: self.parts, worths: self.worths, out },
+            Self { cells: self.cells, parts: self.parts, worths: self.worths, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let worths = M::values(self.worths);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::expect::add_worths(id, self.cells, self.parts, worths);
+        }
+    }
+}
+
+/// `cells::shade_cells::<glam::Vec4>` with its arguments.
+pub struct ShadeCells<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `cells`.
+    pub cells: &'a crate::kernels::scout::CellParams,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// The kernel's `visibility`.
+    pub visibility: M::Slice<'a, u32>,
+    /// The kernel's own `points`.
+    pub points: M::Chunks<'a, crate::kernels::seen::SeenPoint>,
+    /// The kernel's own `samples`.
+    pub samples: M::Chunks<'a, glam::Vec4>,
+}
+
+impl<'a, M: Memory> Pass for ShadeCells<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SHADE_CELLS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(4, self.frame);
+        binder.value(5, self.cells);
+        binder.value(6, &self.env.size);
+        binder.value(7, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.surface);
+        binder.slice(5, self.visibility);
+        binder.chunks(6, 2, &self.points);
+        binder.chunks(7, 3, &self.samples);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.points).min(M::count(&self.samples))
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (points, rest_of_points) = M::split_at(self.points, at);
+        let (samples, rest_of_samples) = M::split_at(self.samples, at);
+        (
+            Self { frame: self.frame, cells: self.cells, env: self.env, scene: self.scene, visibility: self.visibility, points, samples },
+            Self { frame: self.frame, cells: self.cells, env: self.env, scene: self.scene, visibility: self.visibility, points: rest_of_points, samples: rest_of_samples },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        let visibility = M::values(self.visibility);
+        for ((id, points), samples) in (first..).zip(M::each(self.points)).zip(M::each(self.samples)) {
+            crate::kernels::cells::shade_cells::<glam::Vec4>(id, self.frame, self.cells, env, scene, visibility, points, samples);
+        }
+    }
+}
+
+/// `cells::shade_cells::<crate::kernels::layers::LayerSample>` with its arguments.
+pub struct ShadeCellsLayers<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `cells`.
+    pub cells: &'a crate::kernels::scout::CellParams,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `scene`.
+    pub scene: SceneArg<'a, M>,
+    /// The kernel's `visibility`.
+    pub visibility: M::Slice<'a, u32>,
+    /// The kernel's own `points`.
+    pub points: M::Chunks<'a, crate::kernels::seen::SeenPoint>,
+    /// The kernel's own `samples`.
+    pub samples: M::Chunks<'a, crate::kernels::layers::LayerSample>,
+}
+
+impl<'a, M: Memory> Pass for ShadeCellsLayers<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::SHADE_CELLS_LAYERS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(4, self.frame);
+        binder.value(5, self.cells);
+        binder.value(6, &self.env.size);
+        binder.value(7, &self.env.rotation);
+        binder.slice(0, self.env.texels);
+        binder.slice(1, self.env.tables);
+        binder.slice(2, self.scene.nodes);
+        binder.slice(3, self.scene.triangles);
+        binder.slice(4, self.scene.surface);
+        binder.slice(5, self.visibility);
+        binder.chunks(6, 2, &self.points);
+        binder.chunks(7, 3, &self.samples);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.points).min(M::count(&self.samples))
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (points, rest_of_points) = M::split_at(self.points, at);
+        let (samples, rest_of_samples) = M::split_at(self.samples, at);
+        (
+            Self { frame: self.frame, cells: self.cells, env: self.env, scene: self.scene, visibility: self.visibility, points, samples },
+            Self { frame: self.frame, cells: self.cells, env: self.env, scene: self.scene, visibility: self.visibility, points: rest_of_points, samples: rest_of_samples },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let scene = self.scene.view();
+        let visibility = M::values(self.visibility);
+        for ((id, points), samples) in (first..).zip(M::each(self.points)).zip(M::each(self.samples)) {
+            crate::kernels::cells::shade_cells::<crate::kernels::layers::LayerSample>(id, self.frame, self.cells, env, scene, visibility, points, samples);
+        }
+    }
+}
+
+/// `cells::gather_cells` with its arguments.
+pub struct GatherCells<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `cells`.
+    pub cells: &'a crate::kernels::scout::CellParams,
+    /// The kernel's `points`.
+    pub points: M::Slice<'a, crate::kernels::seen::SeenPoint>,
+    /// The kernel's own `counts`.
+    pub counts: M::Chunks<'a, u32>,
+}
+
+impl<'a, M: Memory> Pass for GatherCells<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::GATHER_CELLS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(3, self.frame);
+        binder.value(4, self.cells);
+        binder.slice(0, self.points);
+        binder.chunks(1, 2, &self.counts);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.counts)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (counts, rest_of_counts) = M::split_at(self.counts, at);
+        (
+            Self { frame: self.frame, cells: self.cells, points: self.points, counts },
+            Self { frame: self.frame, cells: self.cells, points: self.points, counts: rest_of_counts },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let points = M::values(self.points);
+        for (id, counts) in (first..).zip(M::each(self.counts)) {
+            crate::kernels::cells::gather_cells(id, self.frame, self.cells, points, counts);
+        }
+    }
+}
+
 /// `smc_point::find_smc` with its arguments.
 pub struct FindSmc<'a, M: Memory> {
     /// The kernel's `frame`.

@@ -103,11 +103,19 @@ var<storage, read_write> out: array<PixelLayers>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
+// glimt_render_gpu/src/kernels/frame.rs:130
+fn FrameParams_pattern_at(this_: FrameParams, pixel: u32, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:131
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, pixel, ray, this_.rays_per_pixel);
+}
+
 // glimt_render_gpu/src/kernels/frame.rs:120
-fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
+fn FrameParams_pattern_of(this_1: FrameParams, ray_1: u32) -> PixelPattern {
 
     // glimt_render_gpu/src/kernels/frame.rs:121
-    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
+    let _e10 = FrameParams_pattern_at(this_1, (this_1.first_pixel + (ray_1 / this_1.rays_per_pixel)), (ray_1 % this_1.rays_per_pixel));
+    return _e10;
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -155,20 +163,20 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:171
-fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
 
     // glimt_sampling/src/sobol.rs:172
-    let _e6 = hash3_(seed, frame, pixel);
+    let _e6 = hash3_(seed, frame, pixel_1);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:122
-fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+// glimt_render_gpu/src/kernels/pattern.rs:126
+fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:123
-    let _e6 = hash2_(this_1.seed, purpose);
-    let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
+    // glimt_render_gpu/src/kernels/pattern.rs:127
+    let _e6 = hash2_(this_2.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_2.frame, this_2.pixel, index);
     return _e9;
 }
 
@@ -387,18 +395,18 @@ fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_3: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_2).dimension;
+    let _e4 = (*this_3).dimension;
     let dimension_2 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:192
-    (*this_2).dimension = (dimension_2 + 2u);
+    (*this_3).dimension = (dimension_2 + 2u);
     // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_2).seed;
+    let _e15 = (*this_3).seed;
     let _e18 = hash2_(_e15, (dimension_2 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_2).index;
+    let _e21 = (*this_3).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
     let _e24 = sobol_reversed(_e22, dimension_2);
@@ -510,28 +518,28 @@ fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
 }
 
 // glimt_sampling/src/xoshiro.rs:49
-fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_2: u32) -> Xoshiro128PlusPlus {
 
     // glimt_sampling/src/xoshiro.rs:50
-    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_2, frame_1, seed_3, 2654435769u));
     let _e8 = Xoshiro128PlusPlus_from_state(_e7);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:127
-fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+// glimt_render_gpu/src/kernels/pattern.rs:131
+fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:128
-    let _e6 = hash3_(this_3.seed, purpose_1, index_6);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:132
+    let _e6 = hash3_(this_4.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_4.frame, this_4.pixel);
     return _e9;
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_5: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s = (*this_4).state;
+    let s = (*this_5).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s.x + s.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
@@ -540,68 +548,68 @@ fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u3
     // glimt_sampling/src/xoshiro.rs:60
     let w_1 = (s.w ^ s.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_5).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_6: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_6);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_6);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:132
-fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:136
+fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:133
-    let _e5 = hash2_(this_6.seed, purpose_2);
-    let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:137
+    let _e5 = hash2_(this_7.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_7.frame, this_7.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:207
+// glimt_render_gpu/src/kernels/pattern.rs:211
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:208
+    // glimt_render_gpu/src/kernels/pattern.rs:212
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:209
+        // glimt_render_gpu/src/kernels/pattern.rs:213
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:211
+    // glimt_render_gpu/src/kernels/pattern.rs:215
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:212
+    // glimt_render_gpu/src/kernels/pattern.rs:216
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:213
+    // glimt_render_gpu/src/kernels/pattern.rs:217
     x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:218
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:219
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:216
+        // glimt_render_gpu/src/kernels/pattern.rs:220
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:217
+            // glimt_render_gpu/src/kernels/pattern.rs:221
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:219
+            // glimt_render_gpu/src/kernels/pattern.rs:223
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:220
+            // glimt_render_gpu/src/kernels/pattern.rs:224
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -611,10 +619,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:222
+        // glimt_render_gpu/src/kernels/pattern.rs:226
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:227
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -623,63 +631,63 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:198
+// glimt_render_gpu/src/kernels/pattern.rs:202
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:199
+    // glimt_render_gpu/src/kernels/pattern.rs:203
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:178
+// glimt_render_gpu/src/kernels/pattern.rs:182
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:179
+    // glimt_render_gpu/src/kernels/pattern.rs:183
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:180
+    // glimt_render_gpu/src/kernels/pattern.rs:184
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:181
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:182
+    // glimt_render_gpu/src/kernels/pattern.rs:186
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:183
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:184
+    // glimt_render_gpu/src/kernels/pattern.rs:188
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:61
-fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:65
+fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:62
-    let index_10 = ((this_7.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:63
-    if (this_7.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:64
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_10);
+    // glimt_render_gpu/src/kernels/pattern.rs:66
+    let index_10 = ((this_8.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    if (this_8.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:68
+        let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_10);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:66
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_10);
+    // glimt_render_gpu/src/kernels/pattern.rs:70
+    let _e18 = PixelPattern_generator(this_8, purpose_3, index_10);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:67
-    if (this_7.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:68
+    // glimt_render_gpu/src/kernels/pattern.rs:71
+    if (this_8.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:72
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:70
-    let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_10, (this_7.rays * samples), _e20, _e29);
+    // glimt_render_gpu/src/kernels/pattern.rs:74
+    let _e29 = PixelPattern_key(this_8, purpose_3);
+    let _e30 = jittered_pair(index_10, (this_8.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -700,34 +708,34 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_9: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
     let x_6 = (((2f * p.x) / f32(size.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
     let y_1 = (((2f * p.y) / f32(size.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_8.forward + (this_8.right * x_6)) - (this_8.up * y_1)));
+    return normalize(((this_9.forward + (this_9.right * x_6)) - (this_9.up * y_1)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:151
-fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/frame.rs:161
+fn FrameParams_direction(this_10: FrameParams, pixel_3: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:152
-    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:153
-    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:159
-    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    // glimt_render_gpu/src/kernels/frame.rs:162
+    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_10.width), (pixel_3 / this_10.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:163
+    let view = CameraView(this_10.eye, this_10.forward, this_10.right, this_10.up);
+    // glimt_render_gpu/src/kernels/frame.rs:169
+    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_10.width, this_10.height));
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:117
-fn PixelPattern_ray_key(this_10: PixelPattern, purpose_4: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:121
+fn PixelPattern_ray_key(this_11: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:118
-    let _e4 = PixelPattern_key(this_10, purpose_4);
-    let _e6 = hash2_(_e4, this_10.ray);
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e4 = PixelPattern_key(this_11, purpose_4);
+    let _e6 = hash2_(_e4, this_11.ray);
     return _e6;
 }
 
@@ -748,28 +756,28 @@ fn Ray_keyed(origin: vec3<f32>, direction: vec3<f32>, key_2: u32) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e6, _e8, _e10), key_2);
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:134
-fn FrameParams_camera_ray(this_11: FrameParams, pattern: PixelPattern) -> Ray {
+// glimt_render_gpu/src/kernels/frame.rs:144
+fn FrameParams_camera_ray(this_12: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:135
-    let film = PixelPattern(pattern.kind, pattern.seed, this_11.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-    // glimt_render_gpu/src/kernels/frame.rs:139
-    if (this_11.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:140
+    // glimt_render_gpu/src/kernels/frame.rs:145
+    let film = PixelPattern(pattern.kind, pattern.seed, this_12.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+    // glimt_render_gpu/src/kernels/frame.rs:149
+    if (this_12.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:150
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:142
+        // glimt_render_gpu/src/kernels/frame.rs:152
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_2 = _e24;
     }
     let place_1 = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:144
-    let _e28 = FrameParams_direction(this_11, pattern.pixel, place_1);
-    // glimt_render_gpu/src/kernels/frame.rs:145
+    // glimt_render_gpu/src/kernels/frame.rs:154
+    let _e28 = FrameParams_direction(this_12, pattern.pixel, place_1);
+    // glimt_render_gpu/src/kernels/frame.rs:155
     let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_11.eye, _e28, _e32);
+    let _e33 = Ray_keyed(this_12.eye, _e28, _e32);
     return _e33;
 }
 
@@ -871,7 +879,7 @@ fn Environment_background(size_4: vec2<u32>, rotation_2: vec2<f32>, direction_2:
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:119
-fn reconstruct_layers_1(pixel_3: u32, frame_2: FrameParams, env_size: vec2<u32>, env_rotation: vec2<f32>) -> PixelLayers {
+fn reconstruct_layers_1(pixel_4: u32, frame_2: FrameParams, env_size: vec2<u32>, env_rotation: vec2<f32>) -> PixelLayers {
     var object: vec4<f32>;
     var lit: vec3<f32>;
     var catcher: f32;
@@ -881,7 +889,7 @@ fn reconstruct_layers_1(pixel_3: u32, frame_2: FrameParams, env_size: vec2<u32>,
     var counter_1: u32;
 
     // glimt_render_gpu/src/kernels/layers.rs:125
-    let first = (pixel_3 * frame_2.rays_per_pixel);
+    let first = (pixel_4 * frame_2.rays_per_pixel);
     // glimt_render_gpu/src/kernels/layers.rs:126
     object = vec4(0f);
     // glimt_render_gpu/src/kernels/layers.rs:127
@@ -897,12 +905,12 @@ fn reconstruct_layers_1(pixel_3: u32, frame_2: FrameParams, env_size: vec2<u32>,
     // glimt_render_gpu/src/kernels/layers.rs:132
     counter_1 = first;
     loop {
-        let ray_1 = counter_1;
-        if (ray_1 >= (first + frame_2.rays_per_pixel)) {
+        let ray_2 = counter_1;
+        if (ray_2 >= (first + frame_2.rays_per_pixel)) {
             break;
         }
         // glimt_render_gpu/src/kernels/layers.rs:133
-        let sample_1 = samples_1[ray_1];
+        let sample_1 = samples_1[ray_2];
         // glimt_render_gpu/src/kernels/layers.rs:134
         if (sample_1.catcher > 0f) {
             // glimt_render_gpu/src/kernels/layers.rs:135
@@ -922,7 +930,7 @@ fn reconstruct_layers_1(pixel_3: u32, frame_2: FrameParams, env_size: vec2<u32>,
         // glimt_render_gpu/src/kernels/layers.rs:141
         if ((frame_2.background == 0u) && (sample_1.alpha == 0f)) {
             // glimt_render_gpu/src/kernels/layers.rs:142
-            let _e71 = FrameParams_pattern_of(frame_2, ray_1);
+            let _e71 = FrameParams_pattern_of(frame_2, ray_2);
             let _e72 = FrameParams_camera_ray(frame_2, _e71);
             let direction_3 = _e72.direction;
             // glimt_render_gpu/src/kernels/layers.rs:143

@@ -129,7 +129,7 @@ struct SeenPoint {
     origin: vec3<f32>,
     surface: u32,
     geometric_normal: vec3<f32>,
-    catcher: u32,
+    flags: u32,
     normal: vec3<f32>,
     exponent: f32,
     wo: vec3<f32>,
@@ -137,7 +137,7 @@ struct SeenPoint {
     diffuse: vec3<f32>,
     order: u32,
     specular: vec3<f32>,
-    grouped: u32,
+    record: u32,
     emission: vec3<f32>,
     unused: u32,
 }
@@ -182,11 +182,19 @@ var<storage, read_write> out: array<SeenPoint>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
+// glimt_render_gpu/src/kernels/frame.rs:130
+fn FrameParams_pattern_at(this_: FrameParams, pixel: u32, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:131
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, pixel, ray, this_.rays_per_pixel);
+}
+
 // glimt_render_gpu/src/kernels/frame.rs:120
-fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
+fn FrameParams_pattern_of(this_1: FrameParams, ray_1: u32) -> PixelPattern {
 
     // glimt_render_gpu/src/kernels/frame.rs:121
-    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
+    let _e10 = FrameParams_pattern_at(this_1, (this_1.first_pixel + (ray_1 / this_1.rays_per_pixel)), (ray_1 % this_1.rays_per_pixel));
+    return _e10;
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -234,20 +242,20 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:171
-fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
 
     // glimt_sampling/src/sobol.rs:172
-    let _e6 = hash3_(seed, frame, pixel);
+    let _e6 = hash3_(seed, frame, pixel_1);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:122
-fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+// glimt_render_gpu/src/kernels/pattern.rs:126
+fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:123
-    let _e6 = hash2_(this_1.seed, purpose);
-    let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
+    // glimt_render_gpu/src/kernels/pattern.rs:127
+    let _e6 = hash2_(this_2.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_2.frame, this_2.pixel, index);
     return _e9;
 }
 
@@ -466,18 +474,18 @@ fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_2: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_3: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_2).dimension;
+    let _e4 = (*this_3).dimension;
     let dimension_2 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:192
-    (*this_2).dimension = (dimension_2 + 2u);
+    (*this_3).dimension = (dimension_2 + 2u);
     // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_2).seed;
+    let _e15 = (*this_3).seed;
     let _e18 = hash2_(_e15, (dimension_2 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_2).index;
+    let _e21 = (*this_3).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
     let _e24 = sobol_reversed(_e22, dimension_2);
@@ -589,28 +597,28 @@ fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
 }
 
 // glimt_sampling/src/xoshiro.rs:49
-fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_2: u32) -> Xoshiro128PlusPlus {
 
     // glimt_sampling/src/xoshiro.rs:50
-    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_3, 2654435769u));
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_2, frame_1, seed_3, 2654435769u));
     let _e8 = Xoshiro128PlusPlus_from_state(_e7);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:127
-fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+// glimt_render_gpu/src/kernels/pattern.rs:131
+fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:128
-    let _e6 = hash3_(this_3.seed, purpose_1, index_6);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:132
+    let _e6 = hash3_(this_4.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_4.frame, this_4.pixel);
     return _e9;
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_5: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s = (*this_4).state;
+    let s = (*this_5).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s.x + s.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
@@ -619,68 +627,68 @@ fn Xoshiro128PlusPlus_next_u32_(this_4: ptr<function, Xoshiro128PlusPlus>) -> u3
     // glimt_sampling/src/xoshiro.rs:60
     let w_1 = (s.w ^ s.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_4).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_5).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_6: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_5);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_6);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_5);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_6);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:132
-fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:136
+fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:133
-    let _e5 = hash2_(this_6.seed, purpose_2);
-    let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:137
+    let _e5 = hash2_(this_7.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_7.frame, this_7.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:207
+// glimt_render_gpu/src/kernels/pattern.rs:211
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:208
+    // glimt_render_gpu/src/kernels/pattern.rs:212
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:209
+        // glimt_render_gpu/src/kernels/pattern.rs:213
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:211
+    // glimt_render_gpu/src/kernels/pattern.rs:215
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:212
+    // glimt_render_gpu/src/kernels/pattern.rs:216
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:213
+    // glimt_render_gpu/src/kernels/pattern.rs:217
     x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:218
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:219
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:216
+        // glimt_render_gpu/src/kernels/pattern.rs:220
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:217
+            // glimt_render_gpu/src/kernels/pattern.rs:221
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:219
+            // glimt_render_gpu/src/kernels/pattern.rs:223
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:220
+            // glimt_render_gpu/src/kernels/pattern.rs:224
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -690,10 +698,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:222
+        // glimt_render_gpu/src/kernels/pattern.rs:226
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:227
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -702,63 +710,63 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:198
+// glimt_render_gpu/src/kernels/pattern.rs:202
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:199
+    // glimt_render_gpu/src/kernels/pattern.rs:203
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:178
+// glimt_render_gpu/src/kernels/pattern.rs:182
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:179
+    // glimt_render_gpu/src/kernels/pattern.rs:183
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:180
+    // glimt_render_gpu/src/kernels/pattern.rs:184
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:181
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:182
+    // glimt_render_gpu/src/kernels/pattern.rs:186
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:183
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:184
+    // glimt_render_gpu/src/kernels/pattern.rs:188
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:61
-fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:65
+fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:62
-    let index_16 = ((this_7.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:63
-    if (this_7.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:64
-        let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_16);
+    // glimt_render_gpu/src/kernels/pattern.rs:66
+    let index_16 = ((this_8.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    if (this_8.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:68
+        let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:66
-    let _e18 = PixelPattern_generator(this_7, purpose_3, index_16);
+    // glimt_render_gpu/src/kernels/pattern.rs:70
+    let _e18 = PixelPattern_generator(this_8, purpose_3, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:67
-    if (this_7.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:68
+    // glimt_render_gpu/src/kernels/pattern.rs:71
+    if (this_8.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:72
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:70
-    let _e29 = PixelPattern_key(this_7, purpose_3);
-    let _e30 = jittered_pair(index_16, (this_7.rays * samples), _e20, _e29);
+    // glimt_render_gpu/src/kernels/pattern.rs:74
+    let _e29 = PixelPattern_key(this_8, purpose_3);
+    let _e30 = jittered_pair(index_16, (this_8.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -779,34 +787,34 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_8: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_9: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
     let x_7 = (((2f * p.x) / f32(size.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
     let y_1 = (((2f * p.y) / f32(size.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_8.forward + (this_8.right * x_7)) - (this_8.up * y_1)));
+    return normalize(((this_9.forward + (this_9.right * x_7)) - (this_9.up * y_1)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:151
-fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/frame.rs:161
+fn FrameParams_direction(this_10: FrameParams, pixel_3: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:152
-    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_9.width), (pixel_2 / this_9.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:153
-    let view = CameraView(this_9.eye, this_9.forward, this_9.right, this_9.up);
-    // glimt_render_gpu/src/kernels/frame.rs:159
-    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_9.width, this_9.height));
+    // glimt_render_gpu/src/kernels/frame.rs:162
+    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_10.width), (pixel_3 / this_10.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:163
+    let view = CameraView(this_10.eye, this_10.forward, this_10.right, this_10.up);
+    // glimt_render_gpu/src/kernels/frame.rs:169
+    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_10.width, this_10.height));
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:117
-fn PixelPattern_ray_key(this_10: PixelPattern, purpose_4: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:121
+fn PixelPattern_ray_key(this_11: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:118
-    let _e4 = PixelPattern_key(this_10, purpose_4);
-    let _e6 = hash2_(_e4, this_10.ray);
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e4 = PixelPattern_key(this_11, purpose_4);
+    let _e6 = hash2_(_e4, this_11.ray);
     return _e6;
 }
 
@@ -827,39 +835,39 @@ fn Ray_keyed(origin: vec3<f32>, direction: vec3<f32>, key_2: u32) -> Ray {
     return Ray(origin, direction, vec3<f32>(_e6, _e8, _e10), key_2);
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:134
-fn FrameParams_camera_ray(this_11: FrameParams, pattern: PixelPattern) -> Ray {
+// glimt_render_gpu/src/kernels/frame.rs:144
+fn FrameParams_camera_ray(this_12: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:135
-    let film = PixelPattern(pattern.kind, pattern.seed, this_11.film_frame, pattern.pixel, pattern.ray, pattern.rays);
-    // glimt_render_gpu/src/kernels/frame.rs:139
-    if (this_11.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:140
+    // glimt_render_gpu/src/kernels/frame.rs:145
+    let film = PixelPattern(pattern.kind, pattern.seed, this_12.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+    // glimt_render_gpu/src/kernels/frame.rs:149
+    if (this_12.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:150
         chosen_2 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:142
+        // glimt_render_gpu/src/kernels/frame.rs:152
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
         chosen_2 = _e24;
     }
     let place_2 = chosen_2;
-    // glimt_render_gpu/src/kernels/frame.rs:144
-    let _e28 = FrameParams_direction(this_11, pattern.pixel, place_2);
-    // glimt_render_gpu/src/kernels/frame.rs:145
+    // glimt_render_gpu/src/kernels/frame.rs:154
+    let _e28 = FrameParams_direction(this_12, pattern.pixel, place_2);
+    // glimt_render_gpu/src/kernels/frame.rs:155
     let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_11.eye, _e28, _e32);
+    let _e33 = Ray_keyed(this_12.eye, _e28, _e32);
     return _e33;
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:30
-fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
+fn box_distance(node: BvhNode, ray_2: Ray) -> f32 {
     var chosen_3: f32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:31
-    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
+    let to_min = ((node.min - ray_2.origin) * ray_2.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:32
-    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    let to_max = ((node.max - ray_2.origin) * ray_2.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:33
     let _e16 = min(to_min, to_max);
     let near_1 = max(max(_e16.x, _e16.y), _e16.z);
@@ -886,17 +894,17 @@ fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: v
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:124
-fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
+fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
     var chosen_4: f32;
 
     // glimt_render_gpu/src/kernels/triangle.rs:125
-    let a_3 = (triangle.v0_ - ray_2.origin);
+    let a_3 = (triangle.v0_ - ray_3.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:126
-    let b_3 = (triangle.v1_ - ray_2.origin);
+    let b_3 = (triangle.v1_ - ray_3.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:127
-    let c_2 = (triangle.v2_ - ray_2.origin);
+    let c_2 = (triangle.v2_ - ray_3.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:128
-    let _e18 = edge_functions(a_3, b_3, c_2, ray_2.direction);
+    let _e18 = edge_functions(a_3, b_3, c_2, ray_3.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:129
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
         // glimt_render_gpu/src/kernels/triangle.rs:130
@@ -905,7 +913,7 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
     // glimt_render_gpu/src/kernels/triangle.rs:132
     let normal_2 = cross((c_2 - a_3), (a_3 - b_3));
     // glimt_render_gpu/src/kernels/triangle.rs:133
-    let slope = dot(normal_2, ray_2.direction);
+    let slope = dot(normal_2, ray_3.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:134
     if (slope == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:135
@@ -924,17 +932,17 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:59
-fn Triangle_is_see_through(this_12: Triangle) -> bool {
+fn Triangle_is_see_through(this_13: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:60
-    return ((this_12.object & 1073741824u) != 0u);
+    return ((this_13.object & 1073741824u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:144
-fn barycentrics(triangle_1: Triangle, ray_3: Ray) -> vec2<f32> {
+fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:145
-    let _e14 = edge_functions((triangle_1.v0_ - ray_3.origin), (triangle_1.v1_ - ray_3.origin), (triangle_1.v2_ - ray_3.origin), ray_3.direction);
+    let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:151
     let sum_2 = ((_e14.x + _e14.y) + _e14.z);
     // glimt_render_gpu/src/kernels/triangle.rs:152
@@ -1007,10 +1015,10 @@ fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_1: u32) -> Te
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_13: TextureView) -> bool {
+fn TextureView_exists(this_14: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_13.width > 0u);
+    return (this_14.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -1055,11 +1063,11 @@ fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
+fn TextureView_texel(this_15: TextureView, index_11: u32) -> vec4<f32> {
     var chosen_5: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_4 = scene_surface[(this_14.first + index_11)];
+    let word_4 = scene_surface[(this_15.first + index_11)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r = (word_4 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -1069,7 +1077,7 @@ fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_14.flags & 1u) != 0u) {
+    if ((this_15.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r];
         let _e42 = scene_surface[g];
@@ -1084,40 +1092,40 @@ fn TextureView_texel(this_14: TextureView, index_11: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_15: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_16: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_15.flags >> 1u) & 3u);
+    let wrap_u = ((this_16.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_15.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_16.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_8 = ((_e21 * f32(this_15.width)) - 0.5f);
+    let x_8 = ((_e21 * f32(this_16.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_2 = ((_e29 * f32(this_15.height)) - 0.5f);
+    let y_2 = ((_e29 * f32(this_16.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e38 = Tuple_f32_f32_(floor(x_8), floor(y_2));
     let left = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left), this_15.width, wrap_u);
+    let _e44 = neighbour(i32(left), this_16.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left) + 1i), this_15.width, wrap_u);
+    let _e50 = neighbour((i32(left) + 1i), this_16.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e54 = neighbour(i32(top), this_15.height, wrap_v);
-    let row0_ = (_e54 * this_15.width);
+    let _e54 = neighbour(i32(top), this_16.height, wrap_v);
+    let row0_ = (_e54 * this_16.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e62 = neighbour((i32(top) + 1i), this_15.height, wrap_v);
-    let row1_ = (_e62 * this_15.width);
+    let _e62 = neighbour((i32(top) + 1i), this_16.height, wrap_v);
+    let row1_ = (_e62 * this_16.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e67 = TextureView_texel(this_15, (row0_ + _e44));
-    let _e69 = TextureView_texel(this_15, (row0_ + _e50));
+    let _e67 = TextureView_texel(this_16, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_16, (row0_ + _e50));
     let _e70 = (x_8 - left);
     let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e78 = TextureView_texel(this_15, (row1_ + _e44));
-    let _e80 = TextureView_texel(this_15, (row1_ + _e50));
+    let _e78 = TextureView_texel(this_16, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_16, (row1_ + _e50));
     let _e81 = (x_8 - left);
     let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -1209,63 +1217,63 @@ fn passes(key_3: u32, index_12: u32, alpha_1: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:33
-fn is_passed(index_13: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+fn is_passed(index_13: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:34
-    let _e5 = barycentrics(triangle_3, ray_4);
+    let _e5 = barycentrics(triangle_3, ray_5);
     // glimt_render_gpu/src/kernels/opacity.rs:35
     let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
     // glimt_render_gpu/src/kernels/opacity.rs:36
-    let _e12 = passes(ray_4.key, index_13, _e9);
+    let _e12 = passes(ray_5.key, index_13, _e9);
     return _e12;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
-fn Triangle_is_catcher(this_16: Triangle) -> bool {
+fn Triangle_is_catcher(this_17: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:46
-    return ((this_16.object & 2147483648u) != 0u);
+    return ((this_17.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_17: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_18: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_17.v1_ - this_17.v0_), (this_17.v2_ - this_17.v0_));
+    return cross((this_18.v1_ - this_18.v0_), (this_18.v2_ - this_18.v0_));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_18: Triangle) -> f32 {
+fn Triangle_ray_offset(this_19: Triangle) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_18.v0_), abs(this_18.v1_)), abs(this_18.v2_));
+    let extent = max(max(abs(this_19.v0_), abs(this_19.v1_)), abs(this_19.v2_));
     // glimt_render_gpu/src/kernels/triangle.rs:68
     return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_19: Triangle, ray_5: Ray, t: f32) -> f32 {
+fn Triangle_setback(this_20: Triangle, ray_6: Ray, t: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_19);
+    let _e5 = Triangle_area_normal(this_20);
     // glimt_render_gpu/src/kernels/triangle.rs:76
-    let across = abs(dot(_e5, ray_5.direction));
+    let across = abs(dot(_e5, ray_6.direction));
     // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_19);
-    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_5.direction, ray_5.direction)))));
+    let _e12 = Triangle_ray_offset(this_20);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_6.direction, ray_6.direction)))));
     // glimt_render_gpu/src/kernels/triangle.rs:82
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_14: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
+fn held(index_14: u32, triangle_4: Triangle, ray_7: Ray, t_1: f32, no_catcher: bool) -> f32 {
     var both: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:195
     let _e7 = Triangle_is_see_through(triangle_4);
     both = _e7;
     if _e7 {
-        let _e9 = is_passed(index_14, triangle_4, ray_6);
+        let _e9 = is_passed(index_14, triangle_4, ray_7);
         both = _e9;
     }
     let _e10 = both;
@@ -1285,12 +1293,12 @@ fn held(index_14: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: b
         return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:204
-    let _e21 = Triangle_setback(triangle_4, ray_6, t_1);
+    let _e21 = Triangle_setback(triangle_4, ray_7, t_1);
     return (t_1 + _e21);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:160
-fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+fn visit_leaf(leaf: BvhNode, ray_8: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
     var counter_1: u32;
     var t_2: f32;
@@ -1308,7 +1316,7 @@ fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, n
         // glimt_render_gpu/src/kernels/bvh.rs:171
         let _e19 = scene_triangles[i];
         let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_7, _e20);
+        let _e21 = intersect(_e19, ray_8, _e20);
         t_2 = _e21;
         // glimt_render_gpu/src/kernels/bvh.rs:173
         let _e24 = t_2;
@@ -1324,7 +1332,7 @@ fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, n
             // glimt_render_gpu/src/kernels/bvh.rs:174
             let _e38 = scene_triangles[i];
             let _e39 = t_2;
-            let _e40 = held(i, _e38, ray_7, _e39, no_catcher_1);
+            let _e40 = held(i, _e38, ray_8, _e39, no_catcher_1);
             t_2 = _e40;
         }
         // glimt_render_gpu/src/kernels/bvh.rs:176
@@ -1348,7 +1356,7 @@ fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, n
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:91
-fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+fn traverse(ray_9: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     var either: bool;
     var best_1: u32;
     var stack: array<u32, 64>;
@@ -1367,7 +1375,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     if _e8 {
     } else {
         let _e13 = scene_nodes[0u];
-        let _e14 = box_distance(_e13, ray_8);
+        let _e14 = box_distance(_e13, ray_9);
         let _e15 = (*reach_1);
         either = (_e14 >= _e15);
     }
@@ -1381,7 +1389,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     // glimt_render_gpu/src/kernels/bvh.rs:103
     if (root.count > 0u) {
         // glimt_render_gpu/src/kernels/bvh.rs:104
-        let _e31 = visit_leaf(root, ray_8, reach_1, 4294967295u, any_);
+        let _e31 = visit_leaf(root, ray_9, reach_1, 4294967295u, any_);
         return _e31;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:106
@@ -1404,11 +1412,11 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
         far = _e58;
         // glimt_render_gpu/src/kernels/bvh.rs:113
         let _e61 = near;
-        let _e62 = box_distance(_e61, ray_8);
+        let _e62 = box_distance(_e61, ray_9);
         t_near = _e62;
         // glimt_render_gpu/src/kernels/bvh.rs:114
         let _e65 = far;
-        let _e66 = box_distance(_e65, ray_8);
+        let _e66 = box_distance(_e65, ray_9);
         t_far = _e66;
         // glimt_render_gpu/src/kernels/bvh.rs:116
         let _e69 = t_near;
@@ -1440,7 +1448,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:126
             let _e95 = near;
             let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_8, reach_1, _e96, any_);
+            let _e97 = visit_leaf(_e95, ray_9, reach_1, _e96, any_);
             best_1 = _e97;
             // glimt_render_gpu/src/kernels/bvh.rs:127
             let _e99 = best_1;
@@ -1463,7 +1471,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:134
             let _e120 = far;
             let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_8, reach_1, _e121, any_);
+            let _e122 = visit_leaf(_e120, ray_9, reach_1, _e121, any_);
             best_1 = _e122;
             // glimt_render_gpu/src/kernels/bvh.rs:135
             let _e124 = best_1;
@@ -1520,13 +1528,13 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:47
-fn closest_hit(ray_9: Ray, t_max_1: f32) -> Option_Hit {
+fn closest_hit(ray_10: Ray, t_max_1: f32) -> Option_Hit {
     var t_3: f32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:54
     t_3 = t_max_1;
     // glimt_render_gpu/src/kernels/bvh.rs:55
-    let _e7 = traverse(ray_9, (&t_3), false);
+    let _e7 = traverse(ray_10, (&t_3), false);
     // glimt_render_gpu/src/kernels/bvh.rs:56
     if (_e7 == 4294967295u) {
         // glimt_render_gpu/src/kernels/bvh.rs:57
@@ -1538,31 +1546,31 @@ fn closest_hit(ray_9: Ray, t_max_1: f32) -> Option_Hit {
     let _e18 = Triangle_is_catcher(triangle_5);
     if _e18 {
         // glimt_render_gpu/src/kernels/bvh.rs:62
-        let _e21 = intersect(triangle_5, ray_9, 0x1.fffffep+127f);
+        let _e21 = intersect(triangle_5, ray_10, 0x1.fffffep+127f);
         t_3 = _e21;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:64
     let _e23 = t_3;
-    let _e24 = barycentrics(triangle_5, ray_9);
+    let _e24 = barycentrics(triangle_5, ray_10);
     return Option_Hit(true, Hit(_e7, _e23, _e24));
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:82
-fn Scene_closest_hit(ray_10: Ray) -> Option_Hit {
+fn Scene_closest_hit(ray_11: Ray) -> Option_Hit {
 
     // glimt_render_gpu/src/kernels/scene.rs:83
-    let _e4 = closest_hit(ray_10, 0x1.fffffep+127f);
+    let _e4 = closest_hit(ray_11, 0x1.fffffep+127f);
     return _e4;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:88
-fn Triangle_outward(this_20: Triangle) -> vec3<f32> {
+fn Triangle_outward(this_21: Triangle) -> vec3<f32> {
     var chosen_7: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/triangle.rs:89
-    let _e3 = Triangle_area_normal(this_20);
+    let _e3 = Triangle_area_normal(this_21);
     // glimt_render_gpu/src/kernels/triangle.rs:90
-    if ((this_20.object & 536870912u) != 0u) {
+    if ((this_21.object & 536870912u) != 0u) {
         // glimt_render_gpu/src/kernels/triangle.rs:91
         chosen_7 = -(_e3);
     } else {
@@ -1650,10 +1658,10 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_21: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_22: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_4, this_21.t), dot(v_4, this_21.b), dot(v_4, this_21.n));
+    return vec3<f32>(dot(v_4, this_22.t), dot(v_4, this_22.b), dot(v_4, this_22.n));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:186
@@ -1789,7 +1797,7 @@ fn MaterialView_emission(words_start_8: u32, words_len_8: u32, uv_6: vec2<f32>, 
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:88
-fn Scene_shading_point(ray_11: Ray, hit: Hit) -> ShadingPoint {
+fn Scene_shading_point(ray_12: Ray, hit: Hit) -> ShadingPoint {
     var chosen_9: vec3<f32>;
     var chosen_10: f32;
     var chosen_11: vec3<f32>;
@@ -1812,7 +1820,7 @@ fn Scene_shading_point(ray_11: Ray, hit: Hit) -> ShadingPoint {
     // glimt_render_gpu/src/kernels/scene.rs:95
     let w_3 = ((1f - u_4) - v_5);
     // glimt_render_gpu/src/kernels/scene.rs:97
-    let to_eye_1 = -(ray_11.direction);
+    let to_eye_1 = -(ray_12.direction);
     // glimt_render_gpu/src/kernels/scene.rs:98
     let _e44 = Triangle_outward(triangle_6);
     let outward = normalize(_e44);
@@ -1877,52 +1885,59 @@ fn Scene_shading_point(ray_11: Ray, hit: Hit) -> ShadingPoint {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:52
-fn Triangle_object_index(this_22: Triangle) -> u32 {
+fn Triangle_object_index(this_23: Triangle) -> u32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:53
-    return (this_22.object & 536870911u);
+    return (this_23.object & 536870911u);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:95
-fn see_1(ray_12: u32, frame_2: FrameParams) -> SeenPoint {
+// glimt_render_gpu/src/kernels/seen.rs:131
+fn see_by(pattern_1: PixelPattern, frame_2: FrameParams) -> SeenPoint {
     var chosen_12: u32;
     var chosen_13: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/seen.rs:96
-    let _e4 = FrameParams_pattern_of(frame_2, ray_12);
-    // glimt_render_gpu/src/kernels/seen.rs:97
-    let _e6 = FrameParams_camera_ray(frame_2, _e4);
-    // glimt_render_gpu/src/kernels/seen.rs:98
-    let _e8 = Scene_closest_hit(_e6);
-    if !(_e8.is_some) {
-        // glimt_render_gpu/src/kernels/seen.rs:99
+    // glimt_render_gpu/src/kernels/seen.rs:132
+    let _e4 = FrameParams_camera_ray(frame_2, pattern_1);
+    // glimt_render_gpu/src/kernels/seen.rs:133
+    let _e6 = Scene_closest_hit(_e4);
+    if !(_e6.is_some) {
+        // glimt_render_gpu/src/kernels/seen.rs:134
         return SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
     }
-    let hit_1 = _e8.value;
-    // glimt_render_gpu/src/kernels/seen.rs:101
-    let _e36 = Scene_shading_point(_e6, hit_1);
-    // glimt_render_gpu/src/kernels/seen.rs:102
+    let hit_1 = _e6.value;
+    // glimt_render_gpu/src/kernels/seen.rs:136
+    let _e34 = Scene_shading_point(_e4, hit_1);
+    // glimt_render_gpu/src/kernels/seen.rs:137
     let triangle_7 = scene_triangles[hit_1.triangle];
-    // glimt_render_gpu/src/kernels/seen.rs:103
-    let _e43 = Triangle_is_catcher(triangle_7);
-    // glimt_render_gpu/src/kernels/seen.rs:104
-    let _e46 = Triangle_object_index(triangle_7);
-    if _e43 {
-        // glimt_render_gpu/src/kernels/seen.rs:108
-        chosen_12 = 1u;
+    // glimt_render_gpu/src/kernels/seen.rs:138
+    let _e41 = Triangle_is_catcher(triangle_7);
+    // glimt_render_gpu/src/kernels/seen.rs:139
+    let _e44 = Triangle_object_index(triangle_7);
+    if _e41 {
+        // glimt_render_gpu/src/kernels/seen.rs:143
+        chosen_12 = 2u;
     } else {
         chosen_12 = 0u;
     }
-    let _e54 = chosen_12;
-    if _e43 {
-        // glimt_render_gpu/src/kernels/seen.rs:118
+    let _e52 = chosen_12;
+    if _e41 {
+        // glimt_render_gpu/src/kernels/seen.rs:153
         chosen_13 = vec3(0f);
     } else {
-        // glimt_render_gpu/src/kernels/seen.rs:120
-        chosen_13 = _e36.emission;
+        // glimt_render_gpu/src/kernels/seen.rs:155
+        chosen_13 = _e34.emission;
     }
-    let _e74 = chosen_13;
-    return SeenPoint(_e36.origin, (_e46 + 1u), _e36.geometric_normal, _e54, _e36.frame.n, _e36.brdf.exponent, -(_e6.direction), triangle_7.material, _e36.brdf.diffuse, 0u, _e36.brdf.specular, 0u, _e74, 0u);
+    let _e72 = chosen_13;
+    return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_7.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0u);
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:124
+fn see_1(ray_13: u32, frame_3: FrameParams) -> SeenPoint {
+
+    // glimt_render_gpu/src/kernels/seen.rs:125
+    let _e4 = FrameParams_pattern_of(frame_3, ray_13);
+    let _e5 = see_by(_e4, frame_3);
+    return _e5;
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -20,7 +20,7 @@ struct SeenPoint {
     origin: vec3<f32>,
     surface: u32,
     geometric_normal: vec3<f32>,
-    catcher: u32,
+    flags: u32,
     normal: vec3<f32>,
     exponent: f32,
     wo: vec3<f32>,
@@ -28,7 +28,7 @@ struct SeenPoint {
     diffuse: vec3<f32>,
     order: u32,
     specular: vec3<f32>,
-    grouped: u32,
+    record: u32,
     emission: vec3<f32>,
     unused: u32,
 }
@@ -130,6 +130,8 @@ struct Totals {
     lobe_area: f32,
     diffuse: vec3<f32>,
     specular: vec3<f32>,
+    open_diffuse: vec3<f32>,
+    open_specular: vec3<f32>,
 }
 
 struct CellTerms {
@@ -141,11 +143,6 @@ struct CellTerms {
     cosine_spread: vec4<f32>,
 }
 
-struct Tuple_Vec3_Vec3_ {
-    fa: vec3<f32>,
-    fb: vec3<f32>,
-}
-
 struct Proposal {
     of_: Representative,
     blocks: array<f32, 64>,
@@ -154,6 +151,8 @@ struct Proposal {
     lobe_worth: f32,
     lobe_share: f32,
     integral: vec3<f32>,
+    open_integral: vec3<f32>,
+    is_catcher: bool,
 }
 
 struct OwenSobol {
@@ -263,9 +262,11 @@ struct CellAt {
     visibility: f32,
 }
 
-struct Reflected {
+struct Sample {
     lit: vec3<f32>,
     blocked: vec3<f32>,
+    is_traced: bool,
+    arrives: bool,
 }
 
 struct Ray {
@@ -295,6 +296,11 @@ struct TextureView {
 struct Tuple_f32_f32_ {
     fa: f32,
     fb: f32,
+}
+
+struct Reflected {
+    lit: vec3<f32>,
+    blocked: vec3<f32>,
 }
 
 struct CameraView {
@@ -360,25 +366,33 @@ fn Environment_cells(size_2: vec2<u32>, rotation: vec2<f32>) -> Returned_Environ
     return Returned_Environment_cells(size_2, _e3);
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:120
-fn FrameParams_pattern_of(this_: FrameParams, ray: u32) -> PixelPattern {
+// glimt_render_gpu/src/kernels/frame.rs:130
+fn FrameParams_pattern_at(this_: FrameParams, pixel: u32, ray: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/frame.rs:121
-    return PixelPattern(this_.pattern, this_.seed, this_.frame, (this_.first_pixel + (ray / this_.rays_per_pixel)), (ray % this_.rays_per_pixel), this_.rays_per_pixel);
+    // glimt_render_gpu/src/kernels/frame.rs:131
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, pixel, ray, this_.rays_per_pixel);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:69
-fn SeenPoint_is_hit(this_1: SeenPoint) -> bool {
+// glimt_render_gpu/src/kernels/frame.rs:120
+fn FrameParams_pattern_of(this_1: FrameParams, ray_1: u32) -> PixelPattern {
 
-    // glimt_render_gpu/src/kernels/seen.rs:70
-    return (this_1.surface != 0u);
+    // glimt_render_gpu/src/kernels/frame.rs:121
+    let _e10 = FrameParams_pattern_at(this_1, (this_1.first_pixel + (ray_1 / this_1.rays_per_pixel)), (ray_1 % this_1.rays_per_pixel));
+    return _e10;
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:84
+fn SeenPoint_is_hit(this_2: SeenPoint) -> bool {
+
+    // glimt_render_gpu/src/kernels/seen.rs:85
+    return (this_2.surface != 0u);
 }
 
 // glimt_render_gpu/src/kernels/groups.rs:40
 fn belongs(leader: SeenPoint, point: SeenPoint) -> bool {
 
     // glimt_render_gpu/src/kernels/groups.rs:41
-    return ((((point.grouped == 0u) && (point.surface == leader.surface)) && (point.material == leader.material)) && (dot(point.normal, leader.normal) >= 0.9396926f));
+    return (((((point.flags & 1u) == 0u) && (point.surface == leader.surface)) && (point.material == leader.material)) && (dot(point.normal, leader.normal) >= 0.9396926f));
 }
 
 // glimt_render_gpu/src/kernels/groups.rs:51
@@ -400,76 +414,77 @@ fn next_group(points_start: u32, points_len: u32, from_: ptr<function, u32>, fir
         both = _e11;
         if _e11 {
             let _e13 = leader_1;
-            let _e18 = points[(points_start + _e13)].grouped;
-            let _e20 = (_e18 != 0u);
-            either = _e20;
-            if _e20 {
+            let _e18 = points[(points_start + _e13)].flags;
+            let _e22 = ((_e18 & 1u) != 0u);
+            either = _e22;
+            if _e22 {
             } else {
-                let _e22 = leader_1;
-                let _e26 = points[(points_start + _e22)];
-                let _e27 = SeenPoint_is_hit(_e26);
-                either = !(_e27);
+                let _e24 = leader_1;
+                let _e28 = points[(points_start + _e24)];
+                let _e29 = SeenPoint_is_hit(_e28);
+                either = !(_e29);
             }
-            let _e29 = either;
-            both = _e29;
+            let _e31 = either;
+            both = _e31;
         }
-        let _e30 = both;
-        if _e30 {
+        let _e32 = both;
+        if _e32 {
             // glimt_render_gpu/src/kernels/groups.rs:57
-            let _e33 = leader_1;
-            leader_1 = (_e33 + 1u);
+            let _e35 = leader_1;
+            leader_1 = (_e35 + 1u);
         } else {
             break;
         }
     }
     // glimt_render_gpu/src/kernels/groups.rs:59
-    let _e36 = leader_1;
-    (*from_) = _e36;
+    let _e38 = leader_1;
+    (*from_) = _e38;
     // glimt_render_gpu/src/kernels/groups.rs:60
     members = 0u;
     // glimt_render_gpu/src/kernels/groups.rs:61
-    let _e41 = leader_1;
-    if (_e41 < points_len) {
+    let _e43 = leader_1;
+    if (_e43 < points_len) {
         // glimt_render_gpu/src/kernels/groups.rs:62
-        let _e44 = leader_1;
-        let own_1 = points[(points_start + _e44)];
+        let _e46 = leader_1;
+        let own_1 = points[(points_start + _e46)];
         // glimt_render_gpu/src/kernels/groups.rs:63
-        let _e50 = leader_1;
-        counter = _e50;
+        let _e52 = leader_1;
+        counter = _e52;
         loop {
-            let ray_11 = counter;
-            if (ray_11 >= points_len) {
+            let ray_12 = counter;
+            if (ray_12 >= points_len) {
                 break;
             }
             // glimt_render_gpu/src/kernels/groups.rs:64
-            let _e58 = points[(points_start + ray_11)];
-            let _e59 = belongs(own_1, _e58);
-            if _e59 {
+            let _e60 = points[(points_start + ray_12)];
+            let _e61 = belongs(own_1, _e60);
+            if _e61 {
                 // glimt_render_gpu/src/kernels/groups.rs:65
-                let _e61 = members;
-                points[(points_start + (first + _e61))].order = ray_11;
+                let _e63 = members;
+                points[(points_start + (first + _e63))].order = ray_12;
                 // glimt_render_gpu/src/kernels/groups.rs:66
-                points[(points_start + ray_11)].grouped = 1u;
+                let _e75 = points[(points_start + ray_12)].flags;
+                points[(points_start + ray_12)].flags = (_e75 | 1u);
                 // glimt_render_gpu/src/kernels/groups.rs:67
-                let _e75 = members;
-                members = (_e75 + 1u);
+                let _e79 = members;
+                members = (_e79 + 1u);
             }
             continuing {
-                let _e77 = counter;
-                counter = (_e77 + 1u);
+                let _e81 = counter;
+                counter = (_e81 + 1u);
             }
         }
     }
     // glimt_render_gpu/src/kernels/groups.rs:71
-    let _e81 = members;
-    return Group(first, _e81);
+    let _e85 = members;
+    return Group(first, _e85);
 }
 
 // glimt_render_gpu/src/kernels/groups.rs:78
-fn Group_ray(this_2: Group, k: u32, points_start_1: u32, points_len_1: u32) -> u32 {
+fn Group_ray(this_3: Group, k: u32, points_start_1: u32, points_len_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/groups.rs:79
-    let _e11 = points[(points_start_1 + (this_2.first + k))].order;
+    let _e11 = points[(points_start_1 + (this_3.first + k))].order;
     return _e11;
 }
 
@@ -517,7 +532,7 @@ fn CellSurface_new(normal: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponent_
 }
 
 // glimt_render_gpu/src/kernels/groups.rs:85
-fn Group_representative(this_3: Group, points_start_2: u32, points_len_2: u32, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
+fn Group_representative(this_4: Group, points_start_2: u32, points_len_2: u32, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
     var normal_1: vec3<f32>;
     var wo_1: vec3<f32>;
     var diffuse: vec3<f32>;
@@ -541,11 +556,11 @@ fn Group_representative(this_3: Group, points_start_2: u32, points_len_2: u32, e
     counter_1 = 0u;
     loop {
         let k_1 = counter_1;
-        if (k_1 >= this_3.members) {
+        if (k_1 >= this_4.members) {
             break;
         }
         // glimt_render_gpu/src/kernels/groups.rs:92
-        let _e32 = Group_ray(this_3, k_1, points_start_2, points_len_2);
+        let _e32 = Group_ray(this_4, k_1, points_start_2, points_len_2);
         // glimt_render_gpu/src/kernels/groups.rs:93
         let point_5 = points[(points_start_2 + _e32)];
         // glimt_render_gpu/src/kernels/groups.rs:94
@@ -569,7 +584,7 @@ fn Group_representative(this_3: Group, points_start_2: u32, points_len_2: u32, e
         }
     }
     // glimt_render_gpu/src/kernels/groups.rs:100
-    let share_1 = (1f / f32(this_3.members));
+    let share_1 = (1f / f32(this_4.members));
     // glimt_render_gpu/src/kernels/groups.rs:101
     let _e67 = normal_1;
     normal_1 = (_e67 * share_1);
@@ -588,16 +603,16 @@ fn Group_representative(this_3: Group, points_start_2: u32, points_len_2: u32, e
     // glimt_render_gpu/src/kernels/groups.rs:106
     horizon_1 = 0f;
     // glimt_render_gpu/src/kernels/groups.rs:107
-    if (this_3.members > 1u) {
+    if (this_4.members > 1u) {
         // glimt_render_gpu/src/kernels/groups.rs:108
         counter_2 = 0u;
         loop {
             let k_2 = counter_2;
-            if (k_2 >= this_3.members) {
+            if (k_2 >= this_4.members) {
                 break;
             }
             // glimt_render_gpu/src/kernels/groups.rs:109
-            let _e98 = Group_ray(this_3, k_2, points_start_2, points_len_2);
+            let _e98 = Group_ray(this_4, k_2, points_start_2, points_len_2);
             // glimt_render_gpu/src/kernels/groups.rs:110
             let point_6 = points[(points_start_2 + _e98)];
             // glimt_render_gpu/src/kernels/groups.rs:111
@@ -631,6 +646,27 @@ fn Group_representative(this_3: Group, points_start_2: u32, points_len_2: u32, e
     return Representative(_e134, _e135, _e136, _e131);
 }
 
+// glimt_render_gpu/src/kernels/seen.rs:98
+fn SeenPoint_slot(this_5: SeenPoint) -> u32 {
+
+    // glimt_render_gpu/src/kernels/seen.rs:99
+    return (this_5.flags >> 2u);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:45
+fn Unknown_at_slot(this_6: Unknown, _slot: u32) -> Unknown {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:46
+    return Unknown();
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:91
+fn SeenPoint_is_catcher(this_7: SeenPoint) -> bool {
+
+    // glimt_render_gpu/src/kernels/seen.rs:92
+    return ((this_7.flags & 2u) != 0u);
+}
+
 // glimt_light_cells/src/partition.rs:113
 fn LightCells_quad(size_4: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
@@ -662,9 +698,9 @@ fn sqrt_(x_1: vec4<f32>) -> vec4<f32> {
 fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:84
-    let s = clamp(sin2_theta, vec4(0f), vec4(1f));
+    let s_1 = clamp(sin2_theta, vec4(0f), vec4(1f));
     // glimt_light_cells/src/surface.rs:85
-    let log_ = ((s * (vec4(6f) - s)) / (vec4(12f) - (8f * s)));
+    let log_ = ((s_1 * (vec4(6f) - s_1)) / (vec4(12f) - (8f * s_1)));
     // glimt_light_cells/src/surface.rs:86
     let t_5 = (min((exponent_3 * log_), vec4(40f)) * (1f / 256f));
     // glimt_light_cells/src/surface.rs:88
@@ -688,7 +724,7 @@ fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
 }
 
 // glimt_light_cells/src/surface.rs:133
-fn CellSurface_terms(this_4: CellSurface, cells_size: vec2<u32>, cells_start: u32, quad_1: u32) -> CellTerms {
+fn CellSurface_terms(this_8: CellSurface, cells_size: vec2<u32>, cells_start: u32, quad_1: u32) -> CellTerms {
 
     // glimt_light_cells/src/surface.rs:134
     let _e7 = LightCells_quad(cells_size, cells_start, 15u, quad_1);
@@ -699,11 +735,11 @@ fn CellSurface_terms(this_4: CellSurface, cells_size: vec2<u32>, cells_start: u3
     // glimt_light_cells/src/surface.rs:137
     let _e20 = LightCells_quad(cells_size, cells_start, 18u, quad_1);
     // glimt_light_cells/src/surface.rs:138
-    let n_3 = this_4.normal;
+    let n_3 = this_8.normal;
     // glimt_light_cells/src/surface.rs:139
     let c_2 = (((_e7 * n_3.x) + (_e12 * n_3.y)) + (_e17 * n_3.z));
     // glimt_light_cells/src/surface.rs:140
-    let reach_2 = (_e20 + vec4(this_4.horizon));
+    let reach_2 = (_e20 + vec4(this_8.horizon));
     // glimt_light_cells/src/surface.rs:141
     let up = max((c_2 + reach_2), vec4(0f));
     // glimt_light_cells/src/surface.rs:142
@@ -713,18 +749,18 @@ fn CellSurface_terms(this_4: CellSurface, cells_size: vec2<u32>, cells_start: u3
     // glimt_light_cells/src/surface.rs:144
     let cosine = max(c_2, vec4(0f));
     // glimt_light_cells/src/surface.rs:145
-    let half_spread = vec4((0.5f * this_4.spread));
+    let half_spread = vec4((0.5f * this_8.spread));
     // glimt_light_cells/src/surface.rs:146
     let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
     // glimt_light_cells/src/surface.rs:147
-    if !((this_4.specular > 0f)) {
+    if !((this_8.specular > 0f)) {
         // glimt_light_cells/src/surface.rs:148
         return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
     }
     // glimt_light_cells/src/surface.rs:158
     let lifted = max(c_2, (0.25f * up));
     // glimt_light_cells/src/surface.rs:159
-    let v_5 = this_4.wo;
+    let v_5 = this_8.wo;
     // glimt_light_cells/src/surface.rs:160
     let nv = dot(n_3, v_5);
     // glimt_light_cells/src/surface.rs:161
@@ -743,249 +779,300 @@ fn CellSurface_terms(this_4: CellSurface, cells_size: vec2<u32>, cells_start: u3
     // glimt_light_cells/src/surface.rs:167
     let r2_ = (_e20 * _e20);
     // glimt_light_cells/src/surface.rs:168
-    let e = max(this_4.exponent, 0.001f);
+    let e = max(this_8.exponent, 0.001f);
     // glimt_light_cells/src/surface.rs:169
     let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
     // glimt_light_cells/src/surface.rs:170
     let _e151 = cosine_power4_(sin2_, seen);
-    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((this_4.share * this_4.peak) / e));
+    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((this_8.share * this_8.peak) / e));
     // glimt_light_cells/src/surface.rs:172
     let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
     // glimt_light_cells/src/surface.rs:173
-    let near_1 = (vec4((((0.1f * e) * this_4.spread) * this_4.spread)) + ((0.06f * e) * r2_));
+    let near_1 = (vec4((((0.1f * e) * this_8.spread) * this_8.spread)) + ((0.06f * e) * r2_));
     // glimt_light_cells/src/surface.rs:174
     let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
     // glimt_light_cells/src/surface.rs:175
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near_1), vec4(1f)), cosine_spread);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:42
-fn Unknown_quad(this_5: Unknown, _quad: u32) -> vec4<f32> {
+// glimt_render_gpu/src/kernels/proposal.rs:50
+fn Unknown_quad(this_9: Unknown, _quad: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:43
+    // glimt_render_gpu/src/kernels/proposal.rs:51
     return vec4(0f);
 }
 
+// glimt_light_cells/src/surface.rs:212
+fn CellSurface_blocked_weights(this_10: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:213
+    let reflected = ((terms.cosine * this_10.diffuse) + (terms.lobe * this_10.specular));
+    // glimt_light_cells/src/surface.rs:214
+    let blocked_2 = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
+    // glimt_light_cells/src/surface.rs:215
+    let diffuse_1 = (terms.cosine_spread * this_10.diffuse);
+    // glimt_light_cells/src/surface.rs:216
+    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_10.specular);
+    // glimt_light_cells/src/surface.rs:217
+    let by_shape = ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
+    // glimt_light_cells/src/surface.rs:218
+    let _e41 = sqrt_((((reflected * reflected) * blocked_2) + by_shape));
+    return ((flux * terms.live) * _e41);
+}
+
 // glimt_light_cells/src/surface.rs:197
-fn CellSurface_residual_weights(this_6: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+fn CellSurface_residual_weights(this_11: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:198
-    let reflected = ((terms.cosine * this_6.diffuse) + (terms.lobe * this_6.specular));
+    let reflected_1 = ((terms_1.cosine * this_11.diffuse) + (terms_1.lobe * this_11.specular));
     // glimt_light_cells/src/surface.rs:199
-    let by_visibility = ((visibility * (vec4(1f) - visibility)) + vec4(0.0008f));
+    let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:200
-    let diffuse_1 = (terms.cosine_spread * this_6.diffuse);
+    let diffuse_2 = (terms_1.cosine_spread * this_11.diffuse);
     // glimt_light_cells/src/surface.rs:201
-    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_6.specular);
+    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_11.specular);
     // glimt_light_cells/src/surface.rs:202
-    let by_shape = (((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1)) * max(visibility, vec4(0.02f)));
+    let by_shape_1 = (((diffuse_2 * diffuse_2) + (lobe_2 * lobe_2)) * max(visibility_1, vec4(0.02f)));
     // glimt_light_cells/src/surface.rs:203
-    let _e45 = sqrt_((((reflected * reflected) * by_visibility) + by_shape));
-    return ((flux * terms.live) * _e45);
+    let _e45 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape_1));
+    return ((flux_1 * terms_1.live) * _e45);
 }
 
 // glimt_light_cells/src/surface.rs:188
-fn CellSurface_product_weights(this_7: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>) -> vec4<f32> {
+fn CellSurface_product_weights(this_12: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:189
-    let reflected_1 = ((terms_1.cosine * this_7.diffuse) + (terms_1.lobe * this_7.specular));
+    let reflected_2 = ((terms_2.cosine * this_12.diffuse) + (terms_2.lobe * this_12.specular));
     // glimt_light_cells/src/surface.rs:190
-    return ((flux_1 * terms_1.live) * (reflected_1 + (terms_1.cosine_spread * this_7.diffuse)));
+    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_12.diffuse)));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:203
-fn weights(surface: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+// glimt_render_gpu/src/kernels/proposal.rs:238
+fn weights(surface: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen: vec4<f32>;
+    var chosen_1: vec4<f32>;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:209
-    if false {
-        // glimt_render_gpu/src/kernels/proposal.rs:210
-        let _e9 = CellSurface_residual_weights(surface, terms_2, flux_2, visibility_1);
-        chosen = _e9;
-    } else {
-        // glimt_render_gpu/src/kernels/proposal.rs:212
-        let _e11 = CellSurface_product_weights(surface, terms_2, flux_2);
+    // glimt_render_gpu/src/kernels/proposal.rs:245
+    if (false && is_catcher) {
+        // glimt_render_gpu/src/kernels/proposal.rs:246
+        let _e11 = CellSurface_blocked_weights(surface, terms_3, flux_3, visibility_2);
         chosen = _e11;
+    } else {
+        if false {
+            // glimt_render_gpu/src/kernels/proposal.rs:248
+            let _e15 = CellSurface_residual_weights(surface, terms_3, flux_3, visibility_2);
+            chosen_1 = _e15;
+        } else {
+            // glimt_render_gpu/src/kernels/proposal.rs:250
+            let _e17 = CellSurface_product_weights(surface, terms_3, flux_3);
+            chosen_1 = _e17;
+        }
+        let _e18 = chosen_1;
+        chosen = _e18;
     }
-    let _e12 = chosen;
-    return _e12;
+    let _e19 = chosen;
+    return _e19;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:114
+// glimt_render_gpu/src/kernels/proposal.rs:129
 fn channel_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_2: u32, channel: u32, normal_2: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:122
+    // glimt_render_gpu/src/kernels/proposal.rs:137
     let list_1 = (4u + (3u * channel));
-    // glimt_render_gpu/src/kernels/proposal.rs:123
+    // glimt_render_gpu/src/kernels/proposal.rs:138
     let _e14 = LightCells_quad(cells_size_1, cells_start_1, list_1, quad_2);
     let _e19 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 1u), quad_2);
     let _e25 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 2u), quad_2);
     let moment = (((_e14 * normal_2.x) + (_e19 * normal_2.y)) + (_e25 * normal_2.z));
-    // glimt_render_gpu/src/kernels/proposal.rs:126
+    // glimt_render_gpu/src/kernels/proposal.rs:141
     let _e32 = LightCells_quad(cells_size_1, cells_start_1, (1u + channel), quad_2);
-    // glimt_render_gpu/src/kernels/proposal.rs:127
+    // glimt_render_gpu/src/kernels/proposal.rs:142
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:132
-fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_3: u32, factors: vec4<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/proposal.rs:147
+fn diffuse_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_3: u32, normal_3: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:133
-    let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_3);
+    // glimt_render_gpu/src/kernels/proposal.rs:148
+    let _e9 = channel_sum(cells_size_2, cells_start_2, quad_3, 0u, normal_3, full_1, cut_1);
+    let _e11 = channel_sum(cells_size_2, cells_start_2, quad_3, 1u, normal_3, full_1, cut_1);
+    let _e13 = channel_sum(cells_size_2, cells_start_2, quad_3, 2u, normal_3, full_1, cut_1);
+    return vec3<f32>(_e9, _e11, _e13);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:157
+fn radiance_sum(cells_size_3: vec2<u32>, cells_start_3: u32, quad_4: u32, factors: vec4<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:158
+    let _e7 = LightCells_quad(cells_size_3, cells_start_3, 1u, quad_4);
     let _e8 = (_e7 * factors);
-    let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_3);
+    let _e19 = LightCells_quad(cells_size_3, cells_start_3, (1u + 1u), quad_4);
     let _e20 = (_e19 * factors);
-    let _e31 = LightCells_quad(cells_size_2, cells_start_2, (1u + 2u), quad_3);
+    let _e31 = LightCells_quad(cells_size_3, cells_start_3, (1u + 2u), quad_4);
     let _e32 = (_e31 * factors);
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:141
-fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected: Unknown) -> Totals {
+// glimt_render_gpu/src/kernels/proposal.rs:166
+fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected: Unknown, is_catcher_1: bool) -> Totals {
     var t: Totals;
     var counter_3: u32;
     var weight: f32;
     var live: f32;
     var counter_4: u32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:142
+    // glimt_render_gpu/src/kernels/proposal.rs:172
     let surface_1 = of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:143
+    // glimt_render_gpu/src/kernels/proposal.rs:173
     let has_lobe = (surface_1.specular > 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:144
-    t = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/proposal.rs:157
+    // glimt_render_gpu/src/kernels/proposal.rs:174
+    t = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/proposal.rs:189
     counter_3 = 0u;
     loop {
         let block = counter_3;
         if (block >= 64u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:158
+        // glimt_render_gpu/src/kernels/proposal.rs:190
         weight = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:159
+        // glimt_render_gpu/src/kernels/proposal.rs:191
         live = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:160
+        // glimt_render_gpu/src/kernels/proposal.rs:192
         counter_4 = 0u;
         loop {
             let half = counter_4;
             if (half >= 2u) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:161
-            let quad_4 = ((2u * block) + half);
-            // glimt_render_gpu/src/kernels/proposal.rs:162
-            let _e53 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_4);
-            // glimt_render_gpu/src/kernels/proposal.rs:163
-            let _e55 = CellSurface_terms(surface_1, cells_size_3, cells_start_3, quad_4);
-            // glimt_render_gpu/src/kernels/proposal.rs:164
-            let _e58 = (_e53 * _e55.live);
-            let seen_1 = (((_e58.x + _e58.y) + _e58.z) + _e58.w);
-            // glimt_render_gpu/src/kernels/proposal.rs:166
+            // glimt_render_gpu/src/kernels/proposal.rs:193
+            let quad_5 = ((2u * block) + half);
+            // glimt_render_gpu/src/kernels/proposal.rs:194
+            let _e58 = LightCells_quad(cells_size_4, cells_start_4, 0u, quad_5);
+            // glimt_render_gpu/src/kernels/proposal.rs:195
+            let _e60 = CellSurface_terms(surface_1, cells_size_4, cells_start_4, quad_5);
+            // glimt_render_gpu/src/kernels/proposal.rs:196
+            let _e63 = (_e58 * _e60.live);
+            let seen_1 = (((_e63.x + _e63.y) + _e63.z) + _e63.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:198
             if (seen_1 > 0f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:167
-                let _e70 = live;
-                live = (_e70 + seen_1);
-                // glimt_render_gpu/src/kernels/proposal.rs:168
-                let _e73 = Unknown_quad(expected, quad_4);
-                // glimt_render_gpu/src/kernels/proposal.rs:169
-                let _e75 = weights(surface_1, _e55, _e53, _e73);
-                let _e83 = weight;
-                weight = (_e83 + (((_e75.x + _e75.y) + _e75.z) + _e75.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:170
+                // glimt_render_gpu/src/kernels/proposal.rs:199
+                let _e75 = live;
+                live = (_e75 + seen_1);
+                // glimt_render_gpu/src/kernels/proposal.rs:200
+                let _e78 = Unknown_quad(expected, quad_5);
+                // glimt_render_gpu/src/kernels/proposal.rs:201
+                let _e80 = weights(surface_1, _e60, _e58, _e78, is_catcher_1);
+                // glimt_render_gpu/src/kernels/proposal.rs:202
+                let _e89 = weight;
+                weight = (_e89 + (((_e80.x + _e80.y) + _e80.z) + _e80.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:203
                 if false {
-                    // glimt_render_gpu/src/kernels/proposal.rs:171
-                    let full_1 = (_e55.full * _e73);
-                    // glimt_render_gpu/src/kernels/proposal.rs:172
-                    let cut_1 = ((_e73 - full_1) * _e55.cosine);
-                    // glimt_render_gpu/src/kernels/proposal.rs:173
-                    let _e98 = channel_sum(cells_size_3, cells_start_3, quad_4, 0u, of_.mean_normal, full_1, cut_1);
-                    let _e101 = channel_sum(cells_size_3, cells_start_3, quad_4, 1u, of_.mean_normal, full_1, cut_1);
-                    let _e104 = channel_sum(cells_size_3, cells_start_3, quad_4, 2u, of_.mean_normal, full_1, cut_1);
-                    let _e106 = t.diffuse;
-                    t.diffuse = (_e106 + vec3<f32>(_e98, _e101, _e104));
+                    // glimt_render_gpu/src/kernels/proposal.rs:204
+                    let full_2 = (_e60.full * _e78);
+                    // glimt_render_gpu/src/kernels/proposal.rs:205
+                    let cut_2 = ((_e78 - full_2) * _e60.cosine);
+                    // glimt_render_gpu/src/kernels/proposal.rs:206
+                    let _e103 = diffuse_sum(cells_size_4, cells_start_4, quad_5, of_.mean_normal, full_2, cut_2);
+                    let _e104 = t.diffuse;
+                    t.diffuse = (_e104 + _e103);
+                    // glimt_render_gpu/src/kernels/proposal.rs:207
+                    if is_catcher_1 {
+                        // glimt_render_gpu/src/kernels/proposal.rs:208
+                        let cut_3 = ((vec4(1f) - _e60.full) * _e60.cosine);
+                        // glimt_render_gpu/src/kernels/proposal.rs:209
+                        let _e117 = diffuse_sum(cells_size_4, cells_start_4, quad_5, of_.mean_normal, _e60.full, cut_3);
+                        // glimt_render_gpu/src/kernels/proposal.rs:210
+                        let _e120 = t.open_diffuse;
+                        t.open_diffuse = (_e120 + _e117);
+                        // glimt_render_gpu/src/kernels/proposal.rs:211
+                        let _e125 = radiance_sum(cells_size_4, cells_start_4, quad_5, _e60.lobe);
+                        let _e126 = t.open_specular;
+                        t.open_specular = (_e126 + _e125);
+                    }
                 }
-                // glimt_render_gpu/src/kernels/proposal.rs:179
+                // glimt_render_gpu/src/kernels/proposal.rs:214
                 if has_lobe {
-                    // glimt_render_gpu/src/kernels/proposal.rs:180
-                    let a_4 = (_e55.lobe * _e53);
-                    // glimt_render_gpu/src/kernels/proposal.rs:181
-                    let spread = ((a_4 * _e55.lobe_spread) * _e55.lobe_spread);
-                    // glimt_render_gpu/src/kernels/proposal.rs:182
-                    let _e126 = t.lobe;
-                    t.lobe = (_e126 + (((a_4.x + a_4.y) + a_4.z) + a_4.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:183
-                    let _e137 = t.lobe_spread;
-                    t.lobe_spread = (_e137 + (((spread.x + spread.y) + spread.z) + spread.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:184
-                    let _e140 = (a_4 * _e73);
-                    let _e149 = t.lobe_visible;
-                    t.lobe_visible = (_e149 + (((_e140.x + _e140.y) + _e140.z) + _e140.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:185
-                    let _e154 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_4);
-                    let _e155 = (_e55.lobe * _e154);
-                    let _e164 = t.lobe_square;
-                    t.lobe_square = (_e164 + (((_e155.x + _e155.y) + _e155.z) + _e155.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:186
-                    let _e169 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_4);
-                    let _e170 = (_e55.lobe * _e169);
-                    let _e179 = t.lobe_area;
-                    t.lobe_area = (_e179 + (((_e170.x + _e170.y) + _e170.z) + _e170.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:188
+                    // glimt_render_gpu/src/kernels/proposal.rs:215
+                    let a_4 = (_e60.lobe * _e58);
+                    // glimt_render_gpu/src/kernels/proposal.rs:216
+                    let spread = ((a_4 * _e60.lobe_spread) * _e60.lobe_spread);
+                    // glimt_render_gpu/src/kernels/proposal.rs:217
+                    let _e146 = t.lobe;
+                    t.lobe = (_e146 + (((a_4.x + a_4.y) + a_4.z) + a_4.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:218
+                    let _e157 = t.lobe_spread;
+                    t.lobe_spread = (_e157 + (((spread.x + spread.y) + spread.z) + spread.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:219
+                    let _e160 = (a_4 * _e78);
+                    let _e169 = t.lobe_visible;
+                    t.lobe_visible = (_e169 + (((_e160.x + _e160.y) + _e160.z) + _e160.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:220
+                    let _e174 = LightCells_quad(cells_size_4, cells_start_4, 13u, quad_5);
+                    let _e175 = (_e60.lobe * _e174);
+                    let _e184 = t.lobe_square;
+                    t.lobe_square = (_e184 + (((_e175.x + _e175.y) + _e175.z) + _e175.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:221
+                    let _e189 = LightCells_quad(cells_size_4, cells_start_4, 14u, quad_5);
+                    let _e190 = (_e60.lobe * _e189);
+                    let _e199 = t.lobe_area;
+                    t.lobe_area = (_e199 + (((_e190.x + _e190.y) + _e190.z) + _e190.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:223
                     if false {
-                        // glimt_render_gpu/src/kernels/proposal.rs:189
-                        let _e187 = radiance_sum(cells_size_3, cells_start_3, quad_4, (_e55.lobe * _e73));
-                        let _e188 = t.specular;
-                        t.specular = (_e188 + _e187);
+                        // glimt_render_gpu/src/kernels/proposal.rs:224
+                        let _e207 = radiance_sum(cells_size_4, cells_start_4, quad_5, (_e60.lobe * _e78));
+                        let _e208 = t.specular;
+                        t.specular = (_e208 + _e207);
                     }
                 }
             }
             continuing {
-                let _e190 = counter_4;
-                counter_4 = (_e190 + 1u);
+                let _e210 = counter_4;
+                counter_4 = (_e210 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:194
-        let _e194 = weight;
-        t.blocks[block] = _e194;
-        // glimt_render_gpu/src/kernels/proposal.rs:195
-        let _e198 = live;
-        t.lives[block] = _e198;
-        // glimt_render_gpu/src/kernels/proposal.rs:196
-        let _e202 = weight;
-        let _e204 = t.weight;
-        t.weight = (_e204 + _e202);
-        // glimt_render_gpu/src/kernels/proposal.rs:197
-        let _e207 = live;
-        let _e209 = t.live;
-        t.live = (_e209 + _e207);
+        // glimt_render_gpu/src/kernels/proposal.rs:229
+        let _e214 = weight;
+        t.blocks[block] = _e214;
+        // glimt_render_gpu/src/kernels/proposal.rs:230
+        let _e218 = live;
+        t.lives[block] = _e218;
+        // glimt_render_gpu/src/kernels/proposal.rs:231
+        let _e222 = weight;
+        let _e224 = t.weight;
+        t.weight = (_e224 + _e222);
+        // glimt_render_gpu/src/kernels/proposal.rs:232
+        let _e227 = live;
+        let _e229 = t.live;
+        t.live = (_e229 + _e227);
         continuing {
-            let _e211 = counter_3;
-            counter_3 = (_e211 + 1u);
+            let _e231 = counter_3;
+            counter_3 = (_e231 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:199
-    let _e215 = t;
-    return _e215;
+    // glimt_render_gpu/src/kernels/proposal.rs:234
+    let _e235 = t;
+    return _e235;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:219
+// glimt_render_gpu/src/kernels/proposal.rs:257
 fn worth(a: f32, visible: f32, variance: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:220
+    // glimt_render_gpu/src/kernels/proposal.rs:258
     if false {
-        // glimt_render_gpu/src/kernels/proposal.rs:221
+        // glimt_render_gpu/src/kernels/proposal.rs:259
         return (a * sqrt(((visible * (1f - visible)) + (visible * variance))));
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:224
+    // glimt_render_gpu/src/kernels/proposal.rs:262
     return (a * sqrt((1f + (2f * variance))));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:231
-fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_1: Unknown) -> Proposal {
+// glimt_render_gpu/src/kernels/proposal.rs:269
+fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u32, expected_1: Unknown, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
+    var first_1: Totals;
     var lobe_worth: f32;
     var least_share: f32;
     var share: f32;
@@ -995,151 +1082,155 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     var counter_5: u32;
     var lobe_share: f32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:236
+    // glimt_render_gpu/src/kernels/proposal.rs:275
     of_2 = of_1;
-    // glimt_render_gpu/src/kernels/proposal.rs:237
-    let _e8 = of_2;
-    let _e9 = weigh(_e8, cells_size_4, cells_start_4, expected_1);
-    sums = _e9;
-    // glimt_render_gpu/src/kernels/proposal.rs:238
-    let _e13 = sums.diffuse;
-    let _e15 = sums.specular;
-    let _e16 = Tuple_Vec3_Vec3_(_e13, _e15);
-    let diffuse_2 = _e16.fa;
-    let specular_1 = _e16.fb;
-    // glimt_render_gpu/src/kernels/proposal.rs:239
+    // glimt_render_gpu/src/kernels/proposal.rs:276
+    let _e9 = of_2;
+    let _e10 = weigh(_e9, cells_size_5, cells_start_5, expected_1, is_catcher_2);
+    sums = _e10;
+    // glimt_render_gpu/src/kernels/proposal.rs:277
+    let _e13 = sums;
+    first_1 = _e13;
+    // glimt_render_gpu/src/kernels/proposal.rs:278
     lobe_worth = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:240
+    // glimt_render_gpu/src/kernels/proposal.rs:279
     least_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:241
+    // glimt_render_gpu/src/kernels/proposal.rs:280
     share = 1f;
-    // glimt_render_gpu/src/kernels/proposal.rs:242
-    let _e31 = of_2.surface.specular;
-    let _e35 = sums.lobe;
-    if ((_e31 > 0f) && (_e35 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:244
-        let _e41 = sums.lobe_spread;
-        let _e43 = sums.lobe;
-        let by_cells = (_e41 / _e43);
-        // glimt_render_gpu/src/kernels/proposal.rs:245
-        let _e47 = sums.lobe_square;
-        let _e49 = sums.lobe;
-        let _e52 = sums.lobe_area;
-        let _e54 = sums.lobe;
-        let by_lobe = clamp((((_e47 / _e49) * (_e52 / _e54)) - 1f), 0.0001f, 1000000f);
-        // glimt_render_gpu/src/kernels/proposal.rs:247
+    // glimt_render_gpu/src/kernels/proposal.rs:281
+    let _e27 = of_2.surface.specular;
+    let _e31 = sums.lobe;
+    if ((_e27 > 0f) && (_e31 > 0f)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:283
+        let _e37 = sums.lobe_spread;
+        let _e39 = sums.lobe;
+        let by_cells = (_e37 / _e39);
+        // glimt_render_gpu/src/kernels/proposal.rs:284
+        let _e43 = sums.lobe_square;
+        let _e45 = sums.lobe;
+        let _e48 = sums.lobe_area;
+        let _e50 = sums.lobe;
+        let by_lobe = clamp((((_e43 / _e45) * (_e48 / _e50)) - 1f), 0.0001f, 1000000f);
+        // glimt_render_gpu/src/kernels/proposal.rs:286
         share = (by_lobe / (by_lobe + by_cells));
-        // glimt_render_gpu/src/kernels/proposal.rs:248
-        let _e66 = share;
-        if (_e66 > 0.9f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:249
+        // glimt_render_gpu/src/kernels/proposal.rs:287
+        let _e62 = share;
+        if (_e62 > 0.9f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:288
             share = 1f;
         } else {
-            let _e71 = share;
-            if (_e71 < 0.1f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:251
+            let _e67 = share;
+            if (_e67 < 0.1f) {
+                // glimt_render_gpu/src/kernels/proposal.rs:290
                 share = 0f;
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:253
-        let _e78 = sums.lobe;
-        let _e81 = of_2.surface.specular;
-        let a_5 = (_e78 * _e81);
-        // glimt_render_gpu/src/kernels/proposal.rs:254
-        let _e85 = sums.lobe_visible;
-        let _e87 = sums.lobe;
-        let visible_1 = min((_e85 / _e87), 1f);
-        // glimt_render_gpu/src/kernels/proposal.rs:255
-        let _e92 = share;
-        if (_e92 < 1f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:256
-            let _e97 = share;
-            let _e99 = worth(a_5, visible_1, by_lobe);
-            lobe_worth = ((1f - _e97) * _e99);
-            // glimt_render_gpu/src/kernels/proposal.rs:257
-            let _e102 = share;
-            of_2.surface.share = _e102;
-            // glimt_render_gpu/src/kernels/proposal.rs:258
-            let _e106 = of_2;
-            let _e107 = weigh(_e106, cells_size_4, cells_start_4, expected_1);
-            sums = _e107;
-        }
-        // glimt_render_gpu/src/kernels/proposal.rs:260
-        let _e111 = of_2.surface.normal;
-        let _e114 = of_2.surface.wo;
-        if (dot(_e111, _e114) < 0.3f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:261
-            least_share = 0.1f;
+        // glimt_render_gpu/src/kernels/proposal.rs:292
+        let _e74 = sums.lobe;
+        let _e77 = of_2.surface.specular;
+        let a_5 = (_e74 * _e77);
+        // glimt_render_gpu/src/kernels/proposal.rs:293
+        let _e81 = sums.lobe_visible;
+        let _e83 = sums.lobe;
+        let visible_1 = min((_e81 / _e83), 1f);
+        // glimt_render_gpu/src/kernels/proposal.rs:294
+        let _e88 = share;
+        if (_e88 < 1f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:295
+            let _e93 = share;
+            let _e95 = worth(a_5, visible_1, by_lobe);
+            lobe_worth = ((1f - _e93) * _e95);
+            // glimt_render_gpu/src/kernels/proposal.rs:296
+            let _e98 = share;
+            of_2.surface.share = _e98;
+            // glimt_render_gpu/src/kernels/proposal.rs:297
+            let _e102 = of_2;
+            let _e103 = weigh(_e102, cells_size_5, cells_start_5, expected_1, is_catcher_2);
+            sums = _e103;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:264
+    // glimt_render_gpu/src/kernels/proposal.rs:300
+    let _e107 = of_2.surface.specular;
+    let _e112 = of_2.surface.normal;
+    let _e115 = of_2.surface.wo;
+    if ((_e107 > 0f) && (dot(_e112, _e115) < 0.3f)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:301
+        least_share = 0.1f;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:303
     defence = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:265
-    let _e125 = sums.live;
-    if (_e125 > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:266
-        let _e131 = sums.weight;
-        let _e134 = sums.live;
-        defence = ((0.001f * _e131) / _e134);
+    // glimt_render_gpu/src/kernels/proposal.rs:304
+    let _e127 = sums.live;
+    if (_e127 > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:305
+        let _e133 = sums.weight;
+        let _e136 = sums.live;
+        defence = ((0.001f * _e133) / _e136);
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:268
+    // glimt_render_gpu/src/kernels/proposal.rs:307
     total = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:269
+    // glimt_render_gpu/src/kernels/proposal.rs:308
     blocks = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:270
+    // glimt_render_gpu/src/kernels/proposal.rs:309
     counter_5 = 0u;
     loop {
         let block_1 = counter_5;
         if (block_1 >= 64u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:271
-        let _e152 = sums.blocks[block_1];
-        let _e153 = defence;
-        let _e156 = sums.lives[block_1];
-        let weight_1 = (_e152 + (_e153 * _e156));
-        // glimt_render_gpu/src/kernels/proposal.rs:272
+        // glimt_render_gpu/src/kernels/proposal.rs:310
+        let _e154 = sums.blocks[block_1];
+        let _e155 = defence;
+        let _e158 = sums.lives[block_1];
+        let weight_1 = (_e154 + (_e155 * _e158));
+        // glimt_render_gpu/src/kernels/proposal.rs:311
         blocks[block_1] = weight_1;
-        // glimt_render_gpu/src/kernels/proposal.rs:273
-        let _e162 = total;
-        total = (_e162 + weight_1);
+        // glimt_render_gpu/src/kernels/proposal.rs:312
+        let _e164 = total;
+        total = (_e164 + weight_1);
         continuing {
-            let _e164 = counter_5;
-            counter_5 = (_e164 + 1u);
+            let _e166 = counter_5;
+            counter_5 = (_e166 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:275
-    let _e168 = total;
-    let _e169 = lobe_worth;
-    let all_ = (_e168 + _e169);
-    // glimt_render_gpu/src/kernels/proposal.rs:276
+    // glimt_render_gpu/src/kernels/proposal.rs:314
+    let _e170 = total;
+    let _e171 = lobe_worth;
+    let all_ = (_e170 + _e171);
+    // glimt_render_gpu/src/kernels/proposal.rs:315
     lobe_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:277
+    // glimt_render_gpu/src/kernels/proposal.rs:316
     if (all_ > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:278
-        let _e178 = lobe_worth;
-        let _e180 = least_share;
-        lobe_share = clamp((_e178 / all_), _e180, 0.95f);
-        // glimt_render_gpu/src/kernels/proposal.rs:279
-        let _e184 = total;
-        if !((_e184 > 0f)) {
-            // glimt_render_gpu/src/kernels/proposal.rs:280
+        // glimt_render_gpu/src/kernels/proposal.rs:317
+        let _e180 = lobe_worth;
+        let _e182 = least_share;
+        lobe_share = clamp((_e180 / all_), _e182, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:318
+        let _e186 = total;
+        if !((_e186 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:319
             lobe_share = 1f;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:283
-    let _e192 = of_2.diffuse;
-    let kd_1 = (_e192 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:284
-    let _e198 = of_2.specular;
-    let _e199 = share;
-    let _e203 = of_2;
-    let _e204 = blocks;
-    let _e205 = total;
-    let _e206 = defence;
-    let _e207 = lobe_worth;
-    let _e208 = lobe_share;
-    return Proposal(_e203, _e204, _e205, _e206, _e207, _e208, ((kd_1 * diffuse_2) + (_e198 * (specular_1 * _e199))));
+    // glimt_render_gpu/src/kernels/proposal.rs:322
+    let _e194 = of_2.diffuse;
+    let kd_1 = (_e194 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:323
+    let _e199 = first_1.diffuse;
+    let _e202 = of_2.specular;
+    let _e204 = first_1.specular;
+    let _e205 = share;
+    let _e210 = first_1.open_diffuse;
+    let _e213 = of_2.specular;
+    let _e215 = first_1.open_specular;
+    let _e216 = share;
+    let _e220 = of_2;
+    let _e221 = blocks;
+    let _e222 = total;
+    let _e223 = defence;
+    let _e224 = lobe_worth;
+    let _e225 = lobe_share;
+    return Proposal(_e220, _e221, _e222, _e223, _e224, _e225, ((kd_1 * _e199) + (_e202 * (_e204 * _e205))), ((kd_1 * _e210) + (_e213 * (_e215 * _e216))), is_catcher_2);
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -1187,20 +1278,20 @@ fn hash3_(a_2: u32, b_1: u32, c: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:171
-fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSobol {
+fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
 
     // glimt_sampling/src/sobol.rs:172
-    let _e6 = hash3_(seed, frame, pixel);
+    let _e6 = hash3_(seed, frame, pixel_1);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:122
-fn PixelPattern_sobol_point(this_8: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+// glimt_render_gpu/src/kernels/pattern.rs:126
+fn PixelPattern_sobol_point(this_13: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:123
-    let _e6 = hash2_(this_8.seed, purpose);
-    let _e9 = OwenSobol_new(_e6, this_8.frame, this_8.pixel, index);
+    // glimt_render_gpu/src/kernels/pattern.rs:127
+    let _e6 = hash2_(this_13.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_13.frame, this_13.pixel, index);
     return _e9;
 }
 
@@ -1306,30 +1397,30 @@ fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
 }
 
 // glimt_sampling/src/xoshiro.rs:49
-fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_1: u32, pixel_1: u32) -> Xoshiro128PlusPlus {
+fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_1: u32, pixel_2: u32) -> Xoshiro128PlusPlus {
 
     // glimt_sampling/src/xoshiro.rs:50
-    let _e7 = hash_uvec4_(vec4<u32>(pixel_1, frame_1, seed_1, 2654435769u));
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_2, frame_1, seed_1, 2654435769u));
     let _e8 = Xoshiro128PlusPlus_from_state(_e7);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:127
-fn PixelPattern_generator(this_9: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
+// glimt_render_gpu/src/kernels/pattern.rs:131
+fn PixelPattern_generator(this_14: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:128
-    let _e6 = hash3_(this_9.seed, purpose_1, index_1);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_9.frame, this_9.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:132
+    let _e6 = hash3_(this_14.seed, purpose_1, index_1);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_14.frame, this_14.pixel);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:105
-fn PixelPattern_point(this_10: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
+// glimt_render_gpu/src/kernels/pattern.rs:109
+fn PixelPattern_point(this_15: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:106
-    let _e8 = PixelPattern_sobol_point(this_10, purpose_2, index_2);
-    let _e9 = PixelPattern_generator(this_10, purpose_2, index_2);
-    return PatternSource((this_10.kind == 0u), _e8, _e9);
+    // glimt_render_gpu/src/kernels/pattern.rs:110
+    let _e8 = PixelPattern_sobol_point(this_15, purpose_2, index_2);
+    let _e9 = PixelPattern_generator(this_15, purpose_2, index_2);
+    return PatternSource((this_15.kind == 0u), _e8, _e9);
 }
 
 // glimt_sampling/src/sobol.rs:21
@@ -1485,7 +1576,7 @@ fn recurrence_3_(index_6: u32) -> u32 {
 
 // glimt_sampling/src/sobol.rs:43
 fn sobol_reversed(index_7: u32, dimension: u32) -> u32 {
-    var chosen_1: u32;
+    var chosen_2: u32;
 
     // glimt_sampling/src/sobol.rs:44
     let index_20 = (index_7 & 65535u);
@@ -1493,52 +1584,52 @@ fn sobol_reversed(index_7: u32, dimension: u32) -> u32 {
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen_1 = index_20;
+        chosen_2 = index_20;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
             let _e16 = pascal(index_20);
-            chosen_1 = _e16;
+            chosen_2 = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
                 let _e20 = recurrence_2_(index_20);
-                chosen_1 = _e20;
+                chosen_2 = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
                 let _e22 = recurrence_3_(index_20);
-                chosen_1 = _e22;
+                chosen_2 = _e22;
             }
         }
     }
-    let _e23 = chosen_1;
+    let _e23 = chosen_2;
     return _e23;
 }
 
 // glimt_sampling/src/sobol.rs:109
 fn scramble_1(reversed: u32, dimension_1: u32, seed_3: u32) -> u32 {
-    var chosen_2: u32;
+    var chosen_3: u32;
 
     // glimt_sampling/src/sobol.rs:110
     let _e6 = (dimension_1 & 3u);
     if (_e6 == 0u) {
         // glimt_sampling/src/sobol.rs:111
-        chosen_2 = 2435803578u;
+        chosen_3 = 2435803578u;
     } else {
         if (_e6 == 1u) {
             // glimt_sampling/src/sobol.rs:112
-            chosen_2 = 391059627u;
+            chosen_3 = 391059627u;
         } else {
             if (_e6 == 2u) {
                 // glimt_sampling/src/sobol.rs:113
-                chosen_2 = 1763603146u;
+                chosen_3 = 1763603146u;
             } else {
                 // glimt_sampling/src/sobol.rs:114
-                chosen_2 = 3020734904u;
+                chosen_3 = 3020734904u;
             }
         }
     }
-    let salt = chosen_2;
+    let salt = chosen_3;
     // glimt_sampling/src/sobol.rs:117
     let _e27 = hash_u32_(((seed_3 * 2626628923u) ^ salt));
     // glimt_sampling/src/sobol.rs:118
@@ -1557,64 +1648,64 @@ fn owen_sobol(index_8: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_11: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_16: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_3 = (*this_11).dimension;
+    let dimension_3 = (*this_16).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_11).dimension = (dimension_3 + 1u);
+    (*this_16).dimension = (dimension_3 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_11).index;
-    let _e13 = (*this_11).seed;
+    let _e11 = (*this_16).index;
+    let _e13 = (*this_16).seed;
     let _e16 = hash2_(_e13, (dimension_3 >> 2u));
     let _e17 = owen_sobol(_e11, dimension_3, _e16);
     return _e17;
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_12: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_17: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s_1 = (*this_12).state;
+    let s_2 = (*this_17).state;
     // glimt_sampling/src/xoshiro.rs:58
-    let _e8 = (s_1.x + s_1.w);
-    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_1.x);
+    let _e8 = (s_2.x + s_2.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_2.x);
     // glimt_sampling/src/xoshiro.rs:59
-    let z_1 = (s_1.z ^ s_1.x);
+    let z_1 = (s_2.z ^ s_2.x);
     // glimt_sampling/src/xoshiro.rs:60
-    let w_1 = (s_1.w ^ s_1.y);
+    let w_1 = (s_2.w ^ s_2.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_12).state = vec4<u32>((s_1.x ^ w_1), (s_1.y ^ z_1), (z_1 ^ (s_1.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_17).state = vec4<u32>((s_2.x ^ w_1), (s_2.y ^ z_1), (z_1 ^ (s_2.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:157
-fn PatternSource_next_u32_(this_13: ptr<function, PatternSource>) -> u32 {
-    var chosen_3: u32;
+// glimt_render_gpu/src/kernels/pattern.rs:161
+fn PatternSource_next_u32_(this_18: ptr<function, PatternSource>) -> u32 {
+    var chosen_4: u32;
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:158
-    let _e5 = (*this_13).is_sobol;
+    // glimt_render_gpu/src/kernels/pattern.rs:162
+    let _e5 = (*this_18).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:159
-        let _e9 = (*this_13).point;
+        // glimt_render_gpu/src/kernels/pattern.rs:163
+        let _e9 = (*this_18).point;
         borrowed = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed));
         let _e11 = borrowed;
-        (*this_13).point = _e11;
-        chosen_3 = _e10;
+        (*this_18).point = _e11;
+        chosen_4 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:161
-        let _e15 = (*this_13).generator;
+        // glimt_render_gpu/src/kernels/pattern.rs:165
+        let _e15 = (*this_18).generator;
         borrowed_1 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
         let _e17 = borrowed_1;
-        (*this_13).generator = _e17;
-        chosen_3 = _e16;
+        (*this_18).generator = _e17;
+        chosen_4 = _e16;
     }
-    let _e18 = chosen_3;
+    let _e18 = chosen_4;
     return _e18;
 }
 
@@ -1625,37 +1716,48 @@ fn unit_f32_(u: u32) -> f32 {
     return (f32((u >> 8u)) * (1f / 16777216f));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:132
-fn PixelPattern_key(this_14: PixelPattern, purpose_3: u32) -> u32 {
+// glimt_render_gpu/src/kernels/proposal.rs:339
+fn Proposal_is_sharp(this_19: Proposal) -> bool {
+    var self_: Proposal;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:133
-    let _e5 = hash2_(this_14.seed, purpose_3);
-    let _e8 = hash3_(_e5, this_14.frame, this_14.pixel);
+    self_ = this_19;
+    // glimt_render_gpu/src/kernels/proposal.rs:340
+    let surface_2 = self_.of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:341
+    return ((surface_2.specular > 0f) && (dot(surface_2.normal, surface_2.wo) < 0.3f));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:136
+fn PixelPattern_key(this_20: PixelPattern, purpose_3: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:137
+    let _e5 = hash2_(this_20.seed, purpose_3);
+    let _e8 = hash3_(_e5, this_20.frame, this_20.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:117
-fn PixelPattern_ray_key(this_15: PixelPattern, purpose_4: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:121
+fn PixelPattern_ray_key(this_21: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:118
-    let _e4 = PixelPattern_key(this_15, purpose_4);
-    let _e6 = hash2_(_e4, this_15.ray);
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e4 = PixelPattern_key(this_21, purpose_4);
+    let _e6 = hash2_(_e4, this_21.ray);
     return _e6;
 }
 
 // glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_16: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_22: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_16).dimension;
+    let _e4 = (*this_22).dimension;
     let dimension_4 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:192
-    (*this_16).dimension = (dimension_4 + 2u);
+    (*this_22).dimension = (dimension_4 + 2u);
     // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_16).seed;
+    let _e15 = (*this_22).seed;
     let _e18 = hash2_(_e15, (dimension_4 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_16).index;
+    let _e21 = (*this_22).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
     let _e24 = sobol_reversed(_e22, dimension_4);
@@ -1666,42 +1768,42 @@ fn OwenSobol_next_uvec2_(this_16: ptr<function, OwenSobol>) -> vec2<u32> {
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_17: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_17);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_23);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_17);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_23);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:166
-fn PatternSource_next_uvec2_(this_18: ptr<function, PatternSource>) -> vec2<u32> {
-    var chosen_4: vec2<u32>;
+// glimt_render_gpu/src/kernels/pattern.rs:170
+fn PatternSource_next_uvec2_(this_24: ptr<function, PatternSource>) -> vec2<u32> {
+    var chosen_5: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:167
-    let _e5 = (*this_18).is_sobol;
+    // glimt_render_gpu/src/kernels/pattern.rs:171
+    let _e5 = (*this_24).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:168
-        let _e9 = (*this_18).point;
+        // glimt_render_gpu/src/kernels/pattern.rs:172
+        let _e9 = (*this_24).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_18).point = _e11;
-        chosen_4 = _e10;
+        (*this_24).point = _e11;
+        chosen_5 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:170
-        let _e15 = (*this_18).generator;
+        // glimt_render_gpu/src/kernels/pattern.rs:174
+        let _e15 = (*this_24).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_18).generator = _e17;
-        chosen_4 = _e16;
+        (*this_24).generator = _e17;
+        chosen_5 = _e16;
     }
-    let _e18 = chosen_4;
+    let _e18 = chosen_5;
     return _e18;
 }
 
@@ -1714,13 +1816,13 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(_e4, _e6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:137
-fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_5: vec2<u32>, cells_start_5: u32, pattern: PixelPattern, rays: f32, group: Group, word: u32, points_start_3: u32, points_len_3: u32) -> u32 {
+// glimt_render_gpu/src/kernels/group_light.rs:180
+fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_6: vec2<u32>, cells_start_6: u32, pattern: PixelPattern, rays: f32, threshold: f32, group: Group, word: u32, points_start_3: u32, points_len_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:138
+    // glimt_render_gpu/src/kernels/group_light.rs:181
     let _e6 = unit_f32_(word);
     let k_3 = u32((_e6 * f32(group.members)));
-    // glimt_render_gpu/src/kernels/group_light.rs:139
+    // glimt_render_gpu/src/kernels/group_light.rs:182
     let _e16 = Group_ray(group, min(k_3, (group.members - 1u)), points_start_3, points_len_3);
     return _e16;
 }
@@ -1739,61 +1841,61 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_19: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_25: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_1, this_19.t), dot(v_1, this_19.b), dot(v_1, this_19.n));
+    return vec3<f32>(dot(v_1, this_25.t), dot(v_1, this_25.b), dot(v_1, this_25.n));
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:76
-fn SeenPoint_shading_point(this_20: SeenPoint) -> ShadingPoint {
+// glimt_render_gpu/src/kernels/seen.rs:105
+fn SeenPoint_shading_point(this_26: SeenPoint) -> ShadingPoint {
 
-    // glimt_render_gpu/src/kernels/seen.rs:77
-    let _e4 = ShadingFrame_from_normal(this_20.normal);
-    // glimt_render_gpu/src/kernels/seen.rs:78
-    let _e9 = ShadingFrame_to_local(_e4, this_20.wo);
-    return ShadingPoint(this_20.origin, this_20.geometric_normal, _e4, _e9, BlinnPhong(this_20.diffuse, this_20.specular, this_20.exponent), this_20.emission);
+    // glimt_render_gpu/src/kernels/seen.rs:106
+    let _e4 = ShadingFrame_from_normal(this_26.normal);
+    // glimt_render_gpu/src/kernels/seen.rs:107
+    let _e9 = ShadingFrame_to_local(_e4, this_26.wo);
+    return ShadingPoint(this_26.origin, this_26.geometric_normal, _e4, _e9, BlinnPhong(this_26.diffuse, this_26.specular, this_26.exponent), this_26.emission);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:66
+// glimt_render_gpu/src/kernels/group_light.rs:88
 fn lobe_of(point_1: ShadingPoint) -> BlinnPhong {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:67
+    // glimt_render_gpu/src/kernels/group_light.rs:89
     return BlinnPhong(vec3(0f), point_1.brdf.specular, point_1.brdf.exponent);
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_21: BlinnPhong) -> f32 {
-    var chosen_5: f32;
+fn BlinnPhong_pmf_specular(this_27: BlinnPhong) -> f32 {
+    var chosen_6: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_21.specular);
+    let _e4 = luminance(this_27.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_21.diffuse);
+    let _e7 = luminance(this_27.diffuse);
     let both_4 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_4 > 0f) {
-        chosen_5 = (_e4 / both_4);
+        chosen_6 = (_e4 / both_4);
     } else {
-        chosen_5 = 0f;
+        chosen_6 = 0f;
     }
-    let _e15 = chosen_5;
+    let _e15 = chosen_6;
     return _e15;
 }
 
 // glimt_sampling/src/warp.rs:190
 fn height_of(direction_1: vec3<f32>) -> f32 {
-    var chosen_6: f32;
+    var chosen_7: f32;
 
     // glimt_sampling/src/warp.rs:191
     if (direction_1.z > 0f) {
         // glimt_sampling/src/warp.rs:192
-        chosen_6 = (((direction_1.x * direction_1.x) + (direction_1.y * direction_1.y)) / (1f + direction_1.z));
+        chosen_7 = (((direction_1.x * direction_1.x) + (direction_1.y * direction_1.y)) / (1f + direction_1.z));
     } else {
         // glimt_sampling/src/warp.rs:194
-        chosen_6 = (1f - direction_1.z);
+        chosen_7 = (1f - direction_1.z);
     }
-    let _e23 = chosen_6;
+    let _e23 = chosen_7;
     return _e23;
 }
 
@@ -1815,7 +1917,7 @@ fn ln_cos_theta(direction_2: vec3<f32>) -> f32 {
 
 // glimt_sampling/src/warp.rs:289
 fn pdf_power_cosine_sr(direction_3: vec3<f32>, exponent_4: f32) -> f32 {
-    var chosen_7: f32;
+    var chosen_8: f32;
 
     // glimt_sampling/src/warp.rs:290
     let normalisation_1 = ((exponent_4 + 1f) * (0.5f * 0.31830987f));
@@ -1824,12 +1926,12 @@ fn pdf_power_cosine_sr(direction_3: vec3<f32>, exponent_4: f32) -> f32 {
         // glimt_sampling/src/warp.rs:292
         if (direction_3.z >= 0f) {
             // glimt_sampling/src/warp.rs:293
-            chosen_7 = normalisation_1;
+            chosen_8 = normalisation_1;
         } else {
             // glimt_sampling/src/warp.rs:295
-            chosen_7 = 0f;
+            chosen_8 = 0f;
         }
-        let _e21 = chosen_7;
+        let _e21 = chosen_8;
         return _e21;
     }
     // glimt_sampling/src/warp.rs:298
@@ -1844,15 +1946,15 @@ fn pdf_power_cosine_sr(direction_3: vec3<f32>, exponent_4: f32) -> f32 {
 
 // glimt_sampling/src/warp.rs:182
 fn cos_sin_turns(turns: f32) -> vec2<f32> {
-    var chosen_8: f32;
+    var chosen_9: f32;
 
     // glimt_sampling/src/warp.rs:183
     if (turns < 0.5f) {
-        chosen_8 = turns;
+        chosen_9 = turns;
     } else {
-        chosen_8 = (turns - 1f);
+        chosen_9 = (turns - 1f);
     }
-    let signed = chosen_8;
+    let signed = chosen_9;
     // glimt_sampling/src/warp.rs:184
     let phi = (6.2831855f * signed);
     // glimt_sampling/src/warp.rs:185
@@ -1961,7 +2063,7 @@ fn HalfVector_new(wo_2: vec3<f32>, wi: vec3<f32>) -> HalfVector {
 
 // glimt_brdf/src/lobe.rs:59
 fn cosine_power(cos2_theta: f32, sin2_theta_2: f32, exponent_6: f32) -> f32 {
-    var chosen_9: f32;
+    var chosen_10: f32;
 
     // glimt_brdf/src/lobe.rs:60
     if (sin2_theta_2 < (1f / 16f)) {
@@ -1970,12 +2072,12 @@ fn cosine_power(cos2_theta: f32, sin2_theta_2: f32, exponent_6: f32) -> f32 {
         // glimt_brdf/src/lobe.rs:63
         let t2_ = (t_7 * t_7);
         // glimt_brdf/src/lobe.rs:64
-        chosen_9 = ((-2f * t_7) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
+        chosen_10 = ((-2f * t_7) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
     } else {
         // glimt_brdf/src/lobe.rs:66
-        chosen_9 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
+        chosen_10 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
     }
-    let log_cos2_ = chosen_9;
+    let log_cos2_ = chosen_10;
     // glimt_brdf/src/lobe.rs:68
     let log_power = ((0.5f * exponent_6) * log_cos2_);
     // glimt_brdf/src/lobe.rs:69
@@ -1988,23 +2090,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_2: f32, exponent_6: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_22: HalfVector, exponent_7: f32) -> f32 {
+fn HalfVector_lobe(this_28: HalfVector, exponent_7: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_22.cos2_theta, this_22.sin2_theta, exponent_7);
+    let _e6 = cosine_power(this_28.cos2_theta, this_28.sin2_theta, exponent_7);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_23: HalfVector, exponent_8: f32) -> f32 {
+fn HalfVector_pdf_sr(this_29: HalfVector, exponent_8: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_23, exponent_8);
-    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_23.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_29, exponent_8);
+    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_29.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_30: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_3.z <= 0f) || (wi_1.z <= 0f)) {
@@ -2014,7 +2116,7 @@ fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_24);
+    let _e17 = BlinnPhong_pmf_specular(this_30);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -2022,46 +2124,46 @@ fn BlinnPhong_pdf_sr(this_24: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_3, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_24.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_30.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_25: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
-    var chosen_10: vec3<f32>;
+fn BlinnPhong_sample(this_31: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+    var chosen_11: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_25);
+    let _e8 = BlinnPhong_pmf_specular(this_31);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_25.exponent);
+        let _e12 = sample_power_cosine(u_5, this_31.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
-        chosen_10 = (((2f * dot(wo_4, h)) * h) - wo_4);
+        chosen_11 = (((2f * dot(wo_4, h)) * h) - wo_4);
     } else {
         // glimt_brdf/src/blinn_phong.rs:85
         let _e21 = sample_cosine_hemisphere(u_5);
-        chosen_10 = _e21.direction;
+        chosen_11 = _e21.direction;
     }
-    let wi_4 = chosen_10;
+    let wi_4 = chosen_11;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_25, wo_4, wi_4);
+    let _e25 = BlinnPhong_pdf_sr(this_31, wo_4, wi_4);
     return BrdfSample(wi_4, _e25);
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_26: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_32: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_26.t * v_2.x) + (this_26.b * v_2.y)) + (this_26.n * v_2.z));
+    return (((this_32.t * v_2.x) + (this_32.b * v_2.y)) + (this_32.n * v_2.z));
 }
 
 // glimt_probe/src/latlong.rs:45
 fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
-    var chosen_11: f32;
     var chosen_12: f32;
+    var chosen_13: f32;
 
     // glimt_probe/src/latlong.rs:46
     let horizontal = sqrt(((d_1.x * d_1.x) + (d_1.y * d_1.y)));
@@ -2069,11 +2171,11 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     if (horizontal <= 0f) {
         // glimt_probe/src/latlong.rs:48
         if (d_1.z < 0f) {
-            chosen_11 = 1f;
+            chosen_12 = 1f;
         } else {
-            chosen_11 = 0f;
+            chosen_12 = 0f;
         }
-        let v_6 = chosen_11;
+        let v_6 = chosen_12;
         // glimt_probe/src/latlong.rs:49
         return vec2<f32>(0.5f, v_6);
     }
@@ -2083,11 +2185,11 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     let u_12 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
     // glimt_probe/src/latlong.rs:54
     if (u_12 < 1f) {
-        chosen_12 = max(u_12, 0f);
+        chosen_13 = max(u_12, 0f);
     } else {
-        chosen_12 = 0f;
+        chosen_13 = 0f;
     }
-    let _e47 = chosen_12;
+    let _e47 = chosen_13;
     return vec2<f32>(_e47, clamp(v_7, 0f, 1f));
 }
 
@@ -2144,12 +2246,12 @@ fn find_bin(start_1: u32, bins: u32, u_6: u32) -> Bin {
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
-    let first_4 = env_tables[_e31];
+    let first_5 = env_tables[_e31];
     // glimt_envmap_cdf/src/search.rs:43
     let _e36 = at;
     let _e38 = at;
     let _e43 = env_tables[(_e38 + 1u)];
-    return Bin((_e36 - start_1), first_4, (_e43 - first_4));
+    return Bin((_e36 - start_1), first_5, (_e43 - first_5));
 }
 
 // glimt_light_cells/src/partition.rs:99
@@ -2170,77 +2272,77 @@ fn LightCells_cell_of(size_7: vec2<u32>, start_2: u32, texel: vec2<u32>) -> u32 
     return ((row_3 * 32u) + _e14);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:166
-fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_6: vec2<u32>, cells_start_6: u32, pattern_1: PixelPattern, rays_1: f32, group_1: Group, index_9: u32, points_start_4: u32, points_len_4: u32) -> Look {
+// glimt_render_gpu/src/kernels/group_light.rs:209
+fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_7: vec2<u32>, cells_start_7: u32, pattern_1: PixelPattern, rays_1: f32, threshold_1: f32, group_1: Group, index_9: u32, points_start_4: u32, points_len_4: u32) -> Look {
     var source: PatternSource;
 
-    // glimt_render_gpu/src/kernels/group_light.rs:167
-    let _e13 = PixelPattern_point(pattern_1, 11u, index_9);
-    source = _e13;
-    // glimt_render_gpu/src/kernels/group_light.rs:168
-    let _e16 = PatternSource_next_uvec2_((&source));
-    let _e17 = unit_vec2_(_e16);
-    // glimt_render_gpu/src/kernels/group_light.rs:169
-    let _e19 = PatternSource_next_u32_((&source));
-    let _e20 = GroupLight_member(env_size_2, env_rotation_2, cells_size_6, cells_start_6, pattern_1, rays_1, group_1, _e19, points_start_4, points_len_4);
-    // glimt_render_gpu/src/kernels/group_light.rs:170
-    let _e25 = points[(points_start_4 + _e20)];
-    let _e26 = SeenPoint_shading_point(_e25);
-    // glimt_render_gpu/src/kernels/group_light.rs:171
-    let _e28 = lobe_of(_e26);
-    let _e31 = BlinnPhong_sample(_e28, _e26.wo, 0u, _e17);
-    // glimt_render_gpu/src/kernels/group_light.rs:172
-    let _e35 = ShadingFrame_to_world(_e26.frame, _e31.wi);
-    // glimt_render_gpu/src/kernels/group_light.rs:173
-    let _e37 = Environment_texel(env_size_2, env_rotation_2, _e35);
-    // glimt_render_gpu/src/kernels/group_light.rs:174
-    let _e39 = Environment_to_map(env_size_2, env_rotation_2, _e35);
-    let _e40 = LightCells_cell_of(cells_size_6, cells_start_6, _e37);
-    return Look(_e39, _e35, _e37, _e40, _e20, (_e31.pdf_sr > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:210
+    let _e14 = PixelPattern_point(pattern_1, 11u, index_9);
+    source = _e14;
+    // glimt_render_gpu/src/kernels/group_light.rs:211
+    let _e17 = PatternSource_next_uvec2_((&source));
+    let _e18 = unit_vec2_(_e17);
+    // glimt_render_gpu/src/kernels/group_light.rs:212
+    let _e20 = PatternSource_next_u32_((&source));
+    let _e21 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_1, group_1, _e20, points_start_4, points_len_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:213
+    let _e26 = points[(points_start_4 + _e21)];
+    let _e27 = SeenPoint_shading_point(_e26);
+    // glimt_render_gpu/src/kernels/group_light.rs:214
+    let _e29 = lobe_of(_e27);
+    let _e32 = BlinnPhong_sample(_e29, _e27.wo, 0u, _e18);
+    // glimt_render_gpu/src/kernels/group_light.rs:215
+    let _e36 = ShadingFrame_to_world(_e27.frame, _e32.wi);
+    // glimt_render_gpu/src/kernels/group_light.rs:216
+    let _e38 = Environment_texel(env_size_2, env_rotation_2, _e36);
+    // glimt_render_gpu/src/kernels/group_light.rs:217
+    let _e40 = Environment_to_map(env_size_2, env_rotation_2, _e36);
+    let _e41 = LightCells_cell_of(cells_size_7, cells_start_7, _e38);
+    return Look(_e40, _e36, _e38, _e41, _e21, (_e32.pdf_sr > 0f));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:417
+// glimt_render_gpu/src/kernels/proposal.rs:468
 fn Place_new(target_: f32) -> Place {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:418
+    // glimt_render_gpu/src/kernels/proposal.rs:469
     return Place(target_, 0f, 0u, 0f, 0f, false);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:430
-fn Place_offer(this_27: ptr<function, Place>, index_10: u32, width_1: f32) {
+// glimt_render_gpu/src/kernels/proposal.rs:481
+fn Place_offer(this_33: ptr<function, Place>, index_10: u32, width_1: f32) {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:431
-    let _e8 = (*this_27).is_found;
+    // glimt_render_gpu/src/kernels/proposal.rs:482
+    let _e8 = (*this_33).is_found;
     if ((width_1 > 0f) && !(_e8)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:432
-        (*this_27).index = index_10;
-        // glimt_render_gpu/src/kernels/proposal.rs:433
-        let _e15 = (*this_27).sum;
-        (*this_27).first = _e15;
-        // glimt_render_gpu/src/kernels/proposal.rs:434
-        (*this_27).width = width_1;
+        // glimt_render_gpu/src/kernels/proposal.rs:483
+        (*this_33).index = index_10;
+        // glimt_render_gpu/src/kernels/proposal.rs:484
+        let _e15 = (*this_33).sum;
+        (*this_33).first = _e15;
+        // glimt_render_gpu/src/kernels/proposal.rs:485
+        (*this_33).width = width_1;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:436
-    let _e21 = (*this_27).sum;
-    (*this_27).sum = (_e21 + width_1);
-    // glimt_render_gpu/src/kernels/proposal.rs:437
-    let _e25 = (*this_27).is_found;
-    let _e27 = (*this_27).sum;
-    let _e29 = (*this_27).target_;
-    (*this_27).is_found = (_e25 || (_e27 > _e29));
+    // glimt_render_gpu/src/kernels/proposal.rs:487
+    let _e21 = (*this_33).sum;
+    (*this_33).sum = (_e21 + width_1);
+    // glimt_render_gpu/src/kernels/proposal.rs:488
+    let _e25 = (*this_33).is_found;
+    let _e27 = (*this_33).sum;
+    let _e29 = (*this_33).target_;
+    (*this_33).is_found = (_e25 || (_e27 > _e29));
     return;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:443
-fn Place_word(this_28: Place, whole: f32, fraction: u32) -> u32 {
+// glimt_render_gpu/src/kernels/proposal.rs:494
+fn Place_word(this_34: Place, whole: f32, fraction: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:444
+    // glimt_render_gpu/src/kernels/proposal.rs:495
     let unit_1 = (whole * (1f / 16777216f));
-    // glimt_render_gpu/src/kernels/proposal.rs:445
-    let fine = ((this_28.target_ - this_28.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
-    // glimt_render_gpu/src/kernels/proposal.rs:446
-    let place_2 = clamp((fine / max(this_28.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
-    // glimt_render_gpu/src/kernels/proposal.rs:447
+    // glimt_render_gpu/src/kernels/proposal.rs:496
+    let fine = ((this_34.target_ - this_34.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
+    // glimt_render_gpu/src/kernels/proposal.rs:497
+    let place_2 = clamp((fine / max(this_34.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    // glimt_render_gpu/src/kernels/proposal.rs:498
     return ((u32((place_2 * 16777216f)) << 8u) | (fraction & 255u));
 }
 
@@ -2319,19 +2421,19 @@ fn LightCells_column_edge(size_11: vec2<u32>, start_5: u32, x_7: u32, y_1: u32) 
 }
 
 // glimt_light_cells/src/partition.rs:209
-fn LightCells_pmf(size_12: vec2<u32>, start_6: u32, row_1: Bin, texel_1: vec2<u32>, first_1: u32) -> f32 {
-    var chosen_13: u32;
+fn LightCells_pmf(size_12: vec2<u32>, start_6: u32, row_1: Bin, texel_1: vec2<u32>, first_2: u32) -> f32 {
+    var chosen_14: u32;
 
     // glimt_light_cells/src/partition.rs:210
-    if (texel_1.x > first_1) {
+    if (texel_1.x > first_2) {
         // glimt_light_cells/src/partition.rs:211
         let _e15 = LightCells_column_edge(size_12, start_6, (texel_1.x - 1u), texel_1.y);
-        chosen_13 = _e15;
+        chosen_14 = _e15;
     } else {
         // glimt_light_cells/src/partition.rs:213
-        chosen_13 = 0u;
+        chosen_14 = 0u;
     }
-    let lower = chosen_13;
+    let lower = chosen_14;
     // glimt_light_cells/src/partition.rs:215
     let _e22 = LightCells_column_edge(size_12, start_6, texel_1.x, texel_1.y);
     let units = (_e22 - lower);
@@ -2393,7 +2495,7 @@ fn LightCells_sample(size_13: vec2<u32>, start_7: u32, cell_1: u32, u_8: vec2<u3
 
 // glimt_probe/src/trig.rs:25
 fn cos_sin_pi(x_8: f32) -> vec2<f32> {
-    var chosen_14: vec2<f32>;
+    var chosen_15: vec2<f32>;
 
     // glimt_probe/src/trig.rs:27
     let quarter = floor(((2f * x_8) + 0.5f));
@@ -2404,35 +2506,35 @@ fn cos_sin_pi(x_8: f32) -> vec2<f32> {
     // glimt_probe/src/trig.rs:31
     let c_4 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
     // glimt_probe/src/trig.rs:34
-    let s_2 = (y_3 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    let s_3 = (y_3 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
     // glimt_probe/src/trig.rs:37
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_14 = vec2<f32>(c_4, (s_2 + 0f));
+        chosen_15 = vec2<f32>(c_4, (s_3 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_14 = vec2<f32>((0f - s_2), c_4);
+            chosen_15 = vec2<f32>((0f - s_3), c_4);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_14 = vec2<f32>((0f - c_4), (0f - s_2));
+                chosen_15 = vec2<f32>((0f - c_4), (0f - s_3));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_14 = vec2<f32>((s_2 + 0f), (0f - c_4));
+                chosen_15 = vec2<f32>((s_3 + 0f), (0f - c_4));
             }
         }
     }
-    let _e77 = chosen_14;
+    let _e77 = chosen_15;
     return _e77;
 }
 
 // glimt_probe/src/latlong.rs:142
 fn direction_in_texel(texel_2: vec2<u32>, size_14: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
-    var chosen_15: u32;
     var chosen_16: u32;
-    var chosen_17: f32;
+    var chosen_17: u32;
+    var chosen_18: f32;
 
     // glimt_probe/src/latlong.rs:143
     let size_24 = max(size_14, vec2(1u));
@@ -2442,18 +2544,18 @@ fn direction_in_texel(texel_2: vec2<u32>, size_14: vec2<u32>, r: vec2<f32>) -> v
     let southern = ((2u * row_5) >= size_24.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_15 = (size_24.y - row_5);
+        chosen_16 = (size_24.y - row_5);
     } else {
-        chosen_15 = row_5;
+        chosen_16 = row_5;
     }
-    let upper = chosen_15;
+    let upper = chosen_16;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_16 = ((size_24.y - row_5) - 1u);
+        chosen_17 = ((size_24.y - row_5) - 1u);
     } else {
-        chosen_16 = (row_5 + 1u);
+        chosen_17 = (row_5 + 1u);
     }
-    let lower_1 = chosen_16;
+    let lower_1 = chosen_17;
     // glimt_probe/src/latlong.rs:149
     let half_3 = (0.5f / f32(size_24.y));
     // glimt_probe/src/latlong.rs:150
@@ -2465,27 +2567,27 @@ fn direction_in_texel(texel_2: vec2<u32>, size_14: vec2<u32>, r: vec2<f32>) -> v
     // glimt_probe/src/latlong.rs:152
     let s_upper = (sin_upper * sin_upper);
     // glimt_probe/src/latlong.rs:153
-    let s_3 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
+    let s_4 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
     // glimt_probe/src/latlong.rs:154
-    let sin_theta_1 = (2f * sqrt(max((s_3 * (1f - s_3)), 0f)));
+    let sin_theta_1 = (2f * sqrt(max((s_4 * (1f - s_4)), 0f)));
     // glimt_probe/src/latlong.rs:155
     if southern {
         // glimt_probe/src/latlong.rs:156
-        chosen_17 = ((2f * s_3) - 1f);
+        chosen_18 = ((2f * s_4) - 1f);
     } else {
         // glimt_probe/src/latlong.rs:158
-        chosen_17 = (1f - (2f * s_3));
+        chosen_18 = (1f - (2f * s_4));
     }
-    let cos_theta_1 = chosen_17;
+    let cos_theta_1 = chosen_18;
     // glimt_probe/src/latlong.rs:160
     let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_2.x) + r.x)) / f32(size_24.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:349
-fn Proposal_sample_cells(this_29: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u32>, cells_start_7: u32, expected_2: Unknown) -> CellDraw {
-    var self_: Proposal;
+// glimt_render_gpu/src/kernels/proposal.rs:398
+fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u32>, cells_start_8: u32, expected_2: Unknown) -> CellDraw {
+    var self_1: Proposal;
     var row_place: Place;
     var counter_6: u32;
     var sum_2: f32;
@@ -2495,32 +2597,32 @@ fn Proposal_sample_cells(this_29: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u
     var cell_place: Place;
     var counter_9: u32;
 
-    self_ = this_29;
-    // glimt_render_gpu/src/kernels/proposal.rs:355
+    self_1 = this_35;
+    // glimt_render_gpu/src/kernels/proposal.rs:404
     let per_row = (64u / 16u);
-    // glimt_render_gpu/src/kernels/proposal.rs:357
+    // glimt_render_gpu/src/kernels/proposal.rs:406
     let _e13 = unit_f32_(u_9.y);
-    let _e15 = self_.total;
+    let _e15 = self_1.total;
     let _e17 = Place_new((_e13 * _e15));
     row_place = _e17;
-    // glimt_render_gpu/src/kernels/proposal.rs:358
+    // glimt_render_gpu/src/kernels/proposal.rs:407
     counter_6 = 0u;
     loop {
         let row_6 = counter_6;
         if (row_6 >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:359
+        // glimt_render_gpu/src/kernels/proposal.rs:408
         sum_2 = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:360
+        // glimt_render_gpu/src/kernels/proposal.rs:409
         counter_7 = (row_6 * per_row);
         loop {
             let block_2 = counter_7;
             if (block_2 >= ((row_6 + 1u) * per_row)) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:361
-            let _e39 = self_.blocks[block_2];
+            // glimt_render_gpu/src/kernels/proposal.rs:410
+            let _e39 = self_1.blocks[block_2];
             let _e40 = sum_2;
             sum_2 = (_e40 + _e39);
             continuing {
@@ -2528,7 +2630,7 @@ fn Proposal_sample_cells(this_29: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u
                 counter_7 = (_e42 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:363
+        // glimt_render_gpu/src/kernels/proposal.rs:412
         let _e46 = sum_2;
         Place_offer((&row_place), row_6, _e46);
         continuing {
@@ -2536,137 +2638,141 @@ fn Proposal_sample_cells(this_29: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u
             counter_6 = (_e47 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:365
+    // glimt_render_gpu/src/kernels/proposal.rs:414
     let _e52 = row_place.index;
-    let first_5 = (_e52 * per_row);
-    // glimt_render_gpu/src/kernels/proposal.rs:366
+    let first_6 = (_e52 * per_row);
+    // glimt_render_gpu/src/kernels/proposal.rs:415
     let _e56 = unit_f32_(u_9.x);
     let _e58 = row_place.width;
     let target_1 = (_e56 * _e58);
-    // glimt_render_gpu/src/kernels/proposal.rs:367
+    // glimt_render_gpu/src/kernels/proposal.rs:416
     let _e61 = Place_new(target_1);
     block_place = _e61;
-    // glimt_render_gpu/src/kernels/proposal.rs:368
-    counter_8 = first_5;
+    // glimt_render_gpu/src/kernels/proposal.rs:417
+    counter_8 = first_6;
     loop {
         let block_3 = counter_8;
-        if (block_3 >= (first_5 + per_row)) {
+        if (block_3 >= (first_6 + per_row)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:369
-        let _e71 = self_.blocks[block_3];
+        // glimt_render_gpu/src/kernels/proposal.rs:418
+        let _e71 = self_1.blocks[block_3];
         Place_offer((&block_place), block_3, _e71);
         continuing {
             let _e72 = counter_8;
             counter_8 = (_e72 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:371
+    // glimt_render_gpu/src/kernels/proposal.rs:420
     let _e77 = block_place.first;
     let _e78 = Place_new(target_1);
     cell_place = Place(_e78.target_, _e77, _e78.index, _e78.first, _e78.width, _e78.is_found);
-    // glimt_render_gpu/src/kernels/proposal.rs:375
+    // glimt_render_gpu/src/kernels/proposal.rs:424
     counter_9 = 0u;
     loop {
         let half_4 = counter_9;
         if (half_4 >= 2u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:376
+        // glimt_render_gpu/src/kernels/proposal.rs:425
         let _e95 = block_place.index;
-        let quad_5 = ((2u * _e95) + half_4);
-        // glimt_render_gpu/src/kernels/proposal.rs:377
-        let _e100 = LightCells_quad(cells_size_7, cells_start_7, 0u, quad_5);
-        // glimt_render_gpu/src/kernels/proposal.rs:378
-        let _e104 = self_.of_.surface;
-        let _e105 = CellSurface_terms(_e104, cells_size_7, cells_start_7, quad_5);
-        // glimt_render_gpu/src/kernels/proposal.rs:379
-        let _e109 = self_.of_.surface;
-        let _e110 = Unknown_quad(expected_2, quad_5);
-        let _e111 = weights(_e109, _e105, _e100, _e110);
-        // glimt_render_gpu/src/kernels/proposal.rs:380
-        let _e116 = self_.defence;
-        let all_1 = (_e111 + ((_e100 * _e105.live) * _e116));
-        // glimt_render_gpu/src/kernels/proposal.rs:381
-        Place_offer((&cell_place), (4u * quad_5), all_1.x);
-        // glimt_render_gpu/src/kernels/proposal.rs:382
-        Place_offer((&cell_place), ((4u * quad_5) + 1u), all_1.y);
-        // glimt_render_gpu/src/kernels/proposal.rs:383
-        Place_offer((&cell_place), ((4u * quad_5) + 2u), all_1.z);
-        // glimt_render_gpu/src/kernels/proposal.rs:384
-        Place_offer((&cell_place), ((4u * quad_5) + 3u), all_1.w);
+        let quad_6 = ((2u * _e95) + half_4);
+        // glimt_render_gpu/src/kernels/proposal.rs:426
+        let _e100 = LightCells_quad(cells_size_8, cells_start_8, 0u, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:427
+        let _e104 = self_1.of_.surface;
+        let _e105 = CellSurface_terms(_e104, cells_size_8, cells_start_8, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:428
+        let _e107 = Unknown_quad(expected_2, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:429
+        let surface_3 = self_1.of_.surface;
+        // glimt_render_gpu/src/kernels/proposal.rs:430
+        let _e114 = self_1.is_catcher;
+        let _e115 = weights(surface_3, _e105, _e100, _e107, _e114);
+        // glimt_render_gpu/src/kernels/proposal.rs:431
+        let _e120 = self_1.defence;
+        let all_1 = (_e115 + ((_e100 * _e105.live) * _e120));
+        // glimt_render_gpu/src/kernels/proposal.rs:432
+        Place_offer((&cell_place), (4u * quad_6), all_1.x);
+        // glimt_render_gpu/src/kernels/proposal.rs:433
+        Place_offer((&cell_place), ((4u * quad_6) + 1u), all_1.y);
+        // glimt_render_gpu/src/kernels/proposal.rs:434
+        Place_offer((&cell_place), ((4u * quad_6) + 2u), all_1.z);
+        // glimt_render_gpu/src/kernels/proposal.rs:435
+        Place_offer((&cell_place), ((4u * quad_6) + 3u), all_1.w);
         continuing {
-            let _e141 = counter_9;
-            counter_9 = (_e141 + 1u);
+            let _e145 = counter_9;
+            counter_9 = (_e145 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:386
-    let _e147 = hash2_(u_9.x, u_9.y);
-    // glimt_render_gpu/src/kernels/proposal.rs:387
-    let _e149 = cell_place;
-    let _e151 = row_place.width;
-    let _e154 = Place_word(_e149, _e151, (_e147 & 65535u));
-    let _e155 = row_place;
-    let _e157 = self_.total;
-    let _e160 = Place_word(_e155, _e157, (_e147 >> 16u));
-    let within = vec2<u32>(_e154, _e160);
-    // glimt_render_gpu/src/kernels/proposal.rs:391
-    let _e164 = cell_place.index;
-    let _e165 = LightCells_sample(cells_size_7, cells_start_7, _e164, within);
-    // glimt_render_gpu/src/kernels/proposal.rs:392
-    let _e168 = hash2_(_e147, u_9.x);
-    // glimt_render_gpu/src/kernels/proposal.rs:393
-    let place_3 = vec2<u32>((_e168 << 16u), (_e168 & 4294901760u));
-    // glimt_render_gpu/src/kernels/proposal.rs:394
-    let _e177 = unit_vec2_(place_3);
-    let _e178 = direction_in_texel(_e165.texel, cells_size_7, _e177);
-    let _e181 = cell_place.index;
-    return CellDraw(_e178, _e165.texel, _e181);
+    // glimt_render_gpu/src/kernels/proposal.rs:437
+    let _e151 = hash2_(u_9.x, u_9.y);
+    // glimt_render_gpu/src/kernels/proposal.rs:438
+    let _e153 = cell_place;
+    let _e155 = row_place.width;
+    let _e158 = Place_word(_e153, _e155, (_e151 & 65535u));
+    let _e159 = row_place;
+    let _e161 = self_1.total;
+    let _e164 = Place_word(_e159, _e161, (_e151 >> 16u));
+    let within = vec2<u32>(_e158, _e164);
+    // glimt_render_gpu/src/kernels/proposal.rs:442
+    let _e168 = cell_place.index;
+    let _e169 = LightCells_sample(cells_size_8, cells_start_8, _e168, within);
+    // glimt_render_gpu/src/kernels/proposal.rs:443
+    let _e172 = hash2_(_e151, u_9.x);
+    // glimt_render_gpu/src/kernels/proposal.rs:444
+    let place_3 = vec2<u32>((_e172 << 16u), (_e172 & 4294901760u));
+    // glimt_render_gpu/src/kernels/proposal.rs:445
+    let _e181 = unit_vec2_(place_3);
+    let _e182 = direction_in_texel(_e169.texel, cells_size_8, _e181);
+    let _e185 = cell_place.index;
+    return CellDraw(_e182, _e169.texel, _e185);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:143
-fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_8: vec2<u32>, cells_start_8: u32, pattern_2: PixelPattern, rays_2: f32, group_2: Group, proposal: Proposal, expected_3: Unknown, index_11: u32, points_start_5: u32, points_len_5: u32) -> Look {
+// glimt_render_gpu/src/kernels/group_light.rs:186
+fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_9: vec2<u32>, cells_start_9: u32, pattern_2: PixelPattern, rays_2: f32, threshold_2: f32, group_2: Group, proposal: Proposal, expected_3: Unknown, index_11: u32, points_start_5: u32, points_len_5: u32) -> Look {
     var proposal_1: Proposal;
     var source_1: PatternSource;
 
     proposal_1 = proposal;
-    // glimt_render_gpu/src/kernels/group_light.rs:151
-    let _e16 = PixelPattern_point(pattern_2, 10u, index_11);
-    source_1 = _e16;
-    // glimt_render_gpu/src/kernels/group_light.rs:152
-    let _e19 = PatternSource_next_uvec2_((&source_1));
-    // glimt_render_gpu/src/kernels/group_light.rs:153
-    let _e21 = PatternSource_next_u32_((&source_1));
-    let _e22 = GroupLight_member(env_size_3, env_rotation_3, cells_size_8, cells_start_8, pattern_2, rays_2, group_2, _e21, points_start_5, points_len_5);
-    // glimt_render_gpu/src/kernels/group_light.rs:154
-    let _e24 = proposal_1;
-    let _e25 = Proposal_sample_cells(_e24, _e19, cells_size_8, cells_start_8, expected_3);
-    // glimt_render_gpu/src/kernels/group_light.rs:155
-    let _e29 = rotate_z(_e25.direction, env_rotation_3);
-    return Look(_e25.direction, _e29, _e25.texel, _e25.cell, _e22, true);
+    // glimt_render_gpu/src/kernels/group_light.rs:194
+    let _e17 = PixelPattern_point(pattern_2, 10u, index_11);
+    source_1 = _e17;
+    // glimt_render_gpu/src/kernels/group_light.rs:195
+    let _e20 = PatternSource_next_uvec2_((&source_1));
+    // glimt_render_gpu/src/kernels/group_light.rs:196
+    let _e22 = PatternSource_next_u32_((&source_1));
+    let _e23 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_2, group_2, _e22, points_start_5, points_len_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:197
+    let _e25 = proposal_1;
+    let _e26 = Proposal_sample_cells(_e25, _e20, cells_size_9, cells_start_9, expected_3);
+    // glimt_render_gpu/src/kernels/group_light.rs:198
+    let _e30 = rotate_z(_e26.direction, env_rotation_3);
+    return Look(_e26.direction, _e30, _e26.texel, _e26.cell, _e23, true);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:298
-fn Proposal_cell(this_30: Proposal, cell_2: u32, cells_size_9: vec2<u32>, cells_start_9: u32, expected_4: Unknown) -> CellAt {
-    var self_1: Proposal;
+// glimt_render_gpu/src/kernels/proposal.rs:347
+fn Proposal_cell(this_36: Proposal, cell_2: u32, cells_size_10: vec2<u32>, cells_start_10: u32, expected_4: Unknown) -> CellAt {
+    var self_2: Proposal;
 
-    self_1 = this_30;
-    // glimt_render_gpu/src/kernels/proposal.rs:299
+    self_2 = this_36;
+    // glimt_render_gpu/src/kernels/proposal.rs:348
     let _e12 = Tuple_u32_usize((cell_2 / 4u), (cell_2 % 4u));
-    let quad_6 = _e12.fa;
+    let quad_7 = _e12.fa;
     let lane = _e12.fb;
-    // glimt_render_gpu/src/kernels/proposal.rs:300
-    let _e17 = LightCells_quad(cells_size_9, cells_start_9, 0u, quad_6);
-    // glimt_render_gpu/src/kernels/proposal.rs:301
-    let _e21 = self_1.of_.surface;
-    let _e22 = CellSurface_terms(_e21, cells_size_9, cells_start_9, quad_6);
-    // glimt_render_gpu/src/kernels/proposal.rs:302
-    let _e24 = Unknown_quad(expected_4, quad_6);
-    // glimt_render_gpu/src/kernels/proposal.rs:303
-    let _e28 = self_1.of_.surface;
-    let _e29 = weights(_e28, _e22, _e17, _e24);
-    // glimt_render_gpu/src/kernels/proposal.rs:304
-    return CellAt(_e29[lane], (_e17 * _e22.live)[lane], _e22.cosine[lane], (_e22.full[lane] > 0.5f), _e22.lobe[lane], _e24[lane]);
+    // glimt_render_gpu/src/kernels/proposal.rs:349
+    let _e17 = LightCells_quad(cells_size_10, cells_start_10, 0u, quad_7);
+    // glimt_render_gpu/src/kernels/proposal.rs:350
+    let _e21 = self_2.of_.surface;
+    let _e22 = CellSurface_terms(_e21, cells_size_10, cells_start_10, quad_7);
+    // glimt_render_gpu/src/kernels/proposal.rs:351
+    let _e24 = Unknown_quad(expected_4, quad_7);
+    // glimt_render_gpu/src/kernels/proposal.rs:352
+    let _e28 = self_2.of_.surface;
+    let _e30 = self_2.is_catcher;
+    let _e31 = weights(_e28, _e22, _e17, _e24, _e30);
+    // glimt_render_gpu/src/kernels/proposal.rs:353
+    return CellAt(_e31[lane], (_e17 * _e22.live)[lane], _e22.cosine[lane], (_e22.full[lane] > 0.5f), _e22.lobe[lane], _e24[lane]);
 }
 
 // glimt_light_cells/src/partition.rs:195
@@ -2707,26 +2813,26 @@ fn texel_solid_angle_sr(row_2: u32, size_16: vec2<u32>) -> f32 {
     return ((((4f * 3.1415927f) / f32(size_25.x)) * _e37.y) * _e40.y);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:317
-fn Proposal_cells_pdf_sr(this_31: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_10: vec2<u32>, cells_start_10: u32) -> f32 {
-    var self_2: Proposal;
+// glimt_render_gpu/src/kernels/proposal.rs:366
+fn Proposal_cells_pdf_sr(this_37: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_11: vec2<u32>, cells_start_11: u32) -> f32 {
+    var self_3: Proposal;
 
-    self_2 = this_31;
-    // glimt_render_gpu/src/kernels/proposal.rs:324
-    let _e10 = self_2.total;
+    self_3 = this_37;
+    // glimt_render_gpu/src/kernels/proposal.rs:373
+    let _e10 = self_3.total;
     if !((_e10 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:325
+        // glimt_render_gpu/src/kernels/proposal.rs:374
         return 0f;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:327
-    let _e19 = self_2.defence;
+    // glimt_render_gpu/src/kernels/proposal.rs:376
+    let _e19 = self_3.defence;
     let weight_2 = (at_2.weight + (_e19 * at_2.live));
-    // glimt_render_gpu/src/kernels/proposal.rs:328
-    let _e25 = self_2.total;
-    let _e27 = LightCells_pmf_in_cell(cells_size_10, cells_start_10, texel_4, cell_4);
+    // glimt_render_gpu/src/kernels/proposal.rs:377
+    let _e25 = self_3.total;
+    let _e27 = LightCells_pmf_in_cell(cells_size_11, cells_start_11, texel_4, cell_4);
     let pmf = ((weight_2 / _e25) * _e27);
-    // glimt_render_gpu/src/kernels/proposal.rs:329
-    let _e31 = texel_solid_angle_sr(texel_4.y, cells_size_10);
+    // glimt_render_gpu/src/kernels/proposal.rs:378
+    let _e31 = texel_solid_angle_sr(texel_4.y, cells_size_11);
     return (pmf / _e31);
 }
 
@@ -2739,7 +2845,7 @@ fn Environment_radiance(size_17: vec2<u32>, rotation_3: vec2<f32>, texel_5: vec2
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_32: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_38: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_5.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2747,31 +2853,31 @@ fn BlinnPhong_eval(this_32: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse_3 = (this_32.diffuse * 0.31830987f);
+    let diffuse_3 = (this_38.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_32.specular.x, this_32.specular.y), this_32.specular.z) <= 0f) {
+    if (max(max(this_38.specular.x, this_38.specular.y), this_38.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse_3;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_32.exponent);
+    let _e31 = normalisation(this_38.exponent);
     let _e32 = HalfVector_new(wo_5, wi_2);
-    let _e34 = HalfVector_lobe(_e32, this_32.exponent);
-    let lobe_2 = (_e31 * _e34);
+    let _e34 = HalfVector_lobe(_e32, this_38.exponent);
+    let lobe_3 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse_3 + (this_32.specular * lobe_2));
+    return (diffuse_3 + (this_38.specular * lobe_3));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:75
+// glimt_render_gpu/src/kernels/group_light.rs:97
 fn reflectance(point_2: ShadingPoint, wi_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:76
+    // glimt_render_gpu/src/kernels/group_light.rs:98
     if (wi_3.z > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:77
+        // glimt_render_gpu/src/kernels/group_light.rs:99
         let _e10 = BlinnPhong_eval(point_2.brdf, point_2.wo, wi_3);
         return (_e10 * wi_3.z);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:79
+    // glimt_render_gpu/src/kernels/group_light.rs:101
     return vec3(0f);
 }
 
@@ -2793,13 +2899,13 @@ fn Ray_keyed(origin: vec3<f32>, direction_6: vec3<f32>, key: u32) -> Ray {
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:30
-fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
-    var chosen_18: f32;
+fn box_distance(node: BvhNode, ray_2: Ray) -> f32 {
+    var chosen_19: f32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:31
-    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
+    let to_min = ((node.min - ray_2.origin) * ray_2.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:32
-    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    let to_max = ((node.max - ray_2.origin) * ray_2.inverse_direction);
     // glimt_render_gpu/src/kernels/bvh.rs:33
     let _e16 = min(to_min, to_max);
     let near_2 = max(max(_e16.x, _e16.y), _e16.z);
@@ -2809,12 +2915,12 @@ fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
     // glimt_render_gpu/src/kernels/bvh.rs:35
     if ((far_1 >= near_2) && (far_1 >= 0f)) {
         // glimt_render_gpu/src/kernels/bvh.rs:36
-        chosen_18 = near_2;
+        chosen_19 = near_2;
     } else {
         // glimt_render_gpu/src/kernels/bvh.rs:38
-        chosen_18 = 0x1.fffffep+127f;
+        chosen_19 = 0x1.fffffep+127f;
     }
-    let _e40 = chosen_18;
+    let _e40 = chosen_19;
     return _e40;
 }
 
@@ -2826,55 +2932,55 @@ fn edge_functions(a_3: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_7: v
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:124
-fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
-    var chosen_19: f32;
+fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
+    var chosen_20: f32;
 
     // glimt_render_gpu/src/kernels/triangle.rs:125
-    let a_8 = (triangle.v0_ - ray_2.origin);
+    let a_8 = (triangle.v0_ - ray_3.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:126
-    let b_4 = (triangle.v1_ - ray_2.origin);
+    let b_4 = (triangle.v1_ - ray_3.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:127
-    let c_5 = (triangle.v2_ - ray_2.origin);
+    let c_5 = (triangle.v2_ - ray_3.origin);
     // glimt_render_gpu/src/kernels/triangle.rs:128
-    let _e18 = edge_functions(a_8, b_4, c_5, ray_2.direction);
+    let _e18 = edge_functions(a_8, b_4, c_5, ray_3.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:129
     if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
         // glimt_render_gpu/src/kernels/triangle.rs:130
         return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:132
-    let normal_3 = cross((c_5 - a_8), (a_8 - b_4));
+    let normal_4 = cross((c_5 - a_8), (a_8 - b_4));
     // glimt_render_gpu/src/kernels/triangle.rs:133
-    let slope_1 = dot(normal_3, ray_2.direction);
+    let slope_1 = dot(normal_4, ray_3.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:134
     if (slope_1 == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:135
         return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:137
-    let t_8 = (dot(a_8, normal_3) / slope_1);
+    let t_8 = (dot(a_8, normal_4) / slope_1);
     // glimt_render_gpu/src/kernels/triangle.rs:138
     if ((t_8 > 0f) && (t_8 < t_max)) {
-        chosen_19 = t_8;
+        chosen_20 = t_8;
     } else {
-        chosen_19 = 0x1.fffffep+127f;
+        chosen_20 = 0x1.fffffep+127f;
     }
-    let _e59 = chosen_19;
+    let _e59 = chosen_20;
     return _e59;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:59
-fn Triangle_is_see_through(this_33: Triangle) -> bool {
+fn Triangle_is_see_through(this_39: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:60
-    return ((this_33.object & 1073741824u) != 0u);
+    return ((this_39.object & 1073741824u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:144
-fn barycentrics(triangle_1: Triangle, ray_3: Ray) -> vec2<f32> {
+fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:145
-    let _e14 = edge_functions((triangle_1.v0_ - ray_3.origin), (triangle_1.v1_ - ray_3.origin), (triangle_1.v2_ - ray_3.origin), ray_3.direction);
+    let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:151
     let sum_5 = ((_e14.x + _e14.y) + _e14.z);
     // glimt_render_gpu/src/kernels/triangle.rs:152
@@ -2887,31 +2993,31 @@ fn barycentrics(triangle_1: Triangle, ray_3: Ray) -> vec2<f32> {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:141
-fn Attributes_of_corner(first_2: u32) -> Attributes {
+fn Attributes_of_corner(first_3: u32) -> Attributes {
 
     // glimt_render_gpu/src/kernels/material.rs:142
-    let _e7 = scene_surface[(first_2 + 2u)];
-    let _e12 = scene_surface[(first_2 + 3u)];
+    let _e7 = scene_surface[(first_3 + 2u)];
+    let _e12 = scene_surface[(first_3 + 3u)];
     let _e13 = Tuple_u32_u32_(_e7, _e12);
     let low = _e13.fa;
     let high = _e13.fb;
     // glimt_render_gpu/src/kernels/material.rs:143
     let color = vec4<f32>(f32((low & 65535u)), f32((low >> 16u)), f32((high & 65535u)), f32((high >> 16u)));
     // glimt_render_gpu/src/kernels/material.rs:149
-    let _e33 = scene_surface[first_2];
-    let _e39 = scene_surface[(first_2 + 1u)];
+    let _e33 = scene_surface[first_3];
+    let _e39 = scene_surface[(first_3 + 1u)];
     return Attributes(vec2<f32>(bitcast<f32>(_e33), bitcast<f32>(_e39)), (color / vec4(65535f)));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:129
-fn Attributes_at(first_3: u32, u_10: f32, v_3: f32) -> Attributes {
+fn Attributes_at(first_4: u32, u_10: f32, v_3: f32) -> Attributes {
 
     // glimt_render_gpu/src/kernels/material.rs:130
-    let _e5 = Attributes_of_corner(first_3);
+    let _e5 = Attributes_of_corner(first_4);
     // glimt_render_gpu/src/kernels/material.rs:131
-    let _e9 = Attributes_of_corner((first_3 + 4u));
+    let _e9 = Attributes_of_corner((first_4 + 4u));
     // glimt_render_gpu/src/kernels/material.rs:132
-    let _e15 = Attributes_of_corner((first_3 + (2u * 4u)));
+    let _e15 = Attributes_of_corner((first_4 + (2u * 4u)));
     // glimt_render_gpu/src/kernels/material.rs:133
     let w_2 = ((1f - u_10) - v_3);
     // glimt_render_gpu/src/kernels/material.rs:134
@@ -2922,9 +3028,9 @@ fn Attributes_at(first_3: u32, u_10: f32, v_3: f32) -> Attributes {
 fn MaterialView_new(index_12: u32) -> Returned_MaterialView_new {
 
     // glimt_render_gpu/src/kernels/material.rs:173
-    let first_6 = (256u + (index_12 * 76u));
+    let first_7 = (256u + (index_12 * 76u));
     // glimt_render_gpu/src/kernels/material.rs:174
-    return Returned_MaterialView_new(first_6, ((first_6 + 76u) - first_6));
+    return Returned_MaterialView_new(first_7, ((first_7 + 76u) - first_7));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:181
@@ -2947,10 +3053,10 @@ fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_2: u32) -> Te
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_34: TextureView) -> bool {
+fn TextureView_exists(this_40: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_34.width > 0u);
+    return (this_40.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -2995,11 +3101,11 @@ fn neighbour(index_13: i32, size_18: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_35: TextureView, index_14: u32) -> vec4<f32> {
-    var chosen_20: vec4<f32>;
+fn TextureView_texel(this_41: TextureView, index_14: u32) -> vec4<f32> {
+    var chosen_21: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_4 = scene_surface[(this_35.first + index_14)];
+    let word_4 = scene_surface[(this_41.first + index_14)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r_3 = (word_4 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -3009,55 +3115,55 @@ fn TextureView_texel(this_35: TextureView, index_14: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_35.flags & 1u) != 0u) {
+    if ((this_41.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r_3];
         let _e42 = scene_surface[g];
         let _e46 = scene_surface[b_5];
-        chosen_20 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
+        chosen_21 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_20 = vec4<f32>((f32(r_3) / 255f), (f32(g) / 255f), (f32(b_5) / 255f), alpha_2);
+        chosen_21 = vec4<f32>((f32(r_3) / 255f), (f32(g) / 255f), (f32(b_5) / 255f), alpha_2);
     }
-    let _e60 = chosen_20;
+    let _e60 = chosen_21;
     return _e60;
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_36: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_42: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_36.flags >> 1u) & 3u);
+    let wrap_u = ((this_42.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_36.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_42.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_13 = ((_e21 * f32(this_36.width)) - 0.5f);
+    let x_13 = ((_e21 * f32(this_42.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_4 = ((_e29 * f32(this_36.height)) - 0.5f);
+    let y_4 = ((_e29 * f32(this_42.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e38 = Tuple_f32_f32_(floor(x_13), floor(y_4));
     let left_2 = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left_2), this_36.width, wrap_u);
+    let _e44 = neighbour(i32(left_2), this_42.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left_2) + 1i), this_36.width, wrap_u);
+    let _e50 = neighbour((i32(left_2) + 1i), this_42.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e54 = neighbour(i32(top), this_36.height, wrap_v);
-    let row0_ = (_e54 * this_36.width);
+    let _e54 = neighbour(i32(top), this_42.height, wrap_v);
+    let row0_ = (_e54 * this_42.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e62 = neighbour((i32(top) + 1i), this_36.height, wrap_v);
-    let row1_ = (_e62 * this_36.width);
+    let _e62 = neighbour((i32(top) + 1i), this_42.height, wrap_v);
+    let row1_ = (_e62 * this_42.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e67 = TextureView_texel(this_36, (row0_ + _e44));
-    let _e69 = TextureView_texel(this_36, (row0_ + _e50));
+    let _e67 = TextureView_texel(this_42, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_42, (row0_ + _e50));
     let _e70 = (x_13 - left_2);
     let upper_1 = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e78 = TextureView_texel(this_36, (row1_ + _e44));
-    let _e80 = TextureView_texel(this_36, (row1_ + _e50));
+    let _e78 = TextureView_texel(this_42, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_42, (row1_ + _e50));
     let _e81 = (x_13 - left_2);
     let lower_2 = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -3093,7 +3199,7 @@ fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_3: u32, textur
 // glimt_render_gpu/src/kernels/material.rs:280
 fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
     var alpha: f32;
-    var chosen_21: f32;
+    var chosen_22: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:281
     let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
@@ -3119,11 +3225,11 @@ fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, ver
     // glimt_render_gpu/src/kernels/material.rs:290
     let _e31 = alpha;
     if (_e31 >= _e23) {
-        chosen_21 = 1f;
+        chosen_22 = 1f;
     } else {
-        chosen_21 = 0f;
+        chosen_22 = 0f;
     }
-    let _e35 = chosen_21;
+    let _e35 = chosen_22;
     return _e35;
 }
 
@@ -3149,63 +3255,63 @@ fn passes(key_1: u32, index_15: u32, alpha_1: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:33
-fn is_passed(index_16: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+fn is_passed(index_16: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:34
-    let _e5 = barycentrics(triangle_3, ray_4);
+    let _e5 = barycentrics(triangle_3, ray_5);
     // glimt_render_gpu/src/kernels/opacity.rs:35
     let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
     // glimt_render_gpu/src/kernels/opacity.rs:36
-    let _e12 = passes(ray_4.key, index_16, _e9);
+    let _e12 = passes(ray_5.key, index_16, _e9);
     return _e12;
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
-fn Triangle_is_catcher(this_37: Triangle) -> bool {
+fn Triangle_is_catcher(this_43: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:46
-    return ((this_37.object & 2147483648u) != 0u);
+    return ((this_43.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_38: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_44: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_38.v1_ - this_38.v0_), (this_38.v2_ - this_38.v0_));
+    return cross((this_44.v1_ - this_44.v0_), (this_44.v2_ - this_44.v0_));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_39: Triangle) -> f32 {
+fn Triangle_ray_offset(this_45: Triangle) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_39.v0_), abs(this_39.v1_)), abs(this_39.v2_));
+    let extent = max(max(abs(this_45.v0_), abs(this_45.v1_)), abs(this_45.v2_));
     // glimt_render_gpu/src/kernels/triangle.rs:68
     return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_40: Triangle, ray_5: Ray, t_1: f32) -> f32 {
+fn Triangle_setback(this_46: Triangle, ray_6: Ray, t_1: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_40);
+    let _e5 = Triangle_area_normal(this_46);
     // glimt_render_gpu/src/kernels/triangle.rs:76
-    let across = abs(dot(_e5, ray_5.direction));
+    let across = abs(dot(_e5, ray_6.direction));
     // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_40);
-    let apart = (2f * max(_e12, ((0.0000038146973f * t_1) * sqrt(dot(ray_5.direction, ray_5.direction)))));
+    let _e12 = Triangle_ray_offset(this_46);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t_1) * sqrt(dot(ray_6.direction, ray_6.direction)))));
     // glimt_render_gpu/src/kernels/triangle.rs:82
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t_1);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_17: u32, triangle_4: Triangle, ray_6: Ray, t_2: f32, no_catcher: bool) -> f32 {
+fn held(index_17: u32, triangle_4: Triangle, ray_7: Ray, t_2: f32, no_catcher: bool) -> f32 {
     var both_1: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:195
     let _e7 = Triangle_is_see_through(triangle_4);
     both_1 = _e7;
     if _e7 {
-        let _e9 = is_passed(index_17, triangle_4, ray_6);
+        let _e9 = is_passed(index_17, triangle_4, ray_7);
         both_1 = _e9;
     }
     let _e10 = both_1;
@@ -3225,12 +3331,12 @@ fn held(index_17: u32, triangle_4: Triangle, ray_6: Ray, t_2: f32, no_catcher: b
         return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:204
-    let _e21 = Triangle_setback(triangle_4, ray_6, t_2);
+    let _e21 = Triangle_setback(triangle_4, ray_7, t_2);
     return (t_2 + _e21);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:160
-fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+fn visit_leaf(leaf: BvhNode, ray_8: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
     var counter_10: u32;
     var t_3: f32;
@@ -3248,7 +3354,7 @@ fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, n
         // glimt_render_gpu/src/kernels/bvh.rs:171
         let _e19 = scene_triangles[i];
         let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_7, _e20);
+        let _e21 = intersect(_e19, ray_8, _e20);
         t_3 = _e21;
         // glimt_render_gpu/src/kernels/bvh.rs:173
         let _e24 = t_3;
@@ -3264,7 +3370,7 @@ fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, n
             // glimt_render_gpu/src/kernels/bvh.rs:174
             let _e38 = scene_triangles[i];
             let _e39 = t_3;
-            let _e40 = held(i, _e38, ray_7, _e39, no_catcher_1);
+            let _e40 = held(i, _e38, ray_8, _e39, no_catcher_1);
             t_3 = _e40;
         }
         // glimt_render_gpu/src/kernels/bvh.rs:176
@@ -3288,7 +3394,7 @@ fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, n
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:91
-fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+fn traverse(ray_9: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     var either_1: bool;
     var best_1: u32;
     var stack: array<u32, 64>;
@@ -3307,7 +3413,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     if _e8 {
     } else {
         let _e13 = scene_nodes[0u];
-        let _e14 = box_distance(_e13, ray_8);
+        let _e14 = box_distance(_e13, ray_9);
         let _e15 = (*reach_1);
         either_1 = (_e14 >= _e15);
     }
@@ -3321,7 +3427,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
     // glimt_render_gpu/src/kernels/bvh.rs:103
     if (root.count > 0u) {
         // glimt_render_gpu/src/kernels/bvh.rs:104
-        let _e31 = visit_leaf(root, ray_8, reach_1, 4294967295u, any_);
+        let _e31 = visit_leaf(root, ray_9, reach_1, 4294967295u, any_);
         return _e31;
     }
     // glimt_render_gpu/src/kernels/bvh.rs:106
@@ -3344,11 +3450,11 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
         far = _e58;
         // glimt_render_gpu/src/kernels/bvh.rs:113
         let _e61 = near;
-        let _e62 = box_distance(_e61, ray_8);
+        let _e62 = box_distance(_e61, ray_9);
         t_near = _e62;
         // glimt_render_gpu/src/kernels/bvh.rs:114
         let _e65 = far;
-        let _e66 = box_distance(_e65, ray_8);
+        let _e66 = box_distance(_e65, ray_9);
         t_far = _e66;
         // glimt_render_gpu/src/kernels/bvh.rs:116
         let _e69 = t_near;
@@ -3380,7 +3486,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:126
             let _e95 = near;
             let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_8, reach_1, _e96, any_);
+            let _e97 = visit_leaf(_e95, ray_9, reach_1, _e96, any_);
             best_1 = _e97;
             // glimt_render_gpu/src/kernels/bvh.rs:127
             let _e99 = best_1;
@@ -3403,7 +3509,7 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:134
             let _e120 = far;
             let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_8, reach_1, _e121, any_);
+            let _e122 = visit_leaf(_e120, ray_9, reach_1, _e121, any_);
             best_1 = _e122;
             // glimt_render_gpu/src/kernels/bvh.rs:135
             let _e124 = best_1;
@@ -3460,13 +3566,13 @@ fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:73
-fn any_hit(ray_9: Ray, t_max_1: f32) -> bool {
+fn any_hit(ray_10: Ray, t_max_1: f32) -> bool {
     var t_4: f32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:80
     t_4 = t_max_1;
     // glimt_render_gpu/src/kernels/bvh.rs:81
-    let _e7 = traverse(ray_9, (&t_4), true);
+    let _e7 = traverse(ray_10, (&t_4), true);
     return (_e7 != 4294967295u);
 }
 
@@ -3480,95 +3586,95 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_8: vec3<f32>, key_2: u32) -> bo
     return !(_e9);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:335
-fn Proposal_control(this_41: Proposal, direction_9: vec3<f32>, at_3: CellAt) -> vec3<f32> {
-    var self_3: Proposal;
-    var chosen_22: f32;
+// glimt_render_gpu/src/kernels/proposal.rs:384
+fn Proposal_open_control(this_47: Proposal, direction_9: vec3<f32>, at_3: CellAt) -> vec3<f32> {
+    var self_4: Proposal;
+    var chosen_23: f32;
 
-    self_3 = this_41;
-    // glimt_render_gpu/src/kernels/proposal.rs:336
+    self_4 = this_47;
+    // glimt_render_gpu/src/kernels/proposal.rs:385
     if at_3.is_full {
-        // glimt_render_gpu/src/kernels/proposal.rs:337
-        let _e11 = self_3.of_.mean_normal;
-        chosen_22 = dot(_e11, direction_9);
+        // glimt_render_gpu/src/kernels/proposal.rs:386
+        let _e11 = self_4.of_.mean_normal;
+        chosen_23 = dot(_e11, direction_9);
     } else {
-        // glimt_render_gpu/src/kernels/proposal.rs:339
-        chosen_22 = at_3.cosine;
+        // glimt_render_gpu/src/kernels/proposal.rs:388
+        chosen_23 = at_3.cosine;
     }
-    let cosine_1 = chosen_22;
-    // glimt_render_gpu/src/kernels/proposal.rs:341
-    let _e19 = self_3.of_.diffuse;
+    let cosine_1 = chosen_23;
+    // glimt_render_gpu/src/kernels/proposal.rs:390
+    let _e19 = self_4.of_.diffuse;
     let kd_2 = (_e19 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:342
-    let _e26 = self_3.of_.specular;
-    return (((kd_2 * cosine_1) + (_e26 * at_3.lobe)) * at_3.visibility);
+    // glimt_render_gpu/src/kernels/proposal.rs:391
+    let _e26 = self_4.of_.specular;
+    return ((kd_2 * cosine_1) + (_e26 * at_3.lobe));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:236
-fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, group_3: Group, proposal_2: Proposal, look: Look, point_4: ShadingPoint, f: vec3<f32>, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/group_light.rs:291
+fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_3: PixelPattern, rays_3: f32, threshold_3: f32, group_3: Group, proposal_2: Proposal, look: Look, point_4: ShadingPoint, f: vec3<f32>, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
     var proposal_3: Proposal;
     var own: vec3<f32>;
     var sum_3: vec3<f32>;
     var counter_11: u32;
 
     proposal_3 = proposal_2;
-    // glimt_render_gpu/src/kernels/group_light.rs:245
+    // glimt_render_gpu/src/kernels/group_light.rs:300
     if (group_3.members < 2u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:246
+        // glimt_render_gpu/src/kernels/group_light.rs:301
         return vec3(0f);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:248
+    // glimt_render_gpu/src/kernels/group_light.rs:303
     let _e20 = proposal_3.of_.surface.specular;
     let has_lobe_1 = (_e20 > 0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:249
+    // glimt_render_gpu/src/kernels/group_light.rs:304
     let _e27 = proposal_3.of_.surface.spread;
     if !((has_lobe_1 || (_e27 > 0.035f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:250
+        // glimt_render_gpu/src/kernels/group_light.rs:305
         let _e35 = proposal_3.of_.mean_normal;
         let apart_1 = (dot(_e35, look.of_map) - dot(point_4.frame.n, look.direction));
-        // glimt_render_gpu/src/kernels/group_light.rs:252
+        // glimt_render_gpu/src/kernels/group_light.rs:307
         let _e46 = proposal_3.of_.diffuse;
         return (_e46 * (0.31830987f * apart_1));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:254
+    // glimt_render_gpu/src/kernels/group_light.rs:309
     let _e52 = proposal_3.lobe_share;
     let with_lobes = !((_e52 > 0f));
-    // glimt_render_gpu/src/kernels/group_light.rs:255
+    // glimt_render_gpu/src/kernels/group_light.rs:310
     own = f;
-    // glimt_render_gpu/src/kernels/group_light.rs:256
+    // glimt_render_gpu/src/kernels/group_light.rs:311
     if !(with_lobes) {
-        // glimt_render_gpu/src/kernels/group_light.rs:257
+        // glimt_render_gpu/src/kernels/group_light.rs:312
         let cosine_2 = max(dot(point_4.frame.n, look.direction), 0f);
-        // glimt_render_gpu/src/kernels/group_light.rs:258
+        // glimt_render_gpu/src/kernels/group_light.rs:313
         own = (point_4.brdf.diffuse * (0.31830987f * cosine_2));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:260
+    // glimt_render_gpu/src/kernels/group_light.rs:315
     sum_3 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:261
+    // glimt_render_gpu/src/kernels/group_light.rs:316
     counter_11 = 0u;
     loop {
         let k_4 = counter_11;
         if (k_4 >= group_3.members) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:262
+        // glimt_render_gpu/src/kernels/group_light.rs:317
         let _e84 = Group_ray(group_3, k_4, points_start_6, points_len_6);
-        // glimt_render_gpu/src/kernels/group_light.rs:263
+        // glimt_render_gpu/src/kernels/group_light.rs:318
         if with_lobes {
-            // glimt_render_gpu/src/kernels/group_light.rs:264
+            // glimt_render_gpu/src/kernels/group_light.rs:319
             let _e90 = points[(points_start_6 + _e84)];
             let _e91 = SeenPoint_shading_point(_e90);
-            // glimt_render_gpu/src/kernels/group_light.rs:265
+            // glimt_render_gpu/src/kernels/group_light.rs:320
             let _e95 = ShadingFrame_to_local(_e91.frame, look.direction);
             let _e96 = reflectance(_e91, _e95);
             let _e97 = sum_3;
             sum_3 = (_e97 + _e96);
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:267
+            // glimt_render_gpu/src/kernels/group_light.rs:322
             let other = points[(points_start_6 + _e84)];
-            // glimt_render_gpu/src/kernels/group_light.rs:268
+            // glimt_render_gpu/src/kernels/group_light.rs:323
             let cosine_3 = max(dot(other.normal, look.direction), 0f);
-            // glimt_render_gpu/src/kernels/group_light.rs:269
+            // glimt_render_gpu/src/kernels/group_light.rs:324
             let _e115 = sum_3;
             sum_3 = (_e115 + (other.diffuse * (0.31830987f * cosine_3)));
         }
@@ -3577,14 +3683,14 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
             counter_11 = (_e117 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:272
+    // glimt_render_gpu/src/kernels/group_light.rs:327
     let _e121 = sum_3;
     let _e126 = own;
     return ((_e121 / vec3(f32(group_3.members))) - _e126);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:186
-fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, group_4: Group, proposal_4: Proposal, expected_5: Unknown, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Reflected {
+// glimt_render_gpu/src/kernels/group_light.rs:229
+fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_4: PixelPattern, rays_4: f32, threshold_4: f32, group_4: Group, proposal_4: Proposal, expected_5: Unknown, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Sample {
     var proposal_5: Proposal;
     var pdf_sr: f32;
     var both_3: bool;
@@ -3592,206 +3698,284 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     var blocked: vec3<f32>;
 
     proposal_5 = proposal_4;
-    // glimt_render_gpu/src/kernels/group_light.rs:195
-    let _e20 = points[(points_start_7 + look_1.ray)];
-    let _e21 = SeenPoint_shading_point(_e20);
-    // glimt_render_gpu/src/kernels/group_light.rs:196
-    let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
-    // glimt_render_gpu/src/kernels/group_light.rs:197
-    let _e27 = proposal_5;
-    let _e29 = Proposal_cell(_e27, look_1.cell, cells_size_12, cells_start_12, expected_5);
-    // glimt_render_gpu/src/kernels/group_light.rs:198
+    // glimt_render_gpu/src/kernels/group_light.rs:238
+    let _e21 = points[(points_start_7 + look_1.ray)];
+    let _e22 = SeenPoint_shading_point(_e21);
+    // glimt_render_gpu/src/kernels/group_light.rs:239
+    let _e26 = ShadingFrame_to_local(_e22.frame, look_1.direction);
+    // glimt_render_gpu/src/kernels/group_light.rs:240
+    let _e28 = proposal_5;
+    let _e30 = Proposal_cell(_e28, look_1.cell, cells_size_13, cells_start_13, expected_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:241
     let share_2 = proposal_5.lobe_share;
-    // glimt_render_gpu/src/kernels/group_light.rs:199
+    // glimt_render_gpu/src/kernels/group_light.rs:242
     pdf_sr = 0f;
-    // glimt_render_gpu/src/kernels/group_light.rs:200
+    // glimt_render_gpu/src/kernels/group_light.rs:243
     if (share_2 < 1f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:201
-        let _e40 = proposal_5;
-        let _e43 = Proposal_cells_pdf_sr(_e40, look_1.texel, look_1.cell, _e29, cells_size_12, cells_start_12);
-        // glimt_render_gpu/src/kernels/group_light.rs:202
-        pdf_sr = ((1f - share_2) * _e43);
+        // glimt_render_gpu/src/kernels/group_light.rs:244
+        let _e41 = proposal_5;
+        let _e44 = Proposal_cells_pdf_sr(_e41, look_1.texel, look_1.cell, _e30, cells_size_13, cells_start_13);
+        // glimt_render_gpu/src/kernels/group_light.rs:245
+        pdf_sr = ((1f - share_2) * _e44);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:204
+    // glimt_render_gpu/src/kernels/group_light.rs:247
     if (share_2 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:205
-        let _e52 = lobe_of(_e21);
-        let _e54 = BlinnPhong_pdf_sr(_e52, _e21.wo, _e25);
-        let _e56 = pdf_sr;
-        pdf_sr = (_e56 + (share_2 * _e54));
+        // glimt_render_gpu/src/kernels/group_light.rs:248
+        let _e53 = lobe_of(_e22);
+        let _e55 = BlinnPhong_pdf_sr(_e53, _e22.wo, _e26);
+        let _e57 = pdf_sr;
+        pdf_sr = (_e57 + (share_2 * _e55));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:207
-    let _e59 = pdf_sr;
-    if !((_e59 > 0.000000000000000000000000000000000000011754944f)) {
-        // glimt_render_gpu/src/kernels/group_light.rs:208
-        return Reflected(vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:250
+    let _e60 = pdf_sr;
+    if !((_e60 > 0.000000000000000000000000000000000000011754944f)) {
+        // glimt_render_gpu/src/kernels/group_light.rs:251
+        return Sample(vec3(0f), vec3(0f), false, false);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:210
-    let _e71 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
-    // glimt_render_gpu/src/kernels/group_light.rs:211
-    let _e73 = reflectance(_e21, _e25);
-    // glimt_render_gpu/src/kernels/group_light.rs:212
-    let is_seen = ((max(max(_e73.x, _e73.y), _e73.z) > 0f) && (dot(_e21.geometric_normal, look_1.direction) > 0f));
-    // glimt_render_gpu/src/kernels/group_light.rs:213
+    // glimt_render_gpu/src/kernels/group_light.rs:258
+    let _e74 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
+    // glimt_render_gpu/src/kernels/group_light.rs:259
+    let _e76 = reflectance(_e22, _e26);
+    // glimt_render_gpu/src/kernels/group_light.rs:260
+    let is_seen = ((max(max(_e76.x, _e76.y), _e76.z) > 0f) && (dot(_e22.geometric_normal, look_1.direction) > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:261
     both_3 = is_seen;
     if is_seen {
-        let _e91 = Scene_is_lit(_e21, look_1.direction, key_3);
-        both_3 = _e91;
+        let _e94 = Scene_is_lit(_e22, look_1.direction, key_3);
+        both_3 = _e94;
     }
-    let arrives = both_3;
-    // glimt_render_gpu/src/kernels/group_light.rs:214
+    let arrives_1 = both_3;
+    // glimt_render_gpu/src/kernels/group_light.rs:262
     lit = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:215
+    // glimt_render_gpu/src/kernels/group_light.rs:263
     blocked = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:216
-    if arrives {
-        // glimt_render_gpu/src/kernels/group_light.rs:217
-        lit = _e73;
+    // glimt_render_gpu/src/kernels/group_light.rs:264
+    if arrives_1 {
+        // glimt_render_gpu/src/kernels/group_light.rs:265
+        lit = _e76;
     } else {
         if is_seen {
-            // glimt_render_gpu/src/kernels/group_light.rs:219
-            blocked = _e73;
+            // glimt_render_gpu/src/kernels/group_light.rs:267
+            blocked = _e76;
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:221
+    // glimt_render_gpu/src/kernels/group_light.rs:269
     if false {
-        // glimt_render_gpu/src/kernels/group_light.rs:222
-        let _e107 = lit;
-        let _e108 = proposal_5;
-        let _e110 = Proposal_control(_e108, look_1.of_map, _e29);
-        let _e112 = proposal_5;
-        let _e113 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, group_4, _e112, look_1, _e21, _e73, points_start_7, points_len_7);
-        lit = ((_e107 - _e110) + (_e113 * _e29.visibility));
+        // glimt_render_gpu/src/kernels/group_light.rs:270
+        let _e110 = proposal_5;
+        let _e112 = Proposal_open_control(_e110, look_1.of_map, _e30);
+        // glimt_render_gpu/src/kernels/group_light.rs:271
+        let _e114 = proposal_5;
+        let _e115 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_13, cells_start_13, pattern_4, rays_4, threshold_4, group_4, _e114, look_1, _e22, _e76, points_start_7, points_len_7);
+        // glimt_render_gpu/src/kernels/group_light.rs:272
+        let _e118 = proposal_5.is_catcher;
+        if _e118 {
+            // glimt_render_gpu/src/kernels/group_light.rs:273
+            lit = ((_e76 - _e112) + _e115);
+        } else {
+            // glimt_render_gpu/src/kernels/group_light.rs:275
+            let _e123 = lit;
+            lit = (_e123 + ((_e115 - _e112) * _e30.visibility));
+        }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:226
-    let _e118 = lit;
-    let _e119 = pdf_sr;
-    let _e123 = blocked;
-    let _e124 = pdf_sr;
-    return Reflected((_e71 * (_e118 / vec3(_e119))), (_e71 * (_e123 / vec3(_e124))));
+    // glimt_render_gpu/src/kernels/group_light.rs:279
+    let _e129 = lit;
+    let _e130 = pdf_sr;
+    let _e134 = blocked;
+    let _e135 = pdf_sr;
+    return Sample((_e74 * (_e129 / vec3(_e130))), (_e74 * (_e134 / vec3(_e135))), is_seen, arrives_1);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:87
-fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_5: PixelPattern, rays_5: f32, group_5: Group, number: u32, expected_6: Unknown, points_start_8: u32, points_len_8: u32, drawn: ptr<function, Drawn>) -> Reflected {
+// glimt_render_gpu/src/kernels/seen.rs:24
+fn record(cell_5: u32, arrives: bool) -> u32 {
+    var chosen_24: u32;
+
+    // glimt_render_gpu/src/kernels/seen.rs:25
+    if arrives {
+        chosen_24 = 16384u;
+    } else {
+        chosen_24 = 0u;
+    }
+    let _e8 = chosen_24;
+    return ((32768u | _e8) | cell_5);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:79
+fn note(group_5: Group, s: u32, found: u32, points_start_8: u32, points_len_8: u32) {
+
+    // glimt_render_gpu/src/kernels/group_light.rs:80
+    if (s < (2u * group_5.members)) {
+        // glimt_render_gpu/src/kernels/group_light.rs:81
+        let _e14 = Group_ray(group_5, (s / 2u), points_start_8, points_len_8);
+        // glimt_render_gpu/src/kernels/group_light.rs:82
+        let _e27 = points[(points_start_8 + _e14)].record;
+        points[(points_start_8 + _e14)].record = (_e27 | (found << ((16u * (s & 1u)) & 31u)));
+    }
+    return;
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:109
+fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_14: vec2<u32>, cells_start_14: u32, pattern_5: PixelPattern, rays_5: f32, threshold_5: f32, group_6: Group, number: u32, expected_6: Unknown, points_start_9: u32, points_len_9: u32, drawn: ptr<function, Drawn>) -> Reflected {
     var proposal_6: Proposal;
     var source_2: PatternSource;
     var worth_1: f32;
-    var chosen_23: f32;
+    var chosen_25: f32;
     var lit_1: vec3<f32>;
     var blocked_1: vec3<f32>;
     var counter_12: u32;
-    var chosen_24: Look;
+    var chosen_26: Look;
 
-    // glimt_render_gpu/src/kernels/group_light.rs:95
-    let _e14 = Group_representative(group_5, points_start_8, points_len_8, env_size_6, env_rotation_6);
-    // glimt_render_gpu/src/kernels/group_light.rs:96
-    let _e16 = Proposal_new(_e14, cells_size_13, cells_start_13, expected_6);
-    proposal_6 = _e16;
-    // glimt_render_gpu/src/kernels/group_light.rs:97
-    let _e20 = PixelPattern_point(pattern_5, 12u, number);
-    source_2 = _e20;
-    // glimt_render_gpu/src/kernels/group_light.rs:98
-    let _e23 = PatternSource_next_u32_((&source_2));
-    let _e24 = unit_f32_(_e23);
-    // glimt_render_gpu/src/kernels/group_light.rs:99
-    worth_1 = ((rays_5 * f32(group_5.members)) / f32(pattern_5.rays));
-    // glimt_render_gpu/src/kernels/group_light.rs:100
-    let _e34 = worth_1;
-    worth_1 = clamp(_e34, 0.02f, 256f);
-    // glimt_render_gpu/src/kernels/group_light.rs:101
-    let _e40 = proposal_6.total;
-    let _e45 = proposal_6.lobe_share;
-    if (!((_e40 > 0f)) && !((_e45 > 0f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:102
-        worth_1 = 0f;
-    }
-    // glimt_render_gpu/src/kernels/group_light.rs:104
-    let _e53 = worth_1;
-    let _e54 = PatternSource_next_u32_((&source_2));
-    let _e55 = unit_f32_(_e54);
-    let count_2 = u32((_e53 + _e55));
-    // glimt_render_gpu/src/kernels/group_light.rs:105
-    let _e60 = worth_1;
-    if (_e60 < 1f) {
-        let _e63 = worth_1;
-        chosen_23 = _e63;
-    } else {
-        chosen_23 = f32(count_2);
-    }
-    let divisor = chosen_23;
-    // glimt_render_gpu/src/kernels/group_light.rs:106
-    let _e68 = PixelPattern_ray_key(pattern_5, 9u);
-    let _e69 = hash2_(_e68, number);
-    // glimt_render_gpu/src/kernels/group_light.rs:107
-    lit_1 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:108
-    blocked_1 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:109
-    counter_12 = 0u;
-    loop {
-        let s_4 = counter_12;
-        if (s_4 >= count_2) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/group_light.rs:110
-        let _e86 = proposal_6.lobe_share;
-        let before = u32(((f32(s_4) * _e86) + _e24));
-        // glimt_render_gpu/src/kernels/group_light.rs:111
-        let _e95 = proposal_6.lobe_share;
-        let after = u32(((f32((s_4 + 1u)) * _e95) + _e24));
-        // glimt_render_gpu/src/kernels/group_light.rs:112
-        if (after > before) {
-            // glimt_render_gpu/src/kernels/group_light.rs:113
-            let _e105 = (*drawn).lobes;
-            (*drawn).lobes = (_e105 + 1u);
-            // glimt_render_gpu/src/kernels/group_light.rs:114
-            let _e109 = (*drawn).lobes;
-            let _e112 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, group_5, (_e109 - 1u), points_start_8, points_len_8);
-            chosen_24 = _e112;
-        } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:116
-            let _e116 = (*drawn).cells;
-            (*drawn).cells = (_e116 + 1u);
-            // glimt_render_gpu/src/kernels/group_light.rs:117
-            let _e119 = proposal_6;
-            let _e121 = (*drawn).cells;
-            let _e124 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, group_5, _e119, expected_6, (_e121 - 1u), points_start_8, points_len_8);
-            chosen_24 = _e124;
-        }
-        let look_2 = chosen_24;
-        // glimt_render_gpu/src/kernels/group_light.rs:119
-        if look_2.is_possible {
-            // glimt_render_gpu/src/kernels/group_light.rs:120
-            let own_2 = (_e69 + s_4);
-            // glimt_render_gpu/src/kernels/group_light.rs:121
-            let _e131 = proposal_6;
-            let _e132 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, group_5, _e131, expected_6, look_2, own_2, points_start_8, points_len_8);
-            // glimt_render_gpu/src/kernels/group_light.rs:122
-            let _e135 = lit_1;
-            lit_1 = (_e135 + _e132.lit);
-            // glimt_render_gpu/src/kernels/group_light.rs:123
-            let _e139 = blocked_1;
-            blocked_1 = (_e139 + _e132.blocked);
-        }
-        continuing {
-            let _e141 = counter_12;
-            counter_12 = (_e141 + 1u);
-        }
-    }
+    // glimt_render_gpu/src/kernels/group_light.rs:117
+    let _e15 = Group_representative(group_6, points_start_9, points_len_9, env_size_6, env_rotation_6);
+    // glimt_render_gpu/src/kernels/group_light.rs:118
+    let _e18 = Group_ray(group_6, 0u, points_start_9, points_len_9);
+    // glimt_render_gpu/src/kernels/group_light.rs:119
+    let leader_3 = points[(points_start_9 + _e18)];
+    // glimt_render_gpu/src/kernels/group_light.rs:120
+    let _e25 = SeenPoint_slot(leader_3);
+    let _e26 = Unknown_at_slot(expected_6, _e25);
+    // glimt_render_gpu/src/kernels/group_light.rs:121
+    let _e28 = SeenPoint_is_catcher(leader_3);
+    // glimt_render_gpu/src/kernels/group_light.rs:122
+    let _e30 = Proposal_new(_e15, cells_size_14, cells_start_14, _e26, _e28);
+    proposal_6 = _e30;
+    // glimt_render_gpu/src/kernels/group_light.rs:123
+    let _e34 = PixelPattern_point(pattern_5, 12u, number);
+    source_2 = _e34;
+    // glimt_render_gpu/src/kernels/group_light.rs:124
+    let _e37 = PatternSource_next_u32_((&source_2));
+    let _e38 = unit_f32_(_e37);
+    // glimt_render_gpu/src/kernels/group_light.rs:125
+    let share_3 = (f32(group_6.members) / f32(pattern_5.rays));
     // glimt_render_gpu/src/kernels/group_light.rs:126
-    if (count_2 > 0u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:127
-        let _e148 = lit_1;
-        lit_1 = (_e148 / vec3(divisor));
+    worth_1 = (rays_5 * share_3);
+    // glimt_render_gpu/src/kernels/group_light.rs:127
+    if (threshold_5 > 0f) {
         // glimt_render_gpu/src/kernels/group_light.rs:128
-        let _e152 = blocked_1;
-        blocked_1 = (_e152 / vec3(divisor));
+        let _e53 = proposal_6.total;
+        let _e55 = proposal_6.lobe_worth;
+        worth_1 = (((_e53 + _e55) * share_3) / threshold_5);
     }
     // glimt_render_gpu/src/kernels/group_light.rs:130
-    let _e157 = proposal_6.integral;
-    let _e158 = lit_1;
-    let _e160 = blocked_1;
-    return Reflected((_e157 + _e158), _e160);
+    let _e60 = proposal_6;
+    let _e61 = Proposal_is_sharp(_e60);
+    if _e61 {
+        // glimt_render_gpu/src/kernels/group_light.rs:131
+        let _e63 = worth_1;
+        worth_1 = max(_e63, ((0.25f * rays_5) * share_3));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:133
+    let _e69 = worth_1;
+    worth_1 = clamp(_e69, 0.02f, 256f);
+    // glimt_render_gpu/src/kernels/group_light.rs:134
+    let _e75 = proposal_6.total;
+    let _e80 = proposal_6.lobe_share;
+    if (!((_e75 > 0f)) && !((_e80 > 0f))) {
+        // glimt_render_gpu/src/kernels/group_light.rs:135
+        worth_1 = 0f;
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:137
+    let _e88 = worth_1;
+    let _e89 = PatternSource_next_u32_((&source_2));
+    let _e90 = unit_f32_(_e89);
+    let count_2 = u32((_e88 + _e90));
+    // glimt_render_gpu/src/kernels/group_light.rs:138
+    let _e95 = worth_1;
+    if (_e95 < 1f) {
+        let _e98 = worth_1;
+        chosen_25 = _e98;
+    } else {
+        chosen_25 = f32(count_2);
+    }
+    let divisor = chosen_25;
+    // glimt_render_gpu/src/kernels/group_light.rs:139
+    let _e103 = PixelPattern_ray_key(pattern_5, 9u);
+    let _e104 = hash2_(_e103, number);
+    // glimt_render_gpu/src/kernels/group_light.rs:140
+    lit_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:141
+    blocked_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:142
+    counter_12 = 0u;
+    loop {
+        let s_5 = counter_12;
+        if (s_5 >= count_2) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/group_light.rs:143
+        let _e121 = proposal_6.lobe_share;
+        let before = u32(((f32(s_5) * _e121) + _e38));
+        // glimt_render_gpu/src/kernels/group_light.rs:144
+        let _e130 = proposal_6.lobe_share;
+        let after = u32(((f32((s_5 + 1u)) * _e130) + _e38));
+        // glimt_render_gpu/src/kernels/group_light.rs:145
+        if (after > before) {
+            // glimt_render_gpu/src/kernels/group_light.rs:146
+            let _e140 = (*drawn).lobes;
+            (*drawn).lobes = (_e140 + 1u);
+            // glimt_render_gpu/src/kernels/group_light.rs:147
+            let _e144 = (*drawn).lobes;
+            let _e147 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_14, cells_start_14, pattern_5, rays_5, threshold_5, group_6, (_e144 - 1u), points_start_9, points_len_9);
+            chosen_26 = _e147;
+        } else {
+            // glimt_render_gpu/src/kernels/group_light.rs:149
+            let _e151 = (*drawn).cells;
+            (*drawn).cells = (_e151 + 1u);
+            // glimt_render_gpu/src/kernels/group_light.rs:150
+            let _e154 = proposal_6;
+            let _e156 = (*drawn).cells;
+            let _e159 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_14, cells_start_14, pattern_5, rays_5, threshold_5, group_6, _e154, _e26, (_e156 - 1u), points_start_9, points_len_9);
+            chosen_26 = _e159;
+        }
+        let look_2 = chosen_26;
+        // glimt_render_gpu/src/kernels/group_light.rs:152
+        if look_2.is_possible {
+            // glimt_render_gpu/src/kernels/group_light.rs:153
+            let own_2 = (_e104 + s_5);
+            // glimt_render_gpu/src/kernels/group_light.rs:154
+            let _e166 = proposal_6;
+            let _e167 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_14, cells_start_14, pattern_5, rays_5, threshold_5, group_6, _e166, _e26, look_2, own_2, points_start_9, points_len_9);
+            // glimt_render_gpu/src/kernels/group_light.rs:155
+            let _e170 = lit_1;
+            lit_1 = (_e170 + _e167.lit);
+            // glimt_render_gpu/src/kernels/group_light.rs:156
+            let _e174 = blocked_1;
+            blocked_1 = (_e174 + _e167.blocked);
+            // glimt_render_gpu/src/kernels/group_light.rs:157
+            if (false && _e167.is_traced) {
+                // glimt_render_gpu/src/kernels/group_light.rs:158
+                let _e183 = record(look_2.cell, _e167.arrives);
+                note(group_6, s_5, _e183, points_start_9, points_len_9);
+            }
+        }
+        continuing {
+            let _e184 = counter_12;
+            counter_12 = (_e184 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:162
+    if (count_2 > 0u) {
+        // glimt_render_gpu/src/kernels/group_light.rs:163
+        let _e191 = lit_1;
+        lit_1 = (_e191 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:164
+        let _e195 = blocked_1;
+        blocked_1 = (_e195 / vec3(divisor));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:166
+    if (false && _e28) {
+        // glimt_render_gpu/src/kernels/group_light.rs:168
+        let _e203 = proposal_6.open_integral;
+        let _e204 = lit_1;
+        let _e206 = blocked_1;
+        let _e208 = blocked_1;
+        return Reflected(((_e203 + _e204) - _e206), _e208);
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:173
+    let _e212 = proposal_6.integral;
+    let _e213 = lit_1;
+    let _e215 = blocked_1;
+    return Reflected((_e212 + _e213), _e215);
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:25
@@ -3801,43 +3985,43 @@ fn Vec4_of_surface(light: Reflected, _is_catcher: bool) -> vec4<f32> {
     return vec4<f32>(light.lit, 1f);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:207
+// glimt_render_gpu/src/kernels/pattern.rs:211
 fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
     var x_11: u32;
     var round_key: u32;
     var counter_13: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:208
+    // glimt_render_gpu/src/kernels/pattern.rs:212
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:209
+        // glimt_render_gpu/src/kernels/pattern.rs:213
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:211
+    // glimt_render_gpu/src/kernels/pattern.rs:215
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:212
+    // glimt_render_gpu/src/kernels/pattern.rs:216
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:213
+    // glimt_render_gpu/src/kernels/pattern.rs:217
     x_11 = index_18;
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:218
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:219
         round_key = key_4;
-        // glimt_render_gpu/src/kernels/pattern.rs:216
+        // glimt_render_gpu/src/kernels/pattern.rs:220
         counter_13 = 0i;
         loop {
             let _e31 = counter_13;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:217
+            // glimt_render_gpu/src/kernels/pattern.rs:221
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:219
+            // glimt_render_gpu/src/kernels/pattern.rs:223
             let _e37 = x_11;
             let _e38 = round_key;
             x_11 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:220
+            // glimt_render_gpu/src/kernels/pattern.rs:224
             let _e44 = x_11;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_11;
@@ -3847,10 +4031,10 @@ fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
                 counter_13 = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:222
+        // glimt_render_gpu/src/kernels/pattern.rs:226
         let _e62 = x_11;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:227
             let _e65 = x_11;
             let _e67 = hash_u32_(~(key_4));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -3859,111 +4043,111 @@ fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:198
-fn stratum(cell_5: u32, count: u32, jitter: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:202
+fn stratum(cell_6: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:199
-    return ((cell_5 * (4294967295u / count)) + (jitter / count));
+    // glimt_render_gpu/src/kernels/pattern.rs:203
+    return ((cell_6 * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:178
+// glimt_render_gpu/src/kernels/pattern.rs:182
 fn jittered_pair(index_19: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:179
+    // glimt_render_gpu/src/kernels/pattern.rs:183
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:180
+    // glimt_render_gpu/src/kernels/pattern.rs:184
     let _e12 = (count_1 / columns);
     let rows_1 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:181
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     let _e21 = hash2_(key_5, 1u);
     let _e22 = permute(index_19, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:182
+    // glimt_render_gpu/src/kernels/pattern.rs:186
     let _e26 = hash2_(key_5, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:183
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     let _e31 = hash2_(key_5, 3u);
     let _e32 = permute((_e22 / columns), rows_1, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:184
+    // glimt_render_gpu/src/kernels/pattern.rs:188
     let _e38 = stratum(((_e27 * rows_1) + _e32), (columns * rows_1), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:61
-fn PixelPattern_pair(this_42: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:65
+fn PixelPattern_pair(this_48: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed_4: OwenSobol;
     var borrowed_5: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:62
-    let index_21 = ((this_42.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:63
-    if (this_42.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:64
-        let _e14 = PixelPattern_sobol_point(this_42, purpose_5, index_21);
+    // glimt_render_gpu/src/kernels/pattern.rs:66
+    let index_21 = ((this_48.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    if (this_48.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:68
+        let _e14 = PixelPattern_sobol_point(this_48, purpose_5, index_21);
         borrowed_4 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_4));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:66
-    let _e18 = PixelPattern_generator(this_42, purpose_5, index_21);
+    // glimt_render_gpu/src/kernels/pattern.rs:70
+    let _e18 = PixelPattern_generator(this_48, purpose_5, index_21);
     borrowed_5 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
-    // glimt_render_gpu/src/kernels/pattern.rs:67
-    if (this_42.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:68
+    // glimt_render_gpu/src/kernels/pattern.rs:71
+    if (this_48.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:72
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:70
-    let _e29 = PixelPattern_key(this_42, purpose_5);
-    let _e30 = jittered_pair(index_21, (this_42.rays * samples), _e20, _e29);
+    // glimt_render_gpu/src/kernels/pattern.rs:74
+    let _e29 = PixelPattern_key(this_48, purpose_5);
+    let _e30 = jittered_pair(index_21, (this_48.rays * samples), _e20, _e29);
     return _e30;
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_43: CameraView, p: vec2<f32>, size_19: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_49: CameraView, p: vec2<f32>, size_19: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
     let x_14 = (((2f * p.x) / f32(size_19.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
     let y_5 = (((2f * p.y) / f32(size_19.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_43.forward + (this_43.right * x_14)) - (this_43.up * y_5)));
+    return normalize(((this_49.forward + (this_49.right * x_14)) - (this_49.up * y_5)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:151
-fn FrameParams_direction(this_44: FrameParams, pixel_2: u32, place_1: vec2<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/frame.rs:161
+fn FrameParams_direction(this_50: FrameParams, pixel_3: u32, place_1: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:152
-    let corner = vec2<f32>(vec2<u32>((pixel_2 % this_44.width), (pixel_2 / this_44.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:153
-    let view = CameraView(this_44.eye, this_44.forward, this_44.right, this_44.up);
-    // glimt_render_gpu/src/kernels/frame.rs:159
-    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_44.width, this_44.height));
+    // glimt_render_gpu/src/kernels/frame.rs:162
+    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_50.width), (pixel_3 / this_50.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:163
+    let view = CameraView(this_50.eye, this_50.forward, this_50.right, this_50.up);
+    // glimt_render_gpu/src/kernels/frame.rs:169
+    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_50.width, this_50.height));
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:134
-fn FrameParams_camera_ray(this_45: FrameParams, pattern_6: PixelPattern) -> Ray {
-    var chosen_25: vec2<f32>;
+// glimt_render_gpu/src/kernels/frame.rs:144
+fn FrameParams_camera_ray(this_51: FrameParams, pattern_6: PixelPattern) -> Ray {
+    var chosen_27: vec2<f32>;
 
-    // glimt_render_gpu/src/kernels/frame.rs:135
-    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_45.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
-    // glimt_render_gpu/src/kernels/frame.rs:139
-    if (this_45.filter_ == 1u) {
-        // glimt_render_gpu/src/kernels/frame.rs:140
-        chosen_25 = vec2(0.5f);
+    // glimt_render_gpu/src/kernels/frame.rs:145
+    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_51.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
+    // glimt_render_gpu/src/kernels/frame.rs:149
+    if (this_51.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:150
+        chosen_27 = vec2(0.5f);
     } else {
-        // glimt_render_gpu/src/kernels/frame.rs:142
+        // glimt_render_gpu/src/kernels/frame.rs:152
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
-        chosen_25 = _e24;
+        chosen_27 = _e24;
     }
-    let place_4 = chosen_25;
-    // glimt_render_gpu/src/kernels/frame.rs:144
-    let _e28 = FrameParams_direction(this_45, pattern_6.pixel, place_4);
-    // glimt_render_gpu/src/kernels/frame.rs:145
+    let place_4 = chosen_27;
+    // glimt_render_gpu/src/kernels/frame.rs:154
+    let _e28 = FrameParams_direction(this_51, pattern_6.pixel, place_4);
+    // glimt_render_gpu/src/kernels/frame.rs:155
     let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_45.eye, _e28, _e32);
+    let _e33 = Ray_keyed(this_51.eye, _e28, _e32);
     return _e33;
 }
 
@@ -4016,122 +4200,123 @@ fn RadianceMap_background(size_22: vec2<u32>, rotation_5: vec2<f32>, direction_1
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:30
-fn Vec4_of_background(ray_10: Ray, frame_2: FrameParams, map_size: vec2<u32>, map_rotation: vec2<f32>) -> vec4<f32> {
+fn Vec4_of_background(ray_11: Ray, frame_2: FrameParams, map_size: vec2<u32>, map_rotation: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/shade.rs:31
     if (frame_2.background == 0u) {
         // glimt_render_gpu/src/kernels/shade.rs:32
-        let _e11 = RadianceMap_background(map_size, map_rotation, ray_10.direction);
+        let _e11 = RadianceMap_background(map_size, map_rotation, ray_11.direction);
         return vec4<f32>(_e11, 1f);
     }
     // glimt_render_gpu/src/kernels/shade.rs:34
     return vec4(0f);
 }
 
-// glimt_render_gpu/src/kernels/product.rs:54
-fn shade_groups(pixel_3: u32, frame_3: FrameParams, rays_6: f32, expected_7: Unknown, env_size_7: vec2<u32>, env_rotation_7: vec2<f32>, points_start_9: u32, points_len_9: u32, samples_start: u32, samples_len: u32) {
+// glimt_render_gpu/src/kernels/product.rs:55
+fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f32, expected_7: Unknown, env_size_7: vec2<u32>, env_rotation_7: vec2<f32>, points_start_10: u32, points_len_10: u32, samples_start: u32, samples_len: u32) {
     var drawn_1: Drawn;
     var leader_2: u32;
     var filled: u32;
     var number_1: u32;
-    var group_6: Group;
+    var group_7: Group;
     var counter_14: u32;
     var counter_15: u32;
 
-    // glimt_render_gpu/src/kernels/product.rs:64
-    let first_7 = (pixel_3 * frame_3.rays_per_pixel);
-    // glimt_render_gpu/src/kernels/product.rs:65
-    let _e14 = Environment_cells(env_size_7, env_rotation_7);
-    let _e17 = FrameParams_pattern_of(frame_3, first_7);
-    // glimt_render_gpu/src/kernels/product.rs:72
-    drawn_1 = Drawn(0u, 0u);
-    // glimt_render_gpu/src/kernels/product.rs:73
-    leader_2 = 0u;
-    // glimt_render_gpu/src/kernels/product.rs:74
-    filled = 0u;
+    // glimt_render_gpu/src/kernels/product.rs:66
+    let first_8 = (pixel_4 * frame_3.rays_per_pixel);
+    // glimt_render_gpu/src/kernels/product.rs:67
+    let _e15 = Environment_cells(env_size_7, env_rotation_7);
+    let _e18 = FrameParams_pattern_of(frame_3, first_8);
     // glimt_render_gpu/src/kernels/product.rs:75
-    number_1 = 0u;
+    drawn_1 = Drawn(0u, 0u);
     // glimt_render_gpu/src/kernels/product.rs:76
-    let _e33 = filled;
-    let _e34 = next_group(points_start_9, points_len_9, (&leader_2), _e33);
-    group_6 = _e34;
+    leader_2 = 0u;
     // glimt_render_gpu/src/kernels/product.rs:77
+    filled = 0u;
+    // glimt_render_gpu/src/kernels/product.rs:78
+    number_1 = 0u;
+    // glimt_render_gpu/src/kernels/product.rs:79
+    let _e34 = filled;
+    let _e35 = next_group(points_start_10, points_len_10, (&leader_2), _e34);
+    group_7 = _e35;
+    // glimt_render_gpu/src/kernels/product.rs:80
     loop {
-        let _e38 = group_6.members;
-        if !((_e38 > 0u)) {
+        let _e39 = group_7.members;
+        if !((_e39 > 0u)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/product.rs:78
-        let _e43 = group_6;
-        let _e44 = number_1;
-        let _e45 = GroupLight_reflected(env_size_7, env_rotation_7, _e14.value_size, _e14.value_start, _e17, rays_6, _e43, _e44, expected_7, points_start_9, points_len_9, (&drawn_1));
-        // glimt_render_gpu/src/kernels/product.rs:79
-        let _e49 = group_6.members;
+        // glimt_render_gpu/src/kernels/product.rs:81
+        let _e44 = group_7;
+        let _e45 = number_1;
+        let _e46 = GroupLight_reflected(env_size_7, env_rotation_7, _e15.value_size, _e15.value_start, _e18, rays_6, threshold_6, _e44, _e45, expected_7, points_start_10, points_len_10, (&drawn_1));
+        // glimt_render_gpu/src/kernels/product.rs:82
+        let _e50 = group_7.members;
         counter_14 = 0u;
         loop {
             let k_5 = counter_14;
-            if (k_5 >= _e49) {
+            if (k_5 >= _e50) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/product.rs:80
-            let _e54 = group_6;
-            let _e55 = Group_ray(_e54, k_5, points_start_9, points_len_9);
-            // glimt_render_gpu/src/kernels/product.rs:81
-            let point_7 = points[(points_start_9 + _e55)];
-            // glimt_render_gpu/src/kernels/product.rs:82
-            let own_3 = Reflected((_e45.lit + point_7.emission), _e45.blocked);
-            // glimt_render_gpu/src/kernels/product.rs:86
-            let _e71 = Vec4_of_surface(own_3, (point_7.catcher != 0u));
-            samples_1[(samples_start + _e55)] = _e71;
+            // glimt_render_gpu/src/kernels/product.rs:83
+            let _e55 = group_7;
+            let _e56 = Group_ray(_e55, k_5, points_start_10, points_len_10);
+            // glimt_render_gpu/src/kernels/product.rs:84
+            let point_7 = points[(points_start_10 + _e56)];
+            // glimt_render_gpu/src/kernels/product.rs:85
+            let own_3 = Reflected((_e46.lit + point_7.emission), _e46.blocked);
+            // glimt_render_gpu/src/kernels/product.rs:89
+            let _e69 = SeenPoint_is_catcher(point_7);
+            let _e70 = Vec4_of_surface(own_3, _e69);
+            samples_1[(samples_start + _e56)] = _e70;
             continuing {
-                let _e75 = counter_14;
-                counter_14 = (_e75 + 1u);
+                let _e74 = counter_14;
+                counter_14 = (_e74 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/product.rs:88
-        let _e80 = group_6.members;
-        let _e81 = filled;
-        filled = (_e81 + _e80);
-        // glimt_render_gpu/src/kernels/product.rs:89
-        let _e85 = number_1;
-        number_1 = (_e85 + 1u);
-        // glimt_render_gpu/src/kernels/product.rs:90
-        let _e88 = filled;
-        let _e89 = next_group(points_start_9, points_len_9, (&leader_2), _e88);
-        group_6 = _e89;
+        // glimt_render_gpu/src/kernels/product.rs:91
+        let _e79 = group_7.members;
+        let _e80 = filled;
+        filled = (_e80 + _e79);
+        // glimt_render_gpu/src/kernels/product.rs:92
+        let _e84 = number_1;
+        number_1 = (_e84 + 1u);
+        // glimt_render_gpu/src/kernels/product.rs:93
+        let _e87 = filled;
+        let _e88 = next_group(points_start_10, points_len_10, (&leader_2), _e87);
+        group_7 = _e88;
     }
-    // glimt_render_gpu/src/kernels/product.rs:92
+    // glimt_render_gpu/src/kernels/product.rs:95
     counter_15 = 0u;
     loop {
-        let ray_12 = counter_15;
-        if (ray_12 >= frame_3.rays_per_pixel) {
+        let ray_13 = counter_15;
+        if (ray_13 >= frame_3.rays_per_pixel) {
             break;
         }
-        // glimt_render_gpu/src/kernels/product.rs:93
-        let _e100 = points[(points_start_9 + ray_12)];
-        let _e101 = SeenPoint_is_hit(_e100);
-        if !(_e101) {
-            // glimt_render_gpu/src/kernels/product.rs:94
-            let _e105 = FrameParams_pattern_of(frame_3, (first_7 + ray_12));
-            let _e106 = FrameParams_camera_ray(frame_3, _e105);
-            // glimt_render_gpu/src/kernels/product.rs:95
-            let _e108 = Environment_map(env_size_7, env_rotation_7);
-            let _e111 = Vec4_of_background(_e106, frame_3, _e108.value_size, _e108.value_rotation);
-            samples_1[(samples_start + ray_12)] = _e111;
+        // glimt_render_gpu/src/kernels/product.rs:96
+        let _e99 = points[(points_start_10 + ray_13)];
+        let _e100 = SeenPoint_is_hit(_e99);
+        if !(_e100) {
+            // glimt_render_gpu/src/kernels/product.rs:97
+            let _e104 = FrameParams_pattern_of(frame_3, (first_8 + ray_13));
+            let _e105 = FrameParams_camera_ray(frame_3, _e104);
+            // glimt_render_gpu/src/kernels/product.rs:98
+            let _e107 = Environment_map(env_size_7, env_rotation_7);
+            let _e110 = Vec4_of_background(_e105, frame_3, _e107.value_size, _e107.value_rotation);
+            samples_1[(samples_start + ray_13)] = _e110;
         }
         continuing {
-            let _e115 = counter_15;
-            counter_15 = (_e115 + 1u);
+            let _e114 = counter_15;
+            counter_15 = (_e114 + 1u);
         }
     }
     return;
 }
 
 // glimt_render_gpu/src/kernels/product.rs:31
-fn shade_product_1(pixel_4: u32, frame_4: FrameParams, product: Product, env_size_8: vec2<u32>, env_rotation_8: vec2<f32>, points_start_10: u32, points_len_10: u32, samples_start_1: u32, samples_len_1: u32) {
+fn shade_product_1(pixel_5: u32, frame_4: FrameParams, product: Product, env_size_8: vec2<u32>, env_rotation_8: vec2<f32>, points_start_11: u32, points_len_11: u32, samples_start_1: u32, samples_len_1: u32) {
 
     // glimt_render_gpu/src/kernels/product.rs:40
-    shade_groups(pixel_4, frame_4, product.rays, Unknown(), env_size_8, env_rotation_8, points_start_10, points_len_10, samples_start_1, samples_len_1);
+    shade_groups(pixel_5, frame_4, product.rays, 0f, Unknown(), env_size_8, env_rotation_8, points_start_11, points_len_11, samples_start_1, samples_len_1);
     return;
 }
 

@@ -125,14 +125,14 @@ fn CameraView_direction(this_: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec
     return normalize(((this_.forward + (this_.right * x)) - (this_.up * y)));
 }
 
-// glimt_render_gpu/src/kernels/frame.rs:151
+// glimt_render_gpu/src/kernels/frame.rs:161
 fn FrameParams_direction(this_1: FrameParams, pixel: u32, place: vec2<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/frame.rs:152
+    // glimt_render_gpu/src/kernels/frame.rs:162
     let corner = vec2<f32>(vec2<u32>((pixel % this_1.width), (pixel / this_1.width)));
-    // glimt_render_gpu/src/kernels/frame.rs:153
+    // glimt_render_gpu/src/kernels/frame.rs:163
     let view = CameraView(this_1.eye, this_1.forward, this_1.right, this_1.up);
-    // glimt_render_gpu/src/kernels/frame.rs:159
+    // glimt_render_gpu/src/kernels/frame.rs:169
     let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_1.width, this_1.height));
     return _e22;
 }

@@ -16,7 +16,7 @@ use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
 use crate::methods::smc::{Following, Own, TILE_GRANULE};
-use crate::methods::{Inputs, Method, MethodMemory, Points, Work};
+use crate::methods::{Before, Inputs, Method, MethodMemory, Points, Work};
 use crate::prepare::env::PreparedEnv;
 use crate::prepare::plate::Plate;
 use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer, SettingsError};
@@ -171,6 +171,15 @@ impl GpuRenderer {
         let (Some(uploaded), Some(tile)) = (self.scene.get(), &mut self.tile) else {
             unreachable!("both were just made");
         };
+        let inputs = Inputs {
+            frame: &whole,
+            env: env.arg(),
+            scene: uploaded.arg(),
+        };
+        let mut executor = Direct::new(&self.context);
+        let before = Before::find(&*self.context, &mut executor, inputs, settings);
+        let before = before.map_err(device)?;
+        self.times.shade += executor.take_report();
         let pixels = whole.width * whole.height;
         let mut image = FrameImage {
             size: settings.size,
@@ -184,11 +193,12 @@ impl GpuRenderer {
         while first < pixels {
             let count = tile.count.min(pixels - first);
             let rays = f64::from(pixels) * f64::from(whole.rays_per_pixel);
-            let before = f64::from(first) * f64::from(whole.rays_per_pixel);
+            let earlier = f64::from(first) * f64::from(whole.rays_per_pixel);
             let passes = f64::from(method.passes());
-            let tell = |done: u64| progress(((before + done as f64 / passes) / rays) as f32);
+            let tell = |done: u64| progress(((earlier + done as f64 / passes) / rays) as f32);
             let work = TileWork {
                 context: &self.context,
+                before: &before,
                 inputs: Inputs {
                     frame: &FrameParams {
                         first_pixel: first,
@@ -408,6 +418,7 @@ fn sample_bytes(in_layers: bool) -> u64 {
 /// One tile to render.
 struct TileWork<'a> {
     context: &'a GpuContext,
+    before: &'a Before<Gpu>,
     inputs: Inputs<'a, Gpu>,
     count: u32,
     /// The tile's part of the plate.
@@ -453,7 +464,7 @@ impl TileWork<'_> {
                 times.film += film.take_report();
             }
             (_, points) => {
-                let work = points.seen(rays);
+                let work = points.work(self.before, rays);
                 method.shade(work, &mut executor, self.inputs, rays, out)?;
             }
         }

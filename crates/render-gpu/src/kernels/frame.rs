@@ -118,12 +118,22 @@ impl FrameParams {
     #[inline]
     #[must_use]
     pub fn pattern_of(&self, ray: u32) -> PixelPattern {
+        self.pattern_at(
+            self.first_pixel + ray / self.rays_per_pixel,
+            ray % self.rays_per_pixel,
+        )
+    }
+
+    /// The sample pattern of ray `ray` of pixel `pixel` of the image.
+    #[inline]
+    #[must_use]
+    pub fn pattern_at(&self, pixel: u32, ray: u32) -> PixelPattern {
         PixelPattern {
             kind: self.pattern,
             seed: self.seed,
             frame: self.frame,
-            pixel: self.first_pixel + ray / self.rays_per_pixel,
-            ray: ray % self.rays_per_pixel,
+            pixel,
+            ray,
             rays: self.rays_per_pixel,
         }
     }

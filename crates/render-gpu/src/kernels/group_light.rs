@@ -13,7 +13,7 @@ use super::groups::Group;
 use super::pattern::{CELLS, COUNT, LIT_THROUGH, LOBE, PixelPattern};
 use super::proposal::{Expectation, Proposal};
 use super::scene::{Scene, ShadingPoint};
-use super::seen::SeenPoint;
+use super::seen::{SeenPoint, record};
 
 /// The fewest and the most rays that a group is worth, on average.
 const FEWEST: f32 = 0.02;
@@ -42,8 +42,10 @@ pub struct GroupLight<'a> {
     pub scene: Scene<'a>,
     /// The pixel's pattern.
     pub pattern: PixelPattern,
-    /// Shadow rays of a pixel whose rays all hit something.
+    /// Shadow rays of a pixel: of one whose rays all hit something, or on average over the image where there is a threshold.
     pub rays: f32,
+    /// τ: what a ray of a group is worth on average; 0 where all groups of equal size get equally many.
+    pub threshold: f32,
 }
 
 /// A direction to look for light in, and the member that looks.
@@ -59,6 +61,26 @@ struct Look {
     ray: u32,
     /// Whether there is such a direction: a lobe may reflect below the horizon.
     is_possible: bool,
+}
+
+/// What a direction contributes, and what was found there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Sample {
+    lit: Vec3,
+    blocked: Vec3,
+    /// Whether a ray was sent out.
+    is_traced: bool,
+    /// Whether light arrived along it.
+    arrives: bool,
+}
+
+/// Notes what sample `s` of a group found, as far as its members have room: two a member.
+#[inline]
+fn note(group: &Group, s: u32, found: u32, points: &mut [SeenPoint]) {
+    if s < 2 * group.members {
+        let ray = group.ray(s / 2, points) as usize;
+        points[ray].record |= found << (16 * (s & 1));
+    }
 }
 
 /// The member's lobe alone.
@@ -93,10 +115,21 @@ impl GroupLight<'_> {
         drawn: &mut Drawn,
     ) -> Reflected {
         let representative = group.representative(points, self.env);
-        let proposal = Proposal::new(&representative, &self.cells, expected);
+        let first = group.ray(0, points);
+        let leader = points[first as usize];
+        let expected = &expected.at_slot(leader.slot());
+        let is_catcher = leader.is_catcher();
+        let proposal = Proposal::new(&representative, &self.cells, expected, is_catcher);
         let mut source = self.pattern.point(COUNT, number);
         let start = unit_f32(source.next_u32());
-        let mut worth = self.rays * group.members as f32 / self.pattern.rays as f32;
+        let share = group.members as f32 / self.pattern.rays as f32;
+        let mut worth = self.rays * share;
+        if self.threshold > 0.0 {
+            worth = (proposal.total + proposal.lobe_worth) * share / self.threshold;
+        }
+        if proposal.is_sharp() {
+            worth = worth.max(0.25 * self.rays * share);
+        }
         worth = worth.clamp(FEWEST, MOST);
         if !(proposal.total > 0.0) && !(proposal.lobe_share > 0.0) {
             worth = 0.0;
@@ -121,11 +154,21 @@ impl GroupLight<'_> {
                 let light = self.sample(group, &proposal, expected, &look, own, points);
                 lit += light.lit;
                 blocked += light.blocked;
+                if P::CONTROL && light.is_traced {
+                    note(group, s, record(look.cell, light.arrives), points);
+                }
             }
         }
         if count > 0 {
             lit = lit / divisor;
             blocked = blocked / divisor;
+        }
+        if P::CONTROL && is_catcher {
+            // Here `lit` is the light without objects.
+            return Reflected {
+                lit: proposal.open_integral + lit - blocked,
+                blocked,
+            };
         }
         Reflected {
             lit: proposal.integral + lit,
@@ -191,7 +234,7 @@ impl GroupLight<'_> {
         look: &Look,
         key: u32,
         points: &mut [SeenPoint],
-    ) -> Reflected {
+    ) -> Sample {
         let point = points[look.ray as usize].shading_point();
         let wi = point.frame.to_local(look.direction);
         let at = proposal.cell(look.cell, &self.cells, expected);
@@ -205,7 +248,12 @@ impl GroupLight<'_> {
             pdf_sr += share * lobe_of(&point).pdf_sr(point.wo, wi);
         }
         if !(pdf_sr > f32::MIN_POSITIVE) {
-            return Reflected::NONE;
+            return Sample {
+                lit: Vec3::ZERO,
+                blocked: Vec3::ZERO,
+                is_traced: false,
+                arrives: false,
+            };
         }
         let radiance = self.env.radiance(look.texel);
         let f = reflectance(&point, wi);
@@ -219,13 +267,20 @@ impl GroupLight<'_> {
             blocked = f;
         }
         if P::CONTROL {
-            lit = lit - proposal.control(look.of_map, &at)
-                + self.of_others(group, proposal, look, &point, f, points) * at.visibility;
+            let control = proposal.open_control(look.of_map, &at);
+            let others = self.of_others(group, proposal, look, &point, f, points);
+            if proposal.is_catcher {
+                lit = f - control + others;
+            } else {
+                lit = lit + (others - control) * at.visibility;
+            }
         }
         // The quotient is bounded where the radiance may be huge, so it comes first.
-        Reflected {
+        Sample {
             lit: radiance * (lit / pdf_sr),
             blocked: radiance * (blocked / pdf_sr),
+            is_traced: is_seen,
+            arrives,
         }
     }
 

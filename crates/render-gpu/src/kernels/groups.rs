@@ -5,7 +5,7 @@ use glimt_light_cells::CellSurface;
 use glimt_sampling::math::luminance;
 
 use super::environment::Environment;
-use super::seen::SeenPoint;
+use super::seen::{GROUPED, SeenPoint};
 
 /// Cosine of the largest angle between the normal of a group's first member and that of another: 20°.
 const NEAR: f32 = 0.939_692_6;
@@ -38,7 +38,7 @@ pub struct Representative {
 /// Whether a ray may join a group.
 #[inline]
 fn belongs(leader: &SeenPoint, point: &SeenPoint) -> bool {
-    point.grouped == 0
+    point.flags & GROUPED == 0
         && point.surface == leader.surface
         && point.material == leader.material
         && point.normal.dot(leader.normal) >= NEAR
@@ -52,7 +52,7 @@ pub fn next_group(points: &mut [SeenPoint], from: &mut u32, first: u32) -> Group
     let rays = points.len() as u32;
     let mut leader = *from;
     while leader < rays
-        && (points[leader as usize].grouped != 0 || !points[leader as usize].is_hit())
+        && (points[leader as usize].flags & GROUPED != 0 || !points[leader as usize].is_hit())
     {
         leader += 1;
     }
@@ -63,7 +63,7 @@ pub fn next_group(points: &mut [SeenPoint], from: &mut u32, first: u32) -> Group
         for ray in leader..rays {
             if belongs(&own, &points[ray as usize]) {
                 points[(first + members) as usize].order = ray;
-                points[ray as usize].grouped = 1;
+                points[ray as usize].flags |= GROUPED;
                 members += 1;
             }
         }

@@ -33,6 +33,10 @@ pub const CELLS: u32 = 10;
 pub const LOBE: u32 = 11;
 /// What uniforms are for: how many samples a group takes, and by which technique.
 pub const COUNT: u32 = 12;
+/// What uniforms are for: directions of pilot rays.
+pub const PILOT: u32 = 13;
+/// What uniforms are for: the way of pilot rays through surfaces that let light pass.
+pub const PILOT_THROUGH: u32 = 14;
 
 /// The pattern of one pixel, as one of its rays sees it.
 ///

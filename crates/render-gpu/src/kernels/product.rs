@@ -41,6 +41,7 @@ pub fn shade_product<S: RaySample>(
         pixel,
         frame,
         product.rays,
+        0.0,
         &Unknown,
         env,
         scene,
@@ -55,6 +56,7 @@ pub fn shade_groups<P: Expectation, S: RaySample>(
     pixel: u32,
     frame: &FrameParams,
     rays: f32,
+    threshold: f32,
     expected: &P,
     env: Environment<'_>,
     scene: Scene<'_>,
@@ -68,6 +70,7 @@ pub fn shade_groups<P: Expectation, S: RaySample>(
         scene,
         pattern: frame.pattern_of(first),
         rays,
+        threshold,
     };
     let mut drawn = Drawn { cells: 0, lobes: 0 };
     let mut leader = 0;
@@ -83,7 +86,7 @@ pub fn shade_groups<P: Expectation, S: RaySample>(
                 lit: reflected.lit + point.emission,
                 blocked: reflected.blocked,
             };
-            samples[ray as usize] = S::of_surface(&own, point.catcher != 0);
+            samples[ray as usize] = S::of_surface(&own, point.is_catcher());
         }
         filled += group.members;
         number += 1;

@@ -27,6 +27,9 @@ pub trait Expectation {
     /// Whether it is good for a control variate. Else cells are weighted by what they reflect.
     const CONTROL: bool;
 
+    /// What is known around a point of this slot: see [`SeenPoint::slot`](super::seen::SeenPoint::slot).
+    fn at_slot(&self, slot: u32) -> Self;
+
     /// The share of the light of cells `4 · quad` on that is expected to arrive, 0 to 1.
     fn quad(&self, quad: u32) -> Vec4;
 }
@@ -37,6 +40,11 @@ pub struct Unknown;
 
 impl Expectation for Unknown {
     const CONTROL: bool = false;
+
+    #[inline]
+    fn at_slot(&self, _slot: u32) -> Unknown {
+        Unknown
+    }
 
     #[inline]
     fn quad(&self, _quad: u32) -> Vec4 {
@@ -89,6 +97,10 @@ pub struct Proposal {
     pub lobe_share: f32,
     /// Γ: the integral of the control variate; 0 without one.
     pub integral: Vec3,
+    /// That of the control variate where nothing blocks light; 0 but for catchers.
+    pub open_integral: Vec3,
+    /// Whether it is for a catcher, whose blocked light has no control variate.
+    pub is_catcher: bool,
 }
 
 /// Sums over all cells.
@@ -107,6 +119,9 @@ struct Totals {
     /// Γ by diffuse reflection and by the lobe, without kd/π and ks.
     diffuse: Vec3,
     specular: Vec3,
+    /// As those, where nothing blocks light.
+    open_diffuse: Vec3,
+    open_specular: Vec3,
 }
 
 /// One channel of Γ over four cells: its diffuse part where the cells are seen whole, and where not.
@@ -127,7 +142,17 @@ fn channel_sum(
     (full * moment + cut * radiance).element_sum()
 }
 
-/// One channel of a sum over four cells of factors times radiance.
+/// As [`channel_sum`], of all channels.
+#[inline]
+fn diffuse_sum(cells: &LightCells<'_>, quad: u32, normal: Vec3, full: Vec4, cut: Vec4) -> Vec3 {
+    Vec3::new(
+        channel_sum(cells, quad, 0, normal, full, cut),
+        channel_sum(cells, quad, 1, normal, full, cut),
+        channel_sum(cells, quad, 2, normal, full, cut),
+    )
+}
+
+/// The sum over four cells of factors times radiance.
 #[inline]
 fn radiance_sum(cells: &LightCells<'_>, quad: u32, factors: Vec4) -> Vec3 {
     Vec3::new(
@@ -138,7 +163,12 @@ fn radiance_sum(cells: &LightCells<'_>, quad: u32, factors: Vec4) -> Vec3 {
 }
 
 #[inline]
-fn weigh<P: Expectation>(of: &Representative, cells: &LightCells<'_>, expected: &P) -> Totals {
+fn weigh<P: Expectation>(
+    of: &Representative,
+    cells: &LightCells<'_>,
+    expected: &P,
+    is_catcher: bool,
+) -> Totals {
     let surface = of.surface;
     let has_lobe = surface.specular > 0.0;
     let mut t = Totals {
@@ -153,6 +183,8 @@ fn weigh<P: Expectation>(of: &Representative, cells: &LightCells<'_>, expected: 
         lobe_area: 0.0,
         diffuse: Vec3::ZERO,
         specular: Vec3::ZERO,
+        open_diffuse: Vec3::ZERO,
+        open_specular: Vec3::ZERO,
     };
     for block in 0..BLOCKS {
         let mut weight = 0.0;
@@ -166,15 +198,18 @@ fn weigh<P: Expectation>(of: &Representative, cells: &LightCells<'_>, expected: 
             if seen > 0.0 {
                 live += seen;
                 let visibility = expected.quad(quad);
-                weight += weights::<P>(&surface, &terms, flux, visibility).element_sum();
+                let own = weights::<P>(&surface, &terms, flux, visibility, is_catcher);
+                weight += own.element_sum();
                 if P::CONTROL {
                     let full = terms.full * visibility;
                     let cut = (visibility - full) * terms.cosine;
-                    t.diffuse += Vec3::new(
-                        channel_sum(cells, quad, 0, of.mean_normal, full, cut),
-                        channel_sum(cells, quad, 1, of.mean_normal, full, cut),
-                        channel_sum(cells, quad, 2, of.mean_normal, full, cut),
-                    );
+                    t.diffuse += diffuse_sum(cells, quad, of.mean_normal, full, cut);
+                    if is_catcher {
+                        let cut = (Vec4::ONE - terms.full) * terms.cosine;
+                        let open = diffuse_sum(cells, quad, of.mean_normal, terms.full, cut);
+                        t.open_diffuse += open;
+                        t.open_specular += radiance_sum(cells, quad, terms.lobe);
+                    }
                 }
                 if has_lobe {
                     let a = terms.lobe * flux;
@@ -205,8 +240,11 @@ fn weights<P: Expectation>(
     terms: &glimt_light_cells::CellTerms,
     flux: Vec4,
     visibility: Vec4,
+    is_catcher: bool,
 ) -> Vec4 {
-    if P::CONTROL {
+    if P::CONTROL && is_catcher {
+        surface.blocked_weights(terms, flux, visibility)
+    } else if P::CONTROL {
         surface.residual_weights(terms, flux, visibility)
     } else {
         surface.product_weights(terms, flux)
@@ -232,10 +270,11 @@ impl Proposal {
         of: &Representative,
         cells: &LightCells<'_>,
         expected: &P,
+        is_catcher: bool,
     ) -> Proposal {
         let mut of = *of;
-        let mut sums = weigh(&of, cells, expected);
-        let (diffuse, specular) = (sums.diffuse, sums.specular);
+        let mut sums = weigh(&of, cells, expected, is_catcher);
+        let first = sums;
         let mut lobe_worth = 0.0;
         let mut least_share = 0.0;
         let mut share = 1.0;
@@ -255,11 +294,11 @@ impl Proposal {
             if share < 1.0 {
                 lobe_worth = (1.0 - share) * worth::<P>(a, visible, by_lobe);
                 of.surface.share = share;
-                sums = weigh(&of, cells, expected);
+                sums = weigh(&of, cells, expected, is_catcher);
             }
-            if of.surface.normal.dot(of.surface.wo) < GRAZING {
-                least_share = LEAST_AT_GRAZING;
-            }
+        }
+        if of.surface.specular > 0.0 && of.surface.normal.dot(of.surface.wo) < GRAZING {
+            least_share = LEAST_AT_GRAZING;
         }
         let mut defence = 0.0;
         if sums.live > 0.0 {
@@ -282,7 +321,9 @@ impl Proposal {
         }
         let kd = of.diffuse * core::f32::consts::FRAC_1_PI;
         Proposal {
-            integral: kd * diffuse + of.specular * (specular * share),
+            integral: kd * first.diffuse + of.specular * (first.specular * share),
+            open_integral: kd * first.open_diffuse + of.specular * (first.open_specular * share),
+            is_catcher,
             of,
             blocks,
             total,
@@ -290,6 +331,14 @@ impl Proposal {
             lobe_worth,
             lobe_share,
         }
+    }
+
+    /// Whether it has a lobe that is seen at so flat an angle that cells are blind to its highlight.
+    #[inline]
+    #[must_use]
+    pub fn is_sharp(&self) -> bool {
+        let surface = &self.of.surface;
+        surface.specular > 0.0 && surface.normal.dot(surface.wo) < GRAZING
     }
 
     /// Cell `cell` as this proposal has it.
@@ -300,7 +349,7 @@ impl Proposal {
         let flux = cells.quad(field::FLUX, quad);
         let terms = self.of.surface.terms(cells, quad);
         let visibility = expected.quad(quad);
-        let weight = weights::<P>(&self.of.surface, &terms, flux, visibility);
+        let weight = weights::<P>(&self.of.surface, &terms, flux, visibility, self.is_catcher);
         CellAt {
             weight: weight[lane],
             live: (flux * terms.live)[lane],
@@ -329,17 +378,17 @@ impl Proposal {
         pmf / texel_solid_angle_sr(texel.y, cells.size)
     }
 
-    /// The control variate `g(ω)` in a direction of the cell `at`, in the map's coordinates.
+    /// The control variate `g(ω)` in a direction of the cell `at`, in the map's coordinates, over the visibility that is expected there.
     #[inline]
     #[must_use]
-    pub fn control(&self, direction: Vec3, at: &CellAt) -> Vec3 {
+    pub fn open_control(&self, direction: Vec3, at: &CellAt) -> Vec3 {
         let cosine = if at.is_full {
             self.of.mean_normal.dot(direction)
         } else {
             at.cosine
         };
         let kd = self.of.diffuse * core::f32::consts::FRAC_1_PI;
-        (kd * cosine + self.of.specular * at.lobe) * at.visibility
+        kd * cosine + self.of.specular * at.lobe
     }
 
     /// Draws a direction by the cells: the row of cells and the row of texels by `u.y`, the columns by `u.x`. The weights sum to
@@ -376,7 +425,9 @@ impl Proposal {
             let quad = 2 * block_place.index + half;
             let flux = cells.quad(field::FLUX, quad);
             let terms = self.of.surface.terms(cells, quad);
-            let own = weights::<P>(&self.of.surface, &terms, flux, expected.quad(quad));
+            let visibility = expected.quad(quad);
+            let surface = &self.of.surface;
+            let own = weights::<P>(surface, &terms, flux, visibility, self.is_catcher);
             let all = own + flux * terms.live * self.defence;
             cell_place.offer(4 * quad, all.x);
             cell_place.offer(4 * quad + 1, all.y);

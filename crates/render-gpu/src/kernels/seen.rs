@@ -5,10 +5,25 @@ use glimt_brdf::BlinnPhong;
 use glimt_sampling::math::ShadingFrame;
 
 use super::frame::FrameParams;
+use super::pattern::PixelPattern;
 use super::scene::{Scene, ShadingPoint};
 
 /// [`SeenPoint::surface`] where a ray hits nothing.
 pub const NO_SURFACE: u32 = 0;
+
+/// Bit of [`SeenPoint::flags`]: the ray belongs to a group.
+pub const GROUPED: u32 = 1;
+/// Bit of [`SeenPoint::flags`]: it hits a catcher.
+pub const CATCHER: u32 = 2;
+/// The lowest bit of [`SeenPoint::flags`] that tells the slot.
+pub const SLOT_SHIFT: u32 = 2;
+
+/// Half of a [`SeenPoint::record`]: a cell, and whether its light arrived.
+#[inline]
+#[must_use]
+pub fn record(cell: u32, arrives: bool) -> u32 {
+    0x8000 | (if arrives { 0x4000 } else { 0 }) | cell
+}
 
 /// What a ray hits, and its place among the groups of its pixel. 112 bytes; all 0 for a ray that hits nothing.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -20,8 +35,8 @@ pub struct SeenPoint {
     pub surface: u32,
     /// [`ShadingPoint::geometric_normal`].
     pub geometric_normal: Vec3,
-    /// 1 on a catcher, else 0.
-    pub catcher: u32,
+    /// [`GROUPED`], [`CATCHER`], and from bit [`SLOT_SHIFT`] on the slot of what is known of the visibility around it.
+    pub flags: u32,
     /// Unit shading normal, on the side of ωo.
     pub normal: Vec3,
     /// [`BlinnPhong::exponent`].
@@ -36,8 +51,8 @@ pub struct SeenPoint {
     pub order: u32,
     /// [`BlinnPhong::specular`].
     pub specular: Vec3,
-    /// 1 once the ray belongs to a group, else 0.
-    pub grouped: u32,
+    /// Two cells of the light in which its pixel has looked, and what was found there: see [`record`].
+    pub record: u32,
     /// [`ShadingPoint::emission`]; 0 on a catcher.
     pub emission: Vec3,
     /// Fills 16 bytes.
@@ -50,7 +65,7 @@ impl SeenPoint {
         origin: Vec3::ZERO,
         surface: NO_SURFACE,
         geometric_normal: Vec3::ZERO,
-        catcher: 0,
+        flags: 0,
         normal: Vec3::ZERO,
         exponent: 0.0,
         wo: Vec3::ZERO,
@@ -58,7 +73,7 @@ impl SeenPoint {
         diffuse: Vec3::ZERO,
         order: 0,
         specular: Vec3::ZERO,
-        grouped: 0,
+        record: 0,
         emission: Vec3::ZERO,
         unused: 0,
     };
@@ -68,6 +83,20 @@ impl SeenPoint {
     #[must_use]
     pub fn is_hit(&self) -> bool {
         self.surface != NO_SURFACE
+    }
+
+    /// Whether it is on a catcher.
+    #[inline]
+    #[must_use]
+    pub fn is_catcher(&self) -> bool {
+        self.flags & CATCHER != 0
+    }
+
+    /// Where what is known of the visibility around it lies among the entries of its tile, counted from 1; 0 for nowhere.
+    #[inline]
+    #[must_use]
+    pub fn slot(&self) -> u32 {
+        self.flags >> SLOT_SHIFT
     }
 
     /// The point, as the pass that found it shaded it.
@@ -93,8 +122,14 @@ impl SeenPoint {
 /// What the tile's ray `ray` hits.
 #[must_use]
 pub fn see(ray: u32, frame: &FrameParams, scene: Scene<'_>) -> SeenPoint {
-    let pattern = frame.pattern_of(ray);
-    let camera_ray = frame.camera_ray(&pattern);
+    see_by(&frame.pattern_of(ray), frame, scene)
+}
+
+/// As [`see`], of the ray that a pattern belongs to.
+#[inline]
+#[must_use]
+pub fn see_by(pattern: &PixelPattern, frame: &FrameParams, scene: Scene<'_>) -> SeenPoint {
+    let camera_ray = frame.camera_ray(pattern);
     let Some(hit) = scene.closest_hit(&camera_ray) else {
         return SeenPoint::NONE;
     };
@@ -105,7 +140,7 @@ pub fn see(ray: u32, frame: &FrameParams, scene: Scene<'_>) -> SeenPoint {
         origin: point.origin,
         surface: triangle.object_index() + 1,
         geometric_normal: point.geometric_normal,
-        catcher: if is_catcher { 1 } else { 0 },
+        flags: if is_catcher { CATCHER } else { 0 },
         normal: point.frame.n,
         exponent: point.brdf.exponent,
         wo: -camera_ray.direction,
@@ -113,7 +148,7 @@ pub fn see(ray: u32, frame: &FrameParams, scene: Scene<'_>) -> SeenPoint {
         diffuse: point.brdf.diffuse,
         order: 0,
         specular: point.brdf.specular,
-        grouped: 0,
+        record: 0,
         emission: if is_catcher {
             Vec3::ZERO
         } else {

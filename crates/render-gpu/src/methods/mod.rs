@@ -3,6 +3,7 @@
 //! The list of those that keep nothing stands in [`entries`](crate::entries); the macro below makes all of it that is the same
 //! for each.
 
+pub mod cells;
 pub mod prt;
 pub mod smc;
 
@@ -16,10 +17,12 @@ use crate::generated::passes::{self, EnvironmentArg, SceneArg, See};
 use crate::kernels::frame::FrameParams;
 use crate::kernels::seen::SeenPoint;
 use crate::kernels::smc_point::SmcPoint;
+use crate::prepare::render::RenderSettings;
 use crate::prepare::smc_state::SmcState;
 use crate::settings::SettingError;
 
 pub use crate::kernels::candidates::CandidateSource;
+pub use cells::Cells;
 pub use prt::Prt;
 pub use smc::Smc;
 
@@ -112,6 +115,32 @@ pub(crate) enum Points<M: Memory> {
     Smc(M::Buffer<SmcPoint>),
 }
 
+/// What a method finds out of a frame before its tiles are rendered.
+pub(crate) enum Before<M: Memory> {
+    /// Nothing.
+    Nothing,
+    /// By [`Method::Cells`].
+    Cells(cells::Known<M>),
+}
+
+impl<M: Memory> Before<M> {
+    /// Finds it out for the whole image, which `inputs` begin.
+    pub(crate) fn find<D: Device<Memory = M>, E: Executor<Memory = M, Error = D::Error>>(
+        device: &D,
+        executor: &mut E,
+        inputs: Inputs<'_, M>,
+        settings: &RenderSettings,
+    ) -> Result<Self, D::Error> {
+        match &settings.method {
+            Method::Cells(own) => {
+                let known = cells::Known::begin(device, executor, inputs, settings, own)?;
+                Ok(Self::Cells(known))
+            }
+            _ => Ok(Self::Nothing),
+        }
+    }
+}
+
 impl<M: Memory> Points<M> {
     /// Room for so many rays.
     pub(crate) fn new<D: Device<Memory = M>>(
@@ -134,11 +163,16 @@ impl<M: Memory> Points<M> {
         )
     }
 
-    /// What a method without memory takes of a tile's first `rays` rays.
-    pub(crate) fn seen(&mut self, rays: u32) -> Work<'_, M> {
-        match self {
-            Self::Seen(points) => Work::Groups(M::chunks(points, 0..rays as usize, 1)),
-            Self::None | Self::Smc(_) => Work::Rays,
+    /// What a method without particles takes of a tile's first `rays` rays.
+    pub(crate) fn work<'a>(&'a mut self, before: &'a Before<M>, rays: u32) -> Work<'a, M> {
+        match (self, before) {
+            (Self::Seen(points), Before::Cells(known)) => {
+                Work::Cells(known.reading(), M::chunks(points, 0..rays as usize, 1))
+            }
+            (Self::Seen(points), Before::Nothing) => {
+                Work::Groups(M::chunks(points, 0..rays as usize, 1))
+            }
+            (Self::None | Self::Smc(_), _) => Work::Rays,
         }
     }
 }
@@ -160,6 +194,8 @@ pub(crate) enum Work<'a, M: Memory> {
     Rays,
     /// The hits of a pixel's rays together.
     Groups(M::Chunks<'a, SeenPoint>),
+    /// As those, with what is known of the frame.
+    Cells(cells::Reading<'a, M>, M::Chunks<'a, SeenPoint>),
     /// With particles.
     Smc(smc::Tile<'a, M>),
 }
@@ -188,6 +224,7 @@ macro_rules! methods {
                 match self {
                     $(Self::$ray(_) => Way::Rays,)+
                     $(Self::$group(_) => Way::Groups,)+
+                    Self::Cells(_) => Way::Groups,
                     Self::Smc(_) => Way::Particles,
                 }
             }
@@ -232,6 +269,10 @@ macro_rules! methods {
                         }
                         (Self::$group(_), _, _) => unreachable!("points were made for this method"),
                     )+
+                    (Self::Cells(_), Work::Cells(reading, points), out) => {
+                        reading.shade(executor, inputs, points, rays, out)
+                    }
+                    (Self::Cells(_), _, _) => unreachable!("what is known was found for this method"),
                     (Self::Smc(_), Work::Smc(tile), out) => tile.shade(executor, inputs, rays, out),
                     (Self::Smc(_), _, _) => unreachable!("a tile of the sequential sampler comes with its rays"),
                 }
@@ -270,6 +311,8 @@ macro_rules! memoryless {
         #[non_exhaustive]
         pub enum Method {
             $(#[doc = concat!("`", $word, "`")] $settings($settings),)+
+            /// `cells`: a control variate over light cells, whose visibility pilot rays count before the frame.
+            Cells(Cells),
             /// `smc`: sequential Monte Carlo (Kronander 2014, Eqs. 5 to 8). Renderers keep particles from frame to frame.
             Smc(Smc),
         }
@@ -286,6 +329,12 @@ macro_rules! memoryless {
             }
         })+
 
+        impl From<Cells> for Method {
+            fn from(settings: Cells) -> Self {
+                Self::Cells(settings)
+            }
+        }
+
         impl From<Smc> for Method {
             fn from(settings: Smc) -> Self {
                 Self::Smc(settings)
@@ -298,6 +347,7 @@ macro_rules! memoryless {
             pub fn word(&self) -> &'static str {
                 match self {
                     $(Self::$settings(_) => $word,)+
+                    Self::Cells(_) => "cells",
                     Self::Smc(_) => "smc",
                 }
             }
@@ -309,6 +359,7 @@ macro_rules! memoryless {
             pub fn check(&self) -> Result<(), SettingError> {
                 match self {
                     $(Self::$settings(own) => own.check_all(),)+
+                    Self::Cells(own) => own.check(),
                     Self::Smc(own) => own.check(),
                 }
             }
@@ -318,6 +369,7 @@ macro_rules! memoryless {
             pub fn samples_per_ray(&self) -> u32 {
                 match self {
                     $(Self::$settings(own) => own.samples_per_ray(),)+
+                    Self::Cells(_) => 1,
                     Self::Smc(own) => own.candidates.max(own.particles),
                 }
             }
@@ -327,6 +379,7 @@ macro_rules! memoryless {
             pub fn count(&self) -> u32 {
                 match self {
                     $(Self::$settings(own) => own.count(),)+
+                    Self::Cells(own) => own.rays,
                     Self::Smc(own) => own.particles,
                 }
             }
@@ -337,6 +390,7 @@ macro_rules! memoryless {
             pub fn with_count(&self, count: u32) -> Vec<(&'static str, u32)> {
                 match self {
                     $(Self::$settings(own) => own.with_count(count),)+
+                    Self::Cells(_) => vec![("cells.rays", count)],
                     Self::Smc(_) => vec![("smc.particles", count)],
                 }
             }
@@ -346,6 +400,7 @@ macro_rules! memoryless {
             pub fn describe(&self) -> String {
                 match self {
                     $(Self::$settings(own) => own.describe(),)+
+                    Self::Cells(own) => format!("{} rays a pixel", own.rays),
                     Self::Smc(own) => format!("N = {}", own.particles),
                 }
             }
@@ -354,6 +409,7 @@ macro_rules! memoryless {
             pub(crate) fn reads(&self, table: &str) -> bool {
                 match self {
                     $(Self::$settings(own) => own.reads(table),)+
+                    Self::Cells(_) => table == LIGHT_CELLS,
                     Self::Smc(_) => table == CDF,
                 }
             }
@@ -397,6 +453,7 @@ macro_rules! memoryless {
                         let [a, b] = own.cost();
                         [a, b, 0]
                     })+
+                    Self::Cells(own) => own.cost(),
                     Self::Smc(own) => own.cost(has_past),
                 }
             }
@@ -414,6 +471,7 @@ macro_rules! memoryless {
                         }
                         list
                     })+
+                    Self::Cells(_) => cells::entries(),
                     Self::Smc(_) => smc::entries(),
                 }
             }

@@ -1,0 +1,235 @@
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
+
+struct TileEntry {
+    position: vec3<f32>,
+    surface: u32,
+    normal: vec3<f32>,
+    exponent: f32,
+    wo: vec3<f32>,
+    hits: u32,
+    diffuse: f32,
+    specular: f32,
+    off_centre: f32,
+    is_known: u32,
+}
+
+struct CellParams {
+    rays: f32,
+    pilot: f32,
+    tiles_across: u32,
+    tiles: u32,
+    is_adaptive: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    visibility_len: u32,
+    @align(16) cells: CellParams,
+}
+
+@group(0) @binding(1) 
+var<storage> entries: array<TileEntry>;
+@group(0) @binding(2) 
+var<storage> counts: array<u32>;
+@group(0) @binding(3) 
+var<storage, read_write> visibility_1: array<u32>;
+@group(0) @binding(0) 
+var<uniform> params: Params;
+
+// glimt_render_gpu/src/kernels/cell_state.rs:89
+fn bytes_of(word: u32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:90
+    return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:137
+fn pack(visibility: vec4<f32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:138
+    let codes = vec4<u32>(((clamp(visibility, vec4(0f), vec4(1f)) * 255f) + vec4(0.5f)));
+    // glimt_render_gpu/src/kernels/cell_state.rs:139
+    return (((codes.x | (codes.y << 8u)) | (codes.z << 16u)) | (codes.w << 24u));
+}
+
+// glimt_render_gpu/src/kernels/expect.rs:24
+fn expect_1(tile: u32, cells: CellParams, visibility_start: u32, visibility_len: u32) {
+    var counter: u32;
+    var near: array<u32, 9>;
+    var found: i32;
+    var counter_1: u32;
+    var counter_2: u32;
+    var counter_3: u32;
+    var n: vec4<f32>;
+    var s: vec4<f32>;
+    var all_n: vec4<f32>;
+    var all_s: vec4<f32>;
+    var counter_4: i32;
+
+    // glimt_render_gpu/src/kernels/expect.rs:31
+    counter = 0u;
+    loop {
+        let slot = counter;
+        if (slot >= 3u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/expect.rs:32
+        let own = ((tile * 3u) + slot);
+        // glimt_render_gpu/src/kernels/expect.rs:33
+        let surface = entries[own].surface;
+        // glimt_render_gpu/src/kernels/expect.rs:34
+        if (surface != 0u) {
+            // glimt_render_gpu/src/kernels/expect.rs:35
+            near = array<u32, 9>(own, own, own, own, own, own, own, own, own);
+            // glimt_render_gpu/src/kernels/expect.rs:36
+            found = 0i;
+            // glimt_render_gpu/src/kernels/expect.rs:37
+            let _e33 = Tuple_u32_u32_((tile % cells.tiles_across), (tile / cells.tiles_across));
+            let x = _e33.fa;
+            let y = _e33.fb;
+            // glimt_render_gpu/src/kernels/expect.rs:38
+            counter_1 = 0u;
+            loop {
+                let i = counter_1;
+                if (i >= 9u) {
+                    break;
+                }
+                // glimt_render_gpu/src/kernels/expect.rs:40
+                let column = (x + (i % 3u));
+                // glimt_render_gpu/src/kernels/expect.rs:41
+                let row = (y + (i / 3u));
+                // glimt_render_gpu/src/kernels/expect.rs:42
+                let rows = (cells.tiles / cells.tiles_across);
+                // glimt_render_gpu/src/kernels/expect.rs:43
+                if ((((column > 0u) && (row > 0u)) && (column <= cells.tiles_across)) && (row <= rows)) {
+                    // glimt_render_gpu/src/kernels/expect.rs:44
+                    let other = (((((row - 1u) * cells.tiles_across) + column) - 1u) * 3u);
+                    // glimt_render_gpu/src/kernels/expect.rs:45
+                    counter_2 = other;
+                    loop {
+                        let k = counter_2;
+                        if (k >= (other + 3u)) {
+                            break;
+                        }
+                        // glimt_render_gpu/src/kernels/expect.rs:46
+                        let _e85 = entries[k].surface;
+                        if (_e85 == surface) {
+                            // glimt_render_gpu/src/kernels/expect.rs:47
+                            let _e88 = found;
+                            near[u32(_e88)] = k;
+                            // glimt_render_gpu/src/kernels/expect.rs:48
+                            let _e93 = found;
+                            found = (_e93 + 1i);
+                        }
+                        continuing {
+                            let _e95 = counter_2;
+                            counter_2 = (_e95 + 1u);
+                        }
+                    }
+                }
+                continuing {
+                    let _e98 = counter_1;
+                    counter_1 = (_e98 + 1u);
+                }
+            }
+            // glimt_render_gpu/src/kernels/expect.rs:53
+            counter_3 = 0u;
+            loop {
+                let word_1 = counter_3;
+                if (word_1 >= 128u) {
+                    break;
+                }
+                // glimt_render_gpu/src/kernels/expect.rs:55
+                n = vec4(0f);
+                // glimt_render_gpu/src/kernels/expect.rs:56
+                s = vec4(0f);
+                // glimt_render_gpu/src/kernels/expect.rs:57
+                all_n = vec4(1f);
+                // glimt_render_gpu/src/kernels/expect.rs:58
+                all_s = vec4(0.75f);
+                // glimt_render_gpu/src/kernels/expect.rs:59
+                let _e125 = found;
+                counter_4 = 0i;
+                loop {
+                    let i_1 = counter_4;
+                    if (i_1 >= _e125) {
+                        break;
+                    }
+                    // glimt_render_gpu/src/kernels/expect.rs:60
+                    let entry = near[u32(i_1)];
+                    // glimt_render_gpu/src/kernels/expect.rs:61
+                    let at = ((entry * 256u) + (2u * word_1));
+                    // glimt_render_gpu/src/kernels/expect.rs:62
+                    let _e142 = counts[at];
+                    let _e143 = bytes_of(_e142);
+                    // glimt_render_gpu/src/kernels/expect.rs:63
+                    let _e149 = counts[(at + 1u)];
+                    let _e150 = bytes_of(_e149);
+                    // glimt_render_gpu/src/kernels/expect.rs:64
+                    let own_n = vec4<f32>(_e143.x, _e143.z, _e150.x, _e150.z);
+                    // glimt_render_gpu/src/kernels/expect.rs:65
+                    let own_s = vec4<f32>(_e143.y, _e143.w, _e150.y, _e150.w);
+                    // glimt_render_gpu/src/kernels/expect.rs:66
+                    let _e164 = all_n;
+                    all_n = (_e164 + own_n);
+                    // glimt_render_gpu/src/kernels/expect.rs:67
+                    let _e167 = all_s;
+                    all_s = (_e167 + own_s);
+                    // glimt_render_gpu/src/kernels/expect.rs:68
+                    if (entry == own) {
+                        // glimt_render_gpu/src/kernels/expect.rs:69
+                        n = own_n;
+                        // glimt_render_gpu/src/kernels/expect.rs:70
+                        s = own_s;
+                    }
+                    continuing {
+                        let _e173 = counter_4;
+                        counter_4 = (_e173 + 1i);
+                    }
+                }
+                // glimt_render_gpu/src/kernels/expect.rs:73
+                let _e177 = all_s;
+                let _e178 = all_n;
+                let prior = (_e177 / _e178);
+                // glimt_render_gpu/src/kernels/expect.rs:74
+                let _e181 = s;
+                let _e185 = n;
+                let expected = ((_e181 + (prior * 4f)) / (_e185 + vec4(4f)));
+                // glimt_render_gpu/src/kernels/expect.rs:75
+                let _e191 = pack(expected);
+                visibility_1[(visibility_start + ((slot * 128u) + word_1))] = _e191;
+                continuing {
+                    let _e198 = counter_3;
+                    counter_3 = (_e198 + 1u);
+                }
+            }
+        }
+        continuing {
+            let _e201 = counter;
+            counter = (_e201 + 1u);
+        }
+    }
+    return;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn expect(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.cells;
+    let _e19 = params.visibility_len;
+    expect_1((_e14 + local), _e17, (local * _e19), _e19);
+}

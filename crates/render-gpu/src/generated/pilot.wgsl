@@ -1,0 +1,3506 @@
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
+
+struct BvhNode {
+    min: vec3<f32>,
+    count: u32,
+    max: vec3<f32>,
+    first: u32,
+}
+
+struct Triangle {
+    v0_: vec3<f32>,
+    material: u32,
+    v1_: vec3<f32>,
+    object: u32,
+    v2_: vec3<f32>,
+    attributes: u32,
+}
+
+struct Corner {
+    normal: vec3<f32>,
+    u: f32,
+    tangent: vec3<f32>,
+    v: f32,
+}
+
+struct TileEntry {
+    position: vec3<f32>,
+    surface: u32,
+    normal: vec3<f32>,
+    exponent: f32,
+    wo: vec3<f32>,
+    hits: u32,
+    diffuse: f32,
+    specular: f32,
+    off_centre: f32,
+    is_known: u32,
+}
+
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    shadow: u32,
+    film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
+}
+
+struct CellParams {
+    rays: f32,
+    pilot: f32,
+    tiles_across: u32,
+    tiles: u32,
+    is_adaptive: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+}
+
+struct Returned_Environment_cells {
+    value_size: vec2<u32>,
+    value_start: u32,
+}
+
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
+}
+
+struct OwenSobol {
+    seed: u32,
+    index: u32,
+    dimension: u32,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+struct CameraView {
+    eye: vec3<f32>,
+    forward: vec3<f32>,
+    right: vec3<f32>,
+    up: vec3<f32>,
+}
+
+struct Ray {
+    origin: vec3<f32>,
+    direction: vec3<f32>,
+    inverse_direction: vec3<f32>,
+    key: u32,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
+struct Attributes {
+    uv: vec2<f32>,
+    color: vec4<f32>,
+}
+
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
+struct Tuple_f32_f32_ {
+    fa: f32,
+    fb: f32,
+}
+
+struct Hit {
+    triangle: u32,
+    t: f32,
+    barycentrics: vec2<f32>,
+}
+
+struct Option_Hit {
+    is_some: bool,
+    value: Hit,
+}
+
+struct SeenPoint {
+    origin: vec3<f32>,
+    surface: u32,
+    geometric_normal: vec3<f32>,
+    flags: u32,
+    normal: vec3<f32>,
+    exponent: f32,
+    wo: vec3<f32>,
+    material: u32,
+    diffuse: vec3<f32>,
+    order: u32,
+    specular: vec3<f32>,
+    record: u32,
+    emission: vec3<f32>,
+    unused: u32,
+}
+
+struct ShadingFrame {
+    t: vec3<f32>,
+    b: vec3<f32>,
+    n: vec3<f32>,
+}
+
+struct BlinnPhong {
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    exponent: f32,
+}
+
+struct ShadingPoint {
+    origin: vec3<f32>,
+    geometric_normal: vec3<f32>,
+    frame: ShadingFrame,
+    wo: vec3<f32>,
+    brdf: BlinnPhong,
+    emission: vec3<f32>,
+}
+
+struct CellSurface {
+    normal: vec3<f32>,
+    wo: vec3<f32>,
+    diffuse: f32,
+    specular: f32,
+    exponent: f32,
+    peak: f32,
+    spread: f32,
+    horizon: f32,
+    share: f32,
+}
+
+struct Representative {
+    mean_normal: vec3<f32>,
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    surface: CellSurface,
+}
+
+struct Even {
+    empty: u32,
+}
+
+struct Totals {
+    blocks: array<f32, 64>,
+    lives: array<f32, 64>,
+    weight: f32,
+    live: f32,
+    lobe: f32,
+    lobe_spread: f32,
+    lobe_visible: f32,
+    lobe_square: f32,
+    lobe_area: f32,
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    open_diffuse: vec3<f32>,
+    open_specular: vec3<f32>,
+}
+
+struct CellTerms {
+    cosine: vec4<f32>,
+    full: vec4<f32>,
+    live: vec4<f32>,
+    lobe: vec4<f32>,
+    lobe_spread: vec4<f32>,
+    cosine_spread: vec4<f32>,
+}
+
+struct Proposal {
+    of_: Representative,
+    blocks: array<f32, 64>,
+    total: f32,
+    defence: f32,
+    lobe_worth: f32,
+    lobe_share: f32,
+    integral: vec3<f32>,
+    open_integral: vec3<f32>,
+    is_catcher: bool,
+}
+
+struct PatternSource {
+    is_sobol: bool,
+    point: OwenSobol,
+    generator: Xoshiro128PlusPlus,
+}
+
+struct Place {
+    target_: f32,
+    sum: f32,
+    index: u32,
+    first: f32,
+    width: f32,
+    is_found: bool,
+}
+
+struct Bin {
+    index: u32,
+    first: u32,
+    units: u32,
+}
+
+struct TexelDraw {
+    texel: vec2<u32>,
+    pmf: f32,
+}
+
+struct CellDraw {
+    direction: vec3<f32>,
+    texel: vec2<u32>,
+    cell: u32,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    counts_len: u32,
+    frame: FrameParams,
+    cells: CellParams,
+    env_size: vec2<u32>,
+    env_rotation: vec2<f32>,
+}
+
+@group(0) @binding(1) 
+var<storage> env_tables: array<u32>;
+@group(0) @binding(2) 
+var<storage> scene_nodes: array<BvhNode>;
+@group(0) @binding(3) 
+var<storage> scene_triangles: array<Triangle>;
+@group(0) @binding(4) 
+var<storage> scene_corners: array<Corner>;
+@group(0) @binding(5) 
+var<storage> scene_surface: array<u32>;
+@group(0) @binding(6) 
+var<storage> entries: array<TileEntry>;
+@group(0) @binding(7) 
+var<storage, read_write> counts: array<u32>;
+@group(0) @binding(0) 
+var<uniform> params: Params;
+
+// glimt_render_gpu/src/kernels/scout.rs:37
+fn CellParams_corner(this_: CellParams, tile: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/scout.rs:38
+    return vec2<u32>(((tile % this_.tiles_across) * 16u), ((tile / this_.tiles_across) * 8u));
+}
+
+// glimt_render_gpu/src/kernels/scout.rs:56
+fn tile_end(corner: vec2<u32>, frame: FrameParams) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/scout.rs:57
+    return vec2<u32>(min((corner.x + 16u), frame.width), min((corner.y + 8u), frame.height));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:132
+fn marginal_words(size: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:133
+    return (size.y + 1u);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:139
+fn cdf_words(size_1: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:140
+    let _e3 = marginal_words(size_1);
+    return (_e3 + (size_1.y * (size_1.x + 1u)));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:79
+fn Environment_cells(size_2: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cells {
+
+    // glimt_render_gpu/src/kernels/environment.rs:80
+    let _e3 = cdf_words(size_2);
+    return Returned_Environment_cells(size_2, _e3);
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:130
+fn FrameParams_pattern_at(this_1: FrameParams, pixel: u32, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:131
+    return PixelPattern(this_1.pattern, this_1.seed, this_1.frame, pixel, ray, this_1.rays_per_pixel);
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x;
+    let _e10 = x;
+    x = (_e10 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e13 = x;
+    x = (_e13 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e17 = x;
+    let _e20 = x;
+    x = (_e20 ^ (_e17 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e23 = x;
+    x = (_e23 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e27 = x;
+    let _e28 = x;
+    return (_e27 ^ (_e28 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:171
+fn OwenSobol_new(seed: u32, frame_1: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
+
+    // glimt_sampling/src/sobol.rs:172
+    let _e6 = hash3_(seed, frame_1, pixel_1);
+    let _e9 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e9, (sample_index & 65535u), 0u);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:126
+fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:127
+    let _e6 = hash2_(this_2.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_2.frame, this_2.pixel, index);
+    return _e9;
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+    var x_1: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_1 = (n_1 ^ (n_1 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_1;
+    x_1 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_1;
+    x_1 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e19 = x_1;
+    let _e22 = x_1;
+    x_1 = (_e22 ^ (_e19 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e25 = x_1;
+    let _e26 = x_1;
+    return (_e25 ^ (_e26 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index_1: u32, seed_1: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_1 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_2: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_2 = index_2;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_2;
+    let _e10 = x_2;
+    x_2 = (_e10 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e13 = x_2;
+    let _e18 = x_2;
+    x_2 = (_e18 ^ ((_e13 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e21 = x_2;
+    let _e26 = x_2;
+    x_2 = (_e26 ^ ((_e21 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e29 = x_2;
+    let _e30 = x_2;
+    return (_e29 ^ ((_e30 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_3: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_3;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum;
+        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e37 = v1_;
+        v0_ = _e37;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e40 = bits;
+        bits = (_e40 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e44 = sum;
+    return _e44;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_4: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_4;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_1;
+        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e40 = v1_1;
+        v0_1 = _e40;
+        // glimt_sampling/src/sobol.rs:93
+        let _e42 = v2_;
+        v1_1 = _e42;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e45 = bits_1;
+        bits_1 = (_e45 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e49 = sum_1;
+    return _e49;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
+    var chosen: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_17 = (index_5 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen = index_17;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_17);
+            chosen = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_17);
+                chosen = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_17);
+                chosen = _e22;
+            }
+        }
+    }
+    let _e23 = chosen;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_1 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_1 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_1 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_1 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_1;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn OwenSobol_next_uvec2_(this_3: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_3).dimension;
+    let dimension_2 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_3).dimension = (dimension_2 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_3).seed;
+    let _e18 = hash2_(_e15, (dimension_2 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e21 = (*this_3).index;
+    let _e22 = shuffle(_e21, _e18);
+    // glimt_sampling/src/sobol.rs:195
+    let _e24 = sobol_reversed(_e22, dimension_2);
+    let _e25 = scramble_1(_e24, dimension_2, _e18);
+    let _e28 = sobol_reversed(_e22, (dimension_2 + 1u));
+    let _e31 = scramble_1(_e28, (dimension_2 + 1u), _e18);
+    return vec2<u32>(_e25, _e31);
+}
+
+// glimt_sampling/src/hash.rs:50
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:51
+    let _e4 = hash_u32_(v.x);
+    x_3 = ((_e4 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:54
+    let _e12 = hash_u32_(v.y);
+    y = ((_e12 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:57
+    let _e20 = hash_u32_(v.z);
+    z = ((_e20 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:60
+    let _e28 = hash_u32_(v.w);
+    w = ((_e28 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:64
+    let _e35 = x_3;
+    let _e36 = y;
+    let _e37 = w;
+    x_3 = (_e35 + (_e36 * _e37));
+    // glimt_sampling/src/hash.rs:65
+    let _e41 = y;
+    let _e42 = z;
+    let _e43 = x_3;
+    y = (_e41 + (_e42 * _e43));
+    // glimt_sampling/src/hash.rs:66
+    let _e47 = z;
+    let _e48 = x_3;
+    let _e49 = y;
+    z = (_e47 + (_e48 * _e49));
+    // glimt_sampling/src/hash.rs:67
+    let _e53 = w;
+    let _e54 = y;
+    let _e55 = z;
+    w = (_e53 + (_e54 * _e55));
+    // glimt_sampling/src/hash.rs:68
+    let _e59 = x_3;
+    let _e62 = x_3;
+    x_3 = (_e62 ^ (_e59 >> 16u));
+    // glimt_sampling/src/hash.rs:69
+    let _e65 = y;
+    let _e68 = y;
+    y = (_e68 ^ (_e65 >> 16u));
+    // glimt_sampling/src/hash.rs:70
+    let _e71 = z;
+    let _e74 = z;
+    z = (_e74 ^ (_e71 >> 16u));
+    // glimt_sampling/src/hash.rs:71
+    let _e77 = w;
+    let _e80 = w;
+    w = (_e80 ^ (_e77 >> 16u));
+    // glimt_sampling/src/hash.rs:72
+    let _e83 = x_3;
+    let _e84 = y;
+    let _e85 = w;
+    x_3 = (_e83 + (_e84 * _e85));
+    // glimt_sampling/src/hash.rs:73
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_3;
+    y = (_e89 + (_e90 * _e91));
+    // glimt_sampling/src/hash.rs:74
+    let _e95 = z;
+    let _e96 = x_3;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
+    // glimt_sampling/src/hash.rs:75
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
+    // glimt_sampling/src/hash.rs:76
+    let _e107 = x_3;
+    let _e108 = x_3;
+    let _e112 = y;
+    let _e113 = y;
+    let _e117 = z;
+    let _e118 = z;
+    let _e122 = w;
+    let _e123 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e112 ^ (_e113 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e122 ^ (_e123 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_1 = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_1 == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_2: u32, pixel_2: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_2, frame_2, seed_3, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:131
+fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:132
+    let _e6 = hash3_(this_4.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_4.frame, this_4.pixel);
+    return _e9;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn Xoshiro128PlusPlus_next_u32_(this_5: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s_1 = (*this_5).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s_1.x + s_1.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_1.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_1 = (s_1.z ^ s_1.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s_1.w ^ s_1.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_5).state = vec4<u32>((s_1.x ^ w_1), (s_1.y ^ z_1), (z_1 ^ (s_1.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_6: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_6);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_6);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:136
+fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:137
+    let _e5 = hash2_(this_7.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_7.frame, this_7.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:211
+fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
+    var x_4: u32;
+    var round_key: u32;
+    var counter: i32;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:212
+    if (length_ <= 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:213
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:215
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
+    // glimt_render_gpu/src/kernels/pattern.rs:216
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:217
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:218
+    loop {
+        // glimt_render_gpu/src/kernels/pattern.rs:219
+        round_key = key;
+        // glimt_render_gpu/src/kernels/pattern.rs:220
+        counter = 0i;
+        loop {
+            let _e31 = counter;
+            if (_e31 >= 3i) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pattern.rs:221
+            let _e34 = round_key;
+            let _e35 = hash_u32_(_e34);
+            round_key = _e35;
+            // glimt_render_gpu/src/kernels/pattern.rs:223
+            let _e37 = x_4;
+            let _e38 = round_key;
+            x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:224
+            let _e44 = x_4;
+            let _e46 = (bits_2 / 2u);
+            let _e56 = x_4;
+            x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            continuing {
+                let _e58 = counter;
+                counter = (_e58 + 1i);
+            }
+        }
+        // glimt_render_gpu/src/kernels/pattern.rs:226
+        let _e62 = x_4;
+        if (_e62 < length_) {
+            // glimt_render_gpu/src/kernels/pattern.rs:227
+            let _e65 = x_4;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:202
+fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:203
+    return ((cell * (4294967295u / count)) + (jitter / count));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:182
+fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:183
+    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    // glimt_render_gpu/src/kernels/pattern.rs:184
+    let _e12 = (count_1 / columns);
+    let rows_1 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    // glimt_render_gpu/src/kernels/pattern.rs:185
+    let _e21 = hash2_(key_1, 1u);
+    let _e22 = permute(index_8, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:186
+    let _e26 = hash2_(key_1, 2u);
+    let _e27 = permute((_e22 % columns), columns, _e26);
+    // glimt_render_gpu/src/kernels/pattern.rs:187
+    let _e31 = hash2_(key_1, 3u);
+    let _e32 = permute((_e22 / columns), rows_1, _e31);
+    // glimt_render_gpu/src/kernels/pattern.rs:188
+    let _e38 = stratum(((_e27 * rows_1) + _e32), (columns * rows_1), jitter_1.x);
+    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    return vec2<u32>(_e38, _e40);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:65
+fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed: OwenSobol;
+    var borrowed_1: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:66
+    let index_18 = ((this_8.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    if (this_8.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:68
+        let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_18);
+        borrowed = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed));
+        return _e16;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:70
+    let _e18 = PixelPattern_generator(this_8, purpose_3, index_18);
+    borrowed_1 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
+    // glimt_render_gpu/src/kernels/pattern.rs:71
+    if (this_8.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:72
+        return _e20;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:74
+    let _e29 = PixelPattern_key(this_8, purpose_3);
+    let _e30 = jittered_pair(index_18, (this_8.rays * samples), _e20, _e29);
+    return _e30;
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_sampling/src/uniform.rs:22
+fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+
+    // glimt_sampling/src/uniform.rs:23
+    let _e4 = unit_f32_(u_1.x);
+    let _e6 = unit_f32_(u_1.y);
+    return vec2<f32>(_e4, _e6);
+}
+
+// glimt_render_gpu/src/kernels/camera.rs:23
+fn CameraView_direction(this_9: CameraView, p: vec2<f32>, size_3: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/camera.rs:24
+    let x_11 = (((2f * p.x) / f32(size_3.x)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:25
+    let y_2 = (((2f * p.y) / f32(size_3.y)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:26
+    return normalize(((this_9.forward + (this_9.right * x_11)) - (this_9.up * y_2)));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:161
+fn FrameParams_direction(this_10: FrameParams, pixel_3: u32, place: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/frame.rs:162
+    let corner_1 = vec2<f32>(vec2<u32>((pixel_3 % this_10.width), (pixel_3 / this_10.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:163
+    let view = CameraView(this_10.eye, this_10.forward, this_10.right, this_10.up);
+    // glimt_render_gpu/src/kernels/frame.rs:169
+    let _e22 = CameraView_direction(view, (corner_1 + place), vec2<u32>(this_10.width, this_10.height));
+    return _e22;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:121
+fn PixelPattern_ray_key(this_11: PixelPattern, purpose_4: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e4 = PixelPattern_key(this_11, purpose_4);
+    let _e6 = hash2_(_e4, this_11.ray);
+    return _e6;
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:59
+fn inverse(x_5: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/ray.rs:60
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_5), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_5) & 2147483648u))));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:44
+fn Ray_keyed(origin: vec3<f32>, direction: vec3<f32>, key_2: u32) -> Ray {
+
+    // glimt_render_gpu/src/kernels/ray.rs:45
+    let _e6 = inverse(direction.x);
+    let _e8 = inverse(direction.y);
+    let _e10 = inverse(direction.z);
+    return Ray(origin, direction, vec3<f32>(_e6, _e8, _e10), key_2);
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:144
+fn FrameParams_camera_ray(this_12: FrameParams, pattern: PixelPattern) -> Ray {
+    var chosen_2: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/frame.rs:145
+    let film = PixelPattern(pattern.kind, pattern.seed, this_12.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+    // glimt_render_gpu/src/kernels/frame.rs:149
+    if (this_12.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:150
+        chosen_2 = vec2(0.5f);
+    } else {
+        // glimt_render_gpu/src/kernels/frame.rs:152
+        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e24 = unit_vec2_(_e23);
+        chosen_2 = _e24;
+    }
+    let place_2 = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:154
+    let _e28 = FrameParams_direction(this_12, pattern.pixel, place_2);
+    // glimt_render_gpu/src/kernels/frame.rs:155
+    let _e32 = PixelPattern_ray_key(film, 8u);
+    let _e33 = Ray_keyed(this_12.eye, _e28, _e32);
+    return _e33;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:30
+fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
+    var chosen_3: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:31
+    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:32
+    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
+    let _e16 = min(to_min, to_max);
+    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:34
+    let _e23 = max(to_min, to_max);
+    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:35
+    if ((far_1 >= near_1) && (far_1 >= 0f)) {
+        // glimt_render_gpu/src/kernels/bvh.rs:36
+        chosen_3 = near_1;
+    } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:38
+        chosen_3 = 0x1.fffffep+127f;
+    }
+    let _e40 = chosen_3;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:111
+fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:112
+    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:124
+fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
+    var chosen_4: f32;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:125
+    let a_4 = (triangle.v0_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:126
+    let b_3 = (triangle.v1_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:127
+    let c_2 = (triangle.v2_ - ray_2.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:128
+    let _e18 = edge_functions(a_4, b_3, c_2, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:129
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:130
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:132
+    let normal_5 = cross((c_2 - a_4), (a_4 - b_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:133
+    let slope = dot(normal_5, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:134
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:135
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:137
+    let t_6 = (dot(a_4, normal_5) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:138
+    if ((t_6 > 0f) && (t_6 < t_max)) {
+        chosen_4 = t_6;
+    } else {
+        chosen_4 = 0x1.fffffep+127f;
+    }
+    let _e59 = chosen_4;
+    return _e59;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:59
+fn Triangle_is_see_through(this_13: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:60
+    return ((this_13.object & 1073741824u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:144
+fn barycentrics(triangle_1: Triangle, ray_3: Ray) -> vec2<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:145
+    let _e14 = edge_functions((triangle_1.v0_ - ray_3.origin), (triangle_1.v1_ - ray_3.origin), (triangle_1.v2_ - ray_3.origin), ray_3.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:151
+    let sum_3 = ((_e14.x + _e14.y) + _e14.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:152
+    if (sum_3 == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:154
+        return vec2((1f / 3f));
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:156
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_3));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:141
+fn Attributes_of_corner(first: u32) -> Attributes {
+
+    // glimt_render_gpu/src/kernels/material.rs:142
+    let _e7 = scene_surface[(first + 2u)];
+    let _e12 = scene_surface[(first + 3u)];
+    let _e13 = Tuple_u32_u32_(_e7, _e12);
+    let low = _e13.fa;
+    let high = _e13.fb;
+    // glimt_render_gpu/src/kernels/material.rs:143
+    let color = vec4<f32>(f32((low & 65535u)), f32((low >> 16u)), f32((high & 65535u)), f32((high >> 16u)));
+    // glimt_render_gpu/src/kernels/material.rs:149
+    let _e33 = scene_surface[first];
+    let _e39 = scene_surface[(first + 1u)];
+    return Attributes(vec2<f32>(bitcast<f32>(_e33), bitcast<f32>(_e39)), (color / vec4(65535f)));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:129
+fn Attributes_at(first_1: u32, u_2: f32, v_1: f32) -> Attributes {
+
+    // glimt_render_gpu/src/kernels/material.rs:130
+    let _e5 = Attributes_of_corner(first_1);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e9 = Attributes_of_corner((first_1 + 4u));
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let w_2 = ((1f - u_2) - v_1);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    return Attributes((((_e5.uv * w_2) + (_e9.uv * u_2)) + (_e15.uv * v_1)), (((_e5.color * w_2) + (_e9.color * u_2)) + (_e15.color * v_1)));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:172
+fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:173
+    let first_5 = (256u + (index_9 * 76u));
+    // glimt_render_gpu/src/kernels/material.rs:174
+    return Returned_MaterialView_new(first_5, ((first_5 + 76u) - first_5));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:181
+fn MaterialView_number(words_start: u32, words_len: u32, word: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/material.rs:182
+    let _e7 = scene_surface[(words_start + word)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:195
+fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_1: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:196
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    let _e13 = scene_surface[(words_start_1 + (word_1 + 1u))];
+    let _e19 = scene_surface[(words_start_1 + (word_1 + 2u))];
+    let _e25 = scene_surface[(words_start_1 + (word_1 + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:40
+fn TextureView_exists(this_14: TextureView) -> bool {
+
+    // glimt_render_gpu/src/kernels/texture.rs:41
+    return (this_14.width > 0u);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:90
+fn wrap(x_6: f32, mode: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:91
+    if (mode == 2u) {
+        // glimt_render_gpu/src/kernels/texture.rs:92
+        return clamp(x_6, 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:94
+    if (mode == 1u) {
+        // glimt_render_gpu/src/kernels/texture.rs:95
+        let folded = (x_6 - (2f * floor((0.5f * x_6))));
+        // glimt_render_gpu/src/kernels/texture.rs:96
+        return clamp(min(folded, (2f - folded)), 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:98
+    return clamp((x_6 - floor(x_6)), 0f, 1f);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:103
+fn neighbour(index_10: i32, size_4: u32, mode_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:104
+    let last = (i32(size_4) - 1i);
+    // glimt_render_gpu/src/kernels/texture.rs:105
+    if (mode_1 == 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:106
+        if (index_10 < 0i) {
+            // glimt_render_gpu/src/kernels/texture.rs:107
+            return u32(last);
+        }
+        // glimt_render_gpu/src/kernels/texture.rs:109
+        if (index_10 > last) {
+            // glimt_render_gpu/src/kernels/texture.rs:110
+            return 0u;
+        }
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:113
+    return u32(clamp(index_10, 0i, last));
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:69
+fn TextureView_texel(this_15: TextureView, index_11: u32) -> vec4<f32> {
+    var chosen_5: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/texture.rs:70
+    let word_5 = scene_surface[(this_15.first + index_11)];
+    // glimt_render_gpu/src/kernels/texture.rs:71
+    let r_1 = (word_5 & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:72
+    let g = ((word_5 >> 8u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:73
+    let b_4 = ((word_5 >> 16u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:74
+    let alpha_2 = (f32((word_5 >> 24u)) / 255f);
+    // glimt_render_gpu/src/kernels/texture.rs:75
+    if ((this_15.flags & 1u) != 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:76
+        let _e38 = scene_surface[r_1];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b_4];
+        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
+    } else {
+        // glimt_render_gpu/src/kernels/texture.rs:83
+        chosen_5 = vec4<f32>((f32(r_1) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_2);
+    }
+    let _e60 = chosen_5;
+    return _e60;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:49
+fn TextureView_sample(this_16: TextureView, uv: vec2<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/texture.rs:50
+    let wrap_u = ((this_16.flags >> 1u) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:51
+    let wrap_v = ((this_16.flags >> ((1u + 2u) & 31u)) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:52
+    let _e21 = wrap(uv.x, wrap_u);
+    let x_12 = ((_e21 * f32(this_16.width)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:53
+    let _e29 = wrap(uv.y, wrap_v);
+    let y_3 = ((_e29 * f32(this_16.height)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:54
+    let _e38 = Tuple_f32_f32_(floor(x_12), floor(y_3));
+    let left_2 = _e38.fa;
+    let top = _e38.fb;
+    // glimt_render_gpu/src/kernels/texture.rs:55
+    let _e44 = neighbour(i32(left_2), this_16.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:56
+    let _e50 = neighbour((i32(left_2) + 1i), this_16.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:57
+    let _e54 = neighbour(i32(top), this_16.height, wrap_v);
+    let row0_ = (_e54 * this_16.width);
+    // glimt_render_gpu/src/kernels/texture.rs:58
+    let _e62 = neighbour((i32(top) + 1i), this_16.height, wrap_v);
+    let row1_ = (_e62 * this_16.width);
+    // glimt_render_gpu/src/kernels/texture.rs:59
+    let _e67 = TextureView_texel(this_16, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_16, (row0_ + _e50));
+    let _e70 = (x_12 - left_2);
+    let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
+    // glimt_render_gpu/src/kernels/texture.rs:62
+    let _e78 = TextureView_texel(this_16, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_16, (row1_ + _e50));
+    let _e81 = (x_12 - left_2);
+    let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
+    // glimt_render_gpu/src/kernels/texture.rs:65
+    let _e88 = (y_3 - top);
+    return ((upper * (1f - _e88)) + (lower * _e88));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:206
+fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, texture: TextureView, uv_1: vec2<f32>) -> vec4<f32> {
+    var place_1: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/material.rs:207
+    place_1 = uv_1;
+    // glimt_render_gpu/src/kernels/material.rs:208
+    if ((texture.flags & 65536u) != 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:209
+        let t_7 = (word_2 + 4u);
+        // glimt_render_gpu/src/kernels/material.rs:210
+        let _e18 = MaterialView_number(words_start_2, words_len_2, t_7);
+        let _e21 = MaterialView_number(words_start_2, words_len_2, (t_7 + 1u));
+        let _e27 = MaterialView_number(words_start_2, words_len_2, (t_7 + 2u));
+        let _e30 = MaterialView_number(words_start_2, words_len_2, (t_7 + 3u));
+        let _e37 = MaterialView_number(words_start_2, words_len_2, (t_7 + 4u));
+        let _e40 = MaterialView_number(words_start_2, words_len_2, (t_7 + 5u));
+        place_1 = (((vec2<f32>(_e18, _e21) * uv_1.x) + (vec2<f32>(_e27, _e30) * uv_1.y)) + vec2<f32>(_e37, _e40));
+    }
+    // glimt_render_gpu/src/kernels/material.rs:214
+    let _e44 = place_1;
+    let _e45 = TextureView_sample(texture, _e44);
+    return _e45;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:280
+fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
+    var alpha: f32;
+    var chosen_6: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:281
+    let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
+    alpha = (_e7 * vertex_alpha);
+    // glimt_render_gpu/src/kernels/material.rs:282
+    let _e12 = MaterialView_texture(words_start_3, words_len_3, 64u);
+    // glimt_render_gpu/src/kernels/material.rs:283
+    let _e14 = TextureView_exists(_e12);
+    if _e14 {
+        // glimt_render_gpu/src/kernels/material.rs:284
+        let _e17 = MaterialView_sample(words_start_3, words_len_3, 64u, _e12, uv_2);
+        let _e19 = alpha;
+        alpha = (_e19 * _e17.w);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:286
+    let _e23 = MaterialView_number(words_start_3, words_len_3, 15u);
+    // glimt_render_gpu/src/kernels/material.rs:287
+    if (_e23 < 0f) {
+        // glimt_render_gpu/src/kernels/material.rs:288
+        let _e28 = alpha;
+        return _e28;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:290
+    let _e31 = alpha;
+    if (_e31 >= _e23) {
+        chosen_6 = 1f;
+    } else {
+        chosen_6 = 0f;
+    }
+    let _e35 = chosen_6;
+    return _e35;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:14
+fn alpha_at(triangle_2: Triangle, u_3: f32, v_2: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:15
+    let _e6 = Attributes_at(triangle_2.attributes, u_3, v_2);
+    // glimt_render_gpu/src/kernels/opacity.rs:16
+    let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/opacity.rs:17
+    let _e18 = MaterialView_alpha(_e11.value_words_start, _e11.value_words_len, _e6.uv, _e6.color.w);
+    return _e18;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:26
+fn passes(key_3: u32, index_12: u32, alpha_1: f32) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:27
+    let _e5 = hash2_(key_3, index_12);
+    let _e6 = unit_f32_(_e5);
+    return (_e6 >= alpha_1);
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:33
+fn is_passed(index_13: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:34
+    let _e5 = barycentrics(triangle_3, ray_4);
+    // glimt_render_gpu/src/kernels/opacity.rs:35
+    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    // glimt_render_gpu/src/kernels/opacity.rs:36
+    let _e12 = passes(ray_4.key, index_13, _e9);
+    return _e12;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:45
+fn Triangle_is_catcher(this_17: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:46
+    return ((this_17.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:100
+fn Triangle_area_normal(this_18: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:101
+    return cross((this_18.v1_ - this_18.v0_), (this_18.v2_ - this_18.v0_));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:66
+fn Triangle_ray_offset(this_19: Triangle) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:67
+    let extent = max(max(abs(this_19.v0_), abs(this_19.v1_)), abs(this_19.v2_));
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:74
+fn Triangle_setback(this_20: Triangle, ray_5: Ray, t: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:75
+    let _e5 = Triangle_area_normal(this_20);
+    // glimt_render_gpu/src/kernels/triangle.rs:76
+    let across = abs(dot(_e5, ray_5.direction));
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let _e12 = Triangle_ray_offset(this_20);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_5.direction, ray_5.direction)))));
+    // glimt_render_gpu/src/kernels/triangle.rs:82
+    return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:187
+fn held(index_14: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
+    var both: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:195
+    let _e7 = Triangle_is_see_through(triangle_4);
+    both = _e7;
+    if _e7 {
+        let _e9 = is_passed(index_14, triangle_4, ray_6);
+        both = _e9;
+    }
+    let _e10 = both;
+    if _e10 {
+        // glimt_render_gpu/src/kernels/bvh.rs:196
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:198
+    let _e14 = Triangle_is_catcher(triangle_4);
+    if !(_e14) {
+        // glimt_render_gpu/src/kernels/bvh.rs:199
+        return t_1;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:201
+    if no_catcher {
+        // glimt_render_gpu/src/kernels/bvh.rs:202
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:204
+    let _e21 = Triangle_setback(triangle_4, ray_6, t_1);
+    return (t_1 + _e21);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:160
+fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+    var nearest: u32;
+    var counter_1: u32;
+    var t_2: f32;
+    var both_1: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:169
+    nearest = best;
+    // glimt_render_gpu/src/kernels/bvh.rs:170
+    counter_1 = leaf.first;
+    loop {
+        let i = counter_1;
+        if (i >= (leaf.first + leaf.count)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:171
+        let _e19 = scene_triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_7, _e20);
+        t_2 = _e21;
+        // glimt_render_gpu/src/kernels/bvh.rs:173
+        let _e24 = t_2;
+        let _e25 = (*reach);
+        let _e26 = (_e24 < _e25);
+        both_1 = _e26;
+        if _e26 {
+            let _e31 = scene_triangles[i].object;
+            both_1 = (_e31 >= 1073741824u);
+        }
+        let _e34 = both_1;
+        if _e34 {
+            // glimt_render_gpu/src/kernels/bvh.rs:174
+            let _e38 = scene_triangles[i];
+            let _e39 = t_2;
+            let _e40 = held(i, _e38, ray_7, _e39, no_catcher_1);
+            t_2 = _e40;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:176
+        let _e42 = t_2;
+        let _e43 = (*reach);
+        if (_e42 < _e43) {
+            // glimt_render_gpu/src/kernels/bvh.rs:177
+            let _e46 = t_2;
+            (*reach) = _e46;
+            // glimt_render_gpu/src/kernels/bvh.rs:178
+            nearest = i;
+        }
+        continuing {
+            let _e48 = counter_1;
+            counter_1 = (_e48 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:181
+    let _e52 = nearest;
+    return _e52;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:91
+fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+    var either: bool;
+    var best_1: u32;
+    var stack: array<u32, 64>;
+    var height: u32;
+    var pair: u32;
+    var near: BvhNode;
+    var far: BvhNode;
+    var t_near: f32;
+    var t_far: f32;
+    var into_near: bool;
+    var into_far: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:99
+    let _e8 = (arrayLength((&scene_nodes)) == 0u);
+    either = _e8;
+    if _e8 {
+    } else {
+        let _e13 = scene_nodes[0u];
+        let _e14 = box_distance(_e13, ray_8);
+        let _e15 = (*reach_1);
+        either = (_e14 >= _e15);
+    }
+    let _e17 = either;
+    if _e17 {
+        // glimt_render_gpu/src/kernels/bvh.rs:100
+        return 4294967295u;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:102
+    let root = scene_nodes[0u];
+    // glimt_render_gpu/src/kernels/bvh.rs:103
+    if (root.count > 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:104
+        let _e31 = visit_leaf(root, ray_8, reach_1, 4294967295u, any_);
+        return _e31;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:106
+    best_1 = 4294967295u;
+    // glimt_render_gpu/src/kernels/bvh.rs:107
+    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:108
+    height = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:109
+    pair = root.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:110
+    loop {
+        // glimt_render_gpu/src/kernels/bvh.rs:111
+        let _e47 = pair;
+        let _e50 = scene_nodes[_e47];
+        near = _e50;
+        // glimt_render_gpu/src/kernels/bvh.rs:112
+        let _e53 = pair;
+        let _e58 = scene_nodes[(_e53 + 1u)];
+        far = _e58;
+        // glimt_render_gpu/src/kernels/bvh.rs:113
+        let _e61 = near;
+        let _e62 = box_distance(_e61, ray_8);
+        t_near = _e62;
+        // glimt_render_gpu/src/kernels/bvh.rs:114
+        let _e65 = far;
+        let _e66 = box_distance(_e65, ray_8);
+        t_far = _e66;
+        // glimt_render_gpu/src/kernels/bvh.rs:116
+        let _e69 = t_near;
+        let _e70 = t_far;
+        if (_e69 > _e70) {
+            // glimt_render_gpu/src/kernels/bvh.rs:117
+            let node_1 = near;
+            // glimt_render_gpu/src/kernels/bvh.rs:118
+            let _e75 = far;
+            near = _e75;
+            // glimt_render_gpu/src/kernels/bvh.rs:119
+            far = node_1;
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let t_8 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:121
+            let _e80 = t_far;
+            t_near = _e80;
+            // glimt_render_gpu/src/kernels/bvh.rs:122
+            t_far = t_8;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:124
+        let _e83 = t_near;
+        let _e84 = (*reach_1);
+        into_near = (_e83 < _e84);
+        // glimt_render_gpu/src/kernels/bvh.rs:125
+        let _e88 = into_near;
+        let _e90 = near.count;
+        if (_e88 && (_e90 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:126
+            let _e95 = near;
+            let _e96 = best_1;
+            let _e97 = visit_leaf(_e95, ray_8, reach_1, _e96, any_);
+            best_1 = _e97;
+            // glimt_render_gpu/src/kernels/bvh.rs:127
+            let _e99 = best_1;
+            if (any_ && (_e99 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:128
+                let _e104 = best_1;
+                return _e104;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:130
+            into_near = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:132
+        let _e108 = t_far;
+        let _e109 = (*reach_1);
+        into_far = (_e108 < _e109);
+        // glimt_render_gpu/src/kernels/bvh.rs:133
+        let _e113 = into_far;
+        let _e115 = far.count;
+        if (_e113 && (_e115 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:134
+            let _e120 = far;
+            let _e121 = best_1;
+            let _e122 = visit_leaf(_e120, ray_8, reach_1, _e121, any_);
+            best_1 = _e122;
+            // glimt_render_gpu/src/kernels/bvh.rs:135
+            let _e124 = best_1;
+            if (any_ && (_e124 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:136
+                let _e129 = best_1;
+                return _e129;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:138
+            into_far = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:140
+        let _e133 = into_near;
+        if _e133 {
+            // glimt_render_gpu/src/kernels/bvh.rs:141
+            let _e136 = near.first;
+            pair = _e136;
+            // glimt_render_gpu/src/kernels/bvh.rs:142
+            let _e138 = into_far;
+            if _e138 {
+                // glimt_render_gpu/src/kernels/bvh.rs:143
+                let _e141 = far.first;
+                let _e142 = height;
+                stack[_e142] = _e141;
+                // glimt_render_gpu/src/kernels/bvh.rs:144
+                let _e146 = height;
+                height = (_e146 + 1u);
+            }
+        } else {
+            let _e148 = into_far;
+            if _e148 {
+                // glimt_render_gpu/src/kernels/bvh.rs:147
+                let _e151 = far.first;
+                pair = _e151;
+            } else {
+                let _e152 = height;
+                if (_e152 > 0u) {
+                    // glimt_render_gpu/src/kernels/bvh.rs:149
+                    let _e157 = height;
+                    height = (_e157 - 1u);
+                    // glimt_render_gpu/src/kernels/bvh.rs:150
+                    let _e160 = height;
+                    let _e162 = stack[_e160];
+                    pair = _e162;
+                } else {
+                    // glimt_render_gpu/src/kernels/bvh.rs:152
+                    let _e164 = best_1;
+                    return _e164;
+                }
+            }
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:47
+fn closest_hit(ray_9: Ray, t_max_1: f32) -> Option_Hit {
+    var t_3: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:54
+    t_3 = t_max_1;
+    // glimt_render_gpu/src/kernels/bvh.rs:55
+    let _e7 = traverse(ray_9, (&t_3), false);
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    if (_e7 == 4294967295u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:57
+        return Option_Hit();
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:59
+    let triangle_5 = scene_triangles[_e7];
+    // glimt_render_gpu/src/kernels/bvh.rs:60
+    let _e18 = Triangle_is_catcher(triangle_5);
+    if _e18 {
+        // glimt_render_gpu/src/kernels/bvh.rs:62
+        let _e21 = intersect(triangle_5, ray_9, 0x1.fffffep+127f);
+        t_3 = _e21;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:64
+    let _e23 = t_3;
+    let _e24 = barycentrics(triangle_5, ray_9);
+    return Option_Hit(true, Hit(_e7, _e23, _e24));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:82
+fn Scene_closest_hit(ray_10: Ray) -> Option_Hit {
+
+    // glimt_render_gpu/src/kernels/scene.rs:83
+    let _e4 = closest_hit(ray_10, 0x1.fffffep+127f);
+    return _e4;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:88
+fn Triangle_outward(this_21: Triangle) -> vec3<f32> {
+    var chosen_7: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:89
+    let _e3 = Triangle_area_normal(this_21);
+    // glimt_render_gpu/src/kernels/triangle.rs:90
+    if ((this_21.object & 536870912u) != 0u) {
+        // glimt_render_gpu/src/kernels/triangle.rs:91
+        chosen_7 = -(_e3);
+    } else {
+        // glimt_render_gpu/src/kernels/triangle.rs:93
+        chosen_7 = _e3;
+    }
+    let _e14 = chosen_7;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:144
+fn unit_or(v_3: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
+    var chosen_8: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:145
+    let length_squared = dot(v_3, v_3);
+    // glimt_render_gpu/src/kernels/scene.rs:146
+    if (length_squared > 0.000000000001f) {
+        // glimt_render_gpu/src/kernels/scene.rs:147
+        chosen_8 = (v_3 / vec3(sqrt(length_squared)));
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:149
+        chosen_8 = otherwise;
+    }
+    let _e14 = chosen_8;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:298
+fn MaterialView_bumped_normal(words_start_4: u32, words_len_4: u32, uv_3: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:299
+    let _e9 = MaterialView_texture(words_start_4, words_len_4, 40u);
+    // glimt_render_gpu/src/kernels/material.rs:300
+    let across_1 = (tangent - (normal * dot(normal, tangent)));
+    // glimt_render_gpu/src/kernels/material.rs:301
+    let _e15 = TextureView_exists(_e9);
+    if (!(_e15) || !((dot(across_1, across_1) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:302
+        return normal;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:304
+    let t_9 = normalize(across_1);
+    // glimt_render_gpu/src/kernels/material.rs:305
+    let b_5 = (cross(normal, t_9) * handedness);
+    // glimt_render_gpu/src/kernels/material.rs:306
+    let _e30 = MaterialView_sample(words_start_4, words_len_4, 40u, _e9, uv_3);
+    let bump = ((_e30.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:307
+    let _e44 = MaterialView_number(words_start_4, words_len_4, 14u);
+    let tilt = (((t_9 * bump.x) + (b_5 * bump.y)) * _e44);
+    // glimt_render_gpu/src/kernels/material.rs:308
+    let _e50 = unit_or((tilt + (normal * bump.z)), normal);
+    return _e50;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:69
+fn bent_towards(normal_1: vec3<f32>, to_eye: vec3<f32>, geometric_normal: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let least = min(0.01f, (0.9f * dot(geometric_normal, to_eye)));
+    // glimt_render_gpu/src/kernels/scene.rs:71
+    let cosine = dot(normal_1, to_eye);
+    // glimt_render_gpu/src/kernels/scene.rs:72
+    if (cosine >= least) {
+        // glimt_render_gpu/src/kernels/scene.rs:73
+        return normal_1;
+    }
+    // glimt_render_gpu/src/kernels/scene.rs:75
+    let _e19 = unit_or((normal_1 + (to_eye * (least - cosine))), geometric_normal);
+    return _e19;
+}
+
+// glimt_sampling/src/math.rs:45
+fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
+
+    // glimt_sampling/src/math.rs:46
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
+    // glimt_sampling/src/math.rs:47
+    let a_5 = (-1f / (sign_ + n_2.z));
+    // glimt_sampling/src/math.rs:48
+    let c_3 = ((n_2.x * n_2.y) * a_5);
+    // glimt_sampling/src/math.rs:49
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_5)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_5)), -(n_2.y)), n_2);
+}
+
+// glimt_sampling/src/math.rs:66
+fn ShadingFrame_to_local(this_22: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:67
+    return vec3<f32>(dot(v_4, this_22.t), dot(v_4, this_22.b), dot(v_4, this_22.n));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:186
+fn MaterialView_vector(words_start_5: u32, words_len_5: u32, word_3: u32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:187
+    let _e5 = MaterialView_number(words_start_5, words_len_5, word_3);
+    let _e8 = MaterialView_number(words_start_5, words_len_5, (word_3 + 1u));
+    let _e11 = MaterialView_number(words_start_5, words_len_5, (word_3 + 2u));
+    return vec3<f32>(_e5, _e8, _e11);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:219
+fn MaterialView_color(words_start_6: u32, words_len_6: u32, uv_4: vec2<f32>, vertex_color: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:220
+    let _e7 = MaterialView_vector(words_start_6, words_len_6, 0u);
+    let color_1 = (_e7 * vertex_color);
+    // glimt_render_gpu/src/kernels/material.rs:221
+    let _e11 = MaterialView_texture(words_start_6, words_len_6, 16u);
+    // glimt_render_gpu/src/kernels/material.rs:222
+    let _e13 = TextureView_exists(_e11);
+    if _e13 {
+        // glimt_render_gpu/src/kernels/material.rs:223
+        let _e16 = MaterialView_sample(words_start_6, words_len_6, 16u, _e11, uv_4);
+        return (color_1 * _e16.xyz);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:225
+    return color_1;
+}
+
+// glimt_brdf/src/metallic_roughness.rs:31
+fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness: f32) -> BlinnPhong {
+
+    // glimt_brdf/src/metallic_roughness.rs:32
+    let base_1 = clamp(base, vec3(0f), vec3(1f));
+    // glimt_brdf/src/metallic_roughness.rs:33
+    let metallic_2 = clamp(metallic, 0f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:34
+    let roughness_2 = clamp(roughness, 0.12f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:35
+    let alpha_3 = (roughness_2 * roughness_2);
+    // glimt_brdf/src/metallic_roughness.rs:36
+    let dielectric = (1f - metallic_2);
+    // glimt_brdf/src/metallic_roughness.rs:37
+    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_3 * alpha_3)) - 2f));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:231
+fn MaterialView_brdf(words_start_7: u32, words_len_7: u32, uv_5: vec2<f32>, vertex_color_1: vec3<f32>) -> BlinnPhong {
+    var metallic_1: f32;
+    var roughness_1: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:232
+    let _e10 = scene_surface[(words_start_7 + 3u)];
+    let kind = (_e10 & 2147483647u);
+    // glimt_render_gpu/src/kernels/material.rs:233
+    if (kind == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:234
+        let _e18 = MaterialView_vector(words_start_7, words_len_7, 0u);
+        let _e21 = MaterialView_vector(words_start_7, words_len_7, 4u);
+        let _e23 = MaterialView_number(words_start_7, words_len_7, 7u);
+        return BlinnPhong((_e18 * vertex_color_1), _e21, _e23);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:240
+    if (kind == 2u) {
+        // glimt_render_gpu/src/kernels/material.rs:241
+        return BlinnPhong(vec3(0f), vec3(0f), 0f);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:247
+    let _e36 = MaterialView_color(words_start_7, words_len_7, uv_5, vertex_color_1);
+    // glimt_render_gpu/src/kernels/material.rs:248
+    let _e39 = MaterialView_number(words_start_7, words_len_7, 12u);
+    metallic_1 = _e39;
+    // glimt_render_gpu/src/kernels/material.rs:249
+    let _e43 = MaterialView_number(words_start_7, words_len_7, 13u);
+    roughness_1 = _e43;
+    // glimt_render_gpu/src/kernels/material.rs:250
+    let _e47 = MaterialView_texture(words_start_7, words_len_7, 28u);
+    // glimt_render_gpu/src/kernels/material.rs:251
+    let _e49 = TextureView_exists(_e47);
+    if _e49 {
+        // glimt_render_gpu/src/kernels/material.rs:252
+        let _e52 = MaterialView_sample(words_start_7, words_len_7, 28u, _e47, uv_5);
+        // glimt_render_gpu/src/kernels/material.rs:253
+        let _e55 = roughness_1;
+        roughness_1 = (_e55 * _e52.y);
+        // glimt_render_gpu/src/kernels/material.rs:254
+        let _e59 = metallic_1;
+        metallic_1 = (_e59 * _e52.z);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:256
+    let _e62 = metallic_1;
+    let _e63 = roughness_1;
+    let _e64 = BlinnPhong_from_metallic_roughness(_e36, _e62, _e63);
+    return _e64;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:262
+fn MaterialView_emission(words_start_8: u32, words_len_8: u32, uv_6: vec2<f32>, vertex_color_2: vec3<f32>) -> vec3<f32> {
+    var radiance: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/material.rs:263
+    radiance = vec3(0f);
+    // glimt_render_gpu/src/kernels/material.rs:264
+    let _e14 = scene_surface[(words_start_8 + 3u)];
+    if ((_e14 & 2147483648u) != 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:265
+        let _e21 = MaterialView_vector(words_start_8, words_len_8, 8u);
+        radiance = _e21;
+        // glimt_render_gpu/src/kernels/material.rs:266
+        let _e24 = MaterialView_texture(words_start_8, words_len_8, 52u);
+        // glimt_render_gpu/src/kernels/material.rs:267
+        let _e26 = TextureView_exists(_e24);
+        if _e26 {
+            // glimt_render_gpu/src/kernels/material.rs:268
+            let _e29 = MaterialView_sample(words_start_8, words_len_8, 52u, _e24, uv_6);
+            let _e31 = radiance;
+            radiance = (_e31 * _e29.xyz);
+        }
+    }
+    // glimt_render_gpu/src/kernels/material.rs:271
+    let _e38 = scene_surface[(words_start_8 + 3u)];
+    if ((_e38 & 2147483647u) == 2u) {
+        // glimt_render_gpu/src/kernels/material.rs:272
+        let _e44 = MaterialView_color(words_start_8, words_len_8, uv_6, vertex_color_2);
+        let _e45 = radiance;
+        radiance = (_e45 + _e44);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:274
+    let _e48 = radiance;
+    return _e48;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:88
+fn Scene_shading_point(ray_11: Ray, hit: Hit) -> ShadingPoint {
+    var chosen_9: vec3<f32>;
+    var chosen_10: f32;
+    var chosen_11: vec3<f32>;
+    var vertex_color_3: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:89
+    let triangle_6 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:90
+    let first_6 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:91
+    let a_6 = scene_corners[first_6];
+    // glimt_render_gpu/src/kernels/scene.rs:92
+    let b_6 = scene_corners[(first_6 + 1u)];
+    // glimt_render_gpu/src/kernels/scene.rs:93
+    let c_4 = scene_corners[(first_6 + 2u)];
+    // glimt_render_gpu/src/kernels/scene.rs:94
+    let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
+    let u_8 = _e33.fa;
+    let v_5 = _e33.fb;
+    // glimt_render_gpu/src/kernels/scene.rs:95
+    let w_3 = ((1f - u_8) - v_5);
+    // glimt_render_gpu/src/kernels/scene.rs:97
+    let to_eye_1 = -(ray_11.direction);
+    // glimt_render_gpu/src/kernels/scene.rs:98
+    let _e44 = Triangle_outward(triangle_6);
+    let outward = normalize(_e44);
+    // glimt_render_gpu/src/kernels/scene.rs:99
+    let is_inside = (dot(outward, to_eye_1) < 0f);
+    // glimt_render_gpu/src/kernels/scene.rs:100
+    if is_inside {
+        chosen_9 = -(outward);
+    } else {
+        chosen_9 = outward;
+    }
+    let geometric_normal_1 = chosen_9;
+    // glimt_render_gpu/src/kernels/scene.rs:101
+    let _e63 = unit_or((((a_6.normal * w_3) + (b_6.normal * u_8)) + (c_4.normal * v_5)), outward);
+    // glimt_render_gpu/src/kernels/scene.rs:103
+    let uv_7 = vec2<f32>((((a_6.u * w_3) + (b_6.u * u_8)) + (c_4.u * v_5)), (((a_6.v * w_3) + (b_6.v * u_8)) + (c_4.v * v_5)));
+    // glimt_render_gpu/src/kernels/scene.rs:104
+    let _e86 = MaterialView_new((triangle_6.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/scene.rs:105
+    let tangent_1 = (((a_6.tangent * w_3) + (b_6.tangent * u_8)) + (c_4.tangent * v_5));
+    // glimt_render_gpu/src/kernels/scene.rs:106
+    if ((triangle_6.material & 2147483648u) != 0u) {
+        // glimt_render_gpu/src/kernels/scene.rs:107
+        chosen_10 = -1f;
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:109
+        chosen_10 = 1f;
+    }
+    let handedness_1 = chosen_10;
+    // glimt_render_gpu/src/kernels/scene.rs:111
+    let _e111 = MaterialView_bumped_normal(_e86.value_words_start, _e86.value_words_len, uv_7, _e63, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:113
+    if is_inside {
+        chosen_11 = -(_e111);
+    } else {
+        chosen_11 = _e111;
+    }
+    let sided = chosen_11;
+    // glimt_render_gpu/src/kernels/scene.rs:114
+    let _e117 = bent_towards(sided, to_eye_1, geometric_normal_1);
+    // glimt_render_gpu/src/kernels/scene.rs:116
+    vertex_color_3 = vec3(1f);
+    // glimt_render_gpu/src/kernels/scene.rs:117
+    if (triangle_6.attributes != 0u) {
+        // glimt_render_gpu/src/kernels/scene.rs:118
+        let _e128 = Attributes_at(triangle_6.attributes, u_8, v_5);
+        // glimt_render_gpu/src/kernels/scene.rs:119
+        vertex_color_3 = _e128.color.xyz;
+    }
+    // glimt_render_gpu/src/kernels/scene.rs:121
+    let _e133 = ShadingFrame_from_normal(_e117);
+    // glimt_render_gpu/src/kernels/scene.rs:122
+    let edges = (((triangle_6.v1_ - triangle_6.v0_) * u_8) + ((triangle_6.v2_ - triangle_6.v0_) * v_5));
+    // glimt_render_gpu/src/kernels/scene.rs:123
+    let _e147 = Triangle_ray_offset(triangle_6);
+    let _e150 = ShadingFrame_to_local(_e133, to_eye_1);
+    let _e151 = vertex_color_3;
+    let _e152 = MaterialView_brdf(_e86.value_words_start, _e86.value_words_len, uv_7, _e151);
+    let _e153 = vertex_color_3;
+    let _e154 = MaterialView_emission(_e86.value_words_start, _e86.value_words_len, uv_7, _e153);
+    return ShadingPoint(((triangle_6.v0_ + edges) + (geometric_normal_1 * _e147)), geometric_normal_1, _e133, _e150, _e152, _e154);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:52
+fn Triangle_object_index(this_23: Triangle) -> u32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:53
+    return (this_23.object & 536870911u);
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:131
+fn see_by(pattern_1: PixelPattern, frame_3: FrameParams) -> SeenPoint {
+    var chosen_12: u32;
+    var chosen_13: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/seen.rs:132
+    let _e4 = FrameParams_camera_ray(frame_3, pattern_1);
+    // glimt_render_gpu/src/kernels/seen.rs:133
+    let _e6 = Scene_closest_hit(_e4);
+    if !(_e6.is_some) {
+        // glimt_render_gpu/src/kernels/seen.rs:134
+        return SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
+    }
+    let hit_1 = _e6.value;
+    // glimt_render_gpu/src/kernels/seen.rs:136
+    let _e34 = Scene_shading_point(_e4, hit_1);
+    // glimt_render_gpu/src/kernels/seen.rs:137
+    let triangle_7 = scene_triangles[hit_1.triangle];
+    // glimt_render_gpu/src/kernels/seen.rs:138
+    let _e41 = Triangle_is_catcher(triangle_7);
+    // glimt_render_gpu/src/kernels/seen.rs:139
+    let _e44 = Triangle_object_index(triangle_7);
+    if _e41 {
+        // glimt_render_gpu/src/kernels/seen.rs:143
+        chosen_12 = 2u;
+    } else {
+        chosen_12 = 0u;
+    }
+    let _e52 = chosen_12;
+    if _e41 {
+        // glimt_render_gpu/src/kernels/seen.rs:153
+        chosen_13 = vec3(0f);
+    } else {
+        // glimt_render_gpu/src/kernels/seen.rs:155
+        chosen_13 = _e34.emission;
+    }
+    let _e72 = chosen_13;
+    return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_7.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0u);
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:74
+fn slot_of(surface: u32, first_2: u32) -> u32 {
+    var slot: u32;
+    var counter_2: u32;
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:75
+    slot = 0u;
+    // glimt_render_gpu/src/kernels/cell_state.rs:76
+    counter_2 = 0u;
+    loop {
+        let i_1 = counter_2;
+        if (i_1 >= 3u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/cell_state.rs:77
+        let own = entries[(first_2 + i_1)].surface;
+        // glimt_render_gpu/src/kernels/cell_state.rs:79
+        let _e19 = slot;
+        if ((_e19 == 0u) && ((own == surface) || ((i_1 == (3u - 1u)) && (own != 0u)))) {
+            // glimt_render_gpu/src/kernels/cell_state.rs:80
+            slot = (i_1 + 1u);
+        }
+        continuing {
+            let _e35 = counter_2;
+            counter_2 = (_e35 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/cell_state.rs:83
+    let _e39 = slot;
+    return _e39;
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:84
+fn SeenPoint_is_hit(this_24: SeenPoint) -> bool {
+
+    // glimt_render_gpu/src/kernels/seen.rs:85
+    return (this_24.surface != 0u);
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:105
+fn SeenPoint_shading_point(this_25: SeenPoint) -> ShadingPoint {
+
+    // glimt_render_gpu/src/kernels/seen.rs:106
+    let _e4 = ShadingFrame_from_normal(this_25.normal);
+    // glimt_render_gpu/src/kernels/seen.rs:107
+    let _e9 = ShadingFrame_to_local(_e4, this_25.wo);
+    return ShadingPoint(this_25.origin, this_25.geometric_normal, _e4, _e9, BlinnPhong(this_25.diffuse, this_25.specular, this_25.exponent), this_25.emission);
+}
+
+// glimt_probe/src/rotate.rs:33
+fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
+
+    // glimt_probe/src/rotate.rs:34
+    return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:90
+fn Environment_to_map(size_5: vec2<u32>, rotation_1: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:91
+    let _e8 = rotate_z(direction_2, vec2<f32>(rotation_1.x, -(rotation_1.y)));
+    return _e8;
+}
+
+// glimt_sampling/src/math.rs:16
+fn luminance(rgb: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/math.rs:17
+    return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
+}
+
+// glimt_brdf/src/lobe.rs:86
+fn normalisation(exponent: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:87
+    let tail = exp2(max((-0.5f * exponent), -60f));
+    // glimt_brdf/src/lobe.rs:88
+    return ((((exponent + 2f) * (exponent + 4f)) * (0.125f * 0.31830987f)) / (tail + exponent));
+}
+
+// glimt_light_cells/src/surface.rs:105
+fn CellSurface_new(normal_2: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponent_1: f32, mean_length: f32, horizon: f32) -> CellSurface {
+
+    // glimt_light_cells/src/surface.rs:115
+    let r_2 = clamp(mean_length, 0.001f, 1f);
+    // glimt_light_cells/src/surface.rs:116
+    let widened = ((exponent_1 * r_2) / (r_2 + (exponent_1 * (1f - r_2))));
+    // glimt_light_cells/src/surface.rs:117
+    let _e22 = normalisation(widened);
+    return CellSurface(normal_2, wo, (kd * 0.31830987f), ks, widened, _e22, sqrt((2f * (1f - r_2))), horizon, 1f);
+}
+
+// glimt_render_gpu/src/kernels/pilot.rs:23
+fn alone(point: SeenPoint, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
+
+    // glimt_render_gpu/src/kernels/pilot.rs:24
+    let _e6 = Environment_to_map(env_size, env_rotation, point.normal);
+    let _e10 = Environment_to_map(env_size, env_rotation, point.normal);
+    let _e12 = Environment_to_map(env_size, env_rotation, point.wo);
+    let _e14 = luminance(point.diffuse);
+    let _e16 = luminance(point.specular);
+    let _e20 = CellSurface_new(_e10, _e12, _e14, _e16, point.exponent, 1f, 0f);
+    return Representative(_e6, point.diffuse, point.specular, _e20);
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:91
+fn SeenPoint_is_catcher(this_26: SeenPoint) -> bool {
+
+    // glimt_render_gpu/src/kernels/seen.rs:92
+    return ((this_26.flags & 2u) != 0u);
+}
+
+// glimt_light_cells/src/partition.rs:113
+fn LightCells_quad(size_6: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
+
+    // glimt_light_cells/src/partition.rs:114
+    let at_2 = (((start + 32u) + (list * 512u)) + (4u * quad));
+    // glimt_light_cells/src/partition.rs:115
+    let _e16 = env_tables[at_2];
+    let _e22 = env_tables[(at_2 + 1u)];
+    let _e28 = env_tables[(at_2 + 2u)];
+    let _e34 = env_tables[(at_2 + 3u)];
+    return vec4<f32>(bitcast<f32>(_e16), bitcast<f32>(_e22), bitcast<f32>(_e28), bitcast<f32>(_e34));
+}
+
+// glimt_light_cells/src/surface.rs:52
+fn step_(x_7: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:54
+    return clamp((x_7 * 1000000000000000000000000000000f), vec4(0f), vec4(1f));
+}
+
+// glimt_light_cells/src/surface.rs:59
+fn sqrt_(x_8: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:60
+    return vec4<f32>(sqrt(x_8.x), sqrt(x_8.y), sqrt(x_8.z), sqrt(x_8.w));
+}
+
+// glimt_light_cells/src/surface.rs:82
+fn cosine_power4_(sin2_theta: vec4<f32>, exponent_2: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:84
+    let s_2 = clamp(sin2_theta, vec4(0f), vec4(1f));
+    // glimt_light_cells/src/surface.rs:85
+    let log_ = ((s_2 * (vec4(6f) - s_2)) / (vec4(12f) - (8f * s_2)));
+    // glimt_light_cells/src/surface.rs:86
+    let t_10 = (min((exponent_2 * log_), vec4(40f)) * (1f / 256f));
+    // glimt_light_cells/src/surface.rs:88
+    let x_13 = (vec4(1f) - (t_10 * (vec4(1f) - (t_10 * (vec4(0.5f) - (t_10 * (1f / 6f)))))));
+    // glimt_light_cells/src/surface.rs:89
+    let x2_ = (x_13 * x_13);
+    // glimt_light_cells/src/surface.rs:90
+    let x4_ = (x2_ * x2_);
+    // glimt_light_cells/src/surface.rs:91
+    let x8_ = (x4_ * x4_);
+    // glimt_light_cells/src/surface.rs:92
+    let x16_ = (x8_ * x8_);
+    // glimt_light_cells/src/surface.rs:93
+    let x32_ = (x16_ * x16_);
+    // glimt_light_cells/src/surface.rs:94
+    let x64_ = (x32_ * x32_);
+    // glimt_light_cells/src/surface.rs:95
+    let x128_ = (x64_ * x64_);
+    // glimt_light_cells/src/surface.rs:96
+    return (x128_ * x128_);
+}
+
+// glimt_light_cells/src/surface.rs:133
+fn CellSurface_terms(this_27: CellSurface, cells_size: vec2<u32>, cells_start: u32, quad_1: u32) -> CellTerms {
+
+    // glimt_light_cells/src/surface.rs:134
+    let _e7 = LightCells_quad(cells_size, cells_start, 15u, quad_1);
+    // glimt_light_cells/src/surface.rs:135
+    let _e12 = LightCells_quad(cells_size, cells_start, (15u + 1u), quad_1);
+    // glimt_light_cells/src/surface.rs:136
+    let _e17 = LightCells_quad(cells_size, cells_start, (15u + 2u), quad_1);
+    // glimt_light_cells/src/surface.rs:137
+    let _e20 = LightCells_quad(cells_size, cells_start, 18u, quad_1);
+    // glimt_light_cells/src/surface.rs:138
+    let n_4 = this_27.normal;
+    // glimt_light_cells/src/surface.rs:139
+    let c_5 = (((_e7 * n_4.x) + (_e12 * n_4.y)) + (_e17 * n_4.z));
+    // glimt_light_cells/src/surface.rs:140
+    let reach_2 = (_e20 + vec4(this_27.horizon));
+    // glimt_light_cells/src/surface.rs:141
+    let up = max((c_5 + reach_2), vec4(0f));
+    // glimt_light_cells/src/surface.rs:142
+    let _e42 = step_(up);
+    // glimt_light_cells/src/surface.rs:143
+    let _e45 = step_((c_5 - reach_2));
+    // glimt_light_cells/src/surface.rs:144
+    let cosine_1 = max(c_5, vec4(0f));
+    // glimt_light_cells/src/surface.rs:145
+    let half_spread = vec4((0.5f * this_27.spread));
+    // glimt_light_cells/src/surface.rs:146
+    let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
+    // glimt_light_cells/src/surface.rs:147
+    if !((this_27.specular > 0f)) {
+        // glimt_light_cells/src/surface.rs:148
+        return CellTerms(cosine_1, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
+    }
+    // glimt_light_cells/src/surface.rs:158
+    let lifted = max(c_5, (0.25f * up));
+    // glimt_light_cells/src/surface.rs:159
+    let v_6 = this_27.wo;
+    // glimt_light_cells/src/surface.rs:160
+    let nv = dot(n_4, v_6);
+    // glimt_light_cells/src/surface.rs:161
+    let dv = ((((_e7 * v_6.x) + (_e12 * v_6.y)) + (_e17 * v_6.z)) + ((lifted - c_5) * nv));
+    // glimt_light_cells/src/surface.rs:162
+    let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_5 * c_5)), vec4(0.000001f)));
+    // glimt_light_cells/src/surface.rs:163
+    let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
+    // glimt_light_cells/src/surface.rs:164
+    let _e123 = sqrt_(half2_);
+    let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
+    // glimt_light_cells/src/surface.rs:165
+    let cos2_ = min((nh * nh), vec4(1f));
+    // glimt_light_cells/src/surface.rs:166
+    let sin2_ = (vec4(1f) - cos2_);
+    // glimt_light_cells/src/surface.rs:167
+    let r2_ = (_e20 * _e20);
+    // glimt_light_cells/src/surface.rs:168
+    let e = max(this_27.exponent, 0.001f);
+    // glimt_light_cells/src/surface.rs:169
+    let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    // glimt_light_cells/src/surface.rs:170
+    let _e151 = cosine_power4_(sin2_, seen);
+    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((this_27.share * this_27.peak) / e));
+    // glimt_light_cells/src/surface.rs:172
+    let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
+    // glimt_light_cells/src/surface.rs:173
+    let near_2 = (vec4((((0.1f * e) * this_27.spread) * this_27.spread)) + ((0.06f * e) * r2_));
+    // glimt_light_cells/src/surface.rs:174
+    let slope_1 = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
+    // glimt_light_cells/src/surface.rs:175
+    return CellTerms(cosine_1, _e45, _e42, lobe, min((slope_1 + near_2), vec4(1f)), cosine_spread);
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:185
+fn Even_quad(this_28: Even, _quad: u32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:186
+    return vec4(0.75f);
+}
+
+// glimt_light_cells/src/surface.rs:212
+fn CellSurface_blocked_weights(this_29: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:213
+    let reflected = ((terms.cosine * this_29.diffuse) + (terms.lobe * this_29.specular));
+    // glimt_light_cells/src/surface.rs:214
+    let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
+    // glimt_light_cells/src/surface.rs:215
+    let diffuse = (terms.cosine_spread * this_29.diffuse);
+    // glimt_light_cells/src/surface.rs:216
+    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_29.specular);
+    // glimt_light_cells/src/surface.rs:217
+    let by_shape = ((diffuse * diffuse) + (lobe_1 * lobe_1));
+    // glimt_light_cells/src/surface.rs:218
+    let _e41 = sqrt_((((reflected * reflected) * blocked) + by_shape));
+    return ((flux * terms.live) * _e41);
+}
+
+// glimt_light_cells/src/surface.rs:197
+fn CellSurface_residual_weights(this_30: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:198
+    let reflected_1 = ((terms_1.cosine * this_30.diffuse) + (terms_1.lobe * this_30.specular));
+    // glimt_light_cells/src/surface.rs:199
+    let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
+    // glimt_light_cells/src/surface.rs:200
+    let diffuse_1 = (terms_1.cosine_spread * this_30.diffuse);
+    // glimt_light_cells/src/surface.rs:201
+    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_30.specular);
+    // glimt_light_cells/src/surface.rs:202
+    let by_shape_1 = (((diffuse_1 * diffuse_1) + (lobe_2 * lobe_2)) * max(visibility_1, vec4(0.02f)));
+    // glimt_light_cells/src/surface.rs:203
+    let _e45 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape_1));
+    return ((flux_1 * terms_1.live) * _e45);
+}
+
+// glimt_light_cells/src/surface.rs:188
+fn CellSurface_product_weights(this_31: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:189
+    let reflected_2 = ((terms_2.cosine * this_31.diffuse) + (terms_2.lobe * this_31.specular));
+    // glimt_light_cells/src/surface.rs:190
+    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_31.diffuse)));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:238
+fn weights(surface_1: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
+    var chosen_14: vec4<f32>;
+    var chosen_15: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:245
+    if (true && is_catcher) {
+        // glimt_render_gpu/src/kernels/proposal.rs:246
+        let _e11 = CellSurface_blocked_weights(surface_1, terms_3, flux_3, visibility_2);
+        chosen_14 = _e11;
+    } else {
+        if true {
+            // glimt_render_gpu/src/kernels/proposal.rs:248
+            let _e15 = CellSurface_residual_weights(surface_1, terms_3, flux_3, visibility_2);
+            chosen_15 = _e15;
+        } else {
+            // glimt_render_gpu/src/kernels/proposal.rs:250
+            let _e17 = CellSurface_product_weights(surface_1, terms_3, flux_3);
+            chosen_15 = _e17;
+        }
+        let _e18 = chosen_15;
+        chosen_14 = _e18;
+    }
+    let _e19 = chosen_14;
+    return _e19;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:129
+fn channel_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_2: u32, channel: u32, normal_3: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:137
+    let list_1 = (4u + (3u * channel));
+    // glimt_render_gpu/src/kernels/proposal.rs:138
+    let _e14 = LightCells_quad(cells_size_1, cells_start_1, list_1, quad_2);
+    let _e19 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 1u), quad_2);
+    let _e25 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 2u), quad_2);
+    let moment = (((_e14 * normal_3.x) + (_e19 * normal_3.y)) + (_e25 * normal_3.z));
+    // glimt_render_gpu/src/kernels/proposal.rs:141
+    let _e32 = LightCells_quad(cells_size_1, cells_start_1, (1u + channel), quad_2);
+    // glimt_render_gpu/src/kernels/proposal.rs:142
+    let _e36 = ((full * moment) + (cut * _e32));
+    return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:147
+fn diffuse_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_3: u32, normal_4: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:148
+    let _e9 = channel_sum(cells_size_2, cells_start_2, quad_3, 0u, normal_4, full_1, cut_1);
+    let _e11 = channel_sum(cells_size_2, cells_start_2, quad_3, 1u, normal_4, full_1, cut_1);
+    let _e13 = channel_sum(cells_size_2, cells_start_2, quad_3, 2u, normal_4, full_1, cut_1);
+    return vec3<f32>(_e9, _e11, _e13);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:157
+fn radiance_sum(cells_size_3: vec2<u32>, cells_start_3: u32, quad_4: u32, factors: vec4<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:158
+    let _e7 = LightCells_quad(cells_size_3, cells_start_3, 1u, quad_4);
+    let _e8 = (_e7 * factors);
+    let _e19 = LightCells_quad(cells_size_3, cells_start_3, (1u + 1u), quad_4);
+    let _e20 = (_e19 * factors);
+    let _e31 = LightCells_quad(cells_size_3, cells_start_3, (1u + 2u), quad_4);
+    let _e32 = (_e31 * factors);
+    return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:166
+fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected: Even, is_catcher_1: bool) -> Totals {
+    var t_4: Totals;
+    var counter_3: u32;
+    var weight: f32;
+    var live: f32;
+    var counter_4: u32;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:172
+    let surface_2 = of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:173
+    let has_lobe = (surface_2.specular > 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:174
+    t_4 = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/proposal.rs:189
+    counter_3 = 0u;
+    loop {
+        let block = counter_3;
+        if (block >= 64u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:190
+        weight = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:191
+        live = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:192
+        counter_4 = 0u;
+        loop {
+            let half = counter_4;
+            if (half >= 2u) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/proposal.rs:193
+            let quad_5 = ((2u * block) + half);
+            // glimt_render_gpu/src/kernels/proposal.rs:194
+            let _e58 = LightCells_quad(cells_size_4, cells_start_4, 0u, quad_5);
+            // glimt_render_gpu/src/kernels/proposal.rs:195
+            let _e60 = CellSurface_terms(surface_2, cells_size_4, cells_start_4, quad_5);
+            // glimt_render_gpu/src/kernels/proposal.rs:196
+            let _e63 = (_e58 * _e60.live);
+            let seen_1 = (((_e63.x + _e63.y) + _e63.z) + _e63.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:198
+            if (seen_1 > 0f) {
+                // glimt_render_gpu/src/kernels/proposal.rs:199
+                let _e75 = live;
+                live = (_e75 + seen_1);
+                // glimt_render_gpu/src/kernels/proposal.rs:200
+                let _e78 = Even_quad(expected, quad_5);
+                // glimt_render_gpu/src/kernels/proposal.rs:201
+                let _e80 = weights(surface_2, _e60, _e58, _e78, is_catcher_1);
+                // glimt_render_gpu/src/kernels/proposal.rs:202
+                let _e89 = weight;
+                weight = (_e89 + (((_e80.x + _e80.y) + _e80.z) + _e80.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:203
+                if true {
+                    // glimt_render_gpu/src/kernels/proposal.rs:204
+                    let full_2 = (_e60.full * _e78);
+                    // glimt_render_gpu/src/kernels/proposal.rs:205
+                    let cut_2 = ((_e78 - full_2) * _e60.cosine);
+                    // glimt_render_gpu/src/kernels/proposal.rs:206
+                    let _e103 = diffuse_sum(cells_size_4, cells_start_4, quad_5, of_.mean_normal, full_2, cut_2);
+                    let _e104 = t_4.diffuse;
+                    t_4.diffuse = (_e104 + _e103);
+                    // glimt_render_gpu/src/kernels/proposal.rs:207
+                    if is_catcher_1 {
+                        // glimt_render_gpu/src/kernels/proposal.rs:208
+                        let cut_3 = ((vec4(1f) - _e60.full) * _e60.cosine);
+                        // glimt_render_gpu/src/kernels/proposal.rs:209
+                        let _e117 = diffuse_sum(cells_size_4, cells_start_4, quad_5, of_.mean_normal, _e60.full, cut_3);
+                        // glimt_render_gpu/src/kernels/proposal.rs:210
+                        let _e120 = t_4.open_diffuse;
+                        t_4.open_diffuse = (_e120 + _e117);
+                        // glimt_render_gpu/src/kernels/proposal.rs:211
+                        let _e125 = radiance_sum(cells_size_4, cells_start_4, quad_5, _e60.lobe);
+                        let _e126 = t_4.open_specular;
+                        t_4.open_specular = (_e126 + _e125);
+                    }
+                }
+                // glimt_render_gpu/src/kernels/proposal.rs:214
+                if has_lobe {
+                    // glimt_render_gpu/src/kernels/proposal.rs:215
+                    let a_7 = (_e60.lobe * _e58);
+                    // glimt_render_gpu/src/kernels/proposal.rs:216
+                    let spread = ((a_7 * _e60.lobe_spread) * _e60.lobe_spread);
+                    // glimt_render_gpu/src/kernels/proposal.rs:217
+                    let _e146 = t_4.lobe;
+                    t_4.lobe = (_e146 + (((a_7.x + a_7.y) + a_7.z) + a_7.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:218
+                    let _e157 = t_4.lobe_spread;
+                    t_4.lobe_spread = (_e157 + (((spread.x + spread.y) + spread.z) + spread.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:219
+                    let _e160 = (a_7 * _e78);
+                    let _e169 = t_4.lobe_visible;
+                    t_4.lobe_visible = (_e169 + (((_e160.x + _e160.y) + _e160.z) + _e160.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:220
+                    let _e174 = LightCells_quad(cells_size_4, cells_start_4, 13u, quad_5);
+                    let _e175 = (_e60.lobe * _e174);
+                    let _e184 = t_4.lobe_square;
+                    t_4.lobe_square = (_e184 + (((_e175.x + _e175.y) + _e175.z) + _e175.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:221
+                    let _e189 = LightCells_quad(cells_size_4, cells_start_4, 14u, quad_5);
+                    let _e190 = (_e60.lobe * _e189);
+                    let _e199 = t_4.lobe_area;
+                    t_4.lobe_area = (_e199 + (((_e190.x + _e190.y) + _e190.z) + _e190.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:223
+                    if true {
+                        // glimt_render_gpu/src/kernels/proposal.rs:224
+                        let _e207 = radiance_sum(cells_size_4, cells_start_4, quad_5, (_e60.lobe * _e78));
+                        let _e208 = t_4.specular;
+                        t_4.specular = (_e208 + _e207);
+                    }
+                }
+            }
+            continuing {
+                let _e210 = counter_4;
+                counter_4 = (_e210 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:229
+        let _e214 = weight;
+        t_4.blocks[block] = _e214;
+        // glimt_render_gpu/src/kernels/proposal.rs:230
+        let _e218 = live;
+        t_4.lives[block] = _e218;
+        // glimt_render_gpu/src/kernels/proposal.rs:231
+        let _e222 = weight;
+        let _e224 = t_4.weight;
+        t_4.weight = (_e224 + _e222);
+        // glimt_render_gpu/src/kernels/proposal.rs:232
+        let _e227 = live;
+        let _e229 = t_4.live;
+        t_4.live = (_e229 + _e227);
+        continuing {
+            let _e231 = counter_3;
+            counter_3 = (_e231 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:234
+    let _e235 = t_4;
+    return _e235;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:257
+fn worth(a_3: f32, visible: f32, variance: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:258
+    if true {
+        // glimt_render_gpu/src/kernels/proposal.rs:259
+        return (a_3 * sqrt(((visible * (1f - visible)) + (visible * variance))));
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:262
+    return (a_3 * sqrt((1f + (2f * variance))));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:269
+fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u32, expected_1: Even, is_catcher_2: bool) -> Proposal {
+    var of_2: Representative;
+    var sums: Totals;
+    var first_3: Totals;
+    var lobe_worth: f32;
+    var least_share: f32;
+    var share: f32;
+    var defence: f32;
+    var total: f32;
+    var blocks: array<f32, 64>;
+    var counter_5: u32;
+    var lobe_share: f32;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:275
+    of_2 = of_1;
+    // glimt_render_gpu/src/kernels/proposal.rs:276
+    let _e9 = of_2;
+    let _e10 = weigh(_e9, cells_size_5, cells_start_5, expected_1, is_catcher_2);
+    sums = _e10;
+    // glimt_render_gpu/src/kernels/proposal.rs:277
+    let _e13 = sums;
+    first_3 = _e13;
+    // glimt_render_gpu/src/kernels/proposal.rs:278
+    lobe_worth = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:279
+    least_share = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:280
+    share = 1f;
+    // glimt_render_gpu/src/kernels/proposal.rs:281
+    let _e27 = of_2.surface.specular;
+    let _e31 = sums.lobe;
+    if ((_e27 > 0f) && (_e31 > 0f)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:283
+        let _e37 = sums.lobe_spread;
+        let _e39 = sums.lobe;
+        let by_cells = (_e37 / _e39);
+        // glimt_render_gpu/src/kernels/proposal.rs:284
+        let _e43 = sums.lobe_square;
+        let _e45 = sums.lobe;
+        let _e48 = sums.lobe_area;
+        let _e50 = sums.lobe;
+        let by_lobe = clamp((((_e43 / _e45) * (_e48 / _e50)) - 1f), 0.0001f, 1000000f);
+        // glimt_render_gpu/src/kernels/proposal.rs:286
+        share = (by_lobe / (by_lobe + by_cells));
+        // glimt_render_gpu/src/kernels/proposal.rs:287
+        let _e62 = share;
+        if (_e62 > 0.9f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:288
+            share = 1f;
+        } else {
+            let _e67 = share;
+            if (_e67 < 0.1f) {
+                // glimt_render_gpu/src/kernels/proposal.rs:290
+                share = 0f;
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:292
+        let _e74 = sums.lobe;
+        let _e77 = of_2.surface.specular;
+        let a_8 = (_e74 * _e77);
+        // glimt_render_gpu/src/kernels/proposal.rs:293
+        let _e81 = sums.lobe_visible;
+        let _e83 = sums.lobe;
+        let visible_1 = min((_e81 / _e83), 1f);
+        // glimt_render_gpu/src/kernels/proposal.rs:294
+        let _e88 = share;
+        if (_e88 < 1f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:295
+            let _e93 = share;
+            let _e95 = worth(a_8, visible_1, by_lobe);
+            lobe_worth = ((1f - _e93) * _e95);
+            // glimt_render_gpu/src/kernels/proposal.rs:296
+            let _e98 = share;
+            of_2.surface.share = _e98;
+            // glimt_render_gpu/src/kernels/proposal.rs:297
+            let _e102 = of_2;
+            let _e103 = weigh(_e102, cells_size_5, cells_start_5, expected_1, is_catcher_2);
+            sums = _e103;
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:300
+    let _e107 = of_2.surface.specular;
+    let _e112 = of_2.surface.normal;
+    let _e115 = of_2.surface.wo;
+    if ((_e107 > 0f) && (dot(_e112, _e115) < 0.3f)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:301
+        least_share = 0.1f;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:303
+    defence = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:304
+    let _e127 = sums.live;
+    if (_e127 > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:305
+        let _e133 = sums.weight;
+        let _e136 = sums.live;
+        defence = ((0.001f * _e133) / _e136);
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:307
+    total = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:308
+    blocks = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:309
+    counter_5 = 0u;
+    loop {
+        let block_1 = counter_5;
+        if (block_1 >= 64u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:310
+        let _e154 = sums.blocks[block_1];
+        let _e155 = defence;
+        let _e158 = sums.lives[block_1];
+        let weight_1 = (_e154 + (_e155 * _e158));
+        // glimt_render_gpu/src/kernels/proposal.rs:311
+        blocks[block_1] = weight_1;
+        // glimt_render_gpu/src/kernels/proposal.rs:312
+        let _e164 = total;
+        total = (_e164 + weight_1);
+        continuing {
+            let _e166 = counter_5;
+            counter_5 = (_e166 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:314
+    let _e170 = total;
+    let _e171 = lobe_worth;
+    let all_ = (_e170 + _e171);
+    // glimt_render_gpu/src/kernels/proposal.rs:315
+    lobe_share = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:316
+    if (all_ > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:317
+        let _e180 = lobe_worth;
+        let _e182 = least_share;
+        lobe_share = clamp((_e180 / all_), _e182, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:318
+        let _e186 = total;
+        if !((_e186 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:319
+            lobe_share = 1f;
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:322
+    let _e194 = of_2.diffuse;
+    let kd_1 = (_e194 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:323
+    let _e199 = first_3.diffuse;
+    let _e202 = of_2.specular;
+    let _e204 = first_3.specular;
+    let _e205 = share;
+    let _e210 = first_3.open_diffuse;
+    let _e213 = of_2.specular;
+    let _e215 = first_3.open_specular;
+    let _e216 = share;
+    let _e220 = of_2;
+    let _e221 = blocks;
+    let _e222 = total;
+    let _e223 = defence;
+    let _e224 = lobe_worth;
+    let _e225 = lobe_share;
+    return Proposal(_e220, _e221, _e222, _e223, _e224, _e225, ((kd_1 * _e199) + (_e202 * (_e204 * _e205))), ((kd_1 * _e210) + (_e213 * (_e215 * _e216))), is_catcher_2);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:109
+fn PixelPattern_point(this_32: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:110
+    let _e8 = PixelPattern_sobol_point(this_32, purpose_5, index_15);
+    let _e9 = PixelPattern_generator(this_32, purpose_5, index_15);
+    return PatternSource((this_32.kind == 0u), _e8, _e9);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:170
+fn PatternSource_next_uvec2_(this_33: ptr<function, PatternSource>) -> vec2<u32> {
+    var chosen_16: vec2<u32>;
+    var borrowed_2: OwenSobol;
+    var borrowed_3: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:171
+    let _e5 = (*this_33).is_sobol;
+    if _e5 {
+        // glimt_render_gpu/src/kernels/pattern.rs:172
+        let _e9 = (*this_33).point;
+        borrowed_2 = _e9;
+        let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
+        let _e11 = borrowed_2;
+        (*this_33).point = _e11;
+        chosen_16 = _e10;
+    } else {
+        // glimt_render_gpu/src/kernels/pattern.rs:174
+        let _e15 = (*this_33).generator;
+        borrowed_3 = _e15;
+        let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
+        let _e17 = borrowed_3;
+        (*this_33).generator = _e17;
+        chosen_16 = _e16;
+    }
+    let _e18 = chosen_16;
+    return _e18;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:468
+fn Place_new(target_: f32) -> Place {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:469
+    return Place(target_, 0f, 0u, 0f, 0f, false);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:481
+fn Place_offer(this_34: ptr<function, Place>, index_16: u32, width: f32) {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:482
+    let _e8 = (*this_34).is_found;
+    if ((width > 0f) && !(_e8)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:483
+        (*this_34).index = index_16;
+        // glimt_render_gpu/src/kernels/proposal.rs:484
+        let _e15 = (*this_34).sum;
+        (*this_34).first = _e15;
+        // glimt_render_gpu/src/kernels/proposal.rs:485
+        (*this_34).width = width;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:487
+    let _e21 = (*this_34).sum;
+    (*this_34).sum = (_e21 + width);
+    // glimt_render_gpu/src/kernels/proposal.rs:488
+    let _e25 = (*this_34).is_found;
+    let _e27 = (*this_34).sum;
+    let _e29 = (*this_34).target_;
+    (*this_34).is_found = (_e25 || (_e27 > _e29));
+    return;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:494
+fn Place_word(this_35: Place, whole: f32, fraction: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:495
+    let unit = (whole * (1f / 16777216f));
+    // glimt_render_gpu/src/kernels/proposal.rs:496
+    let fine = ((this_35.target_ - this_35.first) + (unit * (f32(fraction) * (1f / 65536f))));
+    // glimt_render_gpu/src/kernels/proposal.rs:497
+    let place_3 = clamp((fine / max(this_35.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    // glimt_render_gpu/src/kernels/proposal.rs:498
+    return ((u32((place_3 * 16777216f)) << 8u) | (fraction & 255u));
+}
+
+// glimt_light_cells/src/partition.rs:140
+fn LightCells_texel_rows(size_7: vec2<u32>, start_1: u32, row: u32) -> vec2<u32> {
+
+    // glimt_light_cells/src/partition.rs:141
+    let at_3 = (start_1 + row);
+    // glimt_light_cells/src/partition.rs:142
+    let _e8 = env_tables[at_3];
+    let _e13 = env_tables[(at_3 + 1u)];
+    return vec2<u32>(_e8, _e13);
+}
+
+// glimt_light_cells/src/partition.rs:73
+fn first_row_word() -> u32 {
+
+    // glimt_light_cells/src/partition.rs:74
+    return (32u + (19u * 512u));
+}
+
+// glimt_light_cells/src/partition.rs:147
+fn LightCells_row_edges(size_8: vec2<u32>, start_2: u32, cell_1: u32, rows: vec2<u32>) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:148
+    let _e9 = Tuple_u32_u32_((cell_1 % 32u), (cell_1 / 32u));
+    let column_1 = _e9.fa;
+    let row_2 = _e9.fb;
+    // glimt_light_cells/src/partition.rs:149
+    let of_band = (32u * (rows.x + row_2));
+    // glimt_light_cells/src/partition.rs:150
+    let _e18 = first_row_word();
+    return (((start_2 + _e18) + of_band) + (column_1 * ((rows.y - rows.x) + 1u)));
+}
+
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin(start_3: u32, bins: u32, u_4: u32) -> Bin {
+    var at: u32;
+    var left: u32;
+
+    // glimt_envmap_cdf/src/search.rs:33
+    at = start_3;
+    // glimt_envmap_cdf/src/search.rs:34
+    left = bins;
+    // glimt_envmap_cdf/src/search.rs:35
+    loop {
+        let _e9 = left;
+        if !((_e9 > 1u)) {
+            break;
+        }
+        // glimt_envmap_cdf/src/search.rs:36
+        let _e14 = left;
+        let half_1 = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at;
+        let _e22 = env_tables[(_e18 + half_1)];
+        if (_e22 <= u_4) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at;
+            at = (_e25 + half_1);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left;
+        left = (_e28 - half_1);
+    }
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at;
+    let first_7 = env_tables[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at;
+    let _e38 = at;
+    let _e43 = env_tables[(_e38 + 1u)];
+    return Bin((_e36 - start_3), first_7, (_e43 - first_7));
+}
+
+// glimt_light_cells/src/partition.rs:92
+fn first_column(column: u32, width_1: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:93
+    return ((column * width_1) / 32u);
+}
+
+// glimt_light_cells/src/partition.rs:105
+fn column_unit(u_5: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:106
+    return (u_5 >> 17u);
+}
+
+// glimt_light_cells/src/partition.rs:79
+fn first_column_word(size_9: vec2<u32>) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:80
+    let _e3 = first_row_word();
+    return (_e3 + (32u * (size_9.y + 16u)));
+}
+
+// glimt_light_cells/src/partition.rs:85
+fn column_words(width_2: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:86
+    let _e4 = (width_2 / 2u);
+    return select(_e4, (_e4 + 1u), ((width_2 % 2u) != 0u));
+}
+
+// glimt_light_cells/src/partition.rs:155
+fn LightCells_column_edge(size_10: vec2<u32>, start_4: u32, x_9: u32, y_1: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:156
+    let _e6 = first_column_word(size_10);
+    let _e9 = column_words(size_10.x);
+    let at_4 = (((start_4 + _e6) + (y_1 * _e9)) + (x_9 / 2u));
+    // glimt_light_cells/src/partition.rs:157
+    let _e18 = env_tables[at_4];
+    return ((_e18 >> ((16u * (x_9 & 1u)) & 31u)) & 65535u);
+}
+
+// glimt_light_cells/src/partition.rs:209
+fn LightCells_pmf(size_11: vec2<u32>, start_5: u32, row_1: Bin, texel: vec2<u32>, first_4: u32) -> f32 {
+    var chosen_17: u32;
+
+    // glimt_light_cells/src/partition.rs:210
+    if (texel.x > first_4) {
+        // glimt_light_cells/src/partition.rs:211
+        let _e15 = LightCells_column_edge(size_11, start_5, (texel.x - 1u), texel.y);
+        chosen_17 = _e15;
+    } else {
+        // glimt_light_cells/src/partition.rs:213
+        chosen_17 = 0u;
+    }
+    let lower_1 = chosen_17;
+    // glimt_light_cells/src/partition.rs:215
+    let _e22 = LightCells_column_edge(size_11, start_5, texel.x, texel.y);
+    let units = (_e22 - lower_1);
+    // glimt_light_cells/src/partition.rs:216
+    return ((f32(row_1.units) * (1f / 2147483600f)) * (f32(units) * (1f / 32768f)));
+}
+
+// glimt_light_cells/src/partition.rs:163
+fn LightCells_sample(size_12: vec2<u32>, start_6: u32, cell_2: u32, u_6: vec2<u32>) -> TexelDraw {
+    var at_1: u32;
+    var left_1: u32;
+
+    // glimt_light_cells/src/partition.rs:164
+    let _e8 = LightCells_texel_rows(size_12, start_6, (cell_2 / 32u));
+    // glimt_light_cells/src/partition.rs:165
+    let _e10 = LightCells_row_edges(size_12, start_6, cell_2, _e8);
+    // glimt_light_cells/src/partition.rs:166
+    let _e18 = find_bin(_e10, (_e8.y - _e8.x), (u_6.y >> 1u));
+    // glimt_light_cells/src/partition.rs:172
+    let y_4 = (_e8.x + _e18.index);
+    // glimt_light_cells/src/partition.rs:173
+    let column_2 = (cell_2 % 32u);
+    // glimt_light_cells/src/partition.rs:174
+    let _e28 = first_column(column_2, size_12.x);
+    // glimt_light_cells/src/partition.rs:176
+    let _e31 = column_unit(u_6.x);
+    // glimt_light_cells/src/partition.rs:177
+    at_1 = _e28;
+    // glimt_light_cells/src/partition.rs:178
+    let _e38 = first_column((column_2 + 1u), size_12.x);
+    left_1 = (_e38 - _e28);
+    // glimt_light_cells/src/partition.rs:179
+    loop {
+        let _e42 = left_1;
+        if !((_e42 > 1u)) {
+            break;
+        }
+        // glimt_light_cells/src/partition.rs:180
+        let _e47 = left_1;
+        let half_2 = (_e47 / 2u);
+        // glimt_light_cells/src/partition.rs:181
+        let _e51 = at_1;
+        let _e55 = LightCells_column_edge(size_12, start_6, ((_e51 + half_2) - 1u), y_4);
+        if (_e55 <= _e31) {
+            // glimt_light_cells/src/partition.rs:182
+            let _e58 = at_1;
+            at_1 = (_e58 + half_2);
+        }
+        // glimt_light_cells/src/partition.rs:184
+        let _e61 = left_1;
+        left_1 = (_e61 - half_2);
+    }
+    // glimt_light_cells/src/partition.rs:186
+    let _e64 = at_1;
+    let _e66 = at_1;
+    let _e68 = LightCells_pmf(size_12, start_6, _e18, vec2<u32>(_e66, y_4), _e28);
+    return TexelDraw(vec2<u32>(_e64, y_4), _e68);
+}
+
+// glimt_probe/src/trig.rs:25
+fn cos_sin_pi(x_10: f32) -> vec2<f32> {
+    var chosen_18: vec2<f32>;
+
+    // glimt_probe/src/trig.rs:27
+    let quarter = floor(((2f * x_10) + 0.5f));
+    // glimt_probe/src/trig.rs:28
+    let y_5 = (x_10 - (0.5f * quarter));
+    // glimt_probe/src/trig.rs:29
+    let y2_ = (y_5 * y_5);
+    // glimt_probe/src/trig.rs:31
+    let c_6 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
+    // glimt_probe/src/trig.rs:34
+    let s_3 = (y_5 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    // glimt_probe/src/trig.rs:37
+    let _e49 = (i32(quarter) & 3i);
+    if (_e49 == 0i) {
+        // glimt_probe/src/trig.rs:38
+        chosen_18 = vec2<f32>(c_6, (s_3 + 0f));
+    } else {
+        if (_e49 == 1i) {
+            // glimt_probe/src/trig.rs:39
+            chosen_18 = vec2<f32>((0f - s_3), c_6);
+        } else {
+            if (_e49 == 2i) {
+                // glimt_probe/src/trig.rs:40
+                chosen_18 = vec2<f32>((0f - c_6), (0f - s_3));
+            } else {
+                // glimt_probe/src/trig.rs:41
+                chosen_18 = vec2<f32>((s_3 + 0f), (0f - c_6));
+            }
+        }
+    }
+    let _e77 = chosen_18;
+    return _e77;
+}
+
+// glimt_probe/src/latlong.rs:142
+fn direction_in_texel(texel_1: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+    var chosen_19: u32;
+    var chosen_20: u32;
+    var chosen_21: f32;
+
+    // glimt_probe/src/latlong.rs:143
+    let size_14 = max(size_13, vec2(1u));
+    // glimt_probe/src/latlong.rs:144
+    let row_3 = min(texel_1.y, (size_14.y - 1u));
+    // glimt_probe/src/latlong.rs:146
+    let southern = ((2u * row_3) >= size_14.y);
+    // glimt_probe/src/latlong.rs:147
+    if southern {
+        chosen_19 = (size_14.y - row_3);
+    } else {
+        chosen_19 = row_3;
+    }
+    let upper_1 = chosen_19;
+    // glimt_probe/src/latlong.rs:148
+    if southern {
+        chosen_20 = ((size_14.y - row_3) - 1u);
+    } else {
+        chosen_20 = (row_3 + 1u);
+    }
+    let lower_2 = chosen_20;
+    // glimt_probe/src/latlong.rs:149
+    let half_3 = (0.5f / f32(size_14.y));
+    // glimt_probe/src/latlong.rs:150
+    let _e41 = cos_sin_pi((f32(upper_1) * half_3));
+    let sin_upper = _e41.y;
+    // glimt_probe/src/latlong.rs:151
+    let _e46 = cos_sin_pi((f32(lower_2) * half_3));
+    let sin_lower = _e46.y;
+    // glimt_probe/src/latlong.rs:152
+    let s_upper = (sin_upper * sin_upper);
+    // glimt_probe/src/latlong.rs:153
+    let s_4 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
+    // glimt_probe/src/latlong.rs:154
+    let sin_theta = (2f * sqrt(max((s_4 * (1f - s_4)), 0f)));
+    // glimt_probe/src/latlong.rs:155
+    if southern {
+        // glimt_probe/src/latlong.rs:156
+        chosen_21 = ((2f * s_4) - 1f);
+    } else {
+        // glimt_probe/src/latlong.rs:158
+        chosen_21 = (1f - (2f * s_4));
+    }
+    let cos_theta = chosen_21;
+    // glimt_probe/src/latlong.rs:160
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_1.x) + r.x)) / f32(size_14.x))));
+    // glimt_probe/src/latlong.rs:161
+    return vec3<f32>((sin_theta * _e90.x), (sin_theta * _e90.y), cos_theta);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:398
+fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_6: vec2<u32>, cells_start_6: u32, expected_2: Even) -> CellDraw {
+    var self_: Proposal;
+    var row_place: Place;
+    var counter_6: u32;
+    var sum_2: f32;
+    var counter_7: u32;
+    var block_place: Place;
+    var counter_8: u32;
+    var cell_place: Place;
+    var counter_9: u32;
+
+    self_ = this_36;
+    // glimt_render_gpu/src/kernels/proposal.rs:404
+    let per_row = (64u / 16u);
+    // glimt_render_gpu/src/kernels/proposal.rs:406
+    let _e13 = unit_f32_(u_7.y);
+    let _e15 = self_.total;
+    let _e17 = Place_new((_e13 * _e15));
+    row_place = _e17;
+    // glimt_render_gpu/src/kernels/proposal.rs:407
+    counter_6 = 0u;
+    loop {
+        let row_4 = counter_6;
+        if (row_4 >= 16u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:408
+        sum_2 = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:409
+        counter_7 = (row_4 * per_row);
+        loop {
+            let block_2 = counter_7;
+            if (block_2 >= ((row_4 + 1u) * per_row)) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/proposal.rs:410
+            let _e39 = self_.blocks[block_2];
+            let _e40 = sum_2;
+            sum_2 = (_e40 + _e39);
+            continuing {
+                let _e42 = counter_7;
+                counter_7 = (_e42 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:412
+        let _e46 = sum_2;
+        Place_offer((&row_place), row_4, _e46);
+        continuing {
+            let _e47 = counter_6;
+            counter_6 = (_e47 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:414
+    let _e52 = row_place.index;
+    let first_8 = (_e52 * per_row);
+    // glimt_render_gpu/src/kernels/proposal.rs:415
+    let _e56 = unit_f32_(u_7.x);
+    let _e58 = row_place.width;
+    let target_1 = (_e56 * _e58);
+    // glimt_render_gpu/src/kernels/proposal.rs:416
+    let _e61 = Place_new(target_1);
+    block_place = _e61;
+    // glimt_render_gpu/src/kernels/proposal.rs:417
+    counter_8 = first_8;
+    loop {
+        let block_3 = counter_8;
+        if (block_3 >= (first_8 + per_row)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:418
+        let _e71 = self_.blocks[block_3];
+        Place_offer((&block_place), block_3, _e71);
+        continuing {
+            let _e72 = counter_8;
+            counter_8 = (_e72 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:420
+    let _e77 = block_place.first;
+    let _e78 = Place_new(target_1);
+    cell_place = Place(_e78.target_, _e77, _e78.index, _e78.first, _e78.width, _e78.is_found);
+    // glimt_render_gpu/src/kernels/proposal.rs:424
+    counter_9 = 0u;
+    loop {
+        let half_4 = counter_9;
+        if (half_4 >= 2u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:425
+        let _e95 = block_place.index;
+        let quad_6 = ((2u * _e95) + half_4);
+        // glimt_render_gpu/src/kernels/proposal.rs:426
+        let _e100 = LightCells_quad(cells_size_6, cells_start_6, 0u, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:427
+        let _e104 = self_.of_.surface;
+        let _e105 = CellSurface_terms(_e104, cells_size_6, cells_start_6, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:428
+        let _e107 = Even_quad(expected_2, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:429
+        let surface_3 = self_.of_.surface;
+        // glimt_render_gpu/src/kernels/proposal.rs:430
+        let _e114 = self_.is_catcher;
+        let _e115 = weights(surface_3, _e105, _e100, _e107, _e114);
+        // glimt_render_gpu/src/kernels/proposal.rs:431
+        let _e120 = self_.defence;
+        let all_1 = (_e115 + ((_e100 * _e105.live) * _e120));
+        // glimt_render_gpu/src/kernels/proposal.rs:432
+        Place_offer((&cell_place), (4u * quad_6), all_1.x);
+        // glimt_render_gpu/src/kernels/proposal.rs:433
+        Place_offer((&cell_place), ((4u * quad_6) + 1u), all_1.y);
+        // glimt_render_gpu/src/kernels/proposal.rs:434
+        Place_offer((&cell_place), ((4u * quad_6) + 2u), all_1.z);
+        // glimt_render_gpu/src/kernels/proposal.rs:435
+        Place_offer((&cell_place), ((4u * quad_6) + 3u), all_1.w);
+        continuing {
+            let _e145 = counter_9;
+            counter_9 = (_e145 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:437
+    let _e151 = hash2_(u_7.x, u_7.y);
+    // glimt_render_gpu/src/kernels/proposal.rs:438
+    let _e153 = cell_place;
+    let _e155 = row_place.width;
+    let _e158 = Place_word(_e153, _e155, (_e151 & 65535u));
+    let _e159 = row_place;
+    let _e161 = self_.total;
+    let _e164 = Place_word(_e159, _e161, (_e151 >> 16u));
+    let within = vec2<u32>(_e158, _e164);
+    // glimt_render_gpu/src/kernels/proposal.rs:442
+    let _e168 = cell_place.index;
+    let _e169 = LightCells_sample(cells_size_6, cells_start_6, _e168, within);
+    // glimt_render_gpu/src/kernels/proposal.rs:443
+    let _e172 = hash2_(_e151, u_7.x);
+    // glimt_render_gpu/src/kernels/proposal.rs:444
+    let place_4 = vec2<u32>((_e172 << 16u), (_e172 & 4294901760u));
+    // glimt_render_gpu/src/kernels/proposal.rs:445
+    let _e181 = unit_vec2_(place_4);
+    let _e182 = direction_in_texel(_e169.texel, cells_size_6, _e181);
+    let _e185 = cell_place.index;
+    return CellDraw(_e182, _e169.texel, _e185);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:73
+fn any_hit(ray_12: Ray, t_max_2: f32) -> bool {
+    var t_5: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:80
+    t_5 = t_max_2;
+    // glimt_render_gpu/src/kernels/bvh.rs:81
+    let _e7 = traverse(ray_12, (&t_5), true);
+    return (_e7 != 4294967295u);
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:136
+fn Scene_is_lit(point_1: ShadingPoint, direction_3: vec3<f32>, key_4: u32) -> bool {
+
+    // glimt_render_gpu/src/kernels/scene.rs:137
+    let _e6 = Ray_keyed(point_1.origin, direction_3, key_4);
+    // glimt_render_gpu/src/kernels/scene.rs:138
+    let _e9 = any_hit(_e6, 0x1.fffffep+127f);
+    return !(_e9);
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:100
+fn counted(n_3: u32, s: u32, arrives: u32) -> u32 {
+    var chosen_22: u32;
+    var chosen_23: u32;
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:101
+    let is_full = (n_3 >= 255u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:103
+    if is_full {
+        chosen_22 = (n_3 / 2u);
+    } else {
+        chosen_22 = n_3;
+    }
+    let _e11 = chosen_22;
+    let n_5 = (_e11 + 1u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:104
+    if is_full {
+        chosen_23 = (s / 2u);
+    } else {
+        chosen_23 = s;
+    }
+    let _e18 = chosen_23;
+    let s_5 = (_e18 + arrives);
+    // glimt_render_gpu/src/kernels/cell_state.rs:105
+    return (n_5 | (s_5 << 8u));
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:111
+fn count_2(word_4: u32, cell_3: u32, arrives_1: bool) -> u32 {
+    var chosen_24: u32;
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:112
+    let shift = (16u * (cell_3 & 1u));
+    // glimt_render_gpu/src/kernels/cell_state.rs:113
+    let own_1 = ((word_4 >> (shift & 31u)) & 65535u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:114
+    if arrives_1 {
+        chosen_24 = 1u;
+    } else {
+        chosen_24 = 0u;
+    }
+    let _e23 = chosen_24;
+    let _e24 = counted((own_1 & 255u), (own_1 >> 8u), _e23);
+    // glimt_render_gpu/src/kernels/cell_state.rs:115
+    return ((word_4 & ~((65535u << (shift & 31u)))) | (_e24 << (shift & 31u)));
+}
+
+// glimt_render_gpu/src/kernels/pilot.rs:44
+fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, counts_start: u32, counts_len: u32) {
+    var wanted: bool;
+    var counter_10: u32;
+    var counter_11: u32;
+    var counter_12: u32;
+    var both_2: bool;
+    var proposal: Proposal;
+    var chosen_25: u32;
+    var counter_13: u32;
+    var borrowed_4: PatternSource;
+
+    // glimt_render_gpu/src/kernels/pilot.rs:53
+    let _e8 = CellParams_corner(cells, tile_1);
+    // glimt_render_gpu/src/kernels/pilot.rs:54
+    let _e10 = tile_end(_e8, frame_4);
+    // glimt_render_gpu/src/kernels/pilot.rs:55
+    let first_9 = (tile_1 * 3u);
+    // glimt_render_gpu/src/kernels/pilot.rs:56
+    wanted = false;
+    // glimt_render_gpu/src/kernels/pilot.rs:57
+    counter_10 = first_9;
+    loop {
+        let i_2 = counter_10;
+        if (i_2 >= (first_9 + 3u)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/pilot.rs:58
+        let entry = entries[i_2];
+        // glimt_render_gpu/src/kernels/pilot.rs:59
+        let _e28 = wanted;
+        wanted = (_e28 || ((entry.surface != 0u) && (entry.is_known == 0u)));
+        continuing {
+            let _e37 = counter_10;
+            counter_10 = (_e37 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/pilot.rs:61
+    let _e41 = wanted;
+    if !(_e41) {
+        // glimt_render_gpu/src/kernels/pilot.rs:62
+        return;
+    }
+    // glimt_render_gpu/src/kernels/pilot.rs:64
+    let rays = u32(max(((cells.rays * cells.pilot) * f32((2u * 2u))), 1f));
+    // glimt_render_gpu/src/kernels/pilot.rs:65
+    let _e57 = Environment_cells(env_size_1, env_rotation_1);
+    // glimt_render_gpu/src/kernels/pilot.rs:66
+    let _e64 = (_e10.y - _e8.y);
+    let _e66 = (_e64 / 2u);
+    counter_11 = 0u;
+    loop {
+        let row_5 = counter_11;
+        if (row_5 >= select(_e66, (_e66 + 1u), ((_e64 % 2u) != 0u))) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/pilot.rs:67
+        let _e80 = (_e10.x - _e8.x);
+        let _e82 = (_e80 / 2u);
+        counter_12 = 0u;
+        loop {
+            let column_3 = counter_12;
+            if (column_3 >= select(_e82, (_e82 + 1u), ((_e80 % 2u) != 0u))) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pilot.rs:68
+            let pixel_4 = ((((_e8.y + (2u * row_5)) * frame_4.width) + _e8.x) + (2u * column_3));
+            // glimt_render_gpu/src/kernels/pilot.rs:69
+            let _e106 = FrameParams_pattern_at(frame_4, pixel_4, 0u);
+            // glimt_render_gpu/src/kernels/pilot.rs:70
+            let _e108 = see_by(_e106, frame_4);
+            // glimt_render_gpu/src/kernels/pilot.rs:71
+            let _e111 = slot_of(_e108.surface, first_9);
+            // glimt_render_gpu/src/kernels/pilot.rs:72
+            let _e113 = SeenPoint_is_hit(_e108);
+            let _e116 = (_e113 && (_e111 > 0u));
+            both_2 = _e116;
+            if _e116 {
+                let _e124 = entries[((first_9 + _e111) - 1u)].is_known;
+                both_2 = (_e124 == 0u);
+            }
+            let _e127 = both_2;
+            if _e127 {
+                // glimt_render_gpu/src/kernels/pilot.rs:73
+                let base_2 = ((_e111 - 1u) * 256u);
+                // glimt_render_gpu/src/kernels/pilot.rs:74
+                let _e134 = SeenPoint_shading_point(_e108);
+                // glimt_render_gpu/src/kernels/pilot.rs:75
+                let _e136 = alone(_e108, env_size_1, env_rotation_1);
+                let _e138 = SeenPoint_is_catcher(_e108);
+                let _e139 = Proposal_new(_e136, _e57.value_size, _e57.value_start, Even(), _e138);
+                proposal = _e139;
+                // glimt_render_gpu/src/kernels/pilot.rs:76
+                let _e143 = PixelPattern_ray_key(_e106, 14u);
+                // glimt_render_gpu/src/kernels/pilot.rs:77
+                let _e147 = proposal.total;
+                if (_e147 > 0f) {
+                    chosen_25 = rays;
+                } else {
+                    chosen_25 = 0u;
+                }
+                let own_2 = chosen_25;
+                // glimt_render_gpu/src/kernels/pilot.rs:78
+                counter_13 = 0u;
+                loop {
+                    let s_6 = counter_13;
+                    if (s_6 >= own_2) {
+                        break;
+                    }
+                    // glimt_render_gpu/src/kernels/pilot.rs:79
+                    let _e159 = PixelPattern_point(_e106, 13u, s_6);
+                    borrowed_4 = _e159;
+                    let _e161 = PatternSource_next_uvec2_((&borrowed_4));
+                    // glimt_render_gpu/src/kernels/pilot.rs:80
+                    let _e163 = proposal;
+                    let _e165 = Proposal_sample_cells(_e163, _e161, _e57.value_size, _e57.value_start, Even());
+                    // glimt_render_gpu/src/kernels/pilot.rs:81
+                    let _e168 = rotate_z(_e165.direction, env_rotation_1);
+                    // glimt_render_gpu/src/kernels/pilot.rs:82
+                    if ((dot(_e134.frame.n, _e168) > 0f) && (dot(_e134.geometric_normal, _e168) > 0f)) {
+                        // glimt_render_gpu/src/kernels/pilot.rs:85
+                        let _e182 = Scene_is_lit(_e134, _e168, (_e143 + s_6));
+                        // glimt_render_gpu/src/kernels/pilot.rs:86
+                        let at_5 = (base_2 + (_e165.cell / 2u));
+                        // glimt_render_gpu/src/kernels/pilot.rs:87
+                        let _e192 = counts[(counts_start + at_5)];
+                        let _e194 = count_2(_e192, _e165.cell, _e182);
+                        counts[(counts_start + at_5)] = _e194;
+                    }
+                    continuing {
+                        let _e198 = counter_13;
+                        counter_13 = (_e198 + 1u);
+                    }
+                }
+            }
+            continuing {
+                let _e201 = counter_12;
+                counter_12 = (_e201 + 1u);
+            }
+        }
+        continuing {
+            let _e204 = counter_11;
+            counter_11 = (_e204 + 1u);
+        }
+    }
+    return;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn pilot(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e19 = params.cells;
+    let _e21 = params.env_size;
+    let _e23 = params.env_rotation;
+    let _e25 = params.counts_len;
+    pilot_1((_e14 + local), _e17, _e19, _e21, _e23, (local * _e25), _e25);
+}

@@ -1,0 +1,2050 @@
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
+
+struct BvhNode {
+    min: vec3<f32>,
+    count: u32,
+    max: vec3<f32>,
+    first: u32,
+}
+
+struct Triangle {
+    v0_: vec3<f32>,
+    material: u32,
+    v1_: vec3<f32>,
+    object: u32,
+    v2_: vec3<f32>,
+    attributes: u32,
+}
+
+struct Corner {
+    normal: vec3<f32>,
+    u: f32,
+    tangent: vec3<f32>,
+    v: f32,
+}
+
+struct TileEntry {
+    position: vec3<f32>,
+    surface: u32,
+    normal: vec3<f32>,
+    exponent: f32,
+    wo: vec3<f32>,
+    hits: u32,
+    diffuse: f32,
+    specular: f32,
+    off_centre: f32,
+    is_known: u32,
+}
+
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    shadow: u32,
+    film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
+}
+
+struct CellParams {
+    rays: f32,
+    pilot: f32,
+    tiles_across: u32,
+    tiles: u32,
+    is_adaptive: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+}
+
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
+}
+
+struct OwenSobol {
+    seed: u32,
+    index: u32,
+    dimension: u32,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+struct CameraView {
+    eye: vec3<f32>,
+    forward: vec3<f32>,
+    right: vec3<f32>,
+    up: vec3<f32>,
+}
+
+struct Ray {
+    origin: vec3<f32>,
+    direction: vec3<f32>,
+    inverse_direction: vec3<f32>,
+    key: u32,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
+struct Attributes {
+    uv: vec2<f32>,
+    color: vec4<f32>,
+}
+
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
+struct Tuple_f32_f32_ {
+    fa: f32,
+    fb: f32,
+}
+
+struct Hit {
+    triangle: u32,
+    t: f32,
+    barycentrics: vec2<f32>,
+}
+
+struct Option_Hit {
+    is_some: bool,
+    value: Hit,
+}
+
+struct SeenPoint {
+    origin: vec3<f32>,
+    surface: u32,
+    geometric_normal: vec3<f32>,
+    flags: u32,
+    normal: vec3<f32>,
+    exponent: f32,
+    wo: vec3<f32>,
+    material: u32,
+    diffuse: vec3<f32>,
+    order: u32,
+    specular: vec3<f32>,
+    record: u32,
+    emission: vec3<f32>,
+    unused: u32,
+}
+
+struct ShadingFrame {
+    t: vec3<f32>,
+    b: vec3<f32>,
+    n: vec3<f32>,
+}
+
+struct BlinnPhong {
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    exponent: f32,
+}
+
+struct ShadingPoint {
+    origin: vec3<f32>,
+    geometric_normal: vec3<f32>,
+    frame: ShadingFrame,
+    wo: vec3<f32>,
+    brdf: BlinnPhong,
+    emission: vec3<f32>,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    frame: FrameParams,
+    cells: CellParams,
+}
+
+@group(0) @binding(1) 
+var<storage> scene_nodes: array<BvhNode>;
+@group(0) @binding(2) 
+var<storage> scene_triangles: array<Triangle>;
+@group(0) @binding(3) 
+var<storage> scene_corners: array<Corner>;
+@group(0) @binding(4) 
+var<storage> scene_surface: array<u32>;
+@group(0) @binding(5) 
+var<storage> entries: array<TileEntry>;
+@group(0) @binding(6) 
+var<storage, read_write> out: array<SeenPoint>;
+@group(0) @binding(0) 
+var<uniform> params: Params;
+
+// glimt_render_gpu/src/kernels/frame.rs:130
+fn FrameParams_pattern_at(this_: FrameParams, pixel: u32, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:131
+    return PixelPattern(this_.pattern, this_.seed, this_.frame, pixel, ray, this_.rays_per_pixel);
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:120
+fn FrameParams_pattern_of(this_1: FrameParams, ray_1: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:121
+    let _e10 = FrameParams_pattern_at(this_1, (this_1.first_pixel + (ray_1 / this_1.rays_per_pixel)), (ray_1 % this_1.rays_per_pixel));
+    return _e10;
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x;
+    let _e10 = x;
+    x = (_e10 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e13 = x;
+    x = (_e13 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e17 = x;
+    let _e20 = x;
+    x = (_e20 ^ (_e17 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e23 = x;
+    x = (_e23 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e27 = x;
+    let _e28 = x;
+    return (_e27 ^ (_e28 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:171
+fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
+
+    // glimt_sampling/src/sobol.rs:172
+    let _e6 = hash3_(seed, frame, pixel_1);
+    let _e9 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e9, (sample_index & 65535u), 0u);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:126
+fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:127
+    let _e6 = hash2_(this_2.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_2.frame, this_2.pixel, index);
+    return _e9;
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+    var x_1: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_1 = (n_1 ^ (n_1 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_1;
+    x_1 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_1;
+    x_1 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e19 = x_1;
+    let _e22 = x_1;
+    x_1 = (_e22 ^ (_e19 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e25 = x_1;
+    let _e26 = x_1;
+    return (_e25 ^ (_e26 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index_1: u32, seed_1: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_1 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_2: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_2 = index_2;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_2;
+    let _e10 = x_2;
+    x_2 = (_e10 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e13 = x_2;
+    let _e18 = x_2;
+    x_2 = (_e18 ^ ((_e13 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e21 = x_2;
+    let _e26 = x_2;
+    x_2 = (_e26 ^ ((_e21 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e29 = x_2;
+    let _e30 = x_2;
+    return (_e29 ^ ((_e30 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_3: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_3;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum;
+        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e37 = v1_;
+        v0_ = _e37;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e40 = bits;
+        bits = (_e40 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e44 = sum;
+    return _e44;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_4: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_4;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_1;
+        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e40 = v1_1;
+        v0_1 = _e40;
+        // glimt_sampling/src/sobol.rs:93
+        let _e42 = v2_;
+        v1_1 = _e42;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e45 = bits_1;
+        bits_1 = (_e45 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e49 = sum_1;
+    return _e49;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
+    var chosen: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_15 = (index_5 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen = index_15;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_15);
+            chosen = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_15);
+                chosen = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_15);
+                chosen = _e22;
+            }
+        }
+    }
+    let _e23 = chosen;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
+    var chosen_1: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_1 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_1 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_1 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_1 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_1;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn OwenSobol_next_uvec2_(this_3: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_3).dimension;
+    let dimension_2 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_3).dimension = (dimension_2 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_3).seed;
+    let _e18 = hash2_(_e15, (dimension_2 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e21 = (*this_3).index;
+    let _e22 = shuffle(_e21, _e18);
+    // glimt_sampling/src/sobol.rs:195
+    let _e24 = sobol_reversed(_e22, dimension_2);
+    let _e25 = scramble_1(_e24, dimension_2, _e18);
+    let _e28 = sobol_reversed(_e22, (dimension_2 + 1u));
+    let _e31 = scramble_1(_e28, (dimension_2 + 1u), _e18);
+    return vec2<u32>(_e25, _e31);
+}
+
+// glimt_sampling/src/hash.rs:50
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:51
+    let _e4 = hash_u32_(v.x);
+    x_3 = ((_e4 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:54
+    let _e12 = hash_u32_(v.y);
+    y = ((_e12 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:57
+    let _e20 = hash_u32_(v.z);
+    z = ((_e20 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:60
+    let _e28 = hash_u32_(v.w);
+    w = ((_e28 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:64
+    let _e35 = x_3;
+    let _e36 = y;
+    let _e37 = w;
+    x_3 = (_e35 + (_e36 * _e37));
+    // glimt_sampling/src/hash.rs:65
+    let _e41 = y;
+    let _e42 = z;
+    let _e43 = x_3;
+    y = (_e41 + (_e42 * _e43));
+    // glimt_sampling/src/hash.rs:66
+    let _e47 = z;
+    let _e48 = x_3;
+    let _e49 = y;
+    z = (_e47 + (_e48 * _e49));
+    // glimt_sampling/src/hash.rs:67
+    let _e53 = w;
+    let _e54 = y;
+    let _e55 = z;
+    w = (_e53 + (_e54 * _e55));
+    // glimt_sampling/src/hash.rs:68
+    let _e59 = x_3;
+    let _e62 = x_3;
+    x_3 = (_e62 ^ (_e59 >> 16u));
+    // glimt_sampling/src/hash.rs:69
+    let _e65 = y;
+    let _e68 = y;
+    y = (_e68 ^ (_e65 >> 16u));
+    // glimt_sampling/src/hash.rs:70
+    let _e71 = z;
+    let _e74 = z;
+    z = (_e74 ^ (_e71 >> 16u));
+    // glimt_sampling/src/hash.rs:71
+    let _e77 = w;
+    let _e80 = w;
+    w = (_e80 ^ (_e77 >> 16u));
+    // glimt_sampling/src/hash.rs:72
+    let _e83 = x_3;
+    let _e84 = y;
+    let _e85 = w;
+    x_3 = (_e83 + (_e84 * _e85));
+    // glimt_sampling/src/hash.rs:73
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_3;
+    y = (_e89 + (_e90 * _e91));
+    // glimt_sampling/src/hash.rs:74
+    let _e95 = z;
+    let _e96 = x_3;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
+    // glimt_sampling/src/hash.rs:75
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
+    // glimt_sampling/src/hash.rs:76
+    let _e107 = x_3;
+    let _e108 = x_3;
+    let _e112 = y;
+    let _e113 = y;
+    let _e117 = z;
+    let _e118 = z;
+    let _e122 = w;
+    let _e123 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e112 ^ (_e113 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e122 ^ (_e123 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_1 = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_1 == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_2: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_2, frame_1, seed_3, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:131
+fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:132
+    let _e6 = hash3_(this_4.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_4.frame, this_4.pixel);
+    return _e9;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn Xoshiro128PlusPlus_next_u32_(this_5: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s = (*this_5).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s.x + s.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_1 = (s.z ^ s.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s.w ^ s.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_5).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_6: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_6);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_6);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:136
+fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:137
+    let _e5 = hash2_(this_7.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_7.frame, this_7.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:211
+fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
+    var x_4: u32;
+    var round_key: u32;
+    var counter: i32;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:212
+    if (length_ <= 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:213
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:215
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
+    // glimt_render_gpu/src/kernels/pattern.rs:216
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:217
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:218
+    loop {
+        // glimt_render_gpu/src/kernels/pattern.rs:219
+        round_key = key;
+        // glimt_render_gpu/src/kernels/pattern.rs:220
+        counter = 0i;
+        loop {
+            let _e31 = counter;
+            if (_e31 >= 3i) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pattern.rs:221
+            let _e34 = round_key;
+            let _e35 = hash_u32_(_e34);
+            round_key = _e35;
+            // glimt_render_gpu/src/kernels/pattern.rs:223
+            let _e37 = x_4;
+            let _e38 = round_key;
+            x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:224
+            let _e44 = x_4;
+            let _e46 = (bits_2 / 2u);
+            let _e56 = x_4;
+            x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            continuing {
+                let _e58 = counter;
+                counter = (_e58 + 1i);
+            }
+        }
+        // glimt_render_gpu/src/kernels/pattern.rs:226
+        let _e62 = x_4;
+        if (_e62 < length_) {
+            // glimt_render_gpu/src/kernels/pattern.rs:227
+            let _e65 = x_4;
+            let _e67 = hash_u32_(~(key));
+            return ((_e65 + (_e67 % length_)) % length_);
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:202
+fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:203
+    return ((cell * (4294967295u / count)) + (jitter / count));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:182
+fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:183
+    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    // glimt_render_gpu/src/kernels/pattern.rs:184
+    let _e12 = (count_1 / columns);
+    let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    // glimt_render_gpu/src/kernels/pattern.rs:185
+    let _e21 = hash2_(key_1, 1u);
+    let _e22 = permute(index_8, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:186
+    let _e26 = hash2_(key_1, 2u);
+    let _e27 = permute((_e22 % columns), columns, _e26);
+    // glimt_render_gpu/src/kernels/pattern.rs:187
+    let _e31 = hash2_(key_1, 3u);
+    let _e32 = permute((_e22 / columns), rows, _e31);
+    // glimt_render_gpu/src/kernels/pattern.rs:188
+    let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
+    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    return vec2<u32>(_e38, _e40);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:65
+fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed: OwenSobol;
+    var borrowed_1: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:66
+    let index_16 = ((this_8.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    if (this_8.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:68
+        let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_16);
+        borrowed = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed));
+        return _e16;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:70
+    let _e18 = PixelPattern_generator(this_8, purpose_3, index_16);
+    borrowed_1 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
+    // glimt_render_gpu/src/kernels/pattern.rs:71
+    if (this_8.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:72
+        return _e20;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:74
+    let _e29 = PixelPattern_key(this_8, purpose_3);
+    let _e30 = jittered_pair(index_16, (this_8.rays * samples), _e20, _e29);
+    return _e30;
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_sampling/src/uniform.rs:22
+fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+
+    // glimt_sampling/src/uniform.rs:23
+    let _e4 = unit_f32_(u_1.x);
+    let _e6 = unit_f32_(u_1.y);
+    return vec2<f32>(_e4, _e6);
+}
+
+// glimt_render_gpu/src/kernels/camera.rs:23
+fn CameraView_direction(this_9: CameraView, p: vec2<f32>, size: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/camera.rs:24
+    let x_7 = (((2f * p.x) / f32(size.x)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:25
+    let y_1 = (((2f * p.y) / f32(size.y)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:26
+    return normalize(((this_9.forward + (this_9.right * x_7)) - (this_9.up * y_1)));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:161
+fn FrameParams_direction(this_10: FrameParams, pixel_3: u32, place: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/frame.rs:162
+    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_10.width), (pixel_3 / this_10.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:163
+    let view = CameraView(this_10.eye, this_10.forward, this_10.right, this_10.up);
+    // glimt_render_gpu/src/kernels/frame.rs:169
+    let _e22 = CameraView_direction(view, (corner + place), vec2<u32>(this_10.width, this_10.height));
+    return _e22;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:121
+fn PixelPattern_ray_key(this_11: PixelPattern, purpose_4: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e4 = PixelPattern_key(this_11, purpose_4);
+    let _e6 = hash2_(_e4, this_11.ray);
+    return _e6;
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:59
+fn inverse(x_5: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/ray.rs:60
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_5), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_5) & 2147483648u))));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:44
+fn Ray_keyed(origin: vec3<f32>, direction: vec3<f32>, key_2: u32) -> Ray {
+
+    // glimt_render_gpu/src/kernels/ray.rs:45
+    let _e6 = inverse(direction.x);
+    let _e8 = inverse(direction.y);
+    let _e10 = inverse(direction.z);
+    return Ray(origin, direction, vec3<f32>(_e6, _e8, _e10), key_2);
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:144
+fn FrameParams_camera_ray(this_12: FrameParams, pattern: PixelPattern) -> Ray {
+    var chosen_2: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/frame.rs:145
+    let film = PixelPattern(pattern.kind, pattern.seed, this_12.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+    // glimt_render_gpu/src/kernels/frame.rs:149
+    if (this_12.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:150
+        chosen_2 = vec2(0.5f);
+    } else {
+        // glimt_render_gpu/src/kernels/frame.rs:152
+        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e24 = unit_vec2_(_e23);
+        chosen_2 = _e24;
+    }
+    let place_2 = chosen_2;
+    // glimt_render_gpu/src/kernels/frame.rs:154
+    let _e28 = FrameParams_direction(this_12, pattern.pixel, place_2);
+    // glimt_render_gpu/src/kernels/frame.rs:155
+    let _e32 = PixelPattern_ray_key(film, 8u);
+    let _e33 = Ray_keyed(this_12.eye, _e28, _e32);
+    return _e33;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:30
+fn box_distance(node: BvhNode, ray_2: Ray) -> f32 {
+    var chosen_3: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:31
+    let to_min = ((node.min - ray_2.origin) * ray_2.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:32
+    let to_max = ((node.max - ray_2.origin) * ray_2.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
+    let _e16 = min(to_min, to_max);
+    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:34
+    let _e23 = max(to_min, to_max);
+    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:35
+    if ((far_1 >= near_1) && (far_1 >= 0f)) {
+        // glimt_render_gpu/src/kernels/bvh.rs:36
+        chosen_3 = near_1;
+    } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:38
+        chosen_3 = 0x1.fffffep+127f;
+    }
+    let _e40 = chosen_3;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:111
+fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:112
+    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:124
+fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
+    var chosen_4: f32;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:125
+    let a_3 = (triangle.v0_ - ray_3.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:126
+    let b_3 = (triangle.v1_ - ray_3.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:127
+    let c_2 = (triangle.v2_ - ray_3.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:128
+    let _e18 = edge_functions(a_3, b_3, c_2, ray_3.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:129
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:130
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:132
+    let normal_2 = cross((c_2 - a_3), (a_3 - b_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:133
+    let slope = dot(normal_2, ray_3.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:134
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:135
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:137
+    let t_4 = (dot(a_3, normal_2) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:138
+    if ((t_4 > 0f) && (t_4 < t_max)) {
+        chosen_4 = t_4;
+    } else {
+        chosen_4 = 0x1.fffffep+127f;
+    }
+    let _e59 = chosen_4;
+    return _e59;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:59
+fn Triangle_is_see_through(this_13: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:60
+    return ((this_13.object & 1073741824u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:144
+fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:145
+    let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:151
+    let sum_2 = ((_e14.x + _e14.y) + _e14.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:152
+    if (sum_2 == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:154
+        return vec2((1f / 3f));
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:156
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_2));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:141
+fn Attributes_of_corner(first: u32) -> Attributes {
+
+    // glimt_render_gpu/src/kernels/material.rs:142
+    let _e7 = scene_surface[(first + 2u)];
+    let _e12 = scene_surface[(first + 3u)];
+    let _e13 = Tuple_u32_u32_(_e7, _e12);
+    let low = _e13.fa;
+    let high = _e13.fb;
+    // glimt_render_gpu/src/kernels/material.rs:143
+    let color = vec4<f32>(f32((low & 65535u)), f32((low >> 16u)), f32((high & 65535u)), f32((high >> 16u)));
+    // glimt_render_gpu/src/kernels/material.rs:149
+    let _e33 = scene_surface[first];
+    let _e39 = scene_surface[(first + 1u)];
+    return Attributes(vec2<f32>(bitcast<f32>(_e33), bitcast<f32>(_e39)), (color / vec4(65535f)));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:129
+fn Attributes_at(first_1: u32, u_2: f32, v_1: f32) -> Attributes {
+
+    // glimt_render_gpu/src/kernels/material.rs:130
+    let _e5 = Attributes_of_corner(first_1);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e9 = Attributes_of_corner((first_1 + 4u));
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let w_2 = ((1f - u_2) - v_1);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    return Attributes((((_e5.uv * w_2) + (_e9.uv * u_2)) + (_e15.uv * v_1)), (((_e5.color * w_2) + (_e9.color * u_2)) + (_e15.color * v_1)));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:172
+fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:173
+    let first_3 = (256u + (index_9 * 76u));
+    // glimt_render_gpu/src/kernels/material.rs:174
+    return Returned_MaterialView_new(first_3, ((first_3 + 76u) - first_3));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:181
+fn MaterialView_number(words_start: u32, words_len: u32, word: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/material.rs:182
+    let _e7 = scene_surface[(words_start + word)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:195
+fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_1: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:196
+    let _e7 = scene_surface[(words_start_1 + word_1)];
+    let _e13 = scene_surface[(words_start_1 + (word_1 + 1u))];
+    let _e19 = scene_surface[(words_start_1 + (word_1 + 2u))];
+    let _e25 = scene_surface[(words_start_1 + (word_1 + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:40
+fn TextureView_exists(this_14: TextureView) -> bool {
+
+    // glimt_render_gpu/src/kernels/texture.rs:41
+    return (this_14.width > 0u);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:90
+fn wrap(x_6: f32, mode: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:91
+    if (mode == 2u) {
+        // glimt_render_gpu/src/kernels/texture.rs:92
+        return clamp(x_6, 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:94
+    if (mode == 1u) {
+        // glimt_render_gpu/src/kernels/texture.rs:95
+        let folded = (x_6 - (2f * floor((0.5f * x_6))));
+        // glimt_render_gpu/src/kernels/texture.rs:96
+        return clamp(min(folded, (2f - folded)), 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:98
+    return clamp((x_6 - floor(x_6)), 0f, 1f);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:103
+fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:104
+    let last = (i32(size_1) - 1i);
+    // glimt_render_gpu/src/kernels/texture.rs:105
+    if (mode_1 == 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:106
+        if (index_10 < 0i) {
+            // glimt_render_gpu/src/kernels/texture.rs:107
+            return u32(last);
+        }
+        // glimt_render_gpu/src/kernels/texture.rs:109
+        if (index_10 > last) {
+            // glimt_render_gpu/src/kernels/texture.rs:110
+            return 0u;
+        }
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:113
+    return u32(clamp(index_10, 0i, last));
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:69
+fn TextureView_texel(this_15: TextureView, index_11: u32) -> vec4<f32> {
+    var chosen_5: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/texture.rs:70
+    let word_4 = scene_surface[(this_15.first + index_11)];
+    // glimt_render_gpu/src/kernels/texture.rs:71
+    let r = (word_4 & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:72
+    let g = ((word_4 >> 8u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:73
+    let b_4 = ((word_4 >> 16u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:74
+    let alpha_2 = (f32((word_4 >> 24u)) / 255f);
+    // glimt_render_gpu/src/kernels/texture.rs:75
+    if ((this_15.flags & 1u) != 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:76
+        let _e38 = scene_surface[r];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b_4];
+        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
+    } else {
+        // glimt_render_gpu/src/kernels/texture.rs:83
+        chosen_5 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_2);
+    }
+    let _e60 = chosen_5;
+    return _e60;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:49
+fn TextureView_sample(this_16: TextureView, uv: vec2<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/texture.rs:50
+    let wrap_u = ((this_16.flags >> 1u) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:51
+    let wrap_v = ((this_16.flags >> ((1u + 2u) & 31u)) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:52
+    let _e21 = wrap(uv.x, wrap_u);
+    let x_8 = ((_e21 * f32(this_16.width)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:53
+    let _e29 = wrap(uv.y, wrap_v);
+    let y_2 = ((_e29 * f32(this_16.height)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:54
+    let _e38 = Tuple_f32_f32_(floor(x_8), floor(y_2));
+    let left = _e38.fa;
+    let top = _e38.fb;
+    // glimt_render_gpu/src/kernels/texture.rs:55
+    let _e44 = neighbour(i32(left), this_16.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:56
+    let _e50 = neighbour((i32(left) + 1i), this_16.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:57
+    let _e54 = neighbour(i32(top), this_16.height, wrap_v);
+    let row0_ = (_e54 * this_16.width);
+    // glimt_render_gpu/src/kernels/texture.rs:58
+    let _e62 = neighbour((i32(top) + 1i), this_16.height, wrap_v);
+    let row1_ = (_e62 * this_16.width);
+    // glimt_render_gpu/src/kernels/texture.rs:59
+    let _e67 = TextureView_texel(this_16, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_16, (row0_ + _e50));
+    let _e70 = (x_8 - left);
+    let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
+    // glimt_render_gpu/src/kernels/texture.rs:62
+    let _e78 = TextureView_texel(this_16, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_16, (row1_ + _e50));
+    let _e81 = (x_8 - left);
+    let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
+    // glimt_render_gpu/src/kernels/texture.rs:65
+    let _e88 = (y_2 - top);
+    return ((upper * (1f - _e88)) + (lower * _e88));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:206
+fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, texture: TextureView, uv_1: vec2<f32>) -> vec4<f32> {
+    var place_1: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/material.rs:207
+    place_1 = uv_1;
+    // glimt_render_gpu/src/kernels/material.rs:208
+    if ((texture.flags & 65536u) != 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:209
+        let t_5 = (word_2 + 4u);
+        // glimt_render_gpu/src/kernels/material.rs:210
+        let _e18 = MaterialView_number(words_start_2, words_len_2, t_5);
+        let _e21 = MaterialView_number(words_start_2, words_len_2, (t_5 + 1u));
+        let _e27 = MaterialView_number(words_start_2, words_len_2, (t_5 + 2u));
+        let _e30 = MaterialView_number(words_start_2, words_len_2, (t_5 + 3u));
+        let _e37 = MaterialView_number(words_start_2, words_len_2, (t_5 + 4u));
+        let _e40 = MaterialView_number(words_start_2, words_len_2, (t_5 + 5u));
+        place_1 = (((vec2<f32>(_e18, _e21) * uv_1.x) + (vec2<f32>(_e27, _e30) * uv_1.y)) + vec2<f32>(_e37, _e40));
+    }
+    // glimt_render_gpu/src/kernels/material.rs:214
+    let _e44 = place_1;
+    let _e45 = TextureView_sample(texture, _e44);
+    return _e45;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:280
+fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
+    var alpha: f32;
+    var chosen_6: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:281
+    let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
+    alpha = (_e7 * vertex_alpha);
+    // glimt_render_gpu/src/kernels/material.rs:282
+    let _e12 = MaterialView_texture(words_start_3, words_len_3, 64u);
+    // glimt_render_gpu/src/kernels/material.rs:283
+    let _e14 = TextureView_exists(_e12);
+    if _e14 {
+        // glimt_render_gpu/src/kernels/material.rs:284
+        let _e17 = MaterialView_sample(words_start_3, words_len_3, 64u, _e12, uv_2);
+        let _e19 = alpha;
+        alpha = (_e19 * _e17.w);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:286
+    let _e23 = MaterialView_number(words_start_3, words_len_3, 15u);
+    // glimt_render_gpu/src/kernels/material.rs:287
+    if (_e23 < 0f) {
+        // glimt_render_gpu/src/kernels/material.rs:288
+        let _e28 = alpha;
+        return _e28;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:290
+    let _e31 = alpha;
+    if (_e31 >= _e23) {
+        chosen_6 = 1f;
+    } else {
+        chosen_6 = 0f;
+    }
+    let _e35 = chosen_6;
+    return _e35;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:14
+fn alpha_at(triangle_2: Triangle, u_3: f32, v_2: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:15
+    let _e6 = Attributes_at(triangle_2.attributes, u_3, v_2);
+    // glimt_render_gpu/src/kernels/opacity.rs:16
+    let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/opacity.rs:17
+    let _e18 = MaterialView_alpha(_e11.value_words_start, _e11.value_words_len, _e6.uv, _e6.color.w);
+    return _e18;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:26
+fn passes(key_3: u32, index_12: u32, alpha_1: f32) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:27
+    let _e5 = hash2_(key_3, index_12);
+    let _e6 = unit_f32_(_e5);
+    return (_e6 >= alpha_1);
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:33
+fn is_passed(index_13: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:34
+    let _e5 = barycentrics(triangle_3, ray_5);
+    // glimt_render_gpu/src/kernels/opacity.rs:35
+    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    // glimt_render_gpu/src/kernels/opacity.rs:36
+    let _e12 = passes(ray_5.key, index_13, _e9);
+    return _e12;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:45
+fn Triangle_is_catcher(this_17: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:46
+    return ((this_17.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:100
+fn Triangle_area_normal(this_18: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:101
+    return cross((this_18.v1_ - this_18.v0_), (this_18.v2_ - this_18.v0_));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:66
+fn Triangle_ray_offset(this_19: Triangle) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:67
+    let extent = max(max(abs(this_19.v0_), abs(this_19.v1_)), abs(this_19.v2_));
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:74
+fn Triangle_setback(this_20: Triangle, ray_6: Ray, t: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:75
+    let _e5 = Triangle_area_normal(this_20);
+    // glimt_render_gpu/src/kernels/triangle.rs:76
+    let across = abs(dot(_e5, ray_6.direction));
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let _e12 = Triangle_ray_offset(this_20);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_6.direction, ray_6.direction)))));
+    // glimt_render_gpu/src/kernels/triangle.rs:82
+    return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:187
+fn held(index_14: u32, triangle_4: Triangle, ray_7: Ray, t_1: f32, no_catcher: bool) -> f32 {
+    var both: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:195
+    let _e7 = Triangle_is_see_through(triangle_4);
+    both = _e7;
+    if _e7 {
+        let _e9 = is_passed(index_14, triangle_4, ray_7);
+        both = _e9;
+    }
+    let _e10 = both;
+    if _e10 {
+        // glimt_render_gpu/src/kernels/bvh.rs:196
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:198
+    let _e14 = Triangle_is_catcher(triangle_4);
+    if !(_e14) {
+        // glimt_render_gpu/src/kernels/bvh.rs:199
+        return t_1;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:201
+    if no_catcher {
+        // glimt_render_gpu/src/kernels/bvh.rs:202
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:204
+    let _e21 = Triangle_setback(triangle_4, ray_7, t_1);
+    return (t_1 + _e21);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:160
+fn visit_leaf(leaf: BvhNode, ray_8: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+    var nearest: u32;
+    var counter_1: u32;
+    var t_2: f32;
+    var both_1: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:169
+    nearest = best;
+    // glimt_render_gpu/src/kernels/bvh.rs:170
+    counter_1 = leaf.first;
+    loop {
+        let i = counter_1;
+        if (i >= (leaf.first + leaf.count)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:171
+        let _e19 = scene_triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_8, _e20);
+        t_2 = _e21;
+        // glimt_render_gpu/src/kernels/bvh.rs:173
+        let _e24 = t_2;
+        let _e25 = (*reach);
+        let _e26 = (_e24 < _e25);
+        both_1 = _e26;
+        if _e26 {
+            let _e31 = scene_triangles[i].object;
+            both_1 = (_e31 >= 1073741824u);
+        }
+        let _e34 = both_1;
+        if _e34 {
+            // glimt_render_gpu/src/kernels/bvh.rs:174
+            let _e38 = scene_triangles[i];
+            let _e39 = t_2;
+            let _e40 = held(i, _e38, ray_8, _e39, no_catcher_1);
+            t_2 = _e40;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:176
+        let _e42 = t_2;
+        let _e43 = (*reach);
+        if (_e42 < _e43) {
+            // glimt_render_gpu/src/kernels/bvh.rs:177
+            let _e46 = t_2;
+            (*reach) = _e46;
+            // glimt_render_gpu/src/kernels/bvh.rs:178
+            nearest = i;
+        }
+        continuing {
+            let _e48 = counter_1;
+            counter_1 = (_e48 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:181
+    let _e52 = nearest;
+    return _e52;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:91
+fn traverse(ray_9: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+    var either: bool;
+    var best_1: u32;
+    var stack: array<u32, 64>;
+    var height: u32;
+    var pair: u32;
+    var near: BvhNode;
+    var far: BvhNode;
+    var t_near: f32;
+    var t_far: f32;
+    var into_near: bool;
+    var into_far: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:99
+    let _e8 = (arrayLength((&scene_nodes)) == 0u);
+    either = _e8;
+    if _e8 {
+    } else {
+        let _e13 = scene_nodes[0u];
+        let _e14 = box_distance(_e13, ray_9);
+        let _e15 = (*reach_1);
+        either = (_e14 >= _e15);
+    }
+    let _e17 = either;
+    if _e17 {
+        // glimt_render_gpu/src/kernels/bvh.rs:100
+        return 4294967295u;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:102
+    let root = scene_nodes[0u];
+    // glimt_render_gpu/src/kernels/bvh.rs:103
+    if (root.count > 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:104
+        let _e31 = visit_leaf(root, ray_9, reach_1, 4294967295u, any_);
+        return _e31;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:106
+    best_1 = 4294967295u;
+    // glimt_render_gpu/src/kernels/bvh.rs:107
+    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:108
+    height = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:109
+    pair = root.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:110
+    loop {
+        // glimt_render_gpu/src/kernels/bvh.rs:111
+        let _e47 = pair;
+        let _e50 = scene_nodes[_e47];
+        near = _e50;
+        // glimt_render_gpu/src/kernels/bvh.rs:112
+        let _e53 = pair;
+        let _e58 = scene_nodes[(_e53 + 1u)];
+        far = _e58;
+        // glimt_render_gpu/src/kernels/bvh.rs:113
+        let _e61 = near;
+        let _e62 = box_distance(_e61, ray_9);
+        t_near = _e62;
+        // glimt_render_gpu/src/kernels/bvh.rs:114
+        let _e65 = far;
+        let _e66 = box_distance(_e65, ray_9);
+        t_far = _e66;
+        // glimt_render_gpu/src/kernels/bvh.rs:116
+        let _e69 = t_near;
+        let _e70 = t_far;
+        if (_e69 > _e70) {
+            // glimt_render_gpu/src/kernels/bvh.rs:117
+            let node_1 = near;
+            // glimt_render_gpu/src/kernels/bvh.rs:118
+            let _e75 = far;
+            near = _e75;
+            // glimt_render_gpu/src/kernels/bvh.rs:119
+            far = node_1;
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let t_6 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:121
+            let _e80 = t_far;
+            t_near = _e80;
+            // glimt_render_gpu/src/kernels/bvh.rs:122
+            t_far = t_6;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:124
+        let _e83 = t_near;
+        let _e84 = (*reach_1);
+        into_near = (_e83 < _e84);
+        // glimt_render_gpu/src/kernels/bvh.rs:125
+        let _e88 = into_near;
+        let _e90 = near.count;
+        if (_e88 && (_e90 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:126
+            let _e95 = near;
+            let _e96 = best_1;
+            let _e97 = visit_leaf(_e95, ray_9, reach_1, _e96, any_);
+            best_1 = _e97;
+            // glimt_render_gpu/src/kernels/bvh.rs:127
+            let _e99 = best_1;
+            if (any_ && (_e99 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:128
+                let _e104 = best_1;
+                return _e104;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:130
+            into_near = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:132
+        let _e108 = t_far;
+        let _e109 = (*reach_1);
+        into_far = (_e108 < _e109);
+        // glimt_render_gpu/src/kernels/bvh.rs:133
+        let _e113 = into_far;
+        let _e115 = far.count;
+        if (_e113 && (_e115 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:134
+            let _e120 = far;
+            let _e121 = best_1;
+            let _e122 = visit_leaf(_e120, ray_9, reach_1, _e121, any_);
+            best_1 = _e122;
+            // glimt_render_gpu/src/kernels/bvh.rs:135
+            let _e124 = best_1;
+            if (any_ && (_e124 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:136
+                let _e129 = best_1;
+                return _e129;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:138
+            into_far = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:140
+        let _e133 = into_near;
+        if _e133 {
+            // glimt_render_gpu/src/kernels/bvh.rs:141
+            let _e136 = near.first;
+            pair = _e136;
+            // glimt_render_gpu/src/kernels/bvh.rs:142
+            let _e138 = into_far;
+            if _e138 {
+                // glimt_render_gpu/src/kernels/bvh.rs:143
+                let _e141 = far.first;
+                let _e142 = height;
+                stack[_e142] = _e141;
+                // glimt_render_gpu/src/kernels/bvh.rs:144
+                let _e146 = height;
+                height = (_e146 + 1u);
+            }
+        } else {
+            let _e148 = into_far;
+            if _e148 {
+                // glimt_render_gpu/src/kernels/bvh.rs:147
+                let _e151 = far.first;
+                pair = _e151;
+            } else {
+                let _e152 = height;
+                if (_e152 > 0u) {
+                    // glimt_render_gpu/src/kernels/bvh.rs:149
+                    let _e157 = height;
+                    height = (_e157 - 1u);
+                    // glimt_render_gpu/src/kernels/bvh.rs:150
+                    let _e160 = height;
+                    let _e162 = stack[_e160];
+                    pair = _e162;
+                } else {
+                    // glimt_render_gpu/src/kernels/bvh.rs:152
+                    let _e164 = best_1;
+                    return _e164;
+                }
+            }
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:47
+fn closest_hit(ray_10: Ray, t_max_1: f32) -> Option_Hit {
+    var t_3: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:54
+    t_3 = t_max_1;
+    // glimt_render_gpu/src/kernels/bvh.rs:55
+    let _e7 = traverse(ray_10, (&t_3), false);
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    if (_e7 == 4294967295u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:57
+        return Option_Hit();
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:59
+    let triangle_5 = scene_triangles[_e7];
+    // glimt_render_gpu/src/kernels/bvh.rs:60
+    let _e18 = Triangle_is_catcher(triangle_5);
+    if _e18 {
+        // glimt_render_gpu/src/kernels/bvh.rs:62
+        let _e21 = intersect(triangle_5, ray_10, 0x1.fffffep+127f);
+        t_3 = _e21;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:64
+    let _e23 = t_3;
+    let _e24 = barycentrics(triangle_5, ray_10);
+    return Option_Hit(true, Hit(_e7, _e23, _e24));
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:82
+fn Scene_closest_hit(ray_11: Ray) -> Option_Hit {
+
+    // glimt_render_gpu/src/kernels/scene.rs:83
+    let _e4 = closest_hit(ray_11, 0x1.fffffep+127f);
+    return _e4;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:88
+fn Triangle_outward(this_21: Triangle) -> vec3<f32> {
+    var chosen_7: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:89
+    let _e3 = Triangle_area_normal(this_21);
+    // glimt_render_gpu/src/kernels/triangle.rs:90
+    if ((this_21.object & 536870912u) != 0u) {
+        // glimt_render_gpu/src/kernels/triangle.rs:91
+        chosen_7 = -(_e3);
+    } else {
+        // glimt_render_gpu/src/kernels/triangle.rs:93
+        chosen_7 = _e3;
+    }
+    let _e14 = chosen_7;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:144
+fn unit_or(v_3: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
+    var chosen_8: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:145
+    let length_squared = dot(v_3, v_3);
+    // glimt_render_gpu/src/kernels/scene.rs:146
+    if (length_squared > 0.000000000001f) {
+        // glimt_render_gpu/src/kernels/scene.rs:147
+        chosen_8 = (v_3 / vec3(sqrt(length_squared)));
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:149
+        chosen_8 = otherwise;
+    }
+    let _e14 = chosen_8;
+    return _e14;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:298
+fn MaterialView_bumped_normal(words_start_4: u32, words_len_4: u32, uv_3: vec2<f32>, normal: vec3<f32>, tangent: vec3<f32>, handedness: f32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:299
+    let _e9 = MaterialView_texture(words_start_4, words_len_4, 40u);
+    // glimt_render_gpu/src/kernels/material.rs:300
+    let across_1 = (tangent - (normal * dot(normal, tangent)));
+    // glimt_render_gpu/src/kernels/material.rs:301
+    let _e15 = TextureView_exists(_e9);
+    if (!(_e15) || !((dot(across_1, across_1) > 0.000000000001f))) {
+        // glimt_render_gpu/src/kernels/material.rs:302
+        return normal;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:304
+    let t_7 = normalize(across_1);
+    // glimt_render_gpu/src/kernels/material.rs:305
+    let b_5 = (cross(normal, t_7) * handedness);
+    // glimt_render_gpu/src/kernels/material.rs:306
+    let _e30 = MaterialView_sample(words_start_4, words_len_4, 40u, _e9, uv_3);
+    let bump = ((_e30.xyz * 2f) - vec3(1f));
+    // glimt_render_gpu/src/kernels/material.rs:307
+    let _e44 = MaterialView_number(words_start_4, words_len_4, 14u);
+    let tilt = (((t_7 * bump.x) + (b_5 * bump.y)) * _e44);
+    // glimt_render_gpu/src/kernels/material.rs:308
+    let _e50 = unit_or((tilt + (normal * bump.z)), normal);
+    return _e50;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:69
+fn bent_towards(normal_1: vec3<f32>, to_eye: vec3<f32>, geometric_normal: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/scene.rs:70
+    let least = min(0.01f, (0.9f * dot(geometric_normal, to_eye)));
+    // glimt_render_gpu/src/kernels/scene.rs:71
+    let cosine = dot(normal_1, to_eye);
+    // glimt_render_gpu/src/kernels/scene.rs:72
+    if (cosine >= least) {
+        // glimt_render_gpu/src/kernels/scene.rs:73
+        return normal_1;
+    }
+    // glimt_render_gpu/src/kernels/scene.rs:75
+    let _e19 = unit_or((normal_1 + (to_eye * (least - cosine))), geometric_normal);
+    return _e19;
+}
+
+// glimt_sampling/src/math.rs:45
+fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
+
+    // glimt_sampling/src/math.rs:46
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
+    // glimt_sampling/src/math.rs:47
+    let a_4 = (-1f / (sign_ + n_2.z));
+    // glimt_sampling/src/math.rs:48
+    let c_3 = ((n_2.x * n_2.y) * a_4);
+    // glimt_sampling/src/math.rs:49
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_4)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_4)), -(n_2.y)), n_2);
+}
+
+// glimt_sampling/src/math.rs:66
+fn ShadingFrame_to_local(this_22: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:67
+    return vec3<f32>(dot(v_4, this_22.t), dot(v_4, this_22.b), dot(v_4, this_22.n));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:186
+fn MaterialView_vector(words_start_5: u32, words_len_5: u32, word_3: u32) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:187
+    let _e5 = MaterialView_number(words_start_5, words_len_5, word_3);
+    let _e8 = MaterialView_number(words_start_5, words_len_5, (word_3 + 1u));
+    let _e11 = MaterialView_number(words_start_5, words_len_5, (word_3 + 2u));
+    return vec3<f32>(_e5, _e8, _e11);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:219
+fn MaterialView_color(words_start_6: u32, words_len_6: u32, uv_4: vec2<f32>, vertex_color: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/material.rs:220
+    let _e7 = MaterialView_vector(words_start_6, words_len_6, 0u);
+    let color_1 = (_e7 * vertex_color);
+    // glimt_render_gpu/src/kernels/material.rs:221
+    let _e11 = MaterialView_texture(words_start_6, words_len_6, 16u);
+    // glimt_render_gpu/src/kernels/material.rs:222
+    let _e13 = TextureView_exists(_e11);
+    if _e13 {
+        // glimt_render_gpu/src/kernels/material.rs:223
+        let _e16 = MaterialView_sample(words_start_6, words_len_6, 16u, _e11, uv_4);
+        return (color_1 * _e16.xyz);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:225
+    return color_1;
+}
+
+// glimt_brdf/src/metallic_roughness.rs:31
+fn BlinnPhong_from_metallic_roughness(base: vec3<f32>, metallic: f32, roughness: f32) -> BlinnPhong {
+
+    // glimt_brdf/src/metallic_roughness.rs:32
+    let base_1 = clamp(base, vec3(0f), vec3(1f));
+    // glimt_brdf/src/metallic_roughness.rs:33
+    let metallic_2 = clamp(metallic, 0f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:34
+    let roughness_2 = clamp(roughness, 0.12f, 1f);
+    // glimt_brdf/src/metallic_roughness.rs:35
+    let alpha_3 = (roughness_2 * roughness_2);
+    // glimt_brdf/src/metallic_roughness.rs:36
+    let dielectric = (1f - metallic_2);
+    // glimt_brdf/src/metallic_roughness.rs:37
+    return BlinnPhong((base_1 * (dielectric * (1f - 0.04f))), ((base_1 * metallic_2) + vec3((0.04f * dielectric))), ((2f / (alpha_3 * alpha_3)) - 2f));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:231
+fn MaterialView_brdf(words_start_7: u32, words_len_7: u32, uv_5: vec2<f32>, vertex_color_1: vec3<f32>) -> BlinnPhong {
+    var metallic_1: f32;
+    var roughness_1: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:232
+    let _e10 = scene_surface[(words_start_7 + 3u)];
+    let kind = (_e10 & 2147483647u);
+    // glimt_render_gpu/src/kernels/material.rs:233
+    if (kind == 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:234
+        let _e18 = MaterialView_vector(words_start_7, words_len_7, 0u);
+        let _e21 = MaterialView_vector(words_start_7, words_len_7, 4u);
+        let _e23 = MaterialView_number(words_start_7, words_len_7, 7u);
+        return BlinnPhong((_e18 * vertex_color_1), _e21, _e23);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:240
+    if (kind == 2u) {
+        // glimt_render_gpu/src/kernels/material.rs:241
+        return BlinnPhong(vec3(0f), vec3(0f), 0f);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:247
+    let _e36 = MaterialView_color(words_start_7, words_len_7, uv_5, vertex_color_1);
+    // glimt_render_gpu/src/kernels/material.rs:248
+    let _e39 = MaterialView_number(words_start_7, words_len_7, 12u);
+    metallic_1 = _e39;
+    // glimt_render_gpu/src/kernels/material.rs:249
+    let _e43 = MaterialView_number(words_start_7, words_len_7, 13u);
+    roughness_1 = _e43;
+    // glimt_render_gpu/src/kernels/material.rs:250
+    let _e47 = MaterialView_texture(words_start_7, words_len_7, 28u);
+    // glimt_render_gpu/src/kernels/material.rs:251
+    let _e49 = TextureView_exists(_e47);
+    if _e49 {
+        // glimt_render_gpu/src/kernels/material.rs:252
+        let _e52 = MaterialView_sample(words_start_7, words_len_7, 28u, _e47, uv_5);
+        // glimt_render_gpu/src/kernels/material.rs:253
+        let _e55 = roughness_1;
+        roughness_1 = (_e55 * _e52.y);
+        // glimt_render_gpu/src/kernels/material.rs:254
+        let _e59 = metallic_1;
+        metallic_1 = (_e59 * _e52.z);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:256
+    let _e62 = metallic_1;
+    let _e63 = roughness_1;
+    let _e64 = BlinnPhong_from_metallic_roughness(_e36, _e62, _e63);
+    return _e64;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:262
+fn MaterialView_emission(words_start_8: u32, words_len_8: u32, uv_6: vec2<f32>, vertex_color_2: vec3<f32>) -> vec3<f32> {
+    var radiance: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/material.rs:263
+    radiance = vec3(0f);
+    // glimt_render_gpu/src/kernels/material.rs:264
+    let _e14 = scene_surface[(words_start_8 + 3u)];
+    if ((_e14 & 2147483648u) != 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:265
+        let _e21 = MaterialView_vector(words_start_8, words_len_8, 8u);
+        radiance = _e21;
+        // glimt_render_gpu/src/kernels/material.rs:266
+        let _e24 = MaterialView_texture(words_start_8, words_len_8, 52u);
+        // glimt_render_gpu/src/kernels/material.rs:267
+        let _e26 = TextureView_exists(_e24);
+        if _e26 {
+            // glimt_render_gpu/src/kernels/material.rs:268
+            let _e29 = MaterialView_sample(words_start_8, words_len_8, 52u, _e24, uv_6);
+            let _e31 = radiance;
+            radiance = (_e31 * _e29.xyz);
+        }
+    }
+    // glimt_render_gpu/src/kernels/material.rs:271
+    let _e38 = scene_surface[(words_start_8 + 3u)];
+    if ((_e38 & 2147483647u) == 2u) {
+        // glimt_render_gpu/src/kernels/material.rs:272
+        let _e44 = MaterialView_color(words_start_8, words_len_8, uv_6, vertex_color_2);
+        let _e45 = radiance;
+        radiance = (_e45 + _e44);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:274
+    let _e48 = radiance;
+    return _e48;
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:88
+fn Scene_shading_point(ray_12: Ray, hit: Hit) -> ShadingPoint {
+    var chosen_9: vec3<f32>;
+    var chosen_10: f32;
+    var chosen_11: vec3<f32>;
+    var vertex_color_3: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/scene.rs:89
+    let triangle_6 = scene_triangles[hit.triangle];
+    // glimt_render_gpu/src/kernels/scene.rs:90
+    let first_4 = (3u * hit.triangle);
+    // glimt_render_gpu/src/kernels/scene.rs:91
+    let a_5 = scene_corners[first_4];
+    // glimt_render_gpu/src/kernels/scene.rs:92
+    let b_6 = scene_corners[(first_4 + 1u)];
+    // glimt_render_gpu/src/kernels/scene.rs:93
+    let c_4 = scene_corners[(first_4 + 2u)];
+    // glimt_render_gpu/src/kernels/scene.rs:94
+    let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
+    let u_4 = _e33.fa;
+    let v_5 = _e33.fb;
+    // glimt_render_gpu/src/kernels/scene.rs:95
+    let w_3 = ((1f - u_4) - v_5);
+    // glimt_render_gpu/src/kernels/scene.rs:97
+    let to_eye_1 = -(ray_12.direction);
+    // glimt_render_gpu/src/kernels/scene.rs:98
+    let _e44 = Triangle_outward(triangle_6);
+    let outward = normalize(_e44);
+    // glimt_render_gpu/src/kernels/scene.rs:99
+    let is_inside = (dot(outward, to_eye_1) < 0f);
+    // glimt_render_gpu/src/kernels/scene.rs:100
+    if is_inside {
+        chosen_9 = -(outward);
+    } else {
+        chosen_9 = outward;
+    }
+    let geometric_normal_1 = chosen_9;
+    // glimt_render_gpu/src/kernels/scene.rs:101
+    let _e63 = unit_or((((a_5.normal * w_3) + (b_6.normal * u_4)) + (c_4.normal * v_5)), outward);
+    // glimt_render_gpu/src/kernels/scene.rs:103
+    let uv_7 = vec2<f32>((((a_5.u * w_3) + (b_6.u * u_4)) + (c_4.u * v_5)), (((a_5.v * w_3) + (b_6.v * u_4)) + (c_4.v * v_5)));
+    // glimt_render_gpu/src/kernels/scene.rs:104
+    let _e86 = MaterialView_new((triangle_6.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/scene.rs:105
+    let tangent_1 = (((a_5.tangent * w_3) + (b_6.tangent * u_4)) + (c_4.tangent * v_5));
+    // glimt_render_gpu/src/kernels/scene.rs:106
+    if ((triangle_6.material & 2147483648u) != 0u) {
+        // glimt_render_gpu/src/kernels/scene.rs:107
+        chosen_10 = -1f;
+    } else {
+        // glimt_render_gpu/src/kernels/scene.rs:109
+        chosen_10 = 1f;
+    }
+    let handedness_1 = chosen_10;
+    // glimt_render_gpu/src/kernels/scene.rs:111
+    let _e111 = MaterialView_bumped_normal(_e86.value_words_start, _e86.value_words_len, uv_7, _e63, tangent_1, handedness_1);
+    // glimt_render_gpu/src/kernels/scene.rs:113
+    if is_inside {
+        chosen_11 = -(_e111);
+    } else {
+        chosen_11 = _e111;
+    }
+    let sided = chosen_11;
+    // glimt_render_gpu/src/kernels/scene.rs:114
+    let _e117 = bent_towards(sided, to_eye_1, geometric_normal_1);
+    // glimt_render_gpu/src/kernels/scene.rs:116
+    vertex_color_3 = vec3(1f);
+    // glimt_render_gpu/src/kernels/scene.rs:117
+    if (triangle_6.attributes != 0u) {
+        // glimt_render_gpu/src/kernels/scene.rs:118
+        let _e128 = Attributes_at(triangle_6.attributes, u_4, v_5);
+        // glimt_render_gpu/src/kernels/scene.rs:119
+        vertex_color_3 = _e128.color.xyz;
+    }
+    // glimt_render_gpu/src/kernels/scene.rs:121
+    let _e133 = ShadingFrame_from_normal(_e117);
+    // glimt_render_gpu/src/kernels/scene.rs:122
+    let edges = (((triangle_6.v1_ - triangle_6.v0_) * u_4) + ((triangle_6.v2_ - triangle_6.v0_) * v_5));
+    // glimt_render_gpu/src/kernels/scene.rs:123
+    let _e147 = Triangle_ray_offset(triangle_6);
+    let _e150 = ShadingFrame_to_local(_e133, to_eye_1);
+    let _e151 = vertex_color_3;
+    let _e152 = MaterialView_brdf(_e86.value_words_start, _e86.value_words_len, uv_7, _e151);
+    let _e153 = vertex_color_3;
+    let _e154 = MaterialView_emission(_e86.value_words_start, _e86.value_words_len, uv_7, _e153);
+    return ShadingPoint(((triangle_6.v0_ + edges) + (geometric_normal_1 * _e147)), geometric_normal_1, _e133, _e150, _e152, _e154);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:52
+fn Triangle_object_index(this_23: Triangle) -> u32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:53
+    return (this_23.object & 536870911u);
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:131
+fn see_by(pattern_1: PixelPattern, frame_2: FrameParams) -> SeenPoint {
+    var chosen_12: u32;
+    var chosen_13: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/seen.rs:132
+    let _e4 = FrameParams_camera_ray(frame_2, pattern_1);
+    // glimt_render_gpu/src/kernels/seen.rs:133
+    let _e6 = Scene_closest_hit(_e4);
+    if !(_e6.is_some) {
+        // glimt_render_gpu/src/kernels/seen.rs:134
+        return SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
+    }
+    let hit_1 = _e6.value;
+    // glimt_render_gpu/src/kernels/seen.rs:136
+    let _e34 = Scene_shading_point(_e4, hit_1);
+    // glimt_render_gpu/src/kernels/seen.rs:137
+    let triangle_7 = scene_triangles[hit_1.triangle];
+    // glimt_render_gpu/src/kernels/seen.rs:138
+    let _e41 = Triangle_is_catcher(triangle_7);
+    // glimt_render_gpu/src/kernels/seen.rs:139
+    let _e44 = Triangle_object_index(triangle_7);
+    if _e41 {
+        // glimt_render_gpu/src/kernels/seen.rs:143
+        chosen_12 = 2u;
+    } else {
+        chosen_12 = 0u;
+    }
+    let _e52 = chosen_12;
+    if _e41 {
+        // glimt_render_gpu/src/kernels/seen.rs:153
+        chosen_13 = vec3(0f);
+    } else {
+        // glimt_render_gpu/src/kernels/seen.rs:155
+        chosen_13 = _e34.emission;
+    }
+    let _e72 = chosen_13;
+    return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_7.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0u);
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:84
+fn SeenPoint_is_hit(this_24: SeenPoint) -> bool {
+
+    // glimt_render_gpu/src/kernels/seen.rs:85
+    return (this_24.surface != 0u);
+}
+
+// glimt_render_gpu/src/kernels/scout.rs:47
+fn CellParams_tile_of(this_25: CellParams, pixel_4: u32, frame_3: FrameParams) -> u32 {
+
+    // glimt_render_gpu/src/kernels/scout.rs:48
+    let _e9 = Tuple_u32_u32_((pixel_4 % frame_3.width), (pixel_4 / frame_3.width));
+    let x_9 = _e9.fa;
+    let y_3 = _e9.fb;
+    // glimt_render_gpu/src/kernels/scout.rs:49
+    return (((y_3 / 8u) * this_25.tiles_across) + (x_9 / 16u));
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:74
+fn slot_of(surface: u32, first_2: u32) -> u32 {
+    var slot: u32;
+    var counter_2: u32;
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:75
+    slot = 0u;
+    // glimt_render_gpu/src/kernels/cell_state.rs:76
+    counter_2 = 0u;
+    loop {
+        let i_1 = counter_2;
+        if (i_1 >= 3u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/cell_state.rs:77
+        let own = entries[(first_2 + i_1)].surface;
+        // glimt_render_gpu/src/kernels/cell_state.rs:79
+        let _e19 = slot;
+        if ((_e19 == 0u) && ((own == surface) || ((i_1 == (3u - 1u)) && (own != 0u)))) {
+            // glimt_render_gpu/src/kernels/cell_state.rs:80
+            slot = (i_1 + 1u);
+        }
+        continuing {
+            let _e35 = counter_2;
+            counter_2 = (_e35 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/cell_state.rs:83
+    let _e39 = slot;
+    return _e39;
+}
+
+// glimt_render_gpu/src/kernels/scout.rs:122
+fn see_in_tile_1(ray_13: u32, frame_4: FrameParams, cells: CellParams) -> SeenPoint {
+    var point: SeenPoint;
+
+    // glimt_render_gpu/src/kernels/scout.rs:129
+    let _e5 = FrameParams_pattern_of(frame_4, ray_13);
+    // glimt_render_gpu/src/kernels/scout.rs:130
+    let _e7 = see_by(_e5, frame_4);
+    point = _e7;
+    // glimt_render_gpu/src/kernels/scout.rs:131
+    let _e10 = point;
+    let _e11 = SeenPoint_is_hit(_e10);
+    if _e11 {
+        // glimt_render_gpu/src/kernels/scout.rs:132
+        let _e14 = CellParams_tile_of(cells, _e5.pixel, frame_4);
+        let first_5 = (_e14 * 3u);
+        // glimt_render_gpu/src/kernels/scout.rs:133
+        let _e19 = point.surface;
+        let _e20 = slot_of(_e19, first_5);
+        let _e24 = point.flags;
+        point.flags = (_e24 | (_e20 << 2u));
+    }
+    // glimt_render_gpu/src/kernels/scout.rs:135
+    let _e27 = point;
+    return _e27;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn see_in_tile(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e19 = params.cells;
+    let _e20 = see_in_tile_1((_e14 + local), _e17, _e19);
+    out[local] = _e20;
+}

@@ -1,0 +1,4386 @@
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
+
+struct BvhNode {
+    min: vec3<f32>,
+    count: u32,
+    max: vec3<f32>,
+    first: u32,
+}
+
+struct Triangle {
+    v0_: vec3<f32>,
+    material: u32,
+    v1_: vec3<f32>,
+    object: u32,
+    v2_: vec3<f32>,
+    attributes: u32,
+}
+
+struct SeenPoint {
+    origin: vec3<f32>,
+    surface: u32,
+    geometric_normal: vec3<f32>,
+    flags: u32,
+    normal: vec3<f32>,
+    exponent: f32,
+    wo: vec3<f32>,
+    material: u32,
+    diffuse: vec3<f32>,
+    order: u32,
+    specular: vec3<f32>,
+    record: u32,
+    emission: vec3<f32>,
+    unused: u32,
+}
+
+struct LayerSample {
+    radiance: vec3<f32>,
+    alpha: f32,
+    blocked: vec3<f32>,
+    catcher: f32,
+}
+
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    shadow: u32,
+    film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
+}
+
+struct CellParams {
+    rays: f32,
+    pilot: f32,
+    tiles_across: u32,
+    tiles: u32,
+    is_adaptive: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+}
+
+struct Tuple_u32_u32_ {
+    fa: u32,
+    fb: u32,
+}
+
+struct Returned_Environment_cells {
+    value_size: vec2<u32>,
+    value_start: u32,
+}
+
+struct PixelPattern {
+    kind: u32,
+    seed: u32,
+    frame: u32,
+    pixel: u32,
+    ray: u32,
+    rays: u32,
+}
+
+struct Drawn {
+    cells: u32,
+    lobes: u32,
+}
+
+struct Group {
+    first: u32,
+    members: u32,
+}
+
+struct CellSurface {
+    normal: vec3<f32>,
+    wo: vec3<f32>,
+    diffuse: f32,
+    specular: f32,
+    exponent: f32,
+    peak: f32,
+    spread: f32,
+    horizon: f32,
+    share: f32,
+}
+
+struct Representative {
+    mean_normal: vec3<f32>,
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    surface: CellSurface,
+}
+
+struct Returned_Expected_at_slot {
+    value_first: u32,
+    value_slot: u32,
+}
+
+struct Totals {
+    blocks: array<f32, 64>,
+    lives: array<f32, 64>,
+    weight: f32,
+    live: f32,
+    lobe: f32,
+    lobe_spread: f32,
+    lobe_visible: f32,
+    lobe_square: f32,
+    lobe_area: f32,
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    open_diffuse: vec3<f32>,
+    open_specular: vec3<f32>,
+}
+
+struct CellTerms {
+    cosine: vec4<f32>,
+    full: vec4<f32>,
+    live: vec4<f32>,
+    lobe: vec4<f32>,
+    lobe_spread: vec4<f32>,
+    cosine_spread: vec4<f32>,
+}
+
+struct Proposal {
+    of_: Representative,
+    blocks: array<f32, 64>,
+    total: f32,
+    defence: f32,
+    lobe_worth: f32,
+    lobe_share: f32,
+    integral: vec3<f32>,
+    open_integral: vec3<f32>,
+    is_catcher: bool,
+}
+
+struct OwenSobol {
+    seed: u32,
+    index: u32,
+    dimension: u32,
+}
+
+struct Xoshiro128PlusPlus {
+    state: vec4<u32>,
+}
+
+struct PatternSource {
+    is_sobol: bool,
+    point: OwenSobol,
+    generator: Xoshiro128PlusPlus,
+}
+
+struct Look {
+    of_map: vec3<f32>,
+    direction: vec3<f32>,
+    texel: vec2<u32>,
+    cell: u32,
+    ray: u32,
+    is_possible: bool,
+}
+
+struct ShadingFrame {
+    t: vec3<f32>,
+    b: vec3<f32>,
+    n: vec3<f32>,
+}
+
+struct BlinnPhong {
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    exponent: f32,
+}
+
+struct ShadingPoint {
+    origin: vec3<f32>,
+    geometric_normal: vec3<f32>,
+    frame: ShadingFrame,
+    wo: vec3<f32>,
+    brdf: BlinnPhong,
+    emission: vec3<f32>,
+}
+
+struct DirectionSample {
+    direction: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct HalfVector {
+    cos2_theta: f32,
+    sin2_theta: f32,
+    wo_dot_h: f32,
+}
+
+struct BrdfSample {
+    wi: vec3<f32>,
+    pdf_sr: f32,
+}
+
+struct Bin {
+    index: u32,
+    first: u32,
+    units: u32,
+}
+
+struct Place {
+    target_: f32,
+    sum: f32,
+    index: u32,
+    first: f32,
+    width: f32,
+    is_found: bool,
+}
+
+struct TexelDraw {
+    texel: vec2<u32>,
+    pmf: f32,
+}
+
+struct CellDraw {
+    direction: vec3<f32>,
+    texel: vec2<u32>,
+    cell: u32,
+}
+
+struct Tuple_u32_usize {
+    fa: u32,
+    fb: u32,
+}
+
+struct CellAt {
+    weight: f32,
+    live: f32,
+    cosine: f32,
+    is_full: bool,
+    lobe: f32,
+    visibility: f32,
+}
+
+struct Sample {
+    lit: vec3<f32>,
+    blocked: vec3<f32>,
+    is_traced: bool,
+    arrives: bool,
+}
+
+struct Ray {
+    origin: vec3<f32>,
+    direction: vec3<f32>,
+    inverse_direction: vec3<f32>,
+    key: u32,
+}
+
+struct Attributes {
+    uv: vec2<f32>,
+    color: vec4<f32>,
+}
+
+struct Returned_MaterialView_new {
+    value_words_start: u32,
+    value_words_len: u32,
+}
+
+struct TextureView {
+    first: u32,
+    width: u32,
+    height: u32,
+    flags: u32,
+}
+
+struct Tuple_f32_f32_ {
+    fa: f32,
+    fb: f32,
+}
+
+struct Reflected {
+    lit: vec3<f32>,
+    blocked: vec3<f32>,
+}
+
+struct CameraView {
+    eye: vec3<f32>,
+    forward: vec3<f32>,
+    right: vec3<f32>,
+    up: vec3<f32>,
+}
+
+struct Returned_Environment_map {
+    value_size: vec2<u32>,
+    value_rotation: vec2<f32>,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    points_len: u32,
+    samples_len: u32,
+    frame: FrameParams,
+    cells: CellParams,
+    env_size: vec2<u32>,
+    env_rotation: vec2<f32>,
+}
+
+@group(0) @binding(1) 
+var<storage> env_texels: array<vec4<f32>>;
+@group(0) @binding(2) 
+var<storage> env_tables: array<u32>;
+@group(0) @binding(3) 
+var<storage> scene_nodes: array<BvhNode>;
+@group(0) @binding(4) 
+var<storage> scene_triangles: array<Triangle>;
+@group(0) @binding(5) 
+var<storage> scene_surface: array<u32>;
+@group(0) @binding(6) 
+var<storage> visibility_3: array<u32>;
+@group(0) @binding(7) 
+var<storage, read_write> points: array<SeenPoint>;
+@group(0) @binding(8) 
+var<storage, read_write> samples_1: array<LayerSample>;
+@group(0) @binding(0) 
+var<uniform> params: Params;
+
+// glimt_render_gpu/src/kernels/scout.rs:47
+fn CellParams_tile_of(this_: CellParams, pixel: u32, frame: FrameParams) -> u32 {
+
+    // glimt_render_gpu/src/kernels/scout.rs:48
+    let _e9 = Tuple_u32_u32_((pixel % frame.width), (pixel / frame.width));
+    let x_12 = _e9.fa;
+    let y_2 = _e9.fb;
+    // glimt_render_gpu/src/kernels/scout.rs:49
+    return (((y_2 / 8u) * this_.tiles_across) + (x_12 / 16u));
+}
+
+// glimt_render_gpu/src/kernels/expect.rs:143
+fn threshold(frame_1: FrameParams, cells: CellParams, parts: u32) -> f32 {
+    var sum: f32;
+    var counter: u32;
+
+    // glimt_render_gpu/src/kernels/expect.rs:149
+    if (cells.is_adaptive == 0u) {
+        // glimt_render_gpu/src/kernels/expect.rs:150
+        return 0f;
+    }
+    // glimt_render_gpu/src/kernels/expect.rs:152
+    let behind = ((cells.tiles * 3u) * 128u);
+    // glimt_render_gpu/src/kernels/expect.rs:153
+    sum = 0f;
+    // glimt_render_gpu/src/kernels/expect.rs:154
+    counter = 0u;
+    loop {
+        let part = counter;
+        if (part >= parts) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/expect.rs:155
+        let _e28 = visibility_3[(behind + part)];
+        let _e30 = sum;
+        sum = (_e30 + bitcast<f32>(_e28));
+        continuing {
+            let _e32 = counter;
+            counter = (_e32 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/expect.rs:157
+    let _e36 = sum;
+    return (_e36 / (f32((frame_1.width * frame_1.height)) * cells.rays));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:132
+fn marginal_words(size: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:133
+    return (size.y + 1u);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:139
+fn cdf_words(size_1: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:140
+    let _e3 = marginal_words(size_1);
+    return (_e3 + (size_1.y * (size_1.x + 1u)));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:79
+fn Environment_cells(size_2: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cells {
+
+    // glimt_render_gpu/src/kernels/environment.rs:80
+    let _e3 = cdf_words(size_2);
+    return Returned_Environment_cells(size_2, _e3);
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:130
+fn FrameParams_pattern_at(this_1: FrameParams, pixel_1: u32, ray: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:131
+    return PixelPattern(this_1.pattern, this_1.seed, this_1.frame, pixel_1, ray, this_1.rays_per_pixel);
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:120
+fn FrameParams_pattern_of(this_2: FrameParams, ray_1: u32) -> PixelPattern {
+
+    // glimt_render_gpu/src/kernels/frame.rs:121
+    let _e10 = FrameParams_pattern_at(this_2, (this_2.first_pixel + (ray_1 / this_2.rays_per_pixel)), (ray_1 % this_2.rays_per_pixel));
+    return _e10;
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:84
+fn SeenPoint_is_hit(this_3: SeenPoint) -> bool {
+
+    // glimt_render_gpu/src/kernels/seen.rs:85
+    return (this_3.surface != 0u);
+}
+
+// glimt_render_gpu/src/kernels/groups.rs:40
+fn belongs(leader: SeenPoint, point: SeenPoint) -> bool {
+
+    // glimt_render_gpu/src/kernels/groups.rs:41
+    return (((((point.flags & 1u) == 0u) && (point.surface == leader.surface)) && (point.material == leader.material)) && (dot(point.normal, leader.normal) >= 0.9396926f));
+}
+
+// glimt_render_gpu/src/kernels/groups.rs:51
+fn next_group(points_start: u32, points_len: u32, from_: ptr<function, u32>, first: u32) -> Group {
+    var leader_1: u32;
+    var both: bool;
+    var either: bool;
+    var members: u32;
+    var counter_1: u32;
+
+    // glimt_render_gpu/src/kernels/groups.rs:52
+    // glimt_render_gpu/src/kernels/groups.rs:53
+    let _e7 = (*from_);
+    leader_1 = _e7;
+    // glimt_render_gpu/src/kernels/groups.rs:54
+    loop {
+        let _e10 = leader_1;
+        let _e11 = (_e10 < points_len);
+        both = _e11;
+        if _e11 {
+            let _e13 = leader_1;
+            let _e18 = points[(points_start + _e13)].flags;
+            let _e22 = ((_e18 & 1u) != 0u);
+            either = _e22;
+            if _e22 {
+            } else {
+                let _e24 = leader_1;
+                let _e28 = points[(points_start + _e24)];
+                let _e29 = SeenPoint_is_hit(_e28);
+                either = !(_e29);
+            }
+            let _e31 = either;
+            both = _e31;
+        }
+        let _e32 = both;
+        if _e32 {
+            // glimt_render_gpu/src/kernels/groups.rs:57
+            let _e35 = leader_1;
+            leader_1 = (_e35 + 1u);
+        } else {
+            break;
+        }
+    }
+    // glimt_render_gpu/src/kernels/groups.rs:59
+    let _e38 = leader_1;
+    (*from_) = _e38;
+    // glimt_render_gpu/src/kernels/groups.rs:60
+    members = 0u;
+    // glimt_render_gpu/src/kernels/groups.rs:61
+    let _e43 = leader_1;
+    if (_e43 < points_len) {
+        // glimt_render_gpu/src/kernels/groups.rs:62
+        let _e46 = leader_1;
+        let own_1 = points[(points_start + _e46)];
+        // glimt_render_gpu/src/kernels/groups.rs:63
+        let _e52 = leader_1;
+        counter_1 = _e52;
+        loop {
+            let ray_11 = counter_1;
+            if (ray_11 >= points_len) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/groups.rs:64
+            let _e60 = points[(points_start + ray_11)];
+            let _e61 = belongs(own_1, _e60);
+            if _e61 {
+                // glimt_render_gpu/src/kernels/groups.rs:65
+                let _e63 = members;
+                points[(points_start + (first + _e63))].order = ray_11;
+                // glimt_render_gpu/src/kernels/groups.rs:66
+                let _e75 = points[(points_start + ray_11)].flags;
+                points[(points_start + ray_11)].flags = (_e75 | 1u);
+                // glimt_render_gpu/src/kernels/groups.rs:67
+                let _e79 = members;
+                members = (_e79 + 1u);
+            }
+            continuing {
+                let _e81 = counter_1;
+                counter_1 = (_e81 + 1u);
+            }
+        }
+    }
+    // glimt_render_gpu/src/kernels/groups.rs:71
+    let _e85 = members;
+    return Group(first, _e85);
+}
+
+// glimt_render_gpu/src/kernels/groups.rs:78
+fn Group_ray(this_4: Group, k: u32, points_start_1: u32, points_len_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/groups.rs:79
+    let _e11 = points[(points_start_1 + (this_4.first + k))].order;
+    return _e11;
+}
+
+// glimt_probe/src/rotate.rs:33
+fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
+
+    // glimt_probe/src/rotate.rs:34
+    return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:90
+fn Environment_to_map(size_3: vec2<u32>, rotation_1: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:91
+    let _e8 = rotate_z(direction, vec2<f32>(rotation_1.x, -(rotation_1.y)));
+    return _e8;
+}
+
+// glimt_sampling/src/math.rs:16
+fn luminance(rgb: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/math.rs:17
+    return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
+}
+
+// glimt_brdf/src/lobe.rs:86
+fn normalisation(exponent: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:87
+    let tail = exp2(max((-0.5f * exponent), -60f));
+    // glimt_brdf/src/lobe.rs:88
+    return ((((exponent + 2f) * (exponent + 4f)) * (0.125f * 0.31830987f)) / (tail + exponent));
+}
+
+// glimt_light_cells/src/surface.rs:105
+fn CellSurface_new(normal: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponent_1: f32, mean_length: f32, horizon: f32) -> CellSurface {
+
+    // glimt_light_cells/src/surface.rs:115
+    let r_1 = clamp(mean_length, 0.001f, 1f);
+    // glimt_light_cells/src/surface.rs:116
+    let widened = ((exponent_1 * r_1) / (r_1 + (exponent_1 * (1f - r_1))));
+    // glimt_light_cells/src/surface.rs:117
+    let _e22 = normalisation(widened);
+    return CellSurface(normal, wo, (kd * 0.31830987f), ks, widened, _e22, sqrt((2f * (1f - r_1))), horizon, 1f);
+}
+
+// glimt_render_gpu/src/kernels/groups.rs:85
+fn Group_representative(this_5: Group, points_start_2: u32, points_len_2: u32, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
+    var normal_1: vec3<f32>;
+    var wo_1: vec3<f32>;
+    var diffuse: vec3<f32>;
+    var specular: vec3<f32>;
+    var exponent_2: f32;
+    var counter_2: u32;
+    var horizon_1: f32;
+    var counter_3: u32;
+
+    // glimt_render_gpu/src/kernels/groups.rs:86
+    normal_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/groups.rs:87
+    wo_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/groups.rs:88
+    diffuse = vec3(0f);
+    // glimt_render_gpu/src/kernels/groups.rs:89
+    specular = vec3(0f);
+    // glimt_render_gpu/src/kernels/groups.rs:90
+    exponent_2 = 0f;
+    // glimt_render_gpu/src/kernels/groups.rs:91
+    counter_2 = 0u;
+    loop {
+        let k_1 = counter_2;
+        if (k_1 >= this_5.members) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/groups.rs:92
+        let _e32 = Group_ray(this_5, k_1, points_start_2, points_len_2);
+        // glimt_render_gpu/src/kernels/groups.rs:93
+        let point_5 = points[(points_start_2 + _e32)];
+        // glimt_render_gpu/src/kernels/groups.rs:94
+        let _e40 = normal_1;
+        normal_1 = (_e40 + point_5.normal);
+        // glimt_render_gpu/src/kernels/groups.rs:95
+        let _e44 = wo_1;
+        wo_1 = (_e44 + point_5.wo);
+        // glimt_render_gpu/src/kernels/groups.rs:96
+        let _e48 = diffuse;
+        diffuse = (_e48 + point_5.diffuse);
+        // glimt_render_gpu/src/kernels/groups.rs:97
+        let _e52 = specular;
+        specular = (_e52 + point_5.specular);
+        // glimt_render_gpu/src/kernels/groups.rs:98
+        let _e56 = exponent_2;
+        exponent_2 = (_e56 + point_5.exponent);
+        continuing {
+            let _e58 = counter_2;
+            counter_2 = (_e58 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/groups.rs:100
+    let share_1 = (1f / f32(this_5.members));
+    // glimt_render_gpu/src/kernels/groups.rs:101
+    let _e67 = normal_1;
+    normal_1 = (_e67 * share_1);
+    // glimt_render_gpu/src/kernels/groups.rs:102
+    let _e70 = diffuse;
+    diffuse = (_e70 * share_1);
+    // glimt_render_gpu/src/kernels/groups.rs:103
+    let _e73 = specular;
+    specular = (_e73 * share_1);
+    // glimt_render_gpu/src/kernels/groups.rs:104
+    let _e76 = normal_1;
+    let length_1 = length(_e76);
+    // glimt_render_gpu/src/kernels/groups.rs:105
+    let _e79 = normal_1;
+    let unit = (_e79 / vec3(max(length_1, 0.000001f)));
+    // glimt_render_gpu/src/kernels/groups.rs:106
+    horizon_1 = 0f;
+    // glimt_render_gpu/src/kernels/groups.rs:107
+    if (this_5.members > 1u) {
+        // glimt_render_gpu/src/kernels/groups.rs:108
+        counter_3 = 0u;
+        loop {
+            let k_2 = counter_3;
+            if (k_2 >= this_5.members) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/groups.rs:109
+            let _e98 = Group_ray(this_5, k_2, points_start_2, points_len_2);
+            // glimt_render_gpu/src/kernels/groups.rs:110
+            let point_6 = points[(points_start_2 + _e98)];
+            // glimt_render_gpu/src/kernels/groups.rs:111
+            let _e105 = horizon_1;
+            horizon_1 = max(_e105, length(cross(unit, point_6.normal)));
+            continuing {
+                let _e110 = counter_3;
+                counter_3 = (_e110 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/groups.rs:113
+        let _e115 = horizon_1;
+        horizon_1 = ((1.02f * _e115) + 0.001f);
+    }
+    // glimt_render_gpu/src/kernels/groups.rs:115
+    let _e120 = Environment_to_map(env_size, env_rotation, unit);
+    let _e121 = wo_1;
+    let _e123 = Environment_to_map(env_size, env_rotation, normalize(_e121));
+    let _e124 = diffuse;
+    let _e125 = luminance(_e124);
+    let _e126 = specular;
+    let _e127 = luminance(_e126);
+    let _e128 = exponent_2;
+    let _e130 = horizon_1;
+    let _e131 = CellSurface_new(_e120, _e123, _e125, _e127, (_e128 * share_1), length_1, _e130);
+    // glimt_render_gpu/src/kernels/groups.rs:124
+    let _e133 = normal_1;
+    let _e134 = Environment_to_map(env_size, env_rotation, _e133);
+    let _e135 = diffuse;
+    let _e136 = specular;
+    return Representative(_e134, _e135, _e136, _e131);
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:98
+fn SeenPoint_slot(this_6: SeenPoint) -> u32 {
+
+    // glimt_render_gpu/src/kernels/seen.rs:99
+    return (this_6.flags >> 2u);
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:157
+fn Expected_at_slot(first_1: u32, slot: u32, slot_1: u32) -> Returned_Expected_at_slot {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:158
+    return Returned_Expected_at_slot(first_1, slot_1);
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:91
+fn SeenPoint_is_catcher(this_7: SeenPoint) -> bool {
+
+    // glimt_render_gpu/src/kernels/seen.rs:92
+    return ((this_7.flags & 2u) != 0u);
+}
+
+// glimt_light_cells/src/partition.rs:113
+fn LightCells_quad(size_4: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
+
+    // glimt_light_cells/src/partition.rs:114
+    let at_4 = (((start + 32u) + (list * 512u)) + (4u * quad));
+    // glimt_light_cells/src/partition.rs:115
+    let _e16 = env_tables[at_4];
+    let _e22 = env_tables[(at_4 + 1u)];
+    let _e28 = env_tables[(at_4 + 2u)];
+    let _e34 = env_tables[(at_4 + 3u)];
+    return vec4<f32>(bitcast<f32>(_e16), bitcast<f32>(_e22), bitcast<f32>(_e28), bitcast<f32>(_e34));
+}
+
+// glimt_light_cells/src/surface.rs:52
+fn step_(x: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:54
+    return clamp((x * 1000000000000000000000000000000f), vec4(0f), vec4(1f));
+}
+
+// glimt_light_cells/src/surface.rs:59
+fn sqrt_(x_1: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:60
+    return vec4<f32>(sqrt(x_1.x), sqrt(x_1.y), sqrt(x_1.z), sqrt(x_1.w));
+}
+
+// glimt_light_cells/src/surface.rs:82
+fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:84
+    let s_1 = clamp(sin2_theta, vec4(0f), vec4(1f));
+    // glimt_light_cells/src/surface.rs:85
+    let log_ = ((s_1 * (vec4(6f) - s_1)) / (vec4(12f) - (8f * s_1)));
+    // glimt_light_cells/src/surface.rs:86
+    let t_5 = (min((exponent_3 * log_), vec4(40f)) * (1f / 256f));
+    // glimt_light_cells/src/surface.rs:88
+    let x_13 = (vec4(1f) - (t_5 * (vec4(1f) - (t_5 * (vec4(0.5f) - (t_5 * (1f / 6f)))))));
+    // glimt_light_cells/src/surface.rs:89
+    let x2_ = (x_13 * x_13);
+    // glimt_light_cells/src/surface.rs:90
+    let x4_ = (x2_ * x2_);
+    // glimt_light_cells/src/surface.rs:91
+    let x8_ = (x4_ * x4_);
+    // glimt_light_cells/src/surface.rs:92
+    let x16_ = (x8_ * x8_);
+    // glimt_light_cells/src/surface.rs:93
+    let x32_ = (x16_ * x16_);
+    // glimt_light_cells/src/surface.rs:94
+    let x64_ = (x32_ * x32_);
+    // glimt_light_cells/src/surface.rs:95
+    let x128_ = (x64_ * x64_);
+    // glimt_light_cells/src/surface.rs:96
+    return (x128_ * x128_);
+}
+
+// glimt_light_cells/src/surface.rs:133
+fn CellSurface_terms(this_8: CellSurface, cells_size: vec2<u32>, cells_start: u32, quad_1: u32) -> CellTerms {
+
+    // glimt_light_cells/src/surface.rs:134
+    let _e7 = LightCells_quad(cells_size, cells_start, 15u, quad_1);
+    // glimt_light_cells/src/surface.rs:135
+    let _e12 = LightCells_quad(cells_size, cells_start, (15u + 1u), quad_1);
+    // glimt_light_cells/src/surface.rs:136
+    let _e17 = LightCells_quad(cells_size, cells_start, (15u + 2u), quad_1);
+    // glimt_light_cells/src/surface.rs:137
+    let _e20 = LightCells_quad(cells_size, cells_start, 18u, quad_1);
+    // glimt_light_cells/src/surface.rs:138
+    let n_3 = this_8.normal;
+    // glimt_light_cells/src/surface.rs:139
+    let c_2 = (((_e7 * n_3.x) + (_e12 * n_3.y)) + (_e17 * n_3.z));
+    // glimt_light_cells/src/surface.rs:140
+    let reach_2 = (_e20 + vec4(this_8.horizon));
+    // glimt_light_cells/src/surface.rs:141
+    let up = max((c_2 + reach_2), vec4(0f));
+    // glimt_light_cells/src/surface.rs:142
+    let _e42 = step_(up);
+    // glimt_light_cells/src/surface.rs:143
+    let _e45 = step_((c_2 - reach_2));
+    // glimt_light_cells/src/surface.rs:144
+    let cosine = max(c_2, vec4(0f));
+    // glimt_light_cells/src/surface.rs:145
+    let half_spread = vec4((0.5f * this_8.spread));
+    // glimt_light_cells/src/surface.rs:146
+    let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
+    // glimt_light_cells/src/surface.rs:147
+    if !((this_8.specular > 0f)) {
+        // glimt_light_cells/src/surface.rs:148
+        return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
+    }
+    // glimt_light_cells/src/surface.rs:158
+    let lifted = max(c_2, (0.25f * up));
+    // glimt_light_cells/src/surface.rs:159
+    let v_5 = this_8.wo;
+    // glimt_light_cells/src/surface.rs:160
+    let nv = dot(n_3, v_5);
+    // glimt_light_cells/src/surface.rs:161
+    let dv = ((((_e7 * v_5.x) + (_e12 * v_5.y)) + (_e17 * v_5.z)) + ((lifted - c_2) * nv));
+    // glimt_light_cells/src/surface.rs:162
+    let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_2 * c_2)), vec4(0.000001f)));
+    // glimt_light_cells/src/surface.rs:163
+    let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
+    // glimt_light_cells/src/surface.rs:164
+    let _e123 = sqrt_(half2_);
+    let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
+    // glimt_light_cells/src/surface.rs:165
+    let cos2_ = min((nh * nh), vec4(1f));
+    // glimt_light_cells/src/surface.rs:166
+    let sin2_ = (vec4(1f) - cos2_);
+    // glimt_light_cells/src/surface.rs:167
+    let r2_ = (_e20 * _e20);
+    // glimt_light_cells/src/surface.rs:168
+    let e = max(this_8.exponent, 0.001f);
+    // glimt_light_cells/src/surface.rs:169
+    let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    // glimt_light_cells/src/surface.rs:170
+    let _e151 = cosine_power4_(sin2_, seen);
+    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((this_8.share * this_8.peak) / e));
+    // glimt_light_cells/src/surface.rs:172
+    let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
+    // glimt_light_cells/src/surface.rs:173
+    let near_1 = (vec4((((0.1f * e) * this_8.spread) * this_8.spread)) + ((0.06f * e) * r2_));
+    // glimt_light_cells/src/surface.rs:174
+    let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
+    // glimt_light_cells/src/surface.rs:175
+    return CellTerms(cosine, _e45, _e42, lobe, min((slope + near_1), vec4(1f)), cosine_spread);
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:89
+fn bytes_of(word: u32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:90
+    return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:162
+fn Expected_quad(first_2: u32, slot_2: u32, quad_2: u32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:163
+    if (slot_2 == 0u) {
+        // glimt_render_gpu/src/kernels/cell_state.rs:164
+        return vec4(0.75f);
+    }
+    // glimt_render_gpu/src/kernels/cell_state.rs:166
+    let entry = ((first_2 + slot_2) - 1u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:167
+    let word_5 = visibility_3[((entry * 128u) + quad_2)];
+    // glimt_render_gpu/src/kernels/cell_state.rs:168
+    let _e22 = bytes_of(word_5);
+    return (_e22 * (1f / 255f));
+}
+
+// glimt_light_cells/src/surface.rs:212
+fn CellSurface_blocked_weights(this_9: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:213
+    let reflected = ((terms.cosine * this_9.diffuse) + (terms.lobe * this_9.specular));
+    // glimt_light_cells/src/surface.rs:214
+    let blocked_2 = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
+    // glimt_light_cells/src/surface.rs:215
+    let diffuse_1 = (terms.cosine_spread * this_9.diffuse);
+    // glimt_light_cells/src/surface.rs:216
+    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_9.specular);
+    // glimt_light_cells/src/surface.rs:217
+    let by_shape = ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
+    // glimt_light_cells/src/surface.rs:218
+    let _e41 = sqrt_((((reflected * reflected) * blocked_2) + by_shape));
+    return ((flux * terms.live) * _e41);
+}
+
+// glimt_light_cells/src/surface.rs:197
+fn CellSurface_residual_weights(this_10: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:198
+    let reflected_1 = ((terms_1.cosine * this_10.diffuse) + (terms_1.lobe * this_10.specular));
+    // glimt_light_cells/src/surface.rs:199
+    let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
+    // glimt_light_cells/src/surface.rs:200
+    let diffuse_2 = (terms_1.cosine_spread * this_10.diffuse);
+    // glimt_light_cells/src/surface.rs:201
+    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_10.specular);
+    // glimt_light_cells/src/surface.rs:202
+    let by_shape_1 = (((diffuse_2 * diffuse_2) + (lobe_2 * lobe_2)) * max(visibility_1, vec4(0.02f)));
+    // glimt_light_cells/src/surface.rs:203
+    let _e45 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape_1));
+    return ((flux_1 * terms_1.live) * _e45);
+}
+
+// glimt_light_cells/src/surface.rs:188
+fn CellSurface_product_weights(this_11: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:189
+    let reflected_2 = ((terms_2.cosine * this_11.diffuse) + (terms_2.lobe * this_11.specular));
+    // glimt_light_cells/src/surface.rs:190
+    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_11.diffuse)));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:238
+fn weights(surface: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
+    var chosen: vec4<f32>;
+    var chosen_1: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:245
+    if (true && is_catcher) {
+        // glimt_render_gpu/src/kernels/proposal.rs:246
+        let _e11 = CellSurface_blocked_weights(surface, terms_3, flux_3, visibility_2);
+        chosen = _e11;
+    } else {
+        if true {
+            // glimt_render_gpu/src/kernels/proposal.rs:248
+            let _e15 = CellSurface_residual_weights(surface, terms_3, flux_3, visibility_2);
+            chosen_1 = _e15;
+        } else {
+            // glimt_render_gpu/src/kernels/proposal.rs:250
+            let _e17 = CellSurface_product_weights(surface, terms_3, flux_3);
+            chosen_1 = _e17;
+        }
+        let _e18 = chosen_1;
+        chosen = _e18;
+    }
+    let _e19 = chosen;
+    return _e19;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:129
+fn channel_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_3: u32, channel: u32, normal_2: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:137
+    let list_1 = (4u + (3u * channel));
+    // glimt_render_gpu/src/kernels/proposal.rs:138
+    let _e14 = LightCells_quad(cells_size_1, cells_start_1, list_1, quad_3);
+    let _e19 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 1u), quad_3);
+    let _e25 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 2u), quad_3);
+    let moment = (((_e14 * normal_2.x) + (_e19 * normal_2.y)) + (_e25 * normal_2.z));
+    // glimt_render_gpu/src/kernels/proposal.rs:141
+    let _e32 = LightCells_quad(cells_size_1, cells_start_1, (1u + channel), quad_3);
+    // glimt_render_gpu/src/kernels/proposal.rs:142
+    let _e36 = ((full * moment) + (cut * _e32));
+    return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:147
+fn diffuse_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_4: u32, normal_3: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:148
+    let _e9 = channel_sum(cells_size_2, cells_start_2, quad_4, 0u, normal_3, full_1, cut_1);
+    let _e11 = channel_sum(cells_size_2, cells_start_2, quad_4, 1u, normal_3, full_1, cut_1);
+    let _e13 = channel_sum(cells_size_2, cells_start_2, quad_4, 2u, normal_3, full_1, cut_1);
+    return vec3<f32>(_e9, _e11, _e13);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:157
+fn radiance_sum(cells_size_3: vec2<u32>, cells_start_3: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:158
+    let _e7 = LightCells_quad(cells_size_3, cells_start_3, 1u, quad_5);
+    let _e8 = (_e7 * factors);
+    let _e19 = LightCells_quad(cells_size_3, cells_start_3, (1u + 1u), quad_5);
+    let _e20 = (_e19 * factors);
+    let _e31 = LightCells_quad(cells_size_3, cells_start_3, (1u + 2u), quad_5);
+    let _e32 = (_e31 * factors);
+    return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:166
+fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_first: u32, expected_slot: u32, is_catcher_1: bool) -> Totals {
+    var t: Totals;
+    var counter_4: u32;
+    var weight: f32;
+    var live: f32;
+    var counter_5: u32;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:172
+    let surface_1 = of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:173
+    let has_lobe = (surface_1.specular > 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:174
+    t = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/proposal.rs:189
+    counter_4 = 0u;
+    loop {
+        let block = counter_4;
+        if (block >= 64u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:190
+        weight = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:191
+        live = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:192
+        counter_5 = 0u;
+        loop {
+            let half = counter_5;
+            if (half >= 2u) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/proposal.rs:193
+            let quad_6 = ((2u * block) + half);
+            // glimt_render_gpu/src/kernels/proposal.rs:194
+            let _e59 = LightCells_quad(cells_size_4, cells_start_4, 0u, quad_6);
+            // glimt_render_gpu/src/kernels/proposal.rs:195
+            let _e61 = CellSurface_terms(surface_1, cells_size_4, cells_start_4, quad_6);
+            // glimt_render_gpu/src/kernels/proposal.rs:196
+            let _e64 = (_e59 * _e61.live);
+            let seen_1 = (((_e64.x + _e64.y) + _e64.z) + _e64.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:198
+            if (seen_1 > 0f) {
+                // glimt_render_gpu/src/kernels/proposal.rs:199
+                let _e76 = live;
+                live = (_e76 + seen_1);
+                // glimt_render_gpu/src/kernels/proposal.rs:200
+                let _e79 = Expected_quad(expected_first, expected_slot, quad_6);
+                // glimt_render_gpu/src/kernels/proposal.rs:201
+                let _e81 = weights(surface_1, _e61, _e59, _e79, is_catcher_1);
+                // glimt_render_gpu/src/kernels/proposal.rs:202
+                let _e90 = weight;
+                weight = (_e90 + (((_e81.x + _e81.y) + _e81.z) + _e81.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:203
+                if true {
+                    // glimt_render_gpu/src/kernels/proposal.rs:204
+                    let full_2 = (_e61.full * _e79);
+                    // glimt_render_gpu/src/kernels/proposal.rs:205
+                    let cut_2 = ((_e79 - full_2) * _e61.cosine);
+                    // glimt_render_gpu/src/kernels/proposal.rs:206
+                    let _e104 = diffuse_sum(cells_size_4, cells_start_4, quad_6, of_.mean_normal, full_2, cut_2);
+                    let _e105 = t.diffuse;
+                    t.diffuse = (_e105 + _e104);
+                    // glimt_render_gpu/src/kernels/proposal.rs:207
+                    if is_catcher_1 {
+                        // glimt_render_gpu/src/kernels/proposal.rs:208
+                        let cut_3 = ((vec4(1f) - _e61.full) * _e61.cosine);
+                        // glimt_render_gpu/src/kernels/proposal.rs:209
+                        let _e118 = diffuse_sum(cells_size_4, cells_start_4, quad_6, of_.mean_normal, _e61.full, cut_3);
+                        // glimt_render_gpu/src/kernels/proposal.rs:210
+                        let _e121 = t.open_diffuse;
+                        t.open_diffuse = (_e121 + _e118);
+                        // glimt_render_gpu/src/kernels/proposal.rs:211
+                        let _e126 = radiance_sum(cells_size_4, cells_start_4, quad_6, _e61.lobe);
+                        let _e127 = t.open_specular;
+                        t.open_specular = (_e127 + _e126);
+                    }
+                }
+                // glimt_render_gpu/src/kernels/proposal.rs:214
+                if has_lobe {
+                    // glimt_render_gpu/src/kernels/proposal.rs:215
+                    let a_4 = (_e61.lobe * _e59);
+                    // glimt_render_gpu/src/kernels/proposal.rs:216
+                    let spread = ((a_4 * _e61.lobe_spread) * _e61.lobe_spread);
+                    // glimt_render_gpu/src/kernels/proposal.rs:217
+                    let _e147 = t.lobe;
+                    t.lobe = (_e147 + (((a_4.x + a_4.y) + a_4.z) + a_4.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:218
+                    let _e158 = t.lobe_spread;
+                    t.lobe_spread = (_e158 + (((spread.x + spread.y) + spread.z) + spread.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:219
+                    let _e161 = (a_4 * _e79);
+                    let _e170 = t.lobe_visible;
+                    t.lobe_visible = (_e170 + (((_e161.x + _e161.y) + _e161.z) + _e161.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:220
+                    let _e175 = LightCells_quad(cells_size_4, cells_start_4, 13u, quad_6);
+                    let _e176 = (_e61.lobe * _e175);
+                    let _e185 = t.lobe_square;
+                    t.lobe_square = (_e185 + (((_e176.x + _e176.y) + _e176.z) + _e176.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:221
+                    let _e190 = LightCells_quad(cells_size_4, cells_start_4, 14u, quad_6);
+                    let _e191 = (_e61.lobe * _e190);
+                    let _e200 = t.lobe_area;
+                    t.lobe_area = (_e200 + (((_e191.x + _e191.y) + _e191.z) + _e191.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:223
+                    if true {
+                        // glimt_render_gpu/src/kernels/proposal.rs:224
+                        let _e208 = radiance_sum(cells_size_4, cells_start_4, quad_6, (_e61.lobe * _e79));
+                        let _e209 = t.specular;
+                        t.specular = (_e209 + _e208);
+                    }
+                }
+            }
+            continuing {
+                let _e211 = counter_5;
+                counter_5 = (_e211 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:229
+        let _e215 = weight;
+        t.blocks[block] = _e215;
+        // glimt_render_gpu/src/kernels/proposal.rs:230
+        let _e219 = live;
+        t.lives[block] = _e219;
+        // glimt_render_gpu/src/kernels/proposal.rs:231
+        let _e223 = weight;
+        let _e225 = t.weight;
+        t.weight = (_e225 + _e223);
+        // glimt_render_gpu/src/kernels/proposal.rs:232
+        let _e228 = live;
+        let _e230 = t.live;
+        t.live = (_e230 + _e228);
+        continuing {
+            let _e232 = counter_4;
+            counter_4 = (_e232 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:234
+    let _e236 = t;
+    return _e236;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:257
+fn worth(a: f32, visible: f32, variance: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:258
+    if true {
+        // glimt_render_gpu/src/kernels/proposal.rs:259
+        return (a * sqrt(((visible * (1f - visible)) + (visible * variance))));
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:262
+    return (a * sqrt((1f + (2f * variance))));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:269
+fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u32, expected_first_1: u32, expected_slot_1: u32, is_catcher_2: bool) -> Proposal {
+    var of_2: Representative;
+    var sums: Totals;
+    var first_3: Totals;
+    var lobe_worth: f32;
+    var least_share: f32;
+    var share: f32;
+    var defence: f32;
+    var total: f32;
+    var blocks: array<f32, 64>;
+    var counter_6: u32;
+    var lobe_share: f32;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:275
+    of_2 = of_1;
+    // glimt_render_gpu/src/kernels/proposal.rs:276
+    let _e10 = of_2;
+    let _e11 = weigh(_e10, cells_size_5, cells_start_5, expected_first_1, expected_slot_1, is_catcher_2);
+    sums = _e11;
+    // glimt_render_gpu/src/kernels/proposal.rs:277
+    let _e14 = sums;
+    first_3 = _e14;
+    // glimt_render_gpu/src/kernels/proposal.rs:278
+    lobe_worth = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:279
+    least_share = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:280
+    share = 1f;
+    // glimt_render_gpu/src/kernels/proposal.rs:281
+    let _e28 = of_2.surface.specular;
+    let _e32 = sums.lobe;
+    if ((_e28 > 0f) && (_e32 > 0f)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:283
+        let _e38 = sums.lobe_spread;
+        let _e40 = sums.lobe;
+        let by_cells = (_e38 / _e40);
+        // glimt_render_gpu/src/kernels/proposal.rs:284
+        let _e44 = sums.lobe_square;
+        let _e46 = sums.lobe;
+        let _e49 = sums.lobe_area;
+        let _e51 = sums.lobe;
+        let by_lobe = clamp((((_e44 / _e46) * (_e49 / _e51)) - 1f), 0.0001f, 1000000f);
+        // glimt_render_gpu/src/kernels/proposal.rs:286
+        share = (by_lobe / (by_lobe + by_cells));
+        // glimt_render_gpu/src/kernels/proposal.rs:287
+        let _e63 = share;
+        if (_e63 > 0.9f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:288
+            share = 1f;
+        } else {
+            let _e68 = share;
+            if (_e68 < 0.1f) {
+                // glimt_render_gpu/src/kernels/proposal.rs:290
+                share = 0f;
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:292
+        let _e75 = sums.lobe;
+        let _e78 = of_2.surface.specular;
+        let a_5 = (_e75 * _e78);
+        // glimt_render_gpu/src/kernels/proposal.rs:293
+        let _e82 = sums.lobe_visible;
+        let _e84 = sums.lobe;
+        let visible_1 = min((_e82 / _e84), 1f);
+        // glimt_render_gpu/src/kernels/proposal.rs:294
+        let _e89 = share;
+        if (_e89 < 1f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:295
+            let _e94 = share;
+            let _e96 = worth(a_5, visible_1, by_lobe);
+            lobe_worth = ((1f - _e94) * _e96);
+            // glimt_render_gpu/src/kernels/proposal.rs:296
+            let _e99 = share;
+            of_2.surface.share = _e99;
+            // glimt_render_gpu/src/kernels/proposal.rs:297
+            let _e103 = of_2;
+            let _e104 = weigh(_e103, cells_size_5, cells_start_5, expected_first_1, expected_slot_1, is_catcher_2);
+            sums = _e104;
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:300
+    let _e108 = of_2.surface.specular;
+    let _e113 = of_2.surface.normal;
+    let _e116 = of_2.surface.wo;
+    if ((_e108 > 0f) && (dot(_e113, _e116) < 0.3f)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:301
+        least_share = 0.1f;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:303
+    defence = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:304
+    let _e128 = sums.live;
+    if (_e128 > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:305
+        let _e134 = sums.weight;
+        let _e137 = sums.live;
+        defence = ((0.001f * _e134) / _e137);
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:307
+    total = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:308
+    blocks = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:309
+    counter_6 = 0u;
+    loop {
+        let block_1 = counter_6;
+        if (block_1 >= 64u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:310
+        let _e155 = sums.blocks[block_1];
+        let _e156 = defence;
+        let _e159 = sums.lives[block_1];
+        let weight_1 = (_e155 + (_e156 * _e159));
+        // glimt_render_gpu/src/kernels/proposal.rs:311
+        blocks[block_1] = weight_1;
+        // glimt_render_gpu/src/kernels/proposal.rs:312
+        let _e165 = total;
+        total = (_e165 + weight_1);
+        continuing {
+            let _e167 = counter_6;
+            counter_6 = (_e167 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:314
+    let _e171 = total;
+    let _e172 = lobe_worth;
+    let all_ = (_e171 + _e172);
+    // glimt_render_gpu/src/kernels/proposal.rs:315
+    lobe_share = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:316
+    if (all_ > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:317
+        let _e181 = lobe_worth;
+        let _e183 = least_share;
+        lobe_share = clamp((_e181 / all_), _e183, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:318
+        let _e187 = total;
+        if !((_e187 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:319
+            lobe_share = 1f;
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:322
+    let _e195 = of_2.diffuse;
+    let kd_1 = (_e195 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:323
+    let _e200 = first_3.diffuse;
+    let _e203 = of_2.specular;
+    let _e205 = first_3.specular;
+    let _e206 = share;
+    let _e211 = first_3.open_diffuse;
+    let _e214 = of_2.specular;
+    let _e216 = first_3.open_specular;
+    let _e217 = share;
+    let _e221 = of_2;
+    let _e222 = blocks;
+    let _e223 = total;
+    let _e224 = defence;
+    let _e225 = lobe_worth;
+    let _e226 = lobe_share;
+    return Proposal(_e221, _e222, _e223, _e224, _e225, _e226, ((kd_1 * _e200) + (_e203 * (_e205 * _e206))), ((kd_1 * _e211) + (_e214 * (_e216 * _e217))), is_catcher_2);
+}
+
+// glimt_sampling/src/hash.rs:15
+fn hash_u32_(n: u32) -> u32 {
+    var x_2: u32;
+
+    // glimt_sampling/src/hash.rs:16
+    x_2 = (n ^ 3875421163u);
+    // glimt_sampling/src/hash.rs:17
+    let _e7 = x_2;
+    let _e10 = x_2;
+    x_2 = (_e10 ^ (_e7 >> 16u));
+    // glimt_sampling/src/hash.rs:18
+    let _e13 = x_2;
+    x_2 = (_e13 * 2146121005u);
+    // glimt_sampling/src/hash.rs:19
+    let _e17 = x_2;
+    let _e20 = x_2;
+    x_2 = (_e20 ^ (_e17 >> 15u));
+    // glimt_sampling/src/hash.rs:20
+    let _e23 = x_2;
+    x_2 = (_e23 * 2221713035u);
+    // glimt_sampling/src/hash.rs:21
+    let _e27 = x_2;
+    let _e28 = x_2;
+    return (_e27 ^ (_e28 >> 16u));
+}
+
+// glimt_sampling/src/hash.rs:27
+fn hash2_(a_1: u32, b: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:28
+    let _e4 = hash_u32_(a_1);
+    let _e6 = hash_u32_((_e4 + b));
+    return _e6;
+}
+
+// glimt_sampling/src/hash.rs:34
+fn hash3_(a_2: u32, b_1: u32, c: u32) -> u32 {
+
+    // glimt_sampling/src/hash.rs:35
+    let _e5 = hash2_(a_2, b_1);
+    let _e7 = hash_u32_((_e5 + c));
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:171
+fn OwenSobol_new(seed: u32, frame_2: u32, pixel_2: u32, sample_index: u32) -> OwenSobol {
+
+    // glimt_sampling/src/sobol.rs:172
+    let _e6 = hash3_(seed, frame_2, pixel_2);
+    let _e9 = hash2_(_e6, (sample_index >> 16u));
+    return OwenSobol(_e9, (sample_index & 65535u), 0u);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:126
+fn PixelPattern_sobol_point(this_12: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:127
+    let _e6 = hash2_(this_12.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_12.frame, this_12.pixel, index);
+    return _e9;
+}
+
+// glimt_sampling/src/hash.rs:50
+fn hash_uvec4_(v: vec4<u32>) -> vec4<u32> {
+    var x_3: u32;
+    var y: u32;
+    var z: u32;
+    var w: u32;
+
+    // glimt_sampling/src/hash.rs:51
+    let _e4 = hash_u32_(v.x);
+    x_3 = ((_e4 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:54
+    let _e12 = hash_u32_(v.y);
+    y = ((_e12 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:57
+    let _e20 = hash_u32_(v.z);
+    z = ((_e20 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:60
+    let _e28 = hash_u32_(v.w);
+    w = ((_e28 * 1664525u) + 1013904223u);
+    // glimt_sampling/src/hash.rs:64
+    let _e35 = x_3;
+    let _e36 = y;
+    let _e37 = w;
+    x_3 = (_e35 + (_e36 * _e37));
+    // glimt_sampling/src/hash.rs:65
+    let _e41 = y;
+    let _e42 = z;
+    let _e43 = x_3;
+    y = (_e41 + (_e42 * _e43));
+    // glimt_sampling/src/hash.rs:66
+    let _e47 = z;
+    let _e48 = x_3;
+    let _e49 = y;
+    z = (_e47 + (_e48 * _e49));
+    // glimt_sampling/src/hash.rs:67
+    let _e53 = w;
+    let _e54 = y;
+    let _e55 = z;
+    w = (_e53 + (_e54 * _e55));
+    // glimt_sampling/src/hash.rs:68
+    let _e59 = x_3;
+    let _e62 = x_3;
+    x_3 = (_e62 ^ (_e59 >> 16u));
+    // glimt_sampling/src/hash.rs:69
+    let _e65 = y;
+    let _e68 = y;
+    y = (_e68 ^ (_e65 >> 16u));
+    // glimt_sampling/src/hash.rs:70
+    let _e71 = z;
+    let _e74 = z;
+    z = (_e74 ^ (_e71 >> 16u));
+    // glimt_sampling/src/hash.rs:71
+    let _e77 = w;
+    let _e80 = w;
+    w = (_e80 ^ (_e77 >> 16u));
+    // glimt_sampling/src/hash.rs:72
+    let _e83 = x_3;
+    let _e84 = y;
+    let _e85 = w;
+    x_3 = (_e83 + (_e84 * _e85));
+    // glimt_sampling/src/hash.rs:73
+    let _e89 = y;
+    let _e90 = z;
+    let _e91 = x_3;
+    y = (_e89 + (_e90 * _e91));
+    // glimt_sampling/src/hash.rs:74
+    let _e95 = z;
+    let _e96 = x_3;
+    let _e97 = y;
+    z = (_e95 + (_e96 * _e97));
+    // glimt_sampling/src/hash.rs:75
+    let _e101 = w;
+    let _e102 = y;
+    let _e103 = z;
+    w = (_e101 + (_e102 * _e103));
+    // glimt_sampling/src/hash.rs:76
+    let _e107 = x_3;
+    let _e108 = x_3;
+    let _e112 = y;
+    let _e113 = y;
+    let _e117 = z;
+    let _e118 = z;
+    let _e122 = w;
+    let _e123 = w;
+    return vec4<u32>((_e107 ^ (_e108 >> 16u)), (_e112 ^ (_e113 >> 16u)), (_e117 ^ (_e118 >> 16u)), (_e122 ^ (_e123 >> 16u)));
+}
+
+// glimt_sampling/src/xoshiro.rs:28
+fn Xoshiro128PlusPlus_from_state(state: vec4<u32>) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:29
+    let any_1 = (((state.x | state.y) | state.z) | state.w);
+    // glimt_sampling/src/xoshiro.rs:30
+    if (any_1 == 0u) {
+        // glimt_sampling/src/xoshiro.rs:31
+        return Xoshiro128PlusPlus(vec4<u32>(2065550767u, 3793791033u, 2713282036u, 1853398634u));
+    }
+    // glimt_sampling/src/xoshiro.rs:35
+    return Xoshiro128PlusPlus(state);
+}
+
+// glimt_sampling/src/xoshiro.rs:49
+fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_3: u32, pixel_3: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_sampling/src/xoshiro.rs:50
+    let _e7 = hash_uvec4_(vec4<u32>(pixel_3, frame_3, seed_1, 2654435769u));
+    let _e8 = Xoshiro128PlusPlus_from_state(_e7);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:131
+fn PixelPattern_generator(this_13: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:132
+    let _e6 = hash3_(this_13.seed, purpose_1, index_1);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_13.frame, this_13.pixel);
+    return _e9;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:109
+fn PixelPattern_point(this_14: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:110
+    let _e8 = PixelPattern_sobol_point(this_14, purpose_2, index_2);
+    let _e9 = PixelPattern_generator(this_14, purpose_2, index_2);
+    return PatternSource((this_14.kind == 0u), _e8, _e9);
+}
+
+// glimt_sampling/src/sobol.rs:21
+fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+    var x_4: u32;
+
+    // glimt_sampling/src/sobol.rs:22
+    x_4 = (n_1 ^ (n_1 * 1025551850u));
+    // glimt_sampling/src/sobol.rs:23
+    let _e9 = x_4;
+    x_4 = (_e9 + scramble);
+    // glimt_sampling/src/sobol.rs:24
+    let _e12 = x_4;
+    x_4 = (_e12 * ((scramble >> 16u) | 1u));
+    // glimt_sampling/src/sobol.rs:25
+    let _e19 = x_4;
+    let _e22 = x_4;
+    x_4 = (_e22 ^ (_e19 * 89287766u));
+    // glimt_sampling/src/sobol.rs:26
+    let _e25 = x_4;
+    let _e26 = x_4;
+    return (_e25 ^ (_e26 * 1403136100u));
+}
+
+// glimt_sampling/src/sobol.rs:103
+fn shuffle(index_3: u32, seed_2: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:104
+    let _e7 = hash_u32_((seed_2 ^ 2043055690u));
+    let _e8 = owen_scramble_reversed(reverseBits(index_3), _e7);
+    return reverseBits(_e8);
+}
+
+// glimt_sampling/src/sobol.rs:56
+fn pascal(index_4: u32) -> u32 {
+    var x_5: u32;
+
+    // glimt_sampling/src/sobol.rs:57
+    x_5 = index_4;
+    // glimt_sampling/src/sobol.rs:58
+    let _e5 = x_5;
+    let _e10 = x_5;
+    x_5 = (_e10 ^ ((_e5 >> 1u) & 21845u));
+    // glimt_sampling/src/sobol.rs:59
+    let _e13 = x_5;
+    let _e18 = x_5;
+    x_5 = (_e18 ^ ((_e13 >> 2u) & 13107u));
+    // glimt_sampling/src/sobol.rs:60
+    let _e21 = x_5;
+    let _e26 = x_5;
+    x_5 = (_e26 ^ ((_e21 >> 4u) & 3855u));
+    // glimt_sampling/src/sobol.rs:61
+    let _e29 = x_5;
+    let _e30 = x_5;
+    return (_e29 ^ ((_e30 >> 8u) & 255u));
+}
+
+// glimt_sampling/src/sobol.rs:66
+fn recurrence_2_(index_5: u32) -> u32 {
+    var bits: u32;
+    var v0_: u32;
+    var v1_: u32;
+    var sum_1: u32;
+
+    // glimt_sampling/src/sobol.rs:67
+    bits = index_5;
+    // glimt_sampling/src/sobol.rs:68
+    v0_ = 1u;
+    // glimt_sampling/src/sobol.rs:69
+    v1_ = 3u;
+    // glimt_sampling/src/sobol.rs:70
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:71
+    loop {
+        let _e14 = bits;
+        if !((_e14 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:72
+        let _e19 = v0_;
+        let _e20 = bits;
+        let _e26 = sum_1;
+        sum_1 = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
+        // glimt_sampling/src/sobol.rs:73
+        let _e29 = v1_;
+        let _e30 = v0_;
+        let _e32 = v0_;
+        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        // glimt_sampling/src/sobol.rs:74
+        let _e37 = v1_;
+        v0_ = _e37;
+        // glimt_sampling/src/sobol.rs:75
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:76
+        let _e40 = bits;
+        bits = (_e40 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:78
+    let _e44 = sum_1;
+    return _e44;
+}
+
+// glimt_sampling/src/sobol.rs:83
+fn recurrence_3_(index_6: u32) -> u32 {
+    var bits_1: u32;
+    var v0_1: u32;
+    var v1_1: u32;
+    var v2_: u32;
+    var sum_2: u32;
+
+    // glimt_sampling/src/sobol.rs:84
+    bits_1 = index_6;
+    // glimt_sampling/src/sobol.rs:85
+    v0_1 = 1u;
+    // glimt_sampling/src/sobol.rs:86
+    v1_1 = 3u;
+    // glimt_sampling/src/sobol.rs:87
+    v2_ = 4u;
+    // glimt_sampling/src/sobol.rs:88
+    sum_2 = 0u;
+    // glimt_sampling/src/sobol.rs:89
+    loop {
+        let _e17 = bits_1;
+        if !((_e17 != 0u)) {
+            break;
+        }
+        // glimt_sampling/src/sobol.rs:90
+        let _e22 = v0_1;
+        let _e23 = bits_1;
+        let _e29 = sum_2;
+        sum_2 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
+        // glimt_sampling/src/sobol.rs:91
+        let _e32 = v1_1;
+        let _e33 = v0_1;
+        let _e35 = v0_1;
+        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        // glimt_sampling/src/sobol.rs:92
+        let _e40 = v1_1;
+        v0_1 = _e40;
+        // glimt_sampling/src/sobol.rs:93
+        let _e42 = v2_;
+        v1_1 = _e42;
+        // glimt_sampling/src/sobol.rs:94
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:95
+        let _e45 = bits_1;
+        bits_1 = (_e45 >> 1u);
+    }
+    // glimt_sampling/src/sobol.rs:97
+    let _e49 = sum_2;
+    return _e49;
+}
+
+// glimt_sampling/src/sobol.rs:43
+fn sobol_reversed(index_7: u32, dimension: u32) -> u32 {
+    var chosen_2: u32;
+
+    // glimt_sampling/src/sobol.rs:44
+    let index_20 = (index_7 & 65535u);
+    // glimt_sampling/src/sobol.rs:45
+    let _e8 = (dimension & 3u);
+    if (_e8 == 0u) {
+        // glimt_sampling/src/sobol.rs:47
+        chosen_2 = index_20;
+    } else {
+        if (_e8 == 1u) {
+            // glimt_sampling/src/sobol.rs:48
+            let _e16 = pascal(index_20);
+            chosen_2 = _e16;
+        } else {
+            if (_e8 == 2u) {
+                // glimt_sampling/src/sobol.rs:49
+                let _e20 = recurrence_2_(index_20);
+                chosen_2 = _e20;
+            } else {
+                // glimt_sampling/src/sobol.rs:50
+                let _e22 = recurrence_3_(index_20);
+                chosen_2 = _e22;
+            }
+        }
+    }
+    let _e23 = chosen_2;
+    return _e23;
+}
+
+// glimt_sampling/src/sobol.rs:109
+fn scramble_1(reversed: u32, dimension_1: u32, seed_3: u32) -> u32 {
+    var chosen_3: u32;
+
+    // glimt_sampling/src/sobol.rs:110
+    let _e6 = (dimension_1 & 3u);
+    if (_e6 == 0u) {
+        // glimt_sampling/src/sobol.rs:111
+        chosen_3 = 2435803578u;
+    } else {
+        if (_e6 == 1u) {
+            // glimt_sampling/src/sobol.rs:112
+            chosen_3 = 391059627u;
+        } else {
+            if (_e6 == 2u) {
+                // glimt_sampling/src/sobol.rs:113
+                chosen_3 = 1763603146u;
+            } else {
+                // glimt_sampling/src/sobol.rs:114
+                chosen_3 = 3020734904u;
+            }
+        }
+    }
+    let salt = chosen_3;
+    // glimt_sampling/src/sobol.rs:117
+    let _e27 = hash_u32_(((seed_3 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:118
+    let _e29 = owen_scramble_reversed(reversed, _e27);
+    return reverseBits(_e29);
+}
+
+// glimt_sampling/src/sobol.rs:135
+fn owen_sobol(index_8: u32, dimension_2: u32, seed_4: u32) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:136
+    let _e5 = shuffle(index_8, seed_4);
+    let _e6 = sobol_reversed(_e5, dimension_2);
+    let _e7 = scramble_1(_e6, dimension_2, seed_4);
+    return _e7;
+}
+
+// glimt_sampling/src/sobol.rs:182
+fn OwenSobol_next_u32_(this_15: ptr<function, OwenSobol>) -> u32 {
+
+    // glimt_sampling/src/sobol.rs:183
+    let dimension_3 = (*this_15).dimension;
+    // glimt_sampling/src/sobol.rs:184
+    (*this_15).dimension = (dimension_3 + 1u);
+    // glimt_sampling/src/sobol.rs:185
+    let _e11 = (*this_15).index;
+    let _e13 = (*this_15).seed;
+    let _e16 = hash2_(_e13, (dimension_3 >> 2u));
+    let _e17 = owen_sobol(_e11, dimension_3, _e16);
+    return _e17;
+}
+
+// glimt_sampling/src/xoshiro.rs:56
+fn Xoshiro128PlusPlus_next_u32_(this_16: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+
+    // glimt_sampling/src/xoshiro.rs:57
+    let s_2 = (*this_16).state;
+    // glimt_sampling/src/xoshiro.rs:58
+    let _e8 = (s_2.x + s_2.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_2.x);
+    // glimt_sampling/src/xoshiro.rs:59
+    let z_1 = (s_2.z ^ s_2.x);
+    // glimt_sampling/src/xoshiro.rs:60
+    let w_1 = (s_2.w ^ s_2.y);
+    // glimt_sampling/src/xoshiro.rs:61
+    (*this_16).state = vec4<u32>((s_2.x ^ w_1), (s_2.y ^ z_1), (z_1 ^ (s_2.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    // glimt_sampling/src/xoshiro.rs:62
+    return result;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:161
+fn PatternSource_next_u32_(this_17: ptr<function, PatternSource>) -> u32 {
+    var chosen_4: u32;
+    var borrowed: OwenSobol;
+    var borrowed_1: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:162
+    let _e5 = (*this_17).is_sobol;
+    if _e5 {
+        // glimt_render_gpu/src/kernels/pattern.rs:163
+        let _e9 = (*this_17).point;
+        borrowed = _e9;
+        let _e10 = OwenSobol_next_u32_((&borrowed));
+        let _e11 = borrowed;
+        (*this_17).point = _e11;
+        chosen_4 = _e10;
+    } else {
+        // glimt_render_gpu/src/kernels/pattern.rs:165
+        let _e15 = (*this_17).generator;
+        borrowed_1 = _e15;
+        let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
+        let _e17 = borrowed_1;
+        (*this_17).generator = _e17;
+        chosen_4 = _e16;
+    }
+    let _e18 = chosen_4;
+    return _e18;
+}
+
+// glimt_sampling/src/uniform.rs:15
+fn unit_f32_(u: u32) -> f32 {
+
+    // glimt_sampling/src/uniform.rs:16
+    return (f32((u >> 8u)) * (1f / 16777216f));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:339
+fn Proposal_is_sharp(this_18: Proposal) -> bool {
+    var self_: Proposal;
+
+    self_ = this_18;
+    // glimt_render_gpu/src/kernels/proposal.rs:340
+    let surface_2 = self_.of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:341
+    return ((surface_2.specular > 0f) && (dot(surface_2.normal, surface_2.wo) < 0.3f));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:136
+fn PixelPattern_key(this_19: PixelPattern, purpose_3: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:137
+    let _e5 = hash2_(this_19.seed, purpose_3);
+    let _e8 = hash3_(_e5, this_19.frame, this_19.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:121
+fn PixelPattern_ray_key(this_20: PixelPattern, purpose_4: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e4 = PixelPattern_key(this_20, purpose_4);
+    let _e6 = hash2_(_e4, this_20.ray);
+    return _e6;
+}
+
+// glimt_sampling/src/sobol.rs:190
+fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
+
+    // glimt_sampling/src/sobol.rs:191
+    let _e4 = (*this_21).dimension;
+    let dimension_4 = ((_e4 + 1u) & 4294967294u);
+    // glimt_sampling/src/sobol.rs:192
+    (*this_21).dimension = (dimension_4 + 2u);
+    // glimt_sampling/src/sobol.rs:193
+    let _e15 = (*this_21).seed;
+    let _e18 = hash2_(_e15, (dimension_4 >> 2u));
+    // glimt_sampling/src/sobol.rs:194
+    let _e21 = (*this_21).index;
+    let _e22 = shuffle(_e21, _e18);
+    // glimt_sampling/src/sobol.rs:195
+    let _e24 = sobol_reversed(_e22, dimension_4);
+    let _e25 = scramble_1(_e24, dimension_4, _e18);
+    let _e28 = sobol_reversed(_e22, (dimension_4 + 1u));
+    let _e31 = scramble_1(_e28, (dimension_4 + 1u), _e18);
+    return vec2<u32>(_e25, _e31);
+}
+
+// glimt_sampling/src/uniform.rs:34
+fn Xoshiro128PlusPlus_next_uvec2_(this_22: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+
+    // glimt_sampling/src/uniform.rs:35
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_22);
+    // glimt_sampling/src/uniform.rs:36
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_22);
+    // glimt_sampling/src/uniform.rs:37
+    return vec2<u32>(_e3, _e5);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:170
+fn PatternSource_next_uvec2_(this_23: ptr<function, PatternSource>) -> vec2<u32> {
+    var chosen_5: vec2<u32>;
+    var borrowed_2: OwenSobol;
+    var borrowed_3: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:171
+    let _e5 = (*this_23).is_sobol;
+    if _e5 {
+        // glimt_render_gpu/src/kernels/pattern.rs:172
+        let _e9 = (*this_23).point;
+        borrowed_2 = _e9;
+        let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
+        let _e11 = borrowed_2;
+        (*this_23).point = _e11;
+        chosen_5 = _e10;
+    } else {
+        // glimt_render_gpu/src/kernels/pattern.rs:174
+        let _e15 = (*this_23).generator;
+        borrowed_3 = _e15;
+        let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
+        let _e17 = borrowed_3;
+        (*this_23).generator = _e17;
+        chosen_5 = _e16;
+    }
+    let _e18 = chosen_5;
+    return _e18;
+}
+
+// glimt_sampling/src/uniform.rs:22
+fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
+
+    // glimt_sampling/src/uniform.rs:23
+    let _e4 = unit_f32_(u_1.x);
+    let _e6 = unit_f32_(u_1.y);
+    return vec2<f32>(_e4, _e6);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:180
+fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_6: vec2<u32>, cells_start_6: u32, pattern: PixelPattern, rays: f32, threshold_1: f32, group: Group, word_1: u32, points_start_3: u32, points_len_3: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/group_light.rs:181
+    let _e6 = unit_f32_(word_1);
+    let k_3 = u32((_e6 * f32(group.members)));
+    // glimt_render_gpu/src/kernels/group_light.rs:182
+    let _e16 = Group_ray(group, min(k_3, (group.members - 1u)), points_start_3, points_len_3);
+    return _e16;
+}
+
+// glimt_sampling/src/math.rs:45
+fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
+
+    // glimt_sampling/src/math.rs:46
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
+    // glimt_sampling/src/math.rs:47
+    let a_6 = (-1f / (sign_ + n_2.z));
+    // glimt_sampling/src/math.rs:48
+    let c_3 = ((n_2.x * n_2.y) * a_6);
+    // glimt_sampling/src/math.rs:49
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_6)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_6)), -(n_2.y)), n_2);
+}
+
+// glimt_sampling/src/math.rs:66
+fn ShadingFrame_to_local(this_24: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:67
+    return vec3<f32>(dot(v_1, this_24.t), dot(v_1, this_24.b), dot(v_1, this_24.n));
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:105
+fn SeenPoint_shading_point(this_25: SeenPoint) -> ShadingPoint {
+
+    // glimt_render_gpu/src/kernels/seen.rs:106
+    let _e4 = ShadingFrame_from_normal(this_25.normal);
+    // glimt_render_gpu/src/kernels/seen.rs:107
+    let _e9 = ShadingFrame_to_local(_e4, this_25.wo);
+    return ShadingPoint(this_25.origin, this_25.geometric_normal, _e4, _e9, BlinnPhong(this_25.diffuse, this_25.specular, this_25.exponent), this_25.emission);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:88
+fn lobe_of(point_1: ShadingPoint) -> BlinnPhong {
+
+    // glimt_render_gpu/src/kernels/group_light.rs:89
+    return BlinnPhong(vec3(0f), point_1.brdf.specular, point_1.brdf.exponent);
+}
+
+// glimt_brdf/src/blinn_phong.rs:116
+fn BlinnPhong_pmf_specular(this_26: BlinnPhong) -> f32 {
+    var chosen_6: f32;
+
+    // glimt_brdf/src/blinn_phong.rs:117
+    let _e4 = luminance(this_26.specular);
+    // glimt_brdf/src/blinn_phong.rs:118
+    let _e7 = luminance(this_26.diffuse);
+    let both_4 = (_e7 + _e4);
+    // glimt_brdf/src/blinn_phong.rs:119
+    if (both_4 > 0f) {
+        chosen_6 = (_e4 / both_4);
+    } else {
+        chosen_6 = 0f;
+    }
+    let _e15 = chosen_6;
+    return _e15;
+}
+
+// glimt_sampling/src/warp.rs:190
+fn height_of(direction_1: vec3<f32>) -> f32 {
+    var chosen_7: f32;
+
+    // glimt_sampling/src/warp.rs:191
+    if (direction_1.z > 0f) {
+        // glimt_sampling/src/warp.rs:192
+        chosen_7 = (((direction_1.x * direction_1.x) + (direction_1.y * direction_1.y)) / (1f + direction_1.z));
+    } else {
+        // glimt_sampling/src/warp.rs:194
+        chosen_7 = (1f - direction_1.z);
+    }
+    let _e23 = chosen_7;
+    return _e23;
+}
+
+// glimt_sampling/src/warp.rs:201
+fn ln_cos_theta(direction_2: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:202
+    let _e3 = height_of(direction_2);
+    // glimt_sampling/src/warp.rs:203
+    if (_e3 < 0.1f) {
+        // glimt_sampling/src/warp.rs:204
+        let tail_1 = ((1f / 3f) + (_e3 * (0.25f + (_e3 * (0.2f + (_e3 * ((1f / 6f) + (_e3 / 7f))))))));
+        // glimt_sampling/src/warp.rs:205
+        return (0f - (_e3 * (1f + (_e3 * (0.5f + (_e3 * tail_1))))));
+    }
+    // glimt_sampling/src/warp.rs:207
+    return log(direction_2.z);
+}
+
+// glimt_sampling/src/warp.rs:289
+fn pdf_power_cosine_sr(direction_3: vec3<f32>, exponent_4: f32) -> f32 {
+    var chosen_8: f32;
+
+    // glimt_sampling/src/warp.rs:290
+    let normalisation_1 = ((exponent_4 + 1f) * (0.5f * 0.31830987f));
+    // glimt_sampling/src/warp.rs:291
+    if (exponent_4 <= 0f) {
+        // glimt_sampling/src/warp.rs:292
+        if (direction_3.z >= 0f) {
+            // glimt_sampling/src/warp.rs:293
+            chosen_8 = normalisation_1;
+        } else {
+            // glimt_sampling/src/warp.rs:295
+            chosen_8 = 0f;
+        }
+        let _e21 = chosen_8;
+        return _e21;
+    }
+    // glimt_sampling/src/warp.rs:298
+    if (direction_3.z <= 0f) {
+        // glimt_sampling/src/warp.rs:299
+        return 0f;
+    }
+    // glimt_sampling/src/warp.rs:301
+    let _e29 = ln_cos_theta(direction_3);
+    return (normalisation_1 * exp((exponent_4 * _e29)));
+}
+
+// glimt_sampling/src/warp.rs:182
+fn cos_sin_turns(turns: f32) -> vec2<f32> {
+    var chosen_9: f32;
+
+    // glimt_sampling/src/warp.rs:183
+    if (turns < 0.5f) {
+        chosen_9 = turns;
+    } else {
+        chosen_9 = (turns - 1f);
+    }
+    let signed = chosen_9;
+    // glimt_sampling/src/warp.rs:184
+    let phi = (6.2831855f * signed);
+    // glimt_sampling/src/warp.rs:185
+    return vec2<f32>(cos(phi), sin(phi));
+}
+
+// glimt_sampling/src/warp.rs:257
+fn sample_power_cosine(u_2: vec2<f32>, exponent_5: f32) -> DirectionSample {
+    var sin2_theta_1: f32;
+    var cos_theta: f32;
+
+    // glimt_sampling/src/warp.rs:258
+    if (u_2.x <= 0f) {
+        // glimt_sampling/src/warp.rs:259
+        let _e16 = pdf_power_cosine_sr(vec3<f32>(1f, 0f, 0f), exponent_5);
+        return DirectionSample(vec3<f32>(1f, 0f, 0f), _e16);
+    }
+    // glimt_sampling/src/warp.rs:266
+    let t_6 = ((2f / (exponent_5 + 1f)) * (0f - log(u_2.x)));
+    // glimt_sampling/src/warp.rs:269
+    if (t_6 < 0.25f) {
+        // glimt_sampling/src/warp.rs:270
+        let tail_2 = ((1f / 6f) - (t_6 * ((1f / 24f) - (t_6 * ((1f / 120f) - (t_6 / 720f))))));
+        // glimt_sampling/src/warp.rs:271
+        sin2_theta_1 = max((t_6 * (1f - (t_6 * (0.5f - (t_6 * tail_2))))), 0f);
+        // glimt_sampling/src/warp.rs:272
+        let _e62 = sin2_theta_1;
+        cos_theta = sqrt((1f - _e62));
+    } else {
+        // glimt_sampling/src/warp.rs:274
+        cos_theta = exp((-0.5f * t_6));
+        // glimt_sampling/src/warp.rs:275
+        let _e71 = cos_theta;
+        let _e72 = cos_theta;
+        sin2_theta_1 = (1f - (_e71 * _e72));
+    }
+    // glimt_sampling/src/warp.rs:277
+    let _e76 = sin2_theta_1;
+    let sin_theta = sqrt(_e76);
+    // glimt_sampling/src/warp.rs:278
+    let _e80 = cos_sin_turns(u_2.y);
+    // glimt_sampling/src/warp.rs:279
+    let _e86 = cos_theta;
+    let direction_10 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
+    // glimt_sampling/src/warp.rs:280
+    let _e89 = pdf_power_cosine_sr(direction_10, exponent_5);
+    return DirectionSample(direction_10, _e89);
+}
+
+// glimt_sampling/src/warp.rs:31
+fn sample_concentric_disk(u_3: vec2<f32>) -> vec2<f32> {
+
+    // glimt_sampling/src/warp.rs:32
+    let a_7 = ((2f * u_3.x) - 1f);
+    // glimt_sampling/src/warp.rs:33
+    let b_3 = ((2f * u_3.y) - 1f);
+    // glimt_sampling/src/warp.rs:34
+    if ((a_7 == 0f) && (b_3 == 0f)) {
+        // glimt_sampling/src/warp.rs:35
+        return vec2(0f);
+    }
+    // glimt_sampling/src/warp.rs:37
+    if ((a_7 * a_7) > (b_3 * b_3)) {
+        // glimt_sampling/src/warp.rs:38
+        let phi_1 = (0.7853982f * (b_3 / a_7));
+        // glimt_sampling/src/warp.rs:39
+        return vec2<f32>((a_7 * cos(phi_1)), (a_7 * sin(phi_1)));
+    }
+    // glimt_sampling/src/warp.rs:41
+    let phi_2 = (0.7853982f * (a_7 / b_3));
+    // glimt_sampling/src/warp.rs:42
+    return vec2<f32>((b_3 * sin(phi_2)), (b_3 * cos(phi_2)));
+}
+
+// glimt_sampling/src/warp.rs:88
+fn sample_cosine_hemisphere(u_4: vec2<f32>) -> DirectionSample {
+
+    // glimt_sampling/src/warp.rs:89
+    let _e3 = sample_concentric_disk(u_4);
+    // glimt_sampling/src/warp.rs:92
+    let _e10 = abs(((2f * u_4) - vec2(1f)));
+    let r_2 = max(_e10.x, _e10.y);
+    // glimt_sampling/src/warp.rs:93
+    let z_2 = sqrt(((1f - r_2) * (1f + r_2)));
+    // glimt_sampling/src/warp.rs:94
+    return DirectionSample(vec3<f32>(_e3, z_2), (z_2 * 0.31830987f));
+}
+
+// glimt_sampling/src/warp.rs:103
+fn pdf_cosine_hemisphere_sr(direction_4: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/warp.rs:104
+    return (max(direction_4.z, 0f) * 0.31830987f);
+}
+
+// glimt_brdf/src/lobe.rs:20
+fn HalfVector_new(wo_2: vec3<f32>, wi: vec3<f32>) -> HalfVector {
+
+    // glimt_brdf/src/lobe.rs:21
+    let sum_5 = (wo_2 + wi);
+    // glimt_brdf/src/lobe.rs:23
+    let length2_ = max(dot(sum_5, sum_5), 0.00000000000000000001f);
+    // glimt_brdf/src/lobe.rs:24
+    return HalfVector(((sum_5.z * sum_5.z) / length2_), (((sum_5.x * sum_5.x) + (sum_5.y * sum_5.y)) / length2_), (0.5f * sqrt(length2_)));
+}
+
+// glimt_brdf/src/lobe.rs:59
+fn cosine_power(cos2_theta: f32, sin2_theta_2: f32, exponent_6: f32) -> f32 {
+    var chosen_10: f32;
+
+    // glimt_brdf/src/lobe.rs:60
+    if (sin2_theta_2 < (1f / 16f)) {
+        // glimt_brdf/src/lobe.rs:62
+        let t_7 = (sin2_theta_2 / (2f - sin2_theta_2));
+        // glimt_brdf/src/lobe.rs:63
+        let t2_ = (t_7 * t_7);
+        // glimt_brdf/src/lobe.rs:64
+        chosen_10 = ((-2f * t_7) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
+    } else {
+        // glimt_brdf/src/lobe.rs:66
+        chosen_10 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
+    }
+    let log_cos2_ = chosen_10;
+    // glimt_brdf/src/lobe.rs:68
+    let log_power = ((0.5f * exponent_6) * log_cos2_);
+    // glimt_brdf/src/lobe.rs:69
+    if (log_power < -85f) {
+        // glimt_brdf/src/lobe.rs:70
+        return 0f;
+    }
+    // glimt_brdf/src/lobe.rs:72
+    return exp(log_power);
+}
+
+// glimt_brdf/src/lobe.rs:32
+fn HalfVector_lobe(this_27: HalfVector, exponent_7: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:33
+    let _e6 = cosine_power(this_27.cos2_theta, this_27.sin2_theta, exponent_7);
+    return _e6;
+}
+
+// glimt_brdf/src/lobe.rs:37
+fn HalfVector_pdf_sr(this_28: HalfVector, exponent_8: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:38
+    let _e10 = HalfVector_lobe(this_28, exponent_8);
+    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_28.wo_dot_h));
+}
+
+// glimt_brdf/src/blinn_phong.rs:99
+fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+
+    // glimt_brdf/src/blinn_phong.rs:100
+    if ((wo_3.z <= 0f) || (wi_1.z <= 0f)) {
+        // glimt_brdf/src/blinn_phong.rs:101
+        return 0f;
+    }
+    // glimt_brdf/src/blinn_phong.rs:103
+    let _e15 = pdf_cosine_hemisphere_sr(wi_1);
+    // glimt_brdf/src/blinn_phong.rs:104
+    let _e17 = BlinnPhong_pmf_specular(this_29);
+    // glimt_brdf/src/blinn_phong.rs:105
+    if (_e17 <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:106
+        return _e15;
+    }
+    // glimt_brdf/src/blinn_phong.rs:108
+    let _e23 = HalfVector_new(wo_3, wi_1);
+    let _e25 = HalfVector_pdf_sr(_e23, this_29.exponent);
+    // glimt_brdf/src/blinn_phong.rs:109
+    return ((_e17 * _e25) + ((1f - _e17) * _e15));
+}
+
+// glimt_brdf/src/blinn_phong.rs:80
+fn BlinnPhong_sample(this_30: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+    var chosen_11: vec3<f32>;
+
+    // glimt_brdf/src/blinn_phong.rs:81
+    let _e7 = unit_f32_(u_lobe);
+    let _e8 = BlinnPhong_pmf_specular(this_30);
+    if (_e7 < _e8) {
+        // glimt_brdf/src/blinn_phong.rs:82
+        let _e12 = sample_power_cosine(u_5, this_30.exponent);
+        let h = _e12.direction;
+        // glimt_brdf/src/blinn_phong.rs:83
+        chosen_11 = (((2f * dot(wo_4, h)) * h) - wo_4);
+    } else {
+        // glimt_brdf/src/blinn_phong.rs:85
+        let _e21 = sample_cosine_hemisphere(u_5);
+        chosen_11 = _e21.direction;
+    }
+    let wi_4 = chosen_11;
+    // glimt_brdf/src/blinn_phong.rs:87
+    let _e25 = BlinnPhong_pdf_sr(this_30, wo_4, wi_4);
+    return BrdfSample(wi_4, _e25);
+}
+
+// glimt_sampling/src/math.rs:59
+fn ShadingFrame_to_world(this_31: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_sampling/src/math.rs:60
+    return (((this_31.t * v_2.x) + (this_31.b * v_2.y)) + (this_31.n * v_2.z));
+}
+
+// glimt_probe/src/latlong.rs:45
+fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
+    var chosen_12: f32;
+    var chosen_13: f32;
+
+    // glimt_probe/src/latlong.rs:46
+    let horizontal = sqrt(((d_1.x * d_1.x) + (d_1.y * d_1.y)));
+    // glimt_probe/src/latlong.rs:47
+    if (horizontal <= 0f) {
+        // glimt_probe/src/latlong.rs:48
+        if (d_1.z < 0f) {
+            chosen_12 = 1f;
+        } else {
+            chosen_12 = 0f;
+        }
+        let v_6 = chosen_12;
+        // glimt_probe/src/latlong.rs:49
+        return vec2<f32>(0.5f, v_6);
+    }
+    // glimt_probe/src/latlong.rs:52
+    let v_7 = (atan2(horizontal, d_1.z) * 0.31830987f);
+    // glimt_probe/src/latlong.rs:53
+    let u_12 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
+    // glimt_probe/src/latlong.rs:54
+    if (u_12 < 1f) {
+        chosen_13 = max(u_12, 0f);
+    } else {
+        chosen_13 = 0f;
+    }
+    let _e47 = chosen_13;
+    return vec2<f32>(_e47, clamp(v_7, 0f, 1f));
+}
+
+// glimt_probe/src/latlong.rs:68
+fn direction_to_texel(d_2: vec3<f32>, size_5: vec2<u32>) -> vec2<u32> {
+
+    // glimt_probe/src/latlong.rs:69
+    let size_21 = max(size_5, vec2(1u));
+    // glimt_probe/src/latlong.rs:70
+    let _e8 = direction_to_uv(d_2);
+    let position = (_e8 * vec2<f32>(size_21));
+    // glimt_probe/src/latlong.rs:71
+    return min(vec2<u32>(position), (size_21 - vec2(1u)));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:97
+fn Environment_texel(size_6: vec2<u32>, rotation_2: vec2<f32>, direction_5: vec3<f32>) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:98
+    let _e5 = Environment_to_map(size_6, rotation_2, direction_5);
+    let _e6 = direction_to_texel(_e5, size_6);
+    return _e6;
+}
+
+// glimt_envmap_cdf/src/search.rs:31
+fn find_bin(start_1: u32, bins: u32, u_6: u32) -> Bin {
+    var at: u32;
+    var left: u32;
+
+    // glimt_envmap_cdf/src/search.rs:33
+    at = start_1;
+    // glimt_envmap_cdf/src/search.rs:34
+    left = bins;
+    // glimt_envmap_cdf/src/search.rs:35
+    loop {
+        let _e9 = left;
+        if !((_e9 > 1u)) {
+            break;
+        }
+        // glimt_envmap_cdf/src/search.rs:36
+        let _e14 = left;
+        let half_1 = (_e14 / 2u);
+        // glimt_envmap_cdf/src/search.rs:37
+        let _e18 = at;
+        let _e22 = env_tables[(_e18 + half_1)];
+        if (_e22 <= u_6) {
+            // glimt_envmap_cdf/src/search.rs:38
+            let _e25 = at;
+            at = (_e25 + half_1);
+        }
+        // glimt_envmap_cdf/src/search.rs:40
+        let _e28 = left;
+        left = (_e28 - half_1);
+    }
+    // glimt_envmap_cdf/src/search.rs:42
+    let _e31 = at;
+    let first_7 = env_tables[_e31];
+    // glimt_envmap_cdf/src/search.rs:43
+    let _e36 = at;
+    let _e38 = at;
+    let _e43 = env_tables[(_e38 + 1u)];
+    return Bin((_e36 - start_1), first_7, (_e43 - first_7));
+}
+
+// glimt_light_cells/src/partition.rs:99
+fn column_of(x_6: u32, width: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:100
+    return (((32u * (x_6 + 1u)) - 1u) / width);
+}
+
+// glimt_light_cells/src/partition.rs:133
+fn LightCells_cell_of(size_7: vec2<u32>, start_2: u32, texel: vec2<u32>) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:134
+    let _e7 = find_bin(start_2, 16u, texel.y);
+    let row_3 = _e7.index;
+    // glimt_light_cells/src/partition.rs:135
+    let _e14 = column_of(texel.x, size_7.x);
+    return ((row_3 * 32u) + _e14);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:209
+fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_7: vec2<u32>, cells_start_7: u32, pattern_1: PixelPattern, rays_1: f32, threshold_2: f32, group_1: Group, index_9: u32, points_start_4: u32, points_len_4: u32) -> Look {
+    var source: PatternSource;
+
+    // glimt_render_gpu/src/kernels/group_light.rs:210
+    let _e14 = PixelPattern_point(pattern_1, 11u, index_9);
+    source = _e14;
+    // glimt_render_gpu/src/kernels/group_light.rs:211
+    let _e17 = PatternSource_next_uvec2_((&source));
+    let _e18 = unit_vec2_(_e17);
+    // glimt_render_gpu/src/kernels/group_light.rs:212
+    let _e20 = PatternSource_next_u32_((&source));
+    let _e21 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_2, group_1, _e20, points_start_4, points_len_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:213
+    let _e26 = points[(points_start_4 + _e21)];
+    let _e27 = SeenPoint_shading_point(_e26);
+    // glimt_render_gpu/src/kernels/group_light.rs:214
+    let _e29 = lobe_of(_e27);
+    let _e32 = BlinnPhong_sample(_e29, _e27.wo, 0u, _e18);
+    // glimt_render_gpu/src/kernels/group_light.rs:215
+    let _e36 = ShadingFrame_to_world(_e27.frame, _e32.wi);
+    // glimt_render_gpu/src/kernels/group_light.rs:216
+    let _e38 = Environment_texel(env_size_2, env_rotation_2, _e36);
+    // glimt_render_gpu/src/kernels/group_light.rs:217
+    let _e40 = Environment_to_map(env_size_2, env_rotation_2, _e36);
+    let _e41 = LightCells_cell_of(cells_size_7, cells_start_7, _e38);
+    return Look(_e40, _e36, _e38, _e41, _e21, (_e32.pdf_sr > 0f));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:468
+fn Place_new(target_: f32) -> Place {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:469
+    return Place(target_, 0f, 0u, 0f, 0f, false);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:481
+fn Place_offer(this_32: ptr<function, Place>, index_10: u32, width_1: f32) {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:482
+    let _e8 = (*this_32).is_found;
+    if ((width_1 > 0f) && !(_e8)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:483
+        (*this_32).index = index_10;
+        // glimt_render_gpu/src/kernels/proposal.rs:484
+        let _e15 = (*this_32).sum;
+        (*this_32).first = _e15;
+        // glimt_render_gpu/src/kernels/proposal.rs:485
+        (*this_32).width = width_1;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:487
+    let _e21 = (*this_32).sum;
+    (*this_32).sum = (_e21 + width_1);
+    // glimt_render_gpu/src/kernels/proposal.rs:488
+    let _e25 = (*this_32).is_found;
+    let _e27 = (*this_32).sum;
+    let _e29 = (*this_32).target_;
+    (*this_32).is_found = (_e25 || (_e27 > _e29));
+    return;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:494
+fn Place_word(this_33: Place, whole: f32, fraction: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:495
+    let unit_1 = (whole * (1f / 16777216f));
+    // glimt_render_gpu/src/kernels/proposal.rs:496
+    let fine = ((this_33.target_ - this_33.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
+    // glimt_render_gpu/src/kernels/proposal.rs:497
+    let place_2 = clamp((fine / max(this_33.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    // glimt_render_gpu/src/kernels/proposal.rs:498
+    return ((u32((place_2 * 16777216f)) << 8u) | (fraction & 255u));
+}
+
+// glimt_light_cells/src/partition.rs:140
+fn LightCells_texel_rows(size_8: vec2<u32>, start_3: u32, row: u32) -> vec2<u32> {
+
+    // glimt_light_cells/src/partition.rs:141
+    let at_5 = (start_3 + row);
+    // glimt_light_cells/src/partition.rs:142
+    let _e8 = env_tables[at_5];
+    let _e13 = env_tables[(at_5 + 1u)];
+    return vec2<u32>(_e8, _e13);
+}
+
+// glimt_light_cells/src/partition.rs:73
+fn first_row_word() -> u32 {
+
+    // glimt_light_cells/src/partition.rs:74
+    return (32u + (19u * 512u));
+}
+
+// glimt_light_cells/src/partition.rs:147
+fn LightCells_row_edges(size_9: vec2<u32>, start_4: u32, cell: u32, rows: vec2<u32>) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:148
+    let _e9 = Tuple_u32_u32_((cell % 32u), (cell / 32u));
+    let column_1 = _e9.fa;
+    let row_4 = _e9.fb;
+    // glimt_light_cells/src/partition.rs:149
+    let of_band = (32u * (rows.x + row_4));
+    // glimt_light_cells/src/partition.rs:150
+    let _e18 = first_row_word();
+    return (((start_4 + _e18) + of_band) + (column_1 * ((rows.y - rows.x) + 1u)));
+}
+
+// glimt_light_cells/src/partition.rs:92
+fn first_column(column: u32, width_2: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:93
+    return ((column * width_2) / 32u);
+}
+
+// glimt_light_cells/src/partition.rs:105
+fn column_unit(u_7: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:106
+    return (u_7 >> 17u);
+}
+
+// glimt_light_cells/src/partition.rs:79
+fn first_column_word(size_10: vec2<u32>) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:80
+    let _e3 = first_row_word();
+    return (_e3 + (32u * (size_10.y + 16u)));
+}
+
+// glimt_light_cells/src/partition.rs:85
+fn column_words(width_3: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:86
+    let _e4 = (width_3 / 2u);
+    return select(_e4, (_e4 + 1u), ((width_3 % 2u) != 0u));
+}
+
+// glimt_light_cells/src/partition.rs:155
+fn LightCells_column_edge(size_11: vec2<u32>, start_5: u32, x_7: u32, y_1: u32) -> u32 {
+
+    // glimt_light_cells/src/partition.rs:156
+    let _e6 = first_column_word(size_11);
+    let _e9 = column_words(size_11.x);
+    let at_6 = (((start_5 + _e6) + (y_1 * _e9)) + (x_7 / 2u));
+    // glimt_light_cells/src/partition.rs:157
+    let _e18 = env_tables[at_6];
+    return ((_e18 >> ((16u * (x_7 & 1u)) & 31u)) & 65535u);
+}
+
+// glimt_light_cells/src/partition.rs:209
+fn LightCells_pmf(size_12: vec2<u32>, start_6: u32, row_1: Bin, texel_1: vec2<u32>, first_4: u32) -> f32 {
+    var chosen_14: u32;
+
+    // glimt_light_cells/src/partition.rs:210
+    if (texel_1.x > first_4) {
+        // glimt_light_cells/src/partition.rs:211
+        let _e15 = LightCells_column_edge(size_12, start_6, (texel_1.x - 1u), texel_1.y);
+        chosen_14 = _e15;
+    } else {
+        // glimt_light_cells/src/partition.rs:213
+        chosen_14 = 0u;
+    }
+    let lower = chosen_14;
+    // glimt_light_cells/src/partition.rs:215
+    let _e22 = LightCells_column_edge(size_12, start_6, texel_1.x, texel_1.y);
+    let units = (_e22 - lower);
+    // glimt_light_cells/src/partition.rs:216
+    return ((f32(row_1.units) * (1f / 2147483600f)) * (f32(units) * (1f / 32768f)));
+}
+
+// glimt_light_cells/src/partition.rs:163
+fn LightCells_sample(size_13: vec2<u32>, start_7: u32, cell_1: u32, u_8: vec2<u32>) -> TexelDraw {
+    var at_1: u32;
+    var left_1: u32;
+
+    // glimt_light_cells/src/partition.rs:164
+    let _e8 = LightCells_texel_rows(size_13, start_7, (cell_1 / 32u));
+    // glimt_light_cells/src/partition.rs:165
+    let _e10 = LightCells_row_edges(size_13, start_7, cell_1, _e8);
+    // glimt_light_cells/src/partition.rs:166
+    let _e18 = find_bin(_e10, (_e8.y - _e8.x), (u_8.y >> 1u));
+    // glimt_light_cells/src/partition.rs:172
+    let y_3 = (_e8.x + _e18.index);
+    // glimt_light_cells/src/partition.rs:173
+    let column_2 = (cell_1 % 32u);
+    // glimt_light_cells/src/partition.rs:174
+    let _e28 = first_column(column_2, size_13.x);
+    // glimt_light_cells/src/partition.rs:176
+    let _e31 = column_unit(u_8.x);
+    // glimt_light_cells/src/partition.rs:177
+    at_1 = _e28;
+    // glimt_light_cells/src/partition.rs:178
+    let _e38 = first_column((column_2 + 1u), size_13.x);
+    left_1 = (_e38 - _e28);
+    // glimt_light_cells/src/partition.rs:179
+    loop {
+        let _e42 = left_1;
+        if !((_e42 > 1u)) {
+            break;
+        }
+        // glimt_light_cells/src/partition.rs:180
+        let _e47 = left_1;
+        let half_2 = (_e47 / 2u);
+        // glimt_light_cells/src/partition.rs:181
+        let _e51 = at_1;
+        let _e55 = LightCells_column_edge(size_13, start_7, ((_e51 + half_2) - 1u), y_3);
+        if (_e55 <= _e31) {
+            // glimt_light_cells/src/partition.rs:182
+            let _e58 = at_1;
+            at_1 = (_e58 + half_2);
+        }
+        // glimt_light_cells/src/partition.rs:184
+        let _e61 = left_1;
+        left_1 = (_e61 - half_2);
+    }
+    // glimt_light_cells/src/partition.rs:186
+    let _e64 = at_1;
+    let _e66 = at_1;
+    let _e68 = LightCells_pmf(size_13, start_7, _e18, vec2<u32>(_e66, y_3), _e28);
+    return TexelDraw(vec2<u32>(_e64, y_3), _e68);
+}
+
+// glimt_probe/src/trig.rs:25
+fn cos_sin_pi(x_8: f32) -> vec2<f32> {
+    var chosen_15: vec2<f32>;
+
+    // glimt_probe/src/trig.rs:27
+    let quarter = floor(((2f * x_8) + 0.5f));
+    // glimt_probe/src/trig.rs:28
+    let y_4 = (x_8 - (0.5f * quarter));
+    // glimt_probe/src/trig.rs:29
+    let y2_ = (y_4 * y_4);
+    // glimt_probe/src/trig.rs:31
+    let c_4 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
+    // glimt_probe/src/trig.rs:34
+    let s_3 = (y_4 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    // glimt_probe/src/trig.rs:37
+    let _e49 = (i32(quarter) & 3i);
+    if (_e49 == 0i) {
+        // glimt_probe/src/trig.rs:38
+        chosen_15 = vec2<f32>(c_4, (s_3 + 0f));
+    } else {
+        if (_e49 == 1i) {
+            // glimt_probe/src/trig.rs:39
+            chosen_15 = vec2<f32>((0f - s_3), c_4);
+        } else {
+            if (_e49 == 2i) {
+                // glimt_probe/src/trig.rs:40
+                chosen_15 = vec2<f32>((0f - c_4), (0f - s_3));
+            } else {
+                // glimt_probe/src/trig.rs:41
+                chosen_15 = vec2<f32>((s_3 + 0f), (0f - c_4));
+            }
+        }
+    }
+    let _e77 = chosen_15;
+    return _e77;
+}
+
+// glimt_probe/src/latlong.rs:142
+fn direction_in_texel(texel_2: vec2<u32>, size_14: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+    var chosen_16: u32;
+    var chosen_17: u32;
+    var chosen_18: f32;
+
+    // glimt_probe/src/latlong.rs:143
+    let size_22 = max(size_14, vec2(1u));
+    // glimt_probe/src/latlong.rs:144
+    let row_5 = min(texel_2.y, (size_22.y - 1u));
+    // glimt_probe/src/latlong.rs:146
+    let southern = ((2u * row_5) >= size_22.y);
+    // glimt_probe/src/latlong.rs:147
+    if southern {
+        chosen_16 = (size_22.y - row_5);
+    } else {
+        chosen_16 = row_5;
+    }
+    let upper = chosen_16;
+    // glimt_probe/src/latlong.rs:148
+    if southern {
+        chosen_17 = ((size_22.y - row_5) - 1u);
+    } else {
+        chosen_17 = (row_5 + 1u);
+    }
+    let lower_1 = chosen_17;
+    // glimt_probe/src/latlong.rs:149
+    let half_3 = (0.5f / f32(size_22.y));
+    // glimt_probe/src/latlong.rs:150
+    let _e41 = cos_sin_pi((f32(upper) * half_3));
+    let sin_upper = _e41.y;
+    // glimt_probe/src/latlong.rs:151
+    let _e46 = cos_sin_pi((f32(lower_1) * half_3));
+    let sin_lower = _e46.y;
+    // glimt_probe/src/latlong.rs:152
+    let s_upper = (sin_upper * sin_upper);
+    // glimt_probe/src/latlong.rs:153
+    let s_4 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
+    // glimt_probe/src/latlong.rs:154
+    let sin_theta_1 = (2f * sqrt(max((s_4 * (1f - s_4)), 0f)));
+    // glimt_probe/src/latlong.rs:155
+    if southern {
+        // glimt_probe/src/latlong.rs:156
+        chosen_18 = ((2f * s_4) - 1f);
+    } else {
+        // glimt_probe/src/latlong.rs:158
+        chosen_18 = (1f - (2f * s_4));
+    }
+    let cos_theta_1 = chosen_18;
+    // glimt_probe/src/latlong.rs:160
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_2.x) + r.x)) / f32(size_22.x))));
+    // glimt_probe/src/latlong.rs:161
+    return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:398
+fn Proposal_sample_cells(this_34: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u32>, cells_start_8: u32, expected_first_2: u32, expected_slot_2: u32) -> CellDraw {
+    var self_1: Proposal;
+    var row_place: Place;
+    var counter_7: u32;
+    var sum_3: f32;
+    var counter_8: u32;
+    var block_place: Place;
+    var counter_9: u32;
+    var cell_place: Place;
+    var counter_10: u32;
+
+    self_1 = this_34;
+    // glimt_render_gpu/src/kernels/proposal.rs:404
+    let per_row = (64u / 16u);
+    // glimt_render_gpu/src/kernels/proposal.rs:406
+    let _e14 = unit_f32_(u_9.y);
+    let _e16 = self_1.total;
+    let _e18 = Place_new((_e14 * _e16));
+    row_place = _e18;
+    // glimt_render_gpu/src/kernels/proposal.rs:407
+    counter_7 = 0u;
+    loop {
+        let row_6 = counter_7;
+        if (row_6 >= 16u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:408
+        sum_3 = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:409
+        counter_8 = (row_6 * per_row);
+        loop {
+            let block_2 = counter_8;
+            if (block_2 >= ((row_6 + 1u) * per_row)) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/proposal.rs:410
+            let _e40 = self_1.blocks[block_2];
+            let _e41 = sum_3;
+            sum_3 = (_e41 + _e40);
+            continuing {
+                let _e43 = counter_8;
+                counter_8 = (_e43 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:412
+        let _e47 = sum_3;
+        Place_offer((&row_place), row_6, _e47);
+        continuing {
+            let _e48 = counter_7;
+            counter_7 = (_e48 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:414
+    let _e53 = row_place.index;
+    let first_8 = (_e53 * per_row);
+    // glimt_render_gpu/src/kernels/proposal.rs:415
+    let _e57 = unit_f32_(u_9.x);
+    let _e59 = row_place.width;
+    let target_1 = (_e57 * _e59);
+    // glimt_render_gpu/src/kernels/proposal.rs:416
+    let _e62 = Place_new(target_1);
+    block_place = _e62;
+    // glimt_render_gpu/src/kernels/proposal.rs:417
+    counter_9 = first_8;
+    loop {
+        let block_3 = counter_9;
+        if (block_3 >= (first_8 + per_row)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:418
+        let _e72 = self_1.blocks[block_3];
+        Place_offer((&block_place), block_3, _e72);
+        continuing {
+            let _e73 = counter_9;
+            counter_9 = (_e73 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:420
+    let _e78 = block_place.first;
+    let _e79 = Place_new(target_1);
+    cell_place = Place(_e79.target_, _e78, _e79.index, _e79.first, _e79.width, _e79.is_found);
+    // glimt_render_gpu/src/kernels/proposal.rs:424
+    counter_10 = 0u;
+    loop {
+        let half_4 = counter_10;
+        if (half_4 >= 2u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:425
+        let _e96 = block_place.index;
+        let quad_7 = ((2u * _e96) + half_4);
+        // glimt_render_gpu/src/kernels/proposal.rs:426
+        let _e101 = LightCells_quad(cells_size_8, cells_start_8, 0u, quad_7);
+        // glimt_render_gpu/src/kernels/proposal.rs:427
+        let _e105 = self_1.of_.surface;
+        let _e106 = CellSurface_terms(_e105, cells_size_8, cells_start_8, quad_7);
+        // glimt_render_gpu/src/kernels/proposal.rs:428
+        let _e108 = Expected_quad(expected_first_2, expected_slot_2, quad_7);
+        // glimt_render_gpu/src/kernels/proposal.rs:429
+        let surface_3 = self_1.of_.surface;
+        // glimt_render_gpu/src/kernels/proposal.rs:430
+        let _e115 = self_1.is_catcher;
+        let _e116 = weights(surface_3, _e106, _e101, _e108, _e115);
+        // glimt_render_gpu/src/kernels/proposal.rs:431
+        let _e121 = self_1.defence;
+        let all_1 = (_e116 + ((_e101 * _e106.live) * _e121));
+        // glimt_render_gpu/src/kernels/proposal.rs:432
+        Place_offer((&cell_place), (4u * quad_7), all_1.x);
+        // glimt_render_gpu/src/kernels/proposal.rs:433
+        Place_offer((&cell_place), ((4u * quad_7) + 1u), all_1.y);
+        // glimt_render_gpu/src/kernels/proposal.rs:434
+        Place_offer((&cell_place), ((4u * quad_7) + 2u), all_1.z);
+        // glimt_render_gpu/src/kernels/proposal.rs:435
+        Place_offer((&cell_place), ((4u * quad_7) + 3u), all_1.w);
+        continuing {
+            let _e146 = counter_10;
+            counter_10 = (_e146 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:437
+    let _e152 = hash2_(u_9.x, u_9.y);
+    // glimt_render_gpu/src/kernels/proposal.rs:438
+    let _e154 = cell_place;
+    let _e156 = row_place.width;
+    let _e159 = Place_word(_e154, _e156, (_e152 & 65535u));
+    let _e160 = row_place;
+    let _e162 = self_1.total;
+    let _e165 = Place_word(_e160, _e162, (_e152 >> 16u));
+    let within = vec2<u32>(_e159, _e165);
+    // glimt_render_gpu/src/kernels/proposal.rs:442
+    let _e169 = cell_place.index;
+    let _e170 = LightCells_sample(cells_size_8, cells_start_8, _e169, within);
+    // glimt_render_gpu/src/kernels/proposal.rs:443
+    let _e173 = hash2_(_e152, u_9.x);
+    // glimt_render_gpu/src/kernels/proposal.rs:444
+    let place_3 = vec2<u32>((_e173 << 16u), (_e173 & 4294901760u));
+    // glimt_render_gpu/src/kernels/proposal.rs:445
+    let _e182 = unit_vec2_(place_3);
+    let _e183 = direction_in_texel(_e170.texel, cells_size_8, _e182);
+    let _e186 = cell_place.index;
+    return CellDraw(_e183, _e170.texel, _e186);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:186
+fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_9: vec2<u32>, cells_start_9: u32, pattern_2: PixelPattern, rays_2: f32, threshold_3: f32, group_2: Group, proposal: Proposal, expected_first_3: u32, expected_slot_3: u32, index_11: u32, points_start_5: u32, points_len_5: u32) -> Look {
+    var proposal_1: Proposal;
+    var source_1: PatternSource;
+
+    proposal_1 = proposal;
+    // glimt_render_gpu/src/kernels/group_light.rs:194
+    let _e18 = PixelPattern_point(pattern_2, 10u, index_11);
+    source_1 = _e18;
+    // glimt_render_gpu/src/kernels/group_light.rs:195
+    let _e21 = PatternSource_next_uvec2_((&source_1));
+    // glimt_render_gpu/src/kernels/group_light.rs:196
+    let _e23 = PatternSource_next_u32_((&source_1));
+    let _e24 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_3, group_2, _e23, points_start_5, points_len_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:197
+    let _e26 = proposal_1;
+    let _e27 = Proposal_sample_cells(_e26, _e21, cells_size_9, cells_start_9, expected_first_3, expected_slot_3);
+    // glimt_render_gpu/src/kernels/group_light.rs:198
+    let _e31 = rotate_z(_e27.direction, env_rotation_3);
+    return Look(_e27.direction, _e31, _e27.texel, _e27.cell, _e24, true);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:347
+fn Proposal_cell(this_35: Proposal, cell_2: u32, cells_size_10: vec2<u32>, cells_start_10: u32, expected_first_4: u32, expected_slot_4: u32) -> CellAt {
+    var self_2: Proposal;
+
+    self_2 = this_35;
+    // glimt_render_gpu/src/kernels/proposal.rs:348
+    let _e13 = Tuple_u32_usize((cell_2 / 4u), (cell_2 % 4u));
+    let quad_8 = _e13.fa;
+    let lane = _e13.fb;
+    // glimt_render_gpu/src/kernels/proposal.rs:349
+    let _e18 = LightCells_quad(cells_size_10, cells_start_10, 0u, quad_8);
+    // glimt_render_gpu/src/kernels/proposal.rs:350
+    let _e22 = self_2.of_.surface;
+    let _e23 = CellSurface_terms(_e22, cells_size_10, cells_start_10, quad_8);
+    // glimt_render_gpu/src/kernels/proposal.rs:351
+    let _e25 = Expected_quad(expected_first_4, expected_slot_4, quad_8);
+    // glimt_render_gpu/src/kernels/proposal.rs:352
+    let _e29 = self_2.of_.surface;
+    let _e31 = self_2.is_catcher;
+    let _e32 = weights(_e29, _e23, _e18, _e25, _e31);
+    // glimt_render_gpu/src/kernels/proposal.rs:353
+    return CellAt(_e32[lane], (_e18 * _e23.live)[lane], _e23.cosine[lane], (_e23.full[lane] > 0.5f), _e23.lobe[lane], _e25[lane]);
+}
+
+// glimt_light_cells/src/partition.rs:195
+fn LightCells_pmf_in_cell(size_15: vec2<u32>, start_8: u32, texel_3: vec2<u32>, cell_3: u32) -> f32 {
+
+    // glimt_light_cells/src/partition.rs:196
+    let _e8 = LightCells_texel_rows(size_15, start_8, (cell_3 / 32u));
+    // glimt_light_cells/src/partition.rs:197
+    let _e10 = LightCells_row_edges(size_15, start_8, cell_3, _e8);
+    let at_7 = ((_e10 + texel_3.y) - _e8.x);
+    // glimt_light_cells/src/partition.rs:198
+    let _e22 = env_tables[(at_7 + 1u)];
+    let _e25 = env_tables[at_7];
+    let of_row = Bin(0u, 0u, (_e22 - _e25));
+    // glimt_light_cells/src/partition.rs:203
+    let _e32 = first_column((cell_3 % 32u), size_15.x);
+    // glimt_light_cells/src/partition.rs:204
+    let _e34 = LightCells_pmf(size_15, start_8, of_row, texel_3, _e32);
+    return _e34;
+}
+
+// glimt_probe/src/latlong.rs:121
+fn texel_solid_angle_sr(row_2: u32, size_16: vec2<u32>) -> f32 {
+
+    // glimt_probe/src/latlong.rs:122
+    let size_23 = max(size_16, vec2(1u));
+    // glimt_probe/src/latlong.rs:123
+    let row_7 = min(row_2, (size_23.y - 1u));
+    // glimt_probe/src/latlong.rs:124
+    let from_pole = min(row_7, ((size_23.y - 1u) - row_7));
+    // glimt_probe/src/latlong.rs:125
+    let half_row = (0.5f / f32(size_23.y));
+    // glimt_probe/src/latlong.rs:126
+    let middle = (f32(((2u * from_pole) + 1u)) * half_row);
+    // glimt_probe/src/latlong.rs:127
+    let _e37 = cos_sin_pi(middle);
+    let _e40 = cos_sin_pi(half_row);
+    return ((((4f * 3.1415927f) / f32(size_23.x)) * _e37.y) * _e40.y);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:366
+fn Proposal_cells_pdf_sr(this_36: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_11: vec2<u32>, cells_start_11: u32) -> f32 {
+    var self_3: Proposal;
+
+    self_3 = this_36;
+    // glimt_render_gpu/src/kernels/proposal.rs:373
+    let _e10 = self_3.total;
+    if !((_e10 > 0f)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:374
+        return 0f;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:376
+    let _e19 = self_3.defence;
+    let weight_2 = (at_2.weight + (_e19 * at_2.live));
+    // glimt_render_gpu/src/kernels/proposal.rs:377
+    let _e25 = self_3.total;
+    let _e27 = LightCells_pmf_in_cell(cells_size_11, cells_start_11, texel_4, cell_4);
+    let pmf = ((weight_2 / _e25) * _e27);
+    // glimt_render_gpu/src/kernels/proposal.rs:378
+    let _e31 = texel_solid_angle_sr(texel_4.y, cells_size_11);
+    return (pmf / _e31);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:104
+fn Environment_radiance(size_17: vec2<u32>, rotation_3: vec2<f32>, texel_5: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:105
+    let _e11 = env_texels[((texel_5.y * size_17.x) + texel_5.x)];
+    return _e11.xyz;
+}
+
+// glimt_brdf/src/blinn_phong.rs:59
+fn BlinnPhong_eval(this_37: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+
+    // glimt_brdf/src/blinn_phong.rs:60
+    if ((wo_5.z <= 0f) || (wi_2.z <= 0f)) {
+        // glimt_brdf/src/blinn_phong.rs:61
+        return vec3(0f);
+    }
+    // glimt_brdf/src/blinn_phong.rs:63
+    let diffuse_3 = (this_37.diffuse * 0.31830987f);
+    // glimt_brdf/src/blinn_phong.rs:65
+    if (max(max(this_37.specular.x, this_37.specular.y), this_37.specular.z) <= 0f) {
+        // glimt_brdf/src/blinn_phong.rs:66
+        return diffuse_3;
+    }
+    // glimt_brdf/src/blinn_phong.rs:68
+    let _e31 = normalisation(this_37.exponent);
+    let _e32 = HalfVector_new(wo_5, wi_2);
+    let _e34 = HalfVector_lobe(_e32, this_37.exponent);
+    let lobe_3 = (_e31 * _e34);
+    // glimt_brdf/src/blinn_phong.rs:69
+    return (diffuse_3 + (this_37.specular * lobe_3));
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:97
+fn reflectance(point_2: ShadingPoint, wi_3: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/group_light.rs:98
+    if (wi_3.z > 0f) {
+        // glimt_render_gpu/src/kernels/group_light.rs:99
+        let _e10 = BlinnPhong_eval(point_2.brdf, point_2.wo, wi_3);
+        return (_e10 * wi_3.z);
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:101
+    return vec3(0f);
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:59
+fn inverse(x_9: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/ray.rs:60
+    return (1f / bitcast<f32>(((bitcast<u32>(max(abs(x_9), 0.000000000000000001f)) & 2147483647u) | (bitcast<u32>(x_9) & 2147483648u))));
+}
+
+// glimt_render_gpu/src/kernels/ray.rs:44
+fn Ray_keyed(origin: vec3<f32>, direction_6: vec3<f32>, key: u32) -> Ray {
+
+    // glimt_render_gpu/src/kernels/ray.rs:45
+    let _e6 = inverse(direction_6.x);
+    let _e8 = inverse(direction_6.y);
+    let _e10 = inverse(direction_6.z);
+    return Ray(origin, direction_6, vec3<f32>(_e6, _e8, _e10), key);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:30
+fn box_distance(node: BvhNode, ray_2: Ray) -> f32 {
+    var chosen_19: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:31
+    let to_min = ((node.min - ray_2.origin) * ray_2.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:32
+    let to_max = ((node.max - ray_2.origin) * ray_2.inverse_direction);
+    // glimt_render_gpu/src/kernels/bvh.rs:33
+    let _e16 = min(to_min, to_max);
+    let near_2 = max(max(_e16.x, _e16.y), _e16.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:34
+    let _e23 = max(to_min, to_max);
+    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:35
+    if ((far_1 >= near_2) && (far_1 >= 0f)) {
+        // glimt_render_gpu/src/kernels/bvh.rs:36
+        chosen_19 = near_2;
+    } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:38
+        chosen_19 = 0x1.fffffep+127f;
+    }
+    let _e40 = chosen_19;
+    return _e40;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:111
+fn edge_functions(a_3: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_7: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:112
+    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_7), dot(cross((c_1 - a_3), (c_1 + a_3)), direction_7), dot(cross((a_3 - b_2), (a_3 + b_2)), direction_7));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:124
+fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
+    var chosen_20: f32;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:125
+    let a_8 = (triangle.v0_ - ray_3.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:126
+    let b_4 = (triangle.v1_ - ray_3.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:127
+    let c_5 = (triangle.v2_ - ray_3.origin);
+    // glimt_render_gpu/src/kernels/triangle.rs:128
+    let _e18 = edge_functions(a_8, b_4, c_5, ray_3.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:129
+    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:130
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:132
+    let normal_4 = cross((c_5 - a_8), (a_8 - b_4));
+    // glimt_render_gpu/src/kernels/triangle.rs:133
+    let slope_1 = dot(normal_4, ray_3.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:134
+    if (slope_1 == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:135
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:137
+    let t_8 = (dot(a_8, normal_4) / slope_1);
+    // glimt_render_gpu/src/kernels/triangle.rs:138
+    if ((t_8 > 0f) && (t_8 < t_max)) {
+        chosen_20 = t_8;
+    } else {
+        chosen_20 = 0x1.fffffep+127f;
+    }
+    let _e59 = chosen_20;
+    return _e59;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:59
+fn Triangle_is_see_through(this_38: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:60
+    return ((this_38.object & 1073741824u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:144
+fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:145
+    let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:151
+    let sum_6 = ((_e14.x + _e14.y) + _e14.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:152
+    if (sum_6 == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:154
+        return vec2((1f / 3f));
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:156
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_6));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:141
+fn Attributes_of_corner(first_5: u32) -> Attributes {
+
+    // glimt_render_gpu/src/kernels/material.rs:142
+    let _e7 = scene_surface[(first_5 + 2u)];
+    let _e12 = scene_surface[(first_5 + 3u)];
+    let _e13 = Tuple_u32_u32_(_e7, _e12);
+    let low = _e13.fa;
+    let high = _e13.fb;
+    // glimt_render_gpu/src/kernels/material.rs:143
+    let color = vec4<f32>(f32((low & 65535u)), f32((low >> 16u)), f32((high & 65535u)), f32((high >> 16u)));
+    // glimt_render_gpu/src/kernels/material.rs:149
+    let _e33 = scene_surface[first_5];
+    let _e39 = scene_surface[(first_5 + 1u)];
+    return Attributes(vec2<f32>(bitcast<f32>(_e33), bitcast<f32>(_e39)), (color / vec4(65535f)));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:129
+fn Attributes_at(first_6: u32, u_10: f32, v_3: f32) -> Attributes {
+
+    // glimt_render_gpu/src/kernels/material.rs:130
+    let _e5 = Attributes_of_corner(first_6);
+    // glimt_render_gpu/src/kernels/material.rs:131
+    let _e9 = Attributes_of_corner((first_6 + 4u));
+    // glimt_render_gpu/src/kernels/material.rs:132
+    let _e15 = Attributes_of_corner((first_6 + (2u * 4u)));
+    // glimt_render_gpu/src/kernels/material.rs:133
+    let w_2 = ((1f - u_10) - v_3);
+    // glimt_render_gpu/src/kernels/material.rs:134
+    return Attributes((((_e5.uv * w_2) + (_e9.uv * u_10)) + (_e15.uv * v_3)), (((_e5.color * w_2) + (_e9.color * u_10)) + (_e15.color * v_3)));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:172
+fn MaterialView_new(index_12: u32) -> Returned_MaterialView_new {
+
+    // glimt_render_gpu/src/kernels/material.rs:173
+    let first_9 = (256u + (index_12 * 76u));
+    // glimt_render_gpu/src/kernels/material.rs:174
+    return Returned_MaterialView_new(first_9, ((first_9 + 76u) - first_9));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:181
+fn MaterialView_number(words_start: u32, words_len: u32, word_2: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/material.rs:182
+    let _e7 = scene_surface[(words_start + word_2)];
+    return bitcast<f32>(_e7);
+}
+
+// glimt_render_gpu/src/kernels/material.rs:195
+fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_3: u32) -> TextureView {
+
+    // glimt_render_gpu/src/kernels/material.rs:196
+    let _e7 = scene_surface[(words_start_1 + word_3)];
+    let _e13 = scene_surface[(words_start_1 + (word_3 + 1u))];
+    let _e19 = scene_surface[(words_start_1 + (word_3 + 2u))];
+    let _e25 = scene_surface[(words_start_1 + (word_3 + 3u))];
+    return TextureView(_e7, _e13, _e19, _e25);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:40
+fn TextureView_exists(this_39: TextureView) -> bool {
+
+    // glimt_render_gpu/src/kernels/texture.rs:41
+    return (this_39.width > 0u);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:90
+fn wrap(x_10: f32, mode: u32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:91
+    if (mode == 2u) {
+        // glimt_render_gpu/src/kernels/texture.rs:92
+        return clamp(x_10, 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:94
+    if (mode == 1u) {
+        // glimt_render_gpu/src/kernels/texture.rs:95
+        let folded = (x_10 - (2f * floor((0.5f * x_10))));
+        // glimt_render_gpu/src/kernels/texture.rs:96
+        return clamp(min(folded, (2f - folded)), 0f, 1f);
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:98
+    return clamp((x_10 - floor(x_10)), 0f, 1f);
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:103
+fn neighbour(index_13: i32, size_18: u32, mode_1: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/texture.rs:104
+    let last = (i32(size_18) - 1i);
+    // glimt_render_gpu/src/kernels/texture.rs:105
+    if (mode_1 == 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:106
+        if (index_13 < 0i) {
+            // glimt_render_gpu/src/kernels/texture.rs:107
+            return u32(last);
+        }
+        // glimt_render_gpu/src/kernels/texture.rs:109
+        if (index_13 > last) {
+            // glimt_render_gpu/src/kernels/texture.rs:110
+            return 0u;
+        }
+    }
+    // glimt_render_gpu/src/kernels/texture.rs:113
+    return u32(clamp(index_13, 0i, last));
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:69
+fn TextureView_texel(this_40: TextureView, index_14: u32) -> vec4<f32> {
+    var chosen_21: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/texture.rs:70
+    let word_6 = scene_surface[(this_40.first + index_14)];
+    // glimt_render_gpu/src/kernels/texture.rs:71
+    let r_3 = (word_6 & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:72
+    let g = ((word_6 >> 8u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:73
+    let b_5 = ((word_6 >> 16u) & 255u);
+    // glimt_render_gpu/src/kernels/texture.rs:74
+    let alpha_2 = (f32((word_6 >> 24u)) / 255f);
+    // glimt_render_gpu/src/kernels/texture.rs:75
+    if ((this_40.flags & 1u) != 0u) {
+        // glimt_render_gpu/src/kernels/texture.rs:76
+        let _e38 = scene_surface[r_3];
+        let _e42 = scene_surface[g];
+        let _e46 = scene_surface[b_5];
+        chosen_21 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
+    } else {
+        // glimt_render_gpu/src/kernels/texture.rs:83
+        chosen_21 = vec4<f32>((f32(r_3) / 255f), (f32(g) / 255f), (f32(b_5) / 255f), alpha_2);
+    }
+    let _e60 = chosen_21;
+    return _e60;
+}
+
+// glimt_render_gpu/src/kernels/texture.rs:49
+fn TextureView_sample(this_41: TextureView, uv: vec2<f32>) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/texture.rs:50
+    let wrap_u = ((this_41.flags >> 1u) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:51
+    let wrap_v = ((this_41.flags >> ((1u + 2u) & 31u)) & 3u);
+    // glimt_render_gpu/src/kernels/texture.rs:52
+    let _e21 = wrap(uv.x, wrap_u);
+    let x_14 = ((_e21 * f32(this_41.width)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:53
+    let _e29 = wrap(uv.y, wrap_v);
+    let y_5 = ((_e29 * f32(this_41.height)) - 0.5f);
+    // glimt_render_gpu/src/kernels/texture.rs:54
+    let _e38 = Tuple_f32_f32_(floor(x_14), floor(y_5));
+    let left_2 = _e38.fa;
+    let top = _e38.fb;
+    // glimt_render_gpu/src/kernels/texture.rs:55
+    let _e44 = neighbour(i32(left_2), this_41.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:56
+    let _e50 = neighbour((i32(left_2) + 1i), this_41.width, wrap_u);
+    // glimt_render_gpu/src/kernels/texture.rs:57
+    let _e54 = neighbour(i32(top), this_41.height, wrap_v);
+    let row0_ = (_e54 * this_41.width);
+    // glimt_render_gpu/src/kernels/texture.rs:58
+    let _e62 = neighbour((i32(top) + 1i), this_41.height, wrap_v);
+    let row1_ = (_e62 * this_41.width);
+    // glimt_render_gpu/src/kernels/texture.rs:59
+    let _e67 = TextureView_texel(this_41, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_41, (row0_ + _e50));
+    let _e70 = (x_14 - left_2);
+    let upper_1 = ((_e67 * (1f - _e70)) + (_e69 * _e70));
+    // glimt_render_gpu/src/kernels/texture.rs:62
+    let _e78 = TextureView_texel(this_41, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_41, (row1_ + _e50));
+    let _e81 = (x_14 - left_2);
+    let lower_2 = ((_e78 * (1f - _e81)) + (_e80 * _e81));
+    // glimt_render_gpu/src/kernels/texture.rs:65
+    let _e88 = (y_5 - top);
+    return ((upper_1 * (1f - _e88)) + (lower_2 * _e88));
+}
+
+// glimt_render_gpu/src/kernels/material.rs:206
+fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_4: u32, texture: TextureView, uv_1: vec2<f32>) -> vec4<f32> {
+    var place: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/material.rs:207
+    place = uv_1;
+    // glimt_render_gpu/src/kernels/material.rs:208
+    if ((texture.flags & 65536u) != 0u) {
+        // glimt_render_gpu/src/kernels/material.rs:209
+        let t_9 = (word_4 + 4u);
+        // glimt_render_gpu/src/kernels/material.rs:210
+        let _e18 = MaterialView_number(words_start_2, words_len_2, t_9);
+        let _e21 = MaterialView_number(words_start_2, words_len_2, (t_9 + 1u));
+        let _e27 = MaterialView_number(words_start_2, words_len_2, (t_9 + 2u));
+        let _e30 = MaterialView_number(words_start_2, words_len_2, (t_9 + 3u));
+        let _e37 = MaterialView_number(words_start_2, words_len_2, (t_9 + 4u));
+        let _e40 = MaterialView_number(words_start_2, words_len_2, (t_9 + 5u));
+        place = (((vec2<f32>(_e18, _e21) * uv_1.x) + (vec2<f32>(_e27, _e30) * uv_1.y)) + vec2<f32>(_e37, _e40));
+    }
+    // glimt_render_gpu/src/kernels/material.rs:214
+    let _e44 = place;
+    let _e45 = TextureView_sample(texture, _e44);
+    return _e45;
+}
+
+// glimt_render_gpu/src/kernels/material.rs:280
+fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
+    var alpha: f32;
+    var chosen_22: f32;
+
+    // glimt_render_gpu/src/kernels/material.rs:281
+    let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
+    alpha = (_e7 * vertex_alpha);
+    // glimt_render_gpu/src/kernels/material.rs:282
+    let _e12 = MaterialView_texture(words_start_3, words_len_3, 64u);
+    // glimt_render_gpu/src/kernels/material.rs:283
+    let _e14 = TextureView_exists(_e12);
+    if _e14 {
+        // glimt_render_gpu/src/kernels/material.rs:284
+        let _e17 = MaterialView_sample(words_start_3, words_len_3, 64u, _e12, uv_2);
+        let _e19 = alpha;
+        alpha = (_e19 * _e17.w);
+    }
+    // glimt_render_gpu/src/kernels/material.rs:286
+    let _e23 = MaterialView_number(words_start_3, words_len_3, 15u);
+    // glimt_render_gpu/src/kernels/material.rs:287
+    if (_e23 < 0f) {
+        // glimt_render_gpu/src/kernels/material.rs:288
+        let _e28 = alpha;
+        return _e28;
+    }
+    // glimt_render_gpu/src/kernels/material.rs:290
+    let _e31 = alpha;
+    if (_e31 >= _e23) {
+        chosen_22 = 1f;
+    } else {
+        chosen_22 = 0f;
+    }
+    let _e35 = chosen_22;
+    return _e35;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:14
+fn alpha_at(triangle_2: Triangle, u_11: f32, v_4: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:15
+    let _e6 = Attributes_at(triangle_2.attributes, u_11, v_4);
+    // glimt_render_gpu/src/kernels/opacity.rs:16
+    let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
+    // glimt_render_gpu/src/kernels/opacity.rs:17
+    let _e18 = MaterialView_alpha(_e11.value_words_start, _e11.value_words_len, _e6.uv, _e6.color.w);
+    return _e18;
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:26
+fn passes(key_1: u32, index_15: u32, alpha_1: f32) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:27
+    let _e5 = hash2_(key_1, index_15);
+    let _e6 = unit_f32_(_e5);
+    return (_e6 >= alpha_1);
+}
+
+// glimt_render_gpu/src/kernels/opacity.rs:33
+fn is_passed(index_16: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
+
+    // glimt_render_gpu/src/kernels/opacity.rs:34
+    let _e5 = barycentrics(triangle_3, ray_5);
+    // glimt_render_gpu/src/kernels/opacity.rs:35
+    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    // glimt_render_gpu/src/kernels/opacity.rs:36
+    let _e12 = passes(ray_5.key, index_16, _e9);
+    return _e12;
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:45
+fn Triangle_is_catcher(this_42: Triangle) -> bool {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:46
+    return ((this_42.object & 2147483648u) != 0u);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:100
+fn Triangle_area_normal(this_43: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:101
+    return cross((this_43.v1_ - this_43.v0_), (this_43.v2_ - this_43.v0_));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:66
+fn Triangle_ray_offset(this_44: Triangle) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:67
+    let extent = max(max(abs(this_44.v0_), abs(this_44.v1_)), abs(this_44.v2_));
+    // glimt_render_gpu/src/kernels/triangle.rs:68
+    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:74
+fn Triangle_setback(this_45: Triangle, ray_6: Ray, t_1: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:75
+    let _e5 = Triangle_area_normal(this_45);
+    // glimt_render_gpu/src/kernels/triangle.rs:76
+    let across = abs(dot(_e5, ray_6.direction));
+    // glimt_render_gpu/src/kernels/triangle.rs:77
+    let _e12 = Triangle_ray_offset(this_45);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t_1) * sqrt(dot(ray_6.direction, ray_6.direction)))));
+    // glimt_render_gpu/src/kernels/triangle.rs:82
+    return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t_1);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:187
+fn held(index_17: u32, triangle_4: Triangle, ray_7: Ray, t_2: f32, no_catcher: bool) -> f32 {
+    var both_1: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:195
+    let _e7 = Triangle_is_see_through(triangle_4);
+    both_1 = _e7;
+    if _e7 {
+        let _e9 = is_passed(index_17, triangle_4, ray_7);
+        both_1 = _e9;
+    }
+    let _e10 = both_1;
+    if _e10 {
+        // glimt_render_gpu/src/kernels/bvh.rs:196
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:198
+    let _e14 = Triangle_is_catcher(triangle_4);
+    if !(_e14) {
+        // glimt_render_gpu/src/kernels/bvh.rs:199
+        return t_2;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:201
+    if no_catcher {
+        // glimt_render_gpu/src/kernels/bvh.rs:202
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:204
+    let _e21 = Triangle_setback(triangle_4, ray_7, t_2);
+    return (t_2 + _e21);
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:160
+fn visit_leaf(leaf: BvhNode, ray_8: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+    var nearest: u32;
+    var counter_11: u32;
+    var t_3: f32;
+    var both_2: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:169
+    nearest = best;
+    // glimt_render_gpu/src/kernels/bvh.rs:170
+    counter_11 = leaf.first;
+    loop {
+        let i = counter_11;
+        if (i >= (leaf.first + leaf.count)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:171
+        let _e19 = scene_triangles[i];
+        let _e20 = (*reach);
+        let _e21 = intersect(_e19, ray_8, _e20);
+        t_3 = _e21;
+        // glimt_render_gpu/src/kernels/bvh.rs:173
+        let _e24 = t_3;
+        let _e25 = (*reach);
+        let _e26 = (_e24 < _e25);
+        both_2 = _e26;
+        if _e26 {
+            let _e31 = scene_triangles[i].object;
+            both_2 = (_e31 >= 1073741824u);
+        }
+        let _e34 = both_2;
+        if _e34 {
+            // glimt_render_gpu/src/kernels/bvh.rs:174
+            let _e38 = scene_triangles[i];
+            let _e39 = t_3;
+            let _e40 = held(i, _e38, ray_8, _e39, no_catcher_1);
+            t_3 = _e40;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:176
+        let _e42 = t_3;
+        let _e43 = (*reach);
+        if (_e42 < _e43) {
+            // glimt_render_gpu/src/kernels/bvh.rs:177
+            let _e46 = t_3;
+            (*reach) = _e46;
+            // glimt_render_gpu/src/kernels/bvh.rs:178
+            nearest = i;
+        }
+        continuing {
+            let _e48 = counter_11;
+            counter_11 = (_e48 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:181
+    let _e52 = nearest;
+    return _e52;
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:91
+fn traverse(ray_9: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
+    var either_1: bool;
+    var best_1: u32;
+    var stack: array<u32, 64>;
+    var height: u32;
+    var pair: u32;
+    var near: BvhNode;
+    var far: BvhNode;
+    var t_near: f32;
+    var t_far: f32;
+    var into_near: bool;
+    var into_far: bool;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:99
+    let _e8 = (arrayLength((&scene_nodes)) == 0u);
+    either_1 = _e8;
+    if _e8 {
+    } else {
+        let _e13 = scene_nodes[0u];
+        let _e14 = box_distance(_e13, ray_9);
+        let _e15 = (*reach_1);
+        either_1 = (_e14 >= _e15);
+    }
+    let _e17 = either_1;
+    if _e17 {
+        // glimt_render_gpu/src/kernels/bvh.rs:100
+        return 4294967295u;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:102
+    let root = scene_nodes[0u];
+    // glimt_render_gpu/src/kernels/bvh.rs:103
+    if (root.count > 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:104
+        let _e31 = visit_leaf(root, ray_9, reach_1, 4294967295u, any_);
+        return _e31;
+    }
+    // glimt_render_gpu/src/kernels/bvh.rs:106
+    best_1 = 4294967295u;
+    // glimt_render_gpu/src/kernels/bvh.rs:107
+    stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    // glimt_render_gpu/src/kernels/bvh.rs:108
+    height = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:109
+    pair = root.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:110
+    loop {
+        // glimt_render_gpu/src/kernels/bvh.rs:111
+        let _e47 = pair;
+        let _e50 = scene_nodes[_e47];
+        near = _e50;
+        // glimt_render_gpu/src/kernels/bvh.rs:112
+        let _e53 = pair;
+        let _e58 = scene_nodes[(_e53 + 1u)];
+        far = _e58;
+        // glimt_render_gpu/src/kernels/bvh.rs:113
+        let _e61 = near;
+        let _e62 = box_distance(_e61, ray_9);
+        t_near = _e62;
+        // glimt_render_gpu/src/kernels/bvh.rs:114
+        let _e65 = far;
+        let _e66 = box_distance(_e65, ray_9);
+        t_far = _e66;
+        // glimt_render_gpu/src/kernels/bvh.rs:116
+        let _e69 = t_near;
+        let _e70 = t_far;
+        if (_e69 > _e70) {
+            // glimt_render_gpu/src/kernels/bvh.rs:117
+            let node_1 = near;
+            // glimt_render_gpu/src/kernels/bvh.rs:118
+            let _e75 = far;
+            near = _e75;
+            // glimt_render_gpu/src/kernels/bvh.rs:119
+            far = node_1;
+            // glimt_render_gpu/src/kernels/bvh.rs:120
+            let t_10 = t_near;
+            // glimt_render_gpu/src/kernels/bvh.rs:121
+            let _e80 = t_far;
+            t_near = _e80;
+            // glimt_render_gpu/src/kernels/bvh.rs:122
+            t_far = t_10;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:124
+        let _e83 = t_near;
+        let _e84 = (*reach_1);
+        into_near = (_e83 < _e84);
+        // glimt_render_gpu/src/kernels/bvh.rs:125
+        let _e88 = into_near;
+        let _e90 = near.count;
+        if (_e88 && (_e90 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:126
+            let _e95 = near;
+            let _e96 = best_1;
+            let _e97 = visit_leaf(_e95, ray_9, reach_1, _e96, any_);
+            best_1 = _e97;
+            // glimt_render_gpu/src/kernels/bvh.rs:127
+            let _e99 = best_1;
+            if (any_ && (_e99 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:128
+                let _e104 = best_1;
+                return _e104;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:130
+            into_near = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:132
+        let _e108 = t_far;
+        let _e109 = (*reach_1);
+        into_far = (_e108 < _e109);
+        // glimt_render_gpu/src/kernels/bvh.rs:133
+        let _e113 = into_far;
+        let _e115 = far.count;
+        if (_e113 && (_e115 > 0u)) {
+            // glimt_render_gpu/src/kernels/bvh.rs:134
+            let _e120 = far;
+            let _e121 = best_1;
+            let _e122 = visit_leaf(_e120, ray_9, reach_1, _e121, any_);
+            best_1 = _e122;
+            // glimt_render_gpu/src/kernels/bvh.rs:135
+            let _e124 = best_1;
+            if (any_ && (_e124 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:136
+                let _e129 = best_1;
+                return _e129;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:138
+            into_far = false;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:140
+        let _e133 = into_near;
+        if _e133 {
+            // glimt_render_gpu/src/kernels/bvh.rs:141
+            let _e136 = near.first;
+            pair = _e136;
+            // glimt_render_gpu/src/kernels/bvh.rs:142
+            let _e138 = into_far;
+            if _e138 {
+                // glimt_render_gpu/src/kernels/bvh.rs:143
+                let _e141 = far.first;
+                let _e142 = height;
+                stack[_e142] = _e141;
+                // glimt_render_gpu/src/kernels/bvh.rs:144
+                let _e146 = height;
+                height = (_e146 + 1u);
+            }
+        } else {
+            let _e148 = into_far;
+            if _e148 {
+                // glimt_render_gpu/src/kernels/bvh.rs:147
+                let _e151 = far.first;
+                pair = _e151;
+            } else {
+                let _e152 = height;
+                if (_e152 > 0u) {
+                    // glimt_render_gpu/src/kernels/bvh.rs:149
+                    let _e157 = height;
+                    height = (_e157 - 1u);
+                    // glimt_render_gpu/src/kernels/bvh.rs:150
+                    let _e160 = height;
+                    let _e162 = stack[_e160];
+                    pair = _e162;
+                } else {
+                    // glimt_render_gpu/src/kernels/bvh.rs:152
+                    let _e164 = best_1;
+                    return _e164;
+                }
+            }
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/bvh.rs:73
+fn any_hit(ray_10: Ray, t_max_1: f32) -> bool {
+    var t_4: f32;
+
+    // glimt_render_gpu/src/kernels/bvh.rs:80
+    t_4 = t_max_1;
+    // glimt_render_gpu/src/kernels/bvh.rs:81
+    let _e7 = traverse(ray_10, (&t_4), true);
+    return (_e7 != 4294967295u);
+}
+
+// glimt_render_gpu/src/kernels/scene.rs:136
+fn Scene_is_lit(point_3: ShadingPoint, direction_8: vec3<f32>, key_2: u32) -> bool {
+
+    // glimt_render_gpu/src/kernels/scene.rs:137
+    let _e6 = Ray_keyed(point_3.origin, direction_8, key_2);
+    // glimt_render_gpu/src/kernels/scene.rs:138
+    let _e9 = any_hit(_e6, 0x1.fffffep+127f);
+    return !(_e9);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:384
+fn Proposal_open_control(this_46: Proposal, direction_9: vec3<f32>, at_3: CellAt) -> vec3<f32> {
+    var self_4: Proposal;
+    var chosen_23: f32;
+
+    self_4 = this_46;
+    // glimt_render_gpu/src/kernels/proposal.rs:385
+    if at_3.is_full {
+        // glimt_render_gpu/src/kernels/proposal.rs:386
+        let _e11 = self_4.of_.mean_normal;
+        chosen_23 = dot(_e11, direction_9);
+    } else {
+        // glimt_render_gpu/src/kernels/proposal.rs:388
+        chosen_23 = at_3.cosine;
+    }
+    let cosine_1 = chosen_23;
+    // glimt_render_gpu/src/kernels/proposal.rs:390
+    let _e19 = self_4.of_.diffuse;
+    let kd_2 = (_e19 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:391
+    let _e26 = self_4.of_.specular;
+    return ((kd_2 * cosine_1) + (_e26 * at_3.lobe));
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:291
+fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_3: PixelPattern, rays_3: f32, threshold_4: f32, group_3: Group, proposal_2: Proposal, look: Look, point_4: ShadingPoint, f: vec3<f32>, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
+    var proposal_3: Proposal;
+    var own: vec3<f32>;
+    var sum_4: vec3<f32>;
+    var counter_12: u32;
+
+    proposal_3 = proposal_2;
+    // glimt_render_gpu/src/kernels/group_light.rs:300
+    if (group_3.members < 2u) {
+        // glimt_render_gpu/src/kernels/group_light.rs:301
+        return vec3(0f);
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:303
+    let _e20 = proposal_3.of_.surface.specular;
+    let has_lobe_1 = (_e20 > 0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:304
+    let _e27 = proposal_3.of_.surface.spread;
+    if !((has_lobe_1 || (_e27 > 0.035f))) {
+        // glimt_render_gpu/src/kernels/group_light.rs:305
+        let _e35 = proposal_3.of_.mean_normal;
+        let apart_1 = (dot(_e35, look.of_map) - dot(point_4.frame.n, look.direction));
+        // glimt_render_gpu/src/kernels/group_light.rs:307
+        let _e46 = proposal_3.of_.diffuse;
+        return (_e46 * (0.31830987f * apart_1));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:309
+    let _e52 = proposal_3.lobe_share;
+    let with_lobes = !((_e52 > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:310
+    own = f;
+    // glimt_render_gpu/src/kernels/group_light.rs:311
+    if !(with_lobes) {
+        // glimt_render_gpu/src/kernels/group_light.rs:312
+        let cosine_2 = max(dot(point_4.frame.n, look.direction), 0f);
+        // glimt_render_gpu/src/kernels/group_light.rs:313
+        own = (point_4.brdf.diffuse * (0.31830987f * cosine_2));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:315
+    sum_4 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:316
+    counter_12 = 0u;
+    loop {
+        let k_4 = counter_12;
+        if (k_4 >= group_3.members) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/group_light.rs:317
+        let _e84 = Group_ray(group_3, k_4, points_start_6, points_len_6);
+        // glimt_render_gpu/src/kernels/group_light.rs:318
+        if with_lobes {
+            // glimt_render_gpu/src/kernels/group_light.rs:319
+            let _e90 = points[(points_start_6 + _e84)];
+            let _e91 = SeenPoint_shading_point(_e90);
+            // glimt_render_gpu/src/kernels/group_light.rs:320
+            let _e95 = ShadingFrame_to_local(_e91.frame, look.direction);
+            let _e96 = reflectance(_e91, _e95);
+            let _e97 = sum_4;
+            sum_4 = (_e97 + _e96);
+        } else {
+            // glimt_render_gpu/src/kernels/group_light.rs:322
+            let other = points[(points_start_6 + _e84)];
+            // glimt_render_gpu/src/kernels/group_light.rs:323
+            let cosine_3 = max(dot(other.normal, look.direction), 0f);
+            // glimt_render_gpu/src/kernels/group_light.rs:324
+            let _e115 = sum_4;
+            sum_4 = (_e115 + (other.diffuse * (0.31830987f * cosine_3)));
+        }
+        continuing {
+            let _e117 = counter_12;
+            counter_12 = (_e117 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:327
+    let _e121 = sum_4;
+    let _e126 = own;
+    return ((_e121 / vec3(f32(group_3.members))) - _e126);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:229
+fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_4: PixelPattern, rays_4: f32, threshold_5: f32, group_4: Group, proposal_4: Proposal, expected_first_5: u32, expected_slot_5: u32, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Sample {
+    var proposal_5: Proposal;
+    var pdf_sr: f32;
+    var both_3: bool;
+    var lit: vec3<f32>;
+    var blocked: vec3<f32>;
+
+    proposal_5 = proposal_4;
+    // glimt_render_gpu/src/kernels/group_light.rs:238
+    let _e22 = points[(points_start_7 + look_1.ray)];
+    let _e23 = SeenPoint_shading_point(_e22);
+    // glimt_render_gpu/src/kernels/group_light.rs:239
+    let _e27 = ShadingFrame_to_local(_e23.frame, look_1.direction);
+    // glimt_render_gpu/src/kernels/group_light.rs:240
+    let _e29 = proposal_5;
+    let _e31 = Proposal_cell(_e29, look_1.cell, cells_size_13, cells_start_13, expected_first_5, expected_slot_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:241
+    let share_2 = proposal_5.lobe_share;
+    // glimt_render_gpu/src/kernels/group_light.rs:242
+    pdf_sr = 0f;
+    // glimt_render_gpu/src/kernels/group_light.rs:243
+    if (share_2 < 1f) {
+        // glimt_render_gpu/src/kernels/group_light.rs:244
+        let _e42 = proposal_5;
+        let _e45 = Proposal_cells_pdf_sr(_e42, look_1.texel, look_1.cell, _e31, cells_size_13, cells_start_13);
+        // glimt_render_gpu/src/kernels/group_light.rs:245
+        pdf_sr = ((1f - share_2) * _e45);
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:247
+    if (share_2 > 0f) {
+        // glimt_render_gpu/src/kernels/group_light.rs:248
+        let _e54 = lobe_of(_e23);
+        let _e56 = BlinnPhong_pdf_sr(_e54, _e23.wo, _e27);
+        let _e58 = pdf_sr;
+        pdf_sr = (_e58 + (share_2 * _e56));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:250
+    let _e61 = pdf_sr;
+    if !((_e61 > 0.000000000000000000000000000000000000011754944f)) {
+        // glimt_render_gpu/src/kernels/group_light.rs:251
+        return Sample(vec3(0f), vec3(0f), false, false);
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:258
+    let _e75 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
+    // glimt_render_gpu/src/kernels/group_light.rs:259
+    let _e77 = reflectance(_e23, _e27);
+    // glimt_render_gpu/src/kernels/group_light.rs:260
+    let is_seen = ((max(max(_e77.x, _e77.y), _e77.z) > 0f) && (dot(_e23.geometric_normal, look_1.direction) > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:261
+    both_3 = is_seen;
+    if is_seen {
+        let _e95 = Scene_is_lit(_e23, look_1.direction, key_3);
+        both_3 = _e95;
+    }
+    let arrives_1 = both_3;
+    // glimt_render_gpu/src/kernels/group_light.rs:262
+    lit = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:263
+    blocked = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:264
+    if arrives_1 {
+        // glimt_render_gpu/src/kernels/group_light.rs:265
+        lit = _e77;
+    } else {
+        if is_seen {
+            // glimt_render_gpu/src/kernels/group_light.rs:267
+            blocked = _e77;
+        }
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:269
+    if true {
+        // glimt_render_gpu/src/kernels/group_light.rs:270
+        let _e111 = proposal_5;
+        let _e113 = Proposal_open_control(_e111, look_1.of_map, _e31);
+        // glimt_render_gpu/src/kernels/group_light.rs:271
+        let _e115 = proposal_5;
+        let _e116 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_13, cells_start_13, pattern_4, rays_4, threshold_5, group_4, _e115, look_1, _e23, _e77, points_start_7, points_len_7);
+        // glimt_render_gpu/src/kernels/group_light.rs:272
+        let _e119 = proposal_5.is_catcher;
+        if _e119 {
+            // glimt_render_gpu/src/kernels/group_light.rs:273
+            lit = ((_e77 - _e113) + _e116);
+        } else {
+            // glimt_render_gpu/src/kernels/group_light.rs:275
+            let _e124 = lit;
+            lit = (_e124 + ((_e116 - _e113) * _e31.visibility));
+        }
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:279
+    let _e130 = lit;
+    let _e131 = pdf_sr;
+    let _e135 = blocked;
+    let _e136 = pdf_sr;
+    return Sample((_e75 * (_e130 / vec3(_e131))), (_e75 * (_e135 / vec3(_e136))), is_seen, arrives_1);
+}
+
+// glimt_render_gpu/src/kernels/seen.rs:24
+fn record(cell_5: u32, arrives: bool) -> u32 {
+    var chosen_24: u32;
+
+    // glimt_render_gpu/src/kernels/seen.rs:25
+    if arrives {
+        chosen_24 = 16384u;
+    } else {
+        chosen_24 = 0u;
+    }
+    let _e8 = chosen_24;
+    return ((32768u | _e8) | cell_5);
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:79
+fn note(group_5: Group, s: u32, found: u32, points_start_8: u32, points_len_8: u32) {
+
+    // glimt_render_gpu/src/kernels/group_light.rs:80
+    if (s < (2u * group_5.members)) {
+        // glimt_render_gpu/src/kernels/group_light.rs:81
+        let _e14 = Group_ray(group_5, (s / 2u), points_start_8, points_len_8);
+        // glimt_render_gpu/src/kernels/group_light.rs:82
+        let _e27 = points[(points_start_8 + _e14)].record;
+        points[(points_start_8 + _e14)].record = (_e27 | (found << ((16u * (s & 1u)) & 31u)));
+    }
+    return;
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:109
+fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_14: vec2<u32>, cells_start_14: u32, pattern_5: PixelPattern, rays_5: f32, threshold_6: f32, group_6: Group, number: u32, expected_first_6: u32, expected_slot_6: u32, points_start_9: u32, points_len_9: u32, drawn: ptr<function, Drawn>) -> Reflected {
+    var proposal_6: Proposal;
+    var source_2: PatternSource;
+    var worth_1: f32;
+    var chosen_25: f32;
+    var lit_1: vec3<f32>;
+    var blocked_1: vec3<f32>;
+    var counter_13: u32;
+    var chosen_26: Look;
+
+    // glimt_render_gpu/src/kernels/group_light.rs:117
+    let _e16 = Group_representative(group_6, points_start_9, points_len_9, env_size_6, env_rotation_6);
+    // glimt_render_gpu/src/kernels/group_light.rs:118
+    let _e19 = Group_ray(group_6, 0u, points_start_9, points_len_9);
+    // glimt_render_gpu/src/kernels/group_light.rs:119
+    let leader_3 = points[(points_start_9 + _e19)];
+    // glimt_render_gpu/src/kernels/group_light.rs:120
+    let _e26 = SeenPoint_slot(leader_3);
+    let _e27 = Expected_at_slot(expected_first_6, expected_slot_6, _e26);
+    // glimt_render_gpu/src/kernels/group_light.rs:121
+    let _e31 = SeenPoint_is_catcher(leader_3);
+    // glimt_render_gpu/src/kernels/group_light.rs:122
+    let _e33 = Proposal_new(_e16, cells_size_14, cells_start_14, _e27.value_first, _e27.value_slot, _e31);
+    proposal_6 = _e33;
+    // glimt_render_gpu/src/kernels/group_light.rs:123
+    let _e37 = PixelPattern_point(pattern_5, 12u, number);
+    source_2 = _e37;
+    // glimt_render_gpu/src/kernels/group_light.rs:124
+    let _e40 = PatternSource_next_u32_((&source_2));
+    let _e41 = unit_f32_(_e40);
+    // glimt_render_gpu/src/kernels/group_light.rs:125
+    let share_3 = (f32(group_6.members) / f32(pattern_5.rays));
+    // glimt_render_gpu/src/kernels/group_light.rs:126
+    worth_1 = (rays_5 * share_3);
+    // glimt_render_gpu/src/kernels/group_light.rs:127
+    if (threshold_6 > 0f) {
+        // glimt_render_gpu/src/kernels/group_light.rs:128
+        let _e56 = proposal_6.total;
+        let _e58 = proposal_6.lobe_worth;
+        worth_1 = (((_e56 + _e58) * share_3) / threshold_6);
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:130
+    let _e63 = proposal_6;
+    let _e64 = Proposal_is_sharp(_e63);
+    if _e64 {
+        // glimt_render_gpu/src/kernels/group_light.rs:131
+        let _e66 = worth_1;
+        worth_1 = max(_e66, ((0.25f * rays_5) * share_3));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:133
+    let _e72 = worth_1;
+    worth_1 = clamp(_e72, 0.02f, 256f);
+    // glimt_render_gpu/src/kernels/group_light.rs:134
+    let _e78 = proposal_6.total;
+    let _e83 = proposal_6.lobe_share;
+    if (!((_e78 > 0f)) && !((_e83 > 0f))) {
+        // glimt_render_gpu/src/kernels/group_light.rs:135
+        worth_1 = 0f;
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:137
+    let _e91 = worth_1;
+    let _e92 = PatternSource_next_u32_((&source_2));
+    let _e93 = unit_f32_(_e92);
+    let count_2 = u32((_e91 + _e93));
+    // glimt_render_gpu/src/kernels/group_light.rs:138
+    let _e98 = worth_1;
+    if (_e98 < 1f) {
+        let _e101 = worth_1;
+        chosen_25 = _e101;
+    } else {
+        chosen_25 = f32(count_2);
+    }
+    let divisor = chosen_25;
+    // glimt_render_gpu/src/kernels/group_light.rs:139
+    let _e106 = PixelPattern_ray_key(pattern_5, 9u);
+    let _e107 = hash2_(_e106, number);
+    // glimt_render_gpu/src/kernels/group_light.rs:140
+    lit_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:141
+    blocked_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:142
+    counter_13 = 0u;
+    loop {
+        let s_5 = counter_13;
+        if (s_5 >= count_2) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/group_light.rs:143
+        let _e124 = proposal_6.lobe_share;
+        let before = u32(((f32(s_5) * _e124) + _e41));
+        // glimt_render_gpu/src/kernels/group_light.rs:144
+        let _e133 = proposal_6.lobe_share;
+        let after = u32(((f32((s_5 + 1u)) * _e133) + _e41));
+        // glimt_render_gpu/src/kernels/group_light.rs:145
+        if (after > before) {
+            // glimt_render_gpu/src/kernels/group_light.rs:146
+            let _e143 = (*drawn).lobes;
+            (*drawn).lobes = (_e143 + 1u);
+            // glimt_render_gpu/src/kernels/group_light.rs:147
+            let _e147 = (*drawn).lobes;
+            let _e150 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_14, cells_start_14, pattern_5, rays_5, threshold_6, group_6, (_e147 - 1u), points_start_9, points_len_9);
+            chosen_26 = _e150;
+        } else {
+            // glimt_render_gpu/src/kernels/group_light.rs:149
+            let _e154 = (*drawn).cells;
+            (*drawn).cells = (_e154 + 1u);
+            // glimt_render_gpu/src/kernels/group_light.rs:150
+            let _e157 = proposal_6;
+            let _e159 = (*drawn).cells;
+            let _e162 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_14, cells_start_14, pattern_5, rays_5, threshold_6, group_6, _e157, _e27.value_first, _e27.value_slot, (_e159 - 1u), points_start_9, points_len_9);
+            chosen_26 = _e162;
+        }
+        let look_2 = chosen_26;
+        // glimt_render_gpu/src/kernels/group_light.rs:152
+        if look_2.is_possible {
+            // glimt_render_gpu/src/kernels/group_light.rs:153
+            let own_2 = (_e107 + s_5);
+            // glimt_render_gpu/src/kernels/group_light.rs:154
+            let _e169 = proposal_6;
+            let _e170 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_14, cells_start_14, pattern_5, rays_5, threshold_6, group_6, _e169, _e27.value_first, _e27.value_slot, look_2, own_2, points_start_9, points_len_9);
+            // glimt_render_gpu/src/kernels/group_light.rs:155
+            let _e173 = lit_1;
+            lit_1 = (_e173 + _e170.lit);
+            // glimt_render_gpu/src/kernels/group_light.rs:156
+            let _e177 = blocked_1;
+            blocked_1 = (_e177 + _e170.blocked);
+            // glimt_render_gpu/src/kernels/group_light.rs:157
+            if (true && _e170.is_traced) {
+                // glimt_render_gpu/src/kernels/group_light.rs:158
+                let _e186 = record(look_2.cell, _e170.arrives);
+                note(group_6, s_5, _e186, points_start_9, points_len_9);
+            }
+        }
+        continuing {
+            let _e187 = counter_13;
+            counter_13 = (_e187 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:162
+    if (count_2 > 0u) {
+        // glimt_render_gpu/src/kernels/group_light.rs:163
+        let _e194 = lit_1;
+        lit_1 = (_e194 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:164
+        let _e198 = blocked_1;
+        blocked_1 = (_e198 / vec3(divisor));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:166
+    if (true && _e31) {
+        // glimt_render_gpu/src/kernels/group_light.rs:168
+        let _e206 = proposal_6.open_integral;
+        let _e207 = lit_1;
+        let _e209 = blocked_1;
+        let _e211 = blocked_1;
+        return Reflected(((_e206 + _e207) - _e209), _e211);
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:173
+    let _e215 = proposal_6.integral;
+    let _e216 = lit_1;
+    let _e218 = blocked_1;
+    return Reflected((_e215 + _e216), _e218);
+}
+
+// glimt_render_gpu/src/kernels/layers.rs:39
+fn LayerSample_of(light: Reflected, is_catcher_3: bool) -> LayerSample {
+
+    // glimt_render_gpu/src/kernels/layers.rs:40
+    if is_catcher_3 {
+        // glimt_render_gpu/src/kernels/layers.rs:41
+        return LayerSample(light.lit, 0f, light.blocked, 1f);
+    }
+    // glimt_render_gpu/src/kernels/layers.rs:48
+    return LayerSample(light.lit, 1f, vec3(0f), 0f);
+}
+
+// glimt_render_gpu/src/kernels/shade.rs:41
+fn LayerSample_of_surface(light_1: Reflected, is_catcher_4: bool) -> LayerSample {
+
+    // glimt_render_gpu/src/kernels/shade.rs:42
+    let _e4 = LayerSample_of(light_1, is_catcher_4);
+    return _e4;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:211
+fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
+    var x_11: u32;
+    var round_key: u32;
+    var counter_14: i32;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:212
+    if (length_ <= 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:213
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:215
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
+    // glimt_render_gpu/src/kernels/pattern.rs:216
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:217
+    x_11 = index_18;
+    // glimt_render_gpu/src/kernels/pattern.rs:218
+    loop {
+        // glimt_render_gpu/src/kernels/pattern.rs:219
+        round_key = key_4;
+        // glimt_render_gpu/src/kernels/pattern.rs:220
+        counter_14 = 0i;
+        loop {
+            let _e31 = counter_14;
+            if (_e31 >= 3i) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/pattern.rs:221
+            let _e34 = round_key;
+            let _e35 = hash_u32_(_e34);
+            round_key = _e35;
+            // glimt_render_gpu/src/kernels/pattern.rs:223
+            let _e37 = x_11;
+            let _e38 = round_key;
+            x_11 = (((_e37 ^ _e38) * 2654435761u) & mask);
+            // glimt_render_gpu/src/kernels/pattern.rs:224
+            let _e44 = x_11;
+            let _e46 = (bits_2 / 2u);
+            let _e56 = x_11;
+            x_11 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
+            continuing {
+                let _e58 = counter_14;
+                counter_14 = (_e58 + 1i);
+            }
+        }
+        // glimt_render_gpu/src/kernels/pattern.rs:226
+        let _e62 = x_11;
+        if (_e62 < length_) {
+            // glimt_render_gpu/src/kernels/pattern.rs:227
+            let _e65 = x_11;
+            let _e67 = hash_u32_(~(key_4));
+            return ((_e65 + (_e67 % length_)) % length_);
+        }
+    }
+    return u32();
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:202
+fn stratum(cell_6: u32, count: u32, jitter: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:203
+    return ((cell_6 * (4294967295u / count)) + (jitter / count));
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:182
+fn jittered_pair(index_19: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:183
+    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    // glimt_render_gpu/src/kernels/pattern.rs:184
+    let _e12 = (count_1 / columns);
+    let rows_1 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    // glimt_render_gpu/src/kernels/pattern.rs:185
+    let _e21 = hash2_(key_5, 1u);
+    let _e22 = permute(index_19, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:186
+    let _e26 = hash2_(key_5, 2u);
+    let _e27 = permute((_e22 % columns), columns, _e26);
+    // glimt_render_gpu/src/kernels/pattern.rs:187
+    let _e31 = hash2_(key_5, 3u);
+    let _e32 = permute((_e22 / columns), rows_1, _e31);
+    // glimt_render_gpu/src/kernels/pattern.rs:188
+    let _e38 = stratum(((_e27 * rows_1) + _e32), (columns * rows_1), jitter_1.x);
+    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    return vec2<u32>(_e38, _e40);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:65
+fn PixelPattern_pair(this_47: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed_4: OwenSobol;
+    var borrowed_5: Xoshiro128PlusPlus;
+
+    // glimt_render_gpu/src/kernels/pattern.rs:66
+    let index_21 = ((this_47.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:67
+    if (this_47.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:68
+        let _e14 = PixelPattern_sobol_point(this_47, purpose_5, index_21);
+        borrowed_4 = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed_4));
+        return _e16;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:70
+    let _e18 = PixelPattern_generator(this_47, purpose_5, index_21);
+    borrowed_5 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
+    // glimt_render_gpu/src/kernels/pattern.rs:71
+    if (this_47.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:72
+        return _e20;
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:74
+    let _e29 = PixelPattern_key(this_47, purpose_5);
+    let _e30 = jittered_pair(index_21, (this_47.rays * samples), _e20, _e29);
+    return _e30;
+}
+
+// glimt_render_gpu/src/kernels/camera.rs:23
+fn CameraView_direction(this_48: CameraView, p: vec2<f32>, size_19: vec2<u32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/camera.rs:24
+    let x_15 = (((2f * p.x) / f32(size_19.x)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:25
+    let y_6 = (((2f * p.y) / f32(size_19.y)) - 1f);
+    // glimt_render_gpu/src/kernels/camera.rs:26
+    return normalize(((this_48.forward + (this_48.right * x_15)) - (this_48.up * y_6)));
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:161
+fn FrameParams_direction(this_49: FrameParams, pixel_4: u32, place_1: vec2<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/frame.rs:162
+    let corner = vec2<f32>(vec2<u32>((pixel_4 % this_49.width), (pixel_4 / this_49.width)));
+    // glimt_render_gpu/src/kernels/frame.rs:163
+    let view = CameraView(this_49.eye, this_49.forward, this_49.right, this_49.up);
+    // glimt_render_gpu/src/kernels/frame.rs:169
+    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_49.width, this_49.height));
+    return _e22;
+}
+
+// glimt_render_gpu/src/kernels/frame.rs:144
+fn FrameParams_camera_ray(this_50: FrameParams, pattern_6: PixelPattern) -> Ray {
+    var chosen_27: vec2<f32>;
+
+    // glimt_render_gpu/src/kernels/frame.rs:145
+    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_50.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
+    // glimt_render_gpu/src/kernels/frame.rs:149
+    if (this_50.filter_ == 1u) {
+        // glimt_render_gpu/src/kernels/frame.rs:150
+        chosen_27 = vec2(0.5f);
+    } else {
+        // glimt_render_gpu/src/kernels/frame.rs:152
+        let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
+        let _e24 = unit_vec2_(_e23);
+        chosen_27 = _e24;
+    }
+    let place_4 = chosen_27;
+    // glimt_render_gpu/src/kernels/frame.rs:154
+    let _e28 = FrameParams_direction(this_50, pattern_6.pixel, place_4);
+    // glimt_render_gpu/src/kernels/frame.rs:155
+    let _e32 = PixelPattern_ray_key(film, 8u);
+    let _e33 = Ray_keyed(this_50.eye, _e28, _e32);
+    return _e33;
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:57
+fn Environment_map(size_20: vec2<u32>, rotation_4: vec2<f32>) -> Returned_Environment_map {
+
+    // glimt_render_gpu/src/kernels/environment.rs:58
+    return Returned_Environment_map(size_20, rotation_4);
+}
+
+// glimt_render_gpu/src/kernels/shade.rs:46
+fn LayerSample_of_background(_ray: Ray, _frame: FrameParams, _map_size: vec2<u32>, _map_rotation: vec2<f32>) -> LayerSample {
+
+    // glimt_render_gpu/src/kernels/shade.rs:47
+    return LayerSample(vec3(0f), 0f, vec3(0f), 0f);
+}
+
+// glimt_render_gpu/src/kernels/product.rs:55
+fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f32, expected_first_7: u32, expected_slot_7: u32, env_size_7: vec2<u32>, env_rotation_7: vec2<f32>, points_start_10: u32, points_len_10: u32, samples_start: u32, samples_len: u32) {
+    var drawn_1: Drawn;
+    var leader_2: u32;
+    var filled: u32;
+    var number_1: u32;
+    var group_7: Group;
+    var counter_15: u32;
+    var counter_16: u32;
+
+    // glimt_render_gpu/src/kernels/product.rs:66
+    let first_10 = (pixel_5 * frame_4.rays_per_pixel);
+    // glimt_render_gpu/src/kernels/product.rs:67
+    let _e16 = Environment_cells(env_size_7, env_rotation_7);
+    let _e19 = FrameParams_pattern_of(frame_4, first_10);
+    // glimt_render_gpu/src/kernels/product.rs:75
+    drawn_1 = Drawn(0u, 0u);
+    // glimt_render_gpu/src/kernels/product.rs:76
+    leader_2 = 0u;
+    // glimt_render_gpu/src/kernels/product.rs:77
+    filled = 0u;
+    // glimt_render_gpu/src/kernels/product.rs:78
+    number_1 = 0u;
+    // glimt_render_gpu/src/kernels/product.rs:79
+    let _e35 = filled;
+    let _e36 = next_group(points_start_10, points_len_10, (&leader_2), _e35);
+    group_7 = _e36;
+    // glimt_render_gpu/src/kernels/product.rs:80
+    loop {
+        let _e40 = group_7.members;
+        if !((_e40 > 0u)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/product.rs:81
+        let _e45 = group_7;
+        let _e46 = number_1;
+        let _e47 = GroupLight_reflected(env_size_7, env_rotation_7, _e16.value_size, _e16.value_start, _e19, rays_6, threshold_7, _e45, _e46, expected_first_7, expected_slot_7, points_start_10, points_len_10, (&drawn_1));
+        // glimt_render_gpu/src/kernels/product.rs:82
+        let _e51 = group_7.members;
+        counter_15 = 0u;
+        loop {
+            let k_5 = counter_15;
+            if (k_5 >= _e51) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/product.rs:83
+            let _e56 = group_7;
+            let _e57 = Group_ray(_e56, k_5, points_start_10, points_len_10);
+            // glimt_render_gpu/src/kernels/product.rs:84
+            let point_7 = points[(points_start_10 + _e57)];
+            // glimt_render_gpu/src/kernels/product.rs:85
+            let own_3 = Reflected((_e47.lit + point_7.emission), _e47.blocked);
+            // glimt_render_gpu/src/kernels/product.rs:89
+            let _e70 = SeenPoint_is_catcher(point_7);
+            let _e71 = LayerSample_of_surface(own_3, _e70);
+            samples_1[(samples_start + _e57)] = _e71;
+            continuing {
+                let _e75 = counter_15;
+                counter_15 = (_e75 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/product.rs:91
+        let _e80 = group_7.members;
+        let _e81 = filled;
+        filled = (_e81 + _e80);
+        // glimt_render_gpu/src/kernels/product.rs:92
+        let _e85 = number_1;
+        number_1 = (_e85 + 1u);
+        // glimt_render_gpu/src/kernels/product.rs:93
+        let _e88 = filled;
+        let _e89 = next_group(points_start_10, points_len_10, (&leader_2), _e88);
+        group_7 = _e89;
+    }
+    // glimt_render_gpu/src/kernels/product.rs:95
+    counter_16 = 0u;
+    loop {
+        let ray_12 = counter_16;
+        if (ray_12 >= frame_4.rays_per_pixel) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/product.rs:96
+        let _e100 = points[(points_start_10 + ray_12)];
+        let _e101 = SeenPoint_is_hit(_e100);
+        if !(_e101) {
+            // glimt_render_gpu/src/kernels/product.rs:97
+            let _e105 = FrameParams_pattern_of(frame_4, (first_10 + ray_12));
+            let _e106 = FrameParams_camera_ray(frame_4, _e105);
+            // glimt_render_gpu/src/kernels/product.rs:98
+            let _e108 = Environment_map(env_size_7, env_rotation_7);
+            let _e111 = LayerSample_of_background(_e106, frame_4, _e108.value_size, _e108.value_rotation);
+            samples_1[(samples_start + ray_12)] = _e111;
+        }
+        continuing {
+            let _e115 = counter_16;
+            counter_16 = (_e115 + 1u);
+        }
+    }
+    return;
+}
+
+// glimt_render_gpu/src/kernels/cells.rs:21
+fn shade_cells(pixel_6: u32, frame_5: FrameParams, cells_1: CellParams, env_size_8: vec2<u32>, env_rotation_8: vec2<f32>, points_start_11: u32, points_len_11: u32, samples_start_1: u32, samples_len_1: u32) {
+
+    // glimt_render_gpu/src/kernels/cells.rs:31
+    let _e13 = CellParams_tile_of(cells_1, (frame_5.first_pixel + pixel_6), frame_5);
+    // glimt_render_gpu/src/kernels/cells.rs:32
+    // glimt_render_gpu/src/kernels/cells.rs:37
+    let _e20 = threshold(frame_5, cells_1, 64u);
+    // glimt_render_gpu/src/kernels/cells.rs:38
+    shade_groups(pixel_6, frame_5, cells_1.rays, _e20, (_e13 * 3u), 0u, env_size_8, env_rotation_8, points_start_11, points_len_11, samples_start_1, samples_len_1);
+    return;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn shade_cells_layers(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.frame;
+    let _e19 = params.cells;
+    let _e21 = params.env_size;
+    let _e23 = params.env_rotation;
+    let _e25 = params.points_len;
+    let _e28 = params.samples_len;
+    shade_cells((_e14 + local), _e17, _e19, _e21, _e23, (local * _e25), _e25, (local * _e28), _e28);
+}

@@ -1,0 +1,803 @@
+// Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
+
+struct TileEntry {
+    position: vec3<f32>,
+    surface: u32,
+    normal: vec3<f32>,
+    exponent: f32,
+    wo: vec3<f32>,
+    hits: u32,
+    diffuse: f32,
+    specular: f32,
+    off_centre: f32,
+    is_known: u32,
+}
+
+struct Returned_Environment_cells {
+    value_size: vec2<u32>,
+    value_start: u32,
+}
+
+struct CellSurface {
+    normal: vec3<f32>,
+    wo: vec3<f32>,
+    diffuse: f32,
+    specular: f32,
+    exponent: f32,
+    peak: f32,
+    spread: f32,
+    horizon: f32,
+    share: f32,
+}
+
+struct Representative {
+    mean_normal: vec3<f32>,
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    surface: CellSurface,
+}
+
+struct Totals {
+    blocks: array<f32, 64>,
+    lives: array<f32, 64>,
+    weight: f32,
+    live: f32,
+    lobe: f32,
+    lobe_spread: f32,
+    lobe_visible: f32,
+    lobe_square: f32,
+    lobe_area: f32,
+    diffuse: vec3<f32>,
+    specular: vec3<f32>,
+    open_diffuse: vec3<f32>,
+    open_specular: vec3<f32>,
+}
+
+struct CellTerms {
+    cosine: vec4<f32>,
+    full: vec4<f32>,
+    live: vec4<f32>,
+    lobe: vec4<f32>,
+    lobe_spread: vec4<f32>,
+    cosine_spread: vec4<f32>,
+}
+
+struct Proposal {
+    of_: Representative,
+    blocks: array<f32, 64>,
+    total: f32,
+    defence: f32,
+    lobe_worth: f32,
+    lobe_share: f32,
+    integral: vec3<f32>,
+    open_integral: vec3<f32>,
+    is_catcher: bool,
+}
+
+struct Params {
+    first: u32,
+    count: u32,
+    env_size: vec2<u32>,
+    env_rotation: vec2<f32>,
+}
+
+@group(0) @binding(1) 
+var<storage> env_tables: array<u32>;
+@group(0) @binding(2) 
+var<storage> entries: array<TileEntry>;
+@group(0) @binding(3) 
+var<storage> visibility_3: array<u32>;
+@group(0) @binding(4) 
+var<storage, read_write> out: array<f32>;
+@group(0) @binding(0) 
+var<uniform> params: Params;
+
+// glimt_render_gpu/src/kernels/environment.rs:132
+fn marginal_words(size: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:133
+    return (size.y + 1u);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:139
+fn cdf_words(size_1: vec2<u32>) -> u32 {
+
+    // glimt_render_gpu/src/kernels/environment.rs:140
+    let _e3 = marginal_words(size_1);
+    return (_e3 + (size_1.y * (size_1.x + 1u)));
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:79
+fn Environment_cells(size_2: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cells {
+
+    // glimt_render_gpu/src/kernels/environment.rs:80
+    let _e3 = cdf_words(size_2);
+    return Returned_Environment_cells(size_2, _e3);
+}
+
+// glimt_probe/src/rotate.rs:33
+fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
+
+    // glimt_probe/src/rotate.rs:34
+    return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
+}
+
+// glimt_render_gpu/src/kernels/environment.rs:90
+fn Environment_to_map(size_3: vec2<u32>, rotation_1: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/environment.rs:91
+    let _e8 = rotate_z(direction, vec2<f32>(rotation_1.x, -(rotation_1.y)));
+    return _e8;
+}
+
+// glimt_brdf/src/lobe.rs:86
+fn normalisation(exponent: f32) -> f32 {
+
+    // glimt_brdf/src/lobe.rs:87
+    let tail = exp2(max((-0.5f * exponent), -60f));
+    // glimt_brdf/src/lobe.rs:88
+    return ((((exponent + 2f) * (exponent + 4f)) * (0.125f * 0.31830987f)) / (tail + exponent));
+}
+
+// glimt_light_cells/src/surface.rs:105
+fn CellSurface_new(normal: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponent_1: f32, mean_length: f32, horizon: f32) -> CellSurface {
+
+    // glimt_light_cells/src/surface.rs:115
+    let r = clamp(mean_length, 0.001f, 1f);
+    // glimt_light_cells/src/surface.rs:116
+    let widened = ((exponent_1 * r) / (r + (exponent_1 * (1f - r))));
+    // glimt_light_cells/src/surface.rs:117
+    let _e22 = normalisation(widened);
+    return CellSurface(normal, wo, (kd * 0.31830987f), ks, widened, _e22, sqrt((2f * (1f - r))), horizon, 1f);
+}
+
+// glimt_render_gpu/src/kernels/expect.rs:84
+fn representative_of(entry: TileEntry, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
+
+    // glimt_render_gpu/src/kernels/expect.rs:85
+    let _e6 = Environment_to_map(env_size, env_rotation, entry.normal);
+    let _e12 = Environment_to_map(env_size, env_rotation, entry.normal);
+    let _e14 = Environment_to_map(env_size, env_rotation, entry.wo);
+    let _e20 = CellSurface_new(_e12, _e14, entry.diffuse, entry.specular, entry.exponent, 1f, 0f);
+    return Representative(_e6, vec3(entry.diffuse), vec3(entry.specular), _e20);
+}
+
+// glimt_light_cells/src/partition.rs:113
+fn LightCells_quad(size_4: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
+
+    // glimt_light_cells/src/partition.rs:114
+    let at = (((start + 32u) + (list * 512u)) + (4u * quad));
+    // glimt_light_cells/src/partition.rs:115
+    let _e16 = env_tables[at];
+    let _e22 = env_tables[(at + 1u)];
+    let _e28 = env_tables[(at + 2u)];
+    let _e34 = env_tables[(at + 3u)];
+    return vec4<f32>(bitcast<f32>(_e16), bitcast<f32>(_e22), bitcast<f32>(_e28), bitcast<f32>(_e34));
+}
+
+// glimt_light_cells/src/surface.rs:52
+fn step_(x: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:54
+    return clamp((x * 1000000000000000000000000000000f), vec4(0f), vec4(1f));
+}
+
+// glimt_light_cells/src/surface.rs:59
+fn sqrt_(x_1: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:60
+    return vec4<f32>(sqrt(x_1.x), sqrt(x_1.y), sqrt(x_1.z), sqrt(x_1.w));
+}
+
+// glimt_light_cells/src/surface.rs:82
+fn cosine_power4_(sin2_theta: vec4<f32>, exponent_2: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:84
+    let s = clamp(sin2_theta, vec4(0f), vec4(1f));
+    // glimt_light_cells/src/surface.rs:85
+    let log_ = ((s * (vec4(6f) - s)) / (vec4(12f) - (8f * s)));
+    // glimt_light_cells/src/surface.rs:86
+    let t_1 = (min((exponent_2 * log_), vec4(40f)) * (1f / 256f));
+    // glimt_light_cells/src/surface.rs:88
+    let x_2 = (vec4(1f) - (t_1 * (vec4(1f) - (t_1 * (vec4(0.5f) - (t_1 * (1f / 6f)))))));
+    // glimt_light_cells/src/surface.rs:89
+    let x2_ = (x_2 * x_2);
+    // glimt_light_cells/src/surface.rs:90
+    let x4_ = (x2_ * x2_);
+    // glimt_light_cells/src/surface.rs:91
+    let x8_ = (x4_ * x4_);
+    // glimt_light_cells/src/surface.rs:92
+    let x16_ = (x8_ * x8_);
+    // glimt_light_cells/src/surface.rs:93
+    let x32_ = (x16_ * x16_);
+    // glimt_light_cells/src/surface.rs:94
+    let x64_ = (x32_ * x32_);
+    // glimt_light_cells/src/surface.rs:95
+    let x128_ = (x64_ * x64_);
+    // glimt_light_cells/src/surface.rs:96
+    return (x128_ * x128_);
+}
+
+// glimt_light_cells/src/surface.rs:133
+fn CellSurface_terms(this_: CellSurface, cells_size: vec2<u32>, cells_start: u32, quad_1: u32) -> CellTerms {
+
+    // glimt_light_cells/src/surface.rs:134
+    let _e7 = LightCells_quad(cells_size, cells_start, 15u, quad_1);
+    // glimt_light_cells/src/surface.rs:135
+    let _e12 = LightCells_quad(cells_size, cells_start, (15u + 1u), quad_1);
+    // glimt_light_cells/src/surface.rs:136
+    let _e17 = LightCells_quad(cells_size, cells_start, (15u + 2u), quad_1);
+    // glimt_light_cells/src/surface.rs:137
+    let _e20 = LightCells_quad(cells_size, cells_start, 18u, quad_1);
+    // glimt_light_cells/src/surface.rs:138
+    let n = this_.normal;
+    // glimt_light_cells/src/surface.rs:139
+    let c = (((_e7 * n.x) + (_e12 * n.y)) + (_e17 * n.z));
+    // glimt_light_cells/src/surface.rs:140
+    let reach = (_e20 + vec4(this_.horizon));
+    // glimt_light_cells/src/surface.rs:141
+    let up = max((c + reach), vec4(0f));
+    // glimt_light_cells/src/surface.rs:142
+    let _e42 = step_(up);
+    // glimt_light_cells/src/surface.rs:143
+    let _e45 = step_((c - reach));
+    // glimt_light_cells/src/surface.rs:144
+    let cosine = max(c, vec4(0f));
+    // glimt_light_cells/src/surface.rs:145
+    let half_spread = vec4((0.5f * this_.spread));
+    // glimt_light_cells/src/surface.rs:146
+    let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
+    // glimt_light_cells/src/surface.rs:147
+    if !((this_.specular > 0f)) {
+        // glimt_light_cells/src/surface.rs:148
+        return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
+    }
+    // glimt_light_cells/src/surface.rs:158
+    let lifted = max(c, (0.25f * up));
+    // glimt_light_cells/src/surface.rs:159
+    let v = this_.wo;
+    // glimt_light_cells/src/surface.rs:160
+    let nv = dot(n, v);
+    // glimt_light_cells/src/surface.rs:161
+    let dv = ((((_e7 * v.x) + (_e12 * v.y)) + (_e17 * v.z)) + ((lifted - c) * nv));
+    // glimt_light_cells/src/surface.rs:162
+    let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c * c)), vec4(0.000001f)));
+    // glimt_light_cells/src/surface.rs:163
+    let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
+    // glimt_light_cells/src/surface.rs:164
+    let _e123 = sqrt_(half2_);
+    let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
+    // glimt_light_cells/src/surface.rs:165
+    let cos2_ = min((nh * nh), vec4(1f));
+    // glimt_light_cells/src/surface.rs:166
+    let sin2_ = (vec4(1f) - cos2_);
+    // glimt_light_cells/src/surface.rs:167
+    let r2_ = (_e20 * _e20);
+    // glimt_light_cells/src/surface.rs:168
+    let e = max(this_.exponent, 0.001f);
+    // glimt_light_cells/src/surface.rs:169
+    let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    // glimt_light_cells/src/surface.rs:170
+    let _e151 = cosine_power4_(sin2_, seen);
+    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((this_.share * this_.peak) / e));
+    // glimt_light_cells/src/surface.rs:172
+    let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
+    // glimt_light_cells/src/surface.rs:173
+    let near = (vec4((((0.1f * e) * this_.spread) * this_.spread)) + ((0.06f * e) * r2_));
+    // glimt_light_cells/src/surface.rs:174
+    let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
+    // glimt_light_cells/src/surface.rs:175
+    return CellTerms(cosine, _e45, _e42, lobe, min((slope + near), vec4(1f)), cosine_spread);
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:89
+fn bytes_of(word: u32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:90
+    return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:162
+fn Expected_quad(first: u32, slot: u32, quad_2: u32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:163
+    if (slot == 0u) {
+        // glimt_render_gpu/src/kernels/cell_state.rs:164
+        return vec4(0.75f);
+    }
+    // glimt_render_gpu/src/kernels/cell_state.rs:166
+    let entry_1 = ((first + slot) - 1u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:167
+    let word_1 = visibility_3[((entry_1 * 128u) + quad_2)];
+    // glimt_render_gpu/src/kernels/cell_state.rs:168
+    let _e22 = bytes_of(word_1);
+    return (_e22 * (1f / 255f));
+}
+
+// glimt_light_cells/src/surface.rs:212
+fn CellSurface_blocked_weights(this_1: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:213
+    let reflected = ((terms.cosine * this_1.diffuse) + (terms.lobe * this_1.specular));
+    // glimt_light_cells/src/surface.rs:214
+    let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
+    // glimt_light_cells/src/surface.rs:215
+    let diffuse = (terms.cosine_spread * this_1.diffuse);
+    // glimt_light_cells/src/surface.rs:216
+    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_1.specular);
+    // glimt_light_cells/src/surface.rs:217
+    let by_shape = ((diffuse * diffuse) + (lobe_1 * lobe_1));
+    // glimt_light_cells/src/surface.rs:218
+    let _e41 = sqrt_((((reflected * reflected) * blocked) + by_shape));
+    return ((flux * terms.live) * _e41);
+}
+
+// glimt_light_cells/src/surface.rs:197
+fn CellSurface_residual_weights(this_2: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:198
+    let reflected_1 = ((terms_1.cosine * this_2.diffuse) + (terms_1.lobe * this_2.specular));
+    // glimt_light_cells/src/surface.rs:199
+    let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
+    // glimt_light_cells/src/surface.rs:200
+    let diffuse_1 = (terms_1.cosine_spread * this_2.diffuse);
+    // glimt_light_cells/src/surface.rs:201
+    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_2.specular);
+    // glimt_light_cells/src/surface.rs:202
+    let by_shape_1 = (((diffuse_1 * diffuse_1) + (lobe_2 * lobe_2)) * max(visibility_1, vec4(0.02f)));
+    // glimt_light_cells/src/surface.rs:203
+    let _e45 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape_1));
+    return ((flux_1 * terms_1.live) * _e45);
+}
+
+// glimt_light_cells/src/surface.rs:188
+fn CellSurface_product_weights(this_3: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:189
+    let reflected_2 = ((terms_2.cosine * this_3.diffuse) + (terms_2.lobe * this_3.specular));
+    // glimt_light_cells/src/surface.rs:190
+    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_3.diffuse)));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:238
+fn weights(surface: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
+    var chosen: vec4<f32>;
+    var chosen_1: vec4<f32>;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:245
+    if (true && is_catcher) {
+        // glimt_render_gpu/src/kernels/proposal.rs:246
+        let _e11 = CellSurface_blocked_weights(surface, terms_3, flux_3, visibility_2);
+        chosen = _e11;
+    } else {
+        if true {
+            // glimt_render_gpu/src/kernels/proposal.rs:248
+            let _e15 = CellSurface_residual_weights(surface, terms_3, flux_3, visibility_2);
+            chosen_1 = _e15;
+        } else {
+            // glimt_render_gpu/src/kernels/proposal.rs:250
+            let _e17 = CellSurface_product_weights(surface, terms_3, flux_3);
+            chosen_1 = _e17;
+        }
+        let _e18 = chosen_1;
+        chosen = _e18;
+    }
+    let _e19 = chosen;
+    return _e19;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:129
+fn channel_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_3: u32, channel: u32, normal_1: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:137
+    let list_1 = (4u + (3u * channel));
+    // glimt_render_gpu/src/kernels/proposal.rs:138
+    let _e14 = LightCells_quad(cells_size_1, cells_start_1, list_1, quad_3);
+    let _e19 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 1u), quad_3);
+    let _e25 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 2u), quad_3);
+    let moment = (((_e14 * normal_1.x) + (_e19 * normal_1.y)) + (_e25 * normal_1.z));
+    // glimt_render_gpu/src/kernels/proposal.rs:141
+    let _e32 = LightCells_quad(cells_size_1, cells_start_1, (1u + channel), quad_3);
+    // glimt_render_gpu/src/kernels/proposal.rs:142
+    let _e36 = ((full * moment) + (cut * _e32));
+    return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:147
+fn diffuse_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_4: u32, normal_2: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:148
+    let _e9 = channel_sum(cells_size_2, cells_start_2, quad_4, 0u, normal_2, full_1, cut_1);
+    let _e11 = channel_sum(cells_size_2, cells_start_2, quad_4, 1u, normal_2, full_1, cut_1);
+    let _e13 = channel_sum(cells_size_2, cells_start_2, quad_4, 2u, normal_2, full_1, cut_1);
+    return vec3<f32>(_e9, _e11, _e13);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:157
+fn radiance_sum(cells_size_3: vec2<u32>, cells_start_3: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:158
+    let _e7 = LightCells_quad(cells_size_3, cells_start_3, 1u, quad_5);
+    let _e8 = (_e7 * factors);
+    let _e19 = LightCells_quad(cells_size_3, cells_start_3, (1u + 1u), quad_5);
+    let _e20 = (_e19 * factors);
+    let _e31 = LightCells_quad(cells_size_3, cells_start_3, (1u + 2u), quad_5);
+    let _e32 = (_e31 * factors);
+    return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:166
+fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_first: u32, expected_slot: u32, is_catcher_1: bool) -> Totals {
+    var t: Totals;
+    var counter: u32;
+    var weight: f32;
+    var live: f32;
+    var counter_1: u32;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:172
+    let surface_1 = of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:173
+    let has_lobe = (surface_1.specular > 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:174
+    t = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/proposal.rs:189
+    counter = 0u;
+    loop {
+        let block = counter;
+        if (block >= 64u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:190
+        weight = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:191
+        live = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:192
+        counter_1 = 0u;
+        loop {
+            let half = counter_1;
+            if (half >= 2u) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/proposal.rs:193
+            let quad_6 = ((2u * block) + half);
+            // glimt_render_gpu/src/kernels/proposal.rs:194
+            let _e59 = LightCells_quad(cells_size_4, cells_start_4, 0u, quad_6);
+            // glimt_render_gpu/src/kernels/proposal.rs:195
+            let _e61 = CellSurface_terms(surface_1, cells_size_4, cells_start_4, quad_6);
+            // glimt_render_gpu/src/kernels/proposal.rs:196
+            let _e64 = (_e59 * _e61.live);
+            let seen_1 = (((_e64.x + _e64.y) + _e64.z) + _e64.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:198
+            if (seen_1 > 0f) {
+                // glimt_render_gpu/src/kernels/proposal.rs:199
+                let _e76 = live;
+                live = (_e76 + seen_1);
+                // glimt_render_gpu/src/kernels/proposal.rs:200
+                let _e79 = Expected_quad(expected_first, expected_slot, quad_6);
+                // glimt_render_gpu/src/kernels/proposal.rs:201
+                let _e81 = weights(surface_1, _e61, _e59, _e79, is_catcher_1);
+                // glimt_render_gpu/src/kernels/proposal.rs:202
+                let _e90 = weight;
+                weight = (_e90 + (((_e81.x + _e81.y) + _e81.z) + _e81.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:203
+                if true {
+                    // glimt_render_gpu/src/kernels/proposal.rs:204
+                    let full_2 = (_e61.full * _e79);
+                    // glimt_render_gpu/src/kernels/proposal.rs:205
+                    let cut_2 = ((_e79 - full_2) * _e61.cosine);
+                    // glimt_render_gpu/src/kernels/proposal.rs:206
+                    let _e104 = diffuse_sum(cells_size_4, cells_start_4, quad_6, of_.mean_normal, full_2, cut_2);
+                    let _e105 = t.diffuse;
+                    t.diffuse = (_e105 + _e104);
+                    // glimt_render_gpu/src/kernels/proposal.rs:207
+                    if is_catcher_1 {
+                        // glimt_render_gpu/src/kernels/proposal.rs:208
+                        let cut_3 = ((vec4(1f) - _e61.full) * _e61.cosine);
+                        // glimt_render_gpu/src/kernels/proposal.rs:209
+                        let _e118 = diffuse_sum(cells_size_4, cells_start_4, quad_6, of_.mean_normal, _e61.full, cut_3);
+                        // glimt_render_gpu/src/kernels/proposal.rs:210
+                        let _e121 = t.open_diffuse;
+                        t.open_diffuse = (_e121 + _e118);
+                        // glimt_render_gpu/src/kernels/proposal.rs:211
+                        let _e126 = radiance_sum(cells_size_4, cells_start_4, quad_6, _e61.lobe);
+                        let _e127 = t.open_specular;
+                        t.open_specular = (_e127 + _e126);
+                    }
+                }
+                // glimt_render_gpu/src/kernels/proposal.rs:214
+                if has_lobe {
+                    // glimt_render_gpu/src/kernels/proposal.rs:215
+                    let a_1 = (_e61.lobe * _e59);
+                    // glimt_render_gpu/src/kernels/proposal.rs:216
+                    let spread = ((a_1 * _e61.lobe_spread) * _e61.lobe_spread);
+                    // glimt_render_gpu/src/kernels/proposal.rs:217
+                    let _e147 = t.lobe;
+                    t.lobe = (_e147 + (((a_1.x + a_1.y) + a_1.z) + a_1.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:218
+                    let _e158 = t.lobe_spread;
+                    t.lobe_spread = (_e158 + (((spread.x + spread.y) + spread.z) + spread.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:219
+                    let _e161 = (a_1 * _e79);
+                    let _e170 = t.lobe_visible;
+                    t.lobe_visible = (_e170 + (((_e161.x + _e161.y) + _e161.z) + _e161.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:220
+                    let _e175 = LightCells_quad(cells_size_4, cells_start_4, 13u, quad_6);
+                    let _e176 = (_e61.lobe * _e175);
+                    let _e185 = t.lobe_square;
+                    t.lobe_square = (_e185 + (((_e176.x + _e176.y) + _e176.z) + _e176.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:221
+                    let _e190 = LightCells_quad(cells_size_4, cells_start_4, 14u, quad_6);
+                    let _e191 = (_e61.lobe * _e190);
+                    let _e200 = t.lobe_area;
+                    t.lobe_area = (_e200 + (((_e191.x + _e191.y) + _e191.z) + _e191.w));
+                    // glimt_render_gpu/src/kernels/proposal.rs:223
+                    if true {
+                        // glimt_render_gpu/src/kernels/proposal.rs:224
+                        let _e208 = radiance_sum(cells_size_4, cells_start_4, quad_6, (_e61.lobe * _e79));
+                        let _e209 = t.specular;
+                        t.specular = (_e209 + _e208);
+                    }
+                }
+            }
+            continuing {
+                let _e211 = counter_1;
+                counter_1 = (_e211 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:229
+        let _e215 = weight;
+        t.blocks[block] = _e215;
+        // glimt_render_gpu/src/kernels/proposal.rs:230
+        let _e219 = live;
+        t.lives[block] = _e219;
+        // glimt_render_gpu/src/kernels/proposal.rs:231
+        let _e223 = weight;
+        let _e225 = t.weight;
+        t.weight = (_e225 + _e223);
+        // glimt_render_gpu/src/kernels/proposal.rs:232
+        let _e228 = live;
+        let _e230 = t.live;
+        t.live = (_e230 + _e228);
+        continuing {
+            let _e232 = counter;
+            counter = (_e232 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:234
+    let _e236 = t;
+    return _e236;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:257
+fn worth_1(a: f32, visible: f32, variance: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:258
+    if true {
+        // glimt_render_gpu/src/kernels/proposal.rs:259
+        return (a * sqrt(((visible * (1f - visible)) + (visible * variance))));
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:262
+    return (a * sqrt((1f + (2f * variance))));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:269
+fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u32, expected_first_1: u32, expected_slot_1: u32, is_catcher_2: bool) -> Proposal {
+    var of_2: Representative;
+    var sums: Totals;
+    var first_1: Totals;
+    var lobe_worth: f32;
+    var least_share: f32;
+    var share: f32;
+    var defence: f32;
+    var total: f32;
+    var blocks: array<f32, 64>;
+    var counter_2: u32;
+    var lobe_share: f32;
+
+    // glimt_render_gpu/src/kernels/proposal.rs:275
+    of_2 = of_1;
+    // glimt_render_gpu/src/kernels/proposal.rs:276
+    let _e10 = of_2;
+    let _e11 = weigh(_e10, cells_size_5, cells_start_5, expected_first_1, expected_slot_1, is_catcher_2);
+    sums = _e11;
+    // glimt_render_gpu/src/kernels/proposal.rs:277
+    let _e14 = sums;
+    first_1 = _e14;
+    // glimt_render_gpu/src/kernels/proposal.rs:278
+    lobe_worth = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:279
+    least_share = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:280
+    share = 1f;
+    // glimt_render_gpu/src/kernels/proposal.rs:281
+    let _e28 = of_2.surface.specular;
+    let _e32 = sums.lobe;
+    if ((_e28 > 0f) && (_e32 > 0f)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:283
+        let _e38 = sums.lobe_spread;
+        let _e40 = sums.lobe;
+        let by_cells = (_e38 / _e40);
+        // glimt_render_gpu/src/kernels/proposal.rs:284
+        let _e44 = sums.lobe_square;
+        let _e46 = sums.lobe;
+        let _e49 = sums.lobe_area;
+        let _e51 = sums.lobe;
+        let by_lobe = clamp((((_e44 / _e46) * (_e49 / _e51)) - 1f), 0.0001f, 1000000f);
+        // glimt_render_gpu/src/kernels/proposal.rs:286
+        share = (by_lobe / (by_lobe + by_cells));
+        // glimt_render_gpu/src/kernels/proposal.rs:287
+        let _e63 = share;
+        if (_e63 > 0.9f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:288
+            share = 1f;
+        } else {
+            let _e68 = share;
+            if (_e68 < 0.1f) {
+                // glimt_render_gpu/src/kernels/proposal.rs:290
+                share = 0f;
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:292
+        let _e75 = sums.lobe;
+        let _e78 = of_2.surface.specular;
+        let a_2 = (_e75 * _e78);
+        // glimt_render_gpu/src/kernels/proposal.rs:293
+        let _e82 = sums.lobe_visible;
+        let _e84 = sums.lobe;
+        let visible_1 = min((_e82 / _e84), 1f);
+        // glimt_render_gpu/src/kernels/proposal.rs:294
+        let _e89 = share;
+        if (_e89 < 1f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:295
+            let _e94 = share;
+            let _e96 = worth_1(a_2, visible_1, by_lobe);
+            lobe_worth = ((1f - _e94) * _e96);
+            // glimt_render_gpu/src/kernels/proposal.rs:296
+            let _e99 = share;
+            of_2.surface.share = _e99;
+            // glimt_render_gpu/src/kernels/proposal.rs:297
+            let _e103 = of_2;
+            let _e104 = weigh(_e103, cells_size_5, cells_start_5, expected_first_1, expected_slot_1, is_catcher_2);
+            sums = _e104;
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:300
+    let _e108 = of_2.surface.specular;
+    let _e113 = of_2.surface.normal;
+    let _e116 = of_2.surface.wo;
+    if ((_e108 > 0f) && (dot(_e113, _e116) < 0.3f)) {
+        // glimt_render_gpu/src/kernels/proposal.rs:301
+        least_share = 0.1f;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:303
+    defence = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:304
+    let _e128 = sums.live;
+    if (_e128 > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:305
+        let _e134 = sums.weight;
+        let _e137 = sums.live;
+        defence = ((0.001f * _e134) / _e137);
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:307
+    total = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:308
+    blocks = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:309
+    counter_2 = 0u;
+    loop {
+        let block_1 = counter_2;
+        if (block_1 >= 64u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:310
+        let _e155 = sums.blocks[block_1];
+        let _e156 = defence;
+        let _e159 = sums.lives[block_1];
+        let weight_1 = (_e155 + (_e156 * _e159));
+        // glimt_render_gpu/src/kernels/proposal.rs:311
+        blocks[block_1] = weight_1;
+        // glimt_render_gpu/src/kernels/proposal.rs:312
+        let _e165 = total;
+        total = (_e165 + weight_1);
+        continuing {
+            let _e167 = counter_2;
+            counter_2 = (_e167 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:314
+    let _e171 = total;
+    let _e172 = lobe_worth;
+    let all_ = (_e171 + _e172);
+    // glimt_render_gpu/src/kernels/proposal.rs:315
+    lobe_share = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:316
+    if (all_ > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:317
+        let _e181 = lobe_worth;
+        let _e183 = least_share;
+        lobe_share = clamp((_e181 / all_), _e183, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:318
+        let _e187 = total;
+        if !((_e187 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:319
+            lobe_share = 1f;
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:322
+    let _e195 = of_2.diffuse;
+    let kd_1 = (_e195 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:323
+    let _e200 = first_1.diffuse;
+    let _e203 = of_2.specular;
+    let _e205 = first_1.specular;
+    let _e206 = share;
+    let _e211 = first_1.open_diffuse;
+    let _e214 = of_2.specular;
+    let _e216 = first_1.open_specular;
+    let _e217 = share;
+    let _e221 = of_2;
+    let _e222 = blocks;
+    let _e223 = total;
+    let _e224 = defence;
+    let _e225 = lobe_worth;
+    let _e226 = lobe_share;
+    return Proposal(_e221, _e222, _e223, _e224, _e225, _e226, ((kd_1 * _e200) + (_e203 * (_e205 * _e206))), ((kd_1 * _e211) + (_e214 * (_e216 * _e217))), is_catcher_2);
+}
+
+// glimt_render_gpu/src/kernels/expect.rs:103
+fn worth_2(tile: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> f32 {
+    var sum: f32;
+    var counter_3: u32;
+    var proposal: Proposal;
+
+    // glimt_render_gpu/src/kernels/expect.rs:109
+    let _e5 = Environment_cells(env_size_1, env_rotation_1);
+    // glimt_render_gpu/src/kernels/expect.rs:110
+    sum = 0f;
+    // glimt_render_gpu/src/kernels/expect.rs:111
+    counter_3 = 0u;
+    loop {
+        let slot_1 = counter_3;
+        if (slot_1 >= 3u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/expect.rs:112
+        let entry_2 = entries[((tile * 3u) + slot_1)];
+        // glimt_render_gpu/src/kernels/expect.rs:113
+        if (entry_2.surface != 0u) {
+            // glimt_render_gpu/src/kernels/expect.rs:114
+            // glimt_render_gpu/src/kernels/expect.rs:119
+            let _e34 = representative_of(entry_2, env_size_1, env_rotation_1);
+            // glimt_render_gpu/src/kernels/expect.rs:120
+            let _e37 = Proposal_new(_e34, _e5.value_size, _e5.value_start, (tile * 3u), (slot_1 + 1u), false);
+            proposal = _e37;
+            // glimt_render_gpu/src/kernels/expect.rs:121
+            let _e43 = proposal.total;
+            let _e45 = proposal.lobe_worth;
+            let _e48 = sum;
+            sum = (_e48 + (f32(entry_2.hits) * (_e43 + _e45)));
+        }
+        continuing {
+            let _e50 = counter_3;
+            counter_3 = (_e50 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/expect.rs:124
+    let _e54 = sum;
+    return _e54;
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn worth(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let local = ((id.y * (groups.x * 64u)) + id.x);
+    let _e11 = params.count;
+    if (local >= _e11) {
+        return;
+    }
+    let _e14 = params.first;
+    let _e17 = params.env_size;
+    let _e19 = params.env_rotation;
+    let _e20 = worth_2((_e14 + local), _e17, _e19);
+    out[local] = _e20;
+}
