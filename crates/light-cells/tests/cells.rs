@@ -134,8 +134,8 @@ fn sums_are_those_over_the_texels() {
             for (cell, own) in (0..).zip(&sums) {
                 for list in (0..field::DIRECTION).chain([field::SOLID_ANGLE]) {
                     let (found, sum) = (f64::from(cells.value(list, cell)), own[list as usize]);
-                    let tolerance =
-                        1e-5 * sum.abs() + 1e-3 / f64::from(map.size.y).powi(2) * sum.abs();
+                    // At a pole the grid of angles is good to 6·10⁻⁵.
+                    let tolerance = 1e-4 * sum.abs();
                     assert!(
                         (found - sum).abs() <= tolerance + 1e-6 * largest[list as usize],
                         "{}, cell {cell}, list {list}: {found} {sum}",
