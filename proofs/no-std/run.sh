@@ -10,7 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-crates=(probe sampling envmap-cdf brdf smc sh)
+crates=(probe sampling envmap-cdf brdf light-cells smc sh)
 declare -A expected=(
     [control-alloc]='no global memory allocator found'
     [control-std]='error\[E0152\]: found duplicate lang item `panic_impl`'

@@ -5,6 +5,7 @@
 use glam::{UVec2, UVec3, Vec3, Vec4};
 use glimt_brdf::BlinnPhong;
 use glimt_envmap_cdf::EnvCdf;
+use glimt_light_cells::{CellSurface, LightCells, field};
 use glimt_probe::gather::{ColourMatrix, GatherMap, TexelTaps, gather};
 use glimt_probe::latlong::direction_to_texel;
 use glimt_sampling::mis::multi_sample_density;
@@ -110,7 +111,17 @@ pub fn reflect(
         particles[own + i] = set[i];
     }
 
-    let mut smooth = Vec3::ZERO;
+    let cells = LightCells {
+        size: params.map_size,
+        words: marginal,
+        start: element,
+    };
+    let surface = CellSurface::new(Vec3::Z, params.wo, 0.4, 0.5, params.exponent, 1.0, 0.0);
+    let flux = cells.quad(field::FLUX, 0);
+    let weight = surface.product_weights(&surface.terms(&cells, 0), flux).element_sum();
+    let drawn = cells.sample(0, UVec2::new(element, params.seed));
+
+    let mut smooth = Vec3::splat(weight * drawn.pmf);
     let basis = glimt_sh::basis(Vec3::Z);
     for k in 0..9 {
         smooth += light[k].truncate() * (basis[k] * glimt_sh::cosine_lobe(band(k as u32)));

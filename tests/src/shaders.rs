@@ -91,6 +91,7 @@ mod tests {
         for shipped in [
             glimt_brdf::WGSL,
             glimt_envmap_cdf::WGSL,
+            glimt_light_cells::WGSL,
             glimt_probe::WGSL,
             glimt_sampling::WGSL,
             glimt_smc::WGSL,

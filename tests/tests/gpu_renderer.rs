@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::{GpuEnv, GpuOptions, GpuRenderer};
-use glimt_render_gpu::methods::{Mis, Product};
+use glimt_render_gpu::methods::{Cells, Mis, Product};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{
     Background, FrameImage, Pattern, RenderSettings, Renderer, Tonemap,
@@ -234,9 +234,13 @@ fn frames_are_the_cpus() {
             ..base
         },
         RenderSettings {
-            method: Product {
-                brdf_samples: 1,
-                env_samples: 2,
+            method: Product { rays: 6 }.into(),
+            ..base
+        },
+        RenderSettings {
+            method: Cells {
+                rays: 6,
+                ..Cells::default()
             }
             .into(),
             ..base

@@ -6,7 +6,7 @@ use glam::{Affine2, Mat4, UVec2, Vec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::{CpuDrawing, CpuRenderer};
 use glimt_render_gpu::gpu::{GpuDrawing, GpuRenderer};
 use glimt_render_gpu::kernels::scene::bent_towards;
-use glimt_render_gpu::methods::{Bis, Method, Mis, Product, Smc};
+use glimt_render_gpu::methods::{Bis, Cells, Method, Mis, Product, Smc};
 use glimt_render_gpu::prepare::bake::{BakeSettings, bake};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{Background, Filter, FrameImage, RenderSettings, Renderer};
@@ -168,6 +168,7 @@ fn methods() -> [Method; 4] {
         }
         .into(),
         Product::default().into(),
+        Cells::default().into(),
         Smc::default().into(),
     ]
 }

@@ -81,3 +81,10 @@ pub const SHADER_SOURCE: (&str, &[(&str, &str)]) = (
         ("surface.rs", include_str!("surface.rs")),
     ],
 );
+
+/// The crate's functions as WGSL, made from its shared files: to be pasted into a shader of one's own.
+///
+/// WGSL wants a name once. `find_bin` stands in `glimt_envmap_cdf::WGSL` too, `normalisation` in `glimt_brdf::WGSL`: in a shader of
+/// both, leave out one copy of each. They are the same.
+#[cfg(feature = "shader-source")]
+pub const WGSL: &str = include_str!("../wgsl/light_cells.wgsl");

@@ -34,6 +34,26 @@ pub(crate) const EXPORTS: &[Export] = &[
         buffers: &[],
     },
     Export {
+        file: "crates/light-cells/wgsl/light_cells.wgsl",
+        functions: &[
+            ("cell_of", "glimt_light_cells::LightCells::cell_of"),
+            ("cell_sample", "glimt_light_cells::LightCells::sample"),
+            ("cell_pmf", "glimt_light_cells::LightCells::pmf_in_cell"),
+            ("cell_quad", "glimt_light_cells::LightCells::quad"),
+            ("cell_surface", "glimt_light_cells::CellSurface::new"),
+            ("cell_terms", "glimt_light_cells::CellSurface::terms"),
+            (
+                "cell_product_weights",
+                "glimt_light_cells::CellSurface::product_weights",
+            ),
+            (
+                "cell_residual_weights",
+                "glimt_light_cells::CellSurface::residual_weights",
+            ),
+        ],
+        buffers: &[("words", 0, 1)],
+    },
+    Export {
         file: "crates/probe/wgsl/probe.wgsl",
         functions: &[
             (

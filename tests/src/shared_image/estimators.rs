@@ -5,14 +5,14 @@ use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::Arg;
 use glimt_render_gpu::kernels::past::{Past, RayState};
 use glimt_render_gpu::kernels::smc_point::{self, SmcPoint};
-use glimt_render_gpu::kernels::{bis, product, shade, smc, smc_gather};
+use glimt_render_gpu::kernels::{bis, shade, smc, smc_gather};
 use glimt_render_gpu::methods::{CandidateSource, MethodMemory, Smc};
 use glimt_render_gpu::prepare::render::{Pattern, RenderSettings, Renderer, Tonemap};
 
 use super::frame::{RAYS, SIZE, Stage, environment, settings};
 use super::{Output, Pair, words};
 
-fn value<T: bytemuck::NoUninit>(value: &T) -> Arg<'_> {
+pub(super) fn value<T: bytemuck::NoUninit>(value: &T) -> Arg<'_> {
     Arg::Value(bytemuck::bytes_of(value))
 }
 
@@ -42,35 +42,6 @@ impl Stage<'_> {
         );
         Pair {
             name: "picked".to_owned(),
-            cpu: words(&cpu),
-            gpu: out.read(self.context),
-        }
-    }
-
-    /// Samples of the product of light and reflection.
-    pub(super) fn of_the_product(&self) -> Pair {
-        let frame = settings(Pattern::OwenSobol, Tonemap::Srgb).frame_params();
-        let frame = frame.expect("settings");
-        let product = product::Product {
-            brdf_samples: 1,
-            env_samples: 2,
-        };
-        let rays = SIZE.x * SIZE.y * RAYS;
-        let (env, scene) = (self.env.view(), self.scene.view());
-        let cpu: Vec<Vec4> = (0..rays)
-            .map(|ray| shade::shade(ray, &frame, &product, env, scene))
-            .collect();
-        let out = Output::new::<Vec4>(self.context, rays);
-        let kernel = "shade::shade::<glimt_render_gpu::kernels::product::Product, glam::Vec4>";
-        self.shade_with(
-            kernel,
-            &frame,
-            &[("estimator", value(&product))],
-            &out,
-            rays,
-        );
-        Pair {
-            name: "product".to_owned(),
             cpu: words(&cpu),
             gpu: out.read(self.context),
         }

@@ -66,7 +66,12 @@ pub fn frame_pairs(program: &Program, context: &GpuContext) -> Vec<Pair> {
             diagnose::brdf_sample(ray, frame, &MIS, scene)
         }),
     ]);
-    pairs.extend([stage.picked(), stage.of_the_product(), stage.followed()]);
+    pairs.extend([
+        stage.picked(),
+        stage.of_the_product(),
+        stage.by_cells(),
+        stage.followed(),
+    ]);
     stage.scene = scene(true);
     let base = params(Pattern::OwenSobol, Tonemap::Srgb);
     let transparent = FrameParams {

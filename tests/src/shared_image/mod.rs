@@ -8,6 +8,7 @@ mod drawing;
 pub mod drawn;
 mod estimators;
 mod frame;
+mod groups;
 mod layered;
 mod light;
 pub mod sampler;

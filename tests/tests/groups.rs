@@ -1,0 +1,235 @@
+//! Host file: methods that estimate a pixel's light from the hits of all its rays: their means against quadrature, against long runs of
+//! another method where normals vary within a pixel, and what they must leave alone.
+
+use glam::{UVec2, Vec3, Vec4};
+use glimt_render_gpu::methods::{Cells, Method, Mis, Product};
+use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
+use glimt_render_gpu::prepare::render::{Background, FrameImage, Pattern, RenderSettings};
+use glimt_render_gpu::prepare::scene::Camera;
+use glimt_render_gpu::prepare::scene_build::SceneBuffers;
+use glimt_statistics::stats::{Mean, sidak, z_test};
+use glimt_tests::unbiased::{Case, assert_unbiased, camera, render, scene, settings};
+
+fn product(rays: u32) -> Method {
+    Product { rays }.into()
+}
+
+fn cells(rays: u32) -> Method {
+    Cells {
+        rays,
+        ..Cells::default()
+    }
+    .into()
+}
+
+fn even_cells(rays: u32) -> Method {
+    Cells {
+        rays,
+        adaptive: false,
+        ..Cells::default()
+    }
+    .into()
+}
+
+#[test]
+fn means_are_the_integral() {
+    let case = |name, rays, method: Method, pattern| Case {
+        name,
+        settings: RenderSettings {
+            method,
+            ..settings(rays, pattern)
+        },
+    };
+    for (material, sun) in [
+        (scene(0.8, 0.0, 1.0), 50.0),
+        (scene(0.3, 0.6, 50.0), 50.0),
+        (scene(0.1, 0.9, 500.0), 50.0),
+        // A smooth map: the lobe is sharper than the light.
+        (scene(0.1, 0.9, 500.0), 1.0),
+        (scene(0.0, 0.9, 200.0), 50.0),
+    ] {
+        assert_unbiased(
+            &material,
+            sun,
+            &[
+                case("product, 1 camera ray", 1, product(8), Pattern::OwenSobol),
+                case("product, independent", 4, product(3), Pattern::Independent),
+                case("cells, 4 camera rays", 4, cells(8), Pattern::OwenSobol),
+                case("cells, stratified", 2, cells(5), Pattern::Stratified),
+                case("cells, evenly", 1, even_cells(6), Pattern::OwenSobol),
+            ],
+        );
+    }
+}
+
+/// A ground with a box and a small sphere, whose normals vary within a pixel, under a lamp and an uneven sky.
+fn small_things(catcher: bool, diffuse: f64, specular: f64) -> SceneBuffers {
+    let mut description = scene(diffuse, specular, 80.0).describe(24);
+    description.objects[0].catcher = catcher;
+    SceneBuffers::build(&description).unwrap()
+}
+
+fn lamp_and_sky() -> PreparedEnv {
+    let size = UVec2::new(64, 32);
+    let texel = |i: u32| {
+        let (x, y) = (i % size.x, i / size.x);
+        let wave = 1.0 + 0.6 * libm::sinf(0.4 * x as f32) * libm::cosf(0.3 * y as f32);
+        let lamp = if (20..23).contains(&x) && (6..8).contains(&y) {
+            60.0
+        } else {
+            0.0
+        };
+        Vec4::new(
+            0.8 * wave + lamp,
+            wave + 0.9 * lamp,
+            1.2 * wave + 0.5 * lamp,
+            1.0,
+        )
+    };
+    EnvMap::new(size, (0..size.x * size.y).map(texel).collect())
+        .unwrap()
+        .prepare(20.0)
+        .unwrap()
+}
+
+/// Coarse pixels: each of them sees much of the sphere.
+fn coarse(method: Method, rays: u32, layers: bool) -> RenderSettings {
+    let far = Camera {
+        eye: 2.0 * camera().eye,
+        ..camera()
+    };
+    RenderSettings {
+        method,
+        rays_per_pixel: rays,
+        layers,
+        background: Background::Transparent,
+        ..RenderSettings::new(UVec2::new(18, 11), far)
+    }
+}
+
+/// The numbers of an image that are compared: its pixels, or where there are layers the catchers' light, with and without objects.
+fn numbers(image: &FrameImage) -> Vec<f64> {
+    let colours: Vec<Vec3> = match &image.layers {
+        None => image.linear.iter().map(|p| p.truncate()).collect(),
+        Some(layers) => {
+            let each = layers.iter();
+            each.flat_map(|l| [l.object.truncate(), l.lit, l.blocked])
+                .collect()
+        }
+    };
+    let means = colours.iter().map(|c| f64::from(c.element_sum()) / 3.0);
+    means.collect()
+}
+
+/// Means over seeds of each number of the image.
+fn means(
+    scene: &SceneBuffers,
+    env: &PreparedEnv,
+    settings: RenderSettings,
+    seeds: u32,
+) -> Vec<Mean> {
+    let images: Vec<Vec<f64>> = (0..seeds)
+        .map(|seed| numbers(&render(scene, env, &RenderSettings { seed, ..settings })))
+        .collect();
+    (0..images[0].len())
+        .map(|i| Mean::of(images.iter().map(|image| image[i])))
+        .collect()
+}
+
+/// Whether two lists of means are of the same numbers, each by itself and all together.
+fn differ(a: &[Mean], b: &[Mean]) -> Result<(), String> {
+    let alpha = sidak(0.01, a.len());
+    let (mut sum, mut variance) = (0.0, 0.0);
+    for (i, (a, b)) in a.iter().zip(b).enumerate() {
+        let apart = Mean {
+            mean: a.mean - b.mean,
+            standard_error: a.standard_error.hypot(b.standard_error),
+            n: a.n.min(b.n),
+        };
+        z_test(apart, 0.0, alpha).map_err(|evidence| format!("number {i}: {evidence}"))?;
+        sum += apart.mean;
+        variance += apart.standard_error.powi(2);
+    }
+    match sum.abs() <= 4.0 * variance.sqrt() {
+        true => Ok(()),
+        false => Err(format!("in all {sum:e} ± {:e}", variance.sqrt())),
+    }
+}
+
+#[test]
+fn means_are_those_of_another_method_where_normals_vary() {
+    let env = lamp_and_sky();
+    let mis: Method = Mis {
+        brdf_samples: 8,
+        env_samples: 8,
+        ..Mis::default()
+    }
+    .into();
+    for (diffuse, specular) in [(0.8, 0.0), (0.3, 0.6)] {
+        for layers in [false, true] {
+            let scene = small_things(layers, diffuse, specular);
+            let truth = means(&scene, &env, coarse(mis, 16, layers), 128);
+            let mut named = vec![
+                ("product", coarse(product(16), 9, layers)),
+                ("cells", coarse(cells(16), 9, layers)),
+                ("cells, few rays", coarse(cells(2), 5, layers)),
+                ("cells, evenly", coarse(even_cells(12), 16, layers)),
+            ];
+            let independent = RenderSettings {
+                pattern: Pattern::Independent,
+                ..coarse(cells(8), 4, layers)
+            };
+            named.push(("cells, independent", independent));
+            for (name, settings) in named {
+                let own = means(&scene, &env, settings, 128);
+                differ(&own, &truth).unwrap_or_else(|why| panic!("{name}, layers {layers}: {why}"));
+            }
+            // Another surface is noticed.
+            let other = small_things(layers, diffuse * 0.97, specular * 0.97);
+            let wrong = means(&other, &env, coarse(cells(16), 9, layers), 128);
+            assert!(differ(&wrong, &truth).is_err(), "layers {layers}");
+        }
+    }
+}
+
+/// Where no ray is blocked a catcher keeps its light to the bit, so that the plate is not touched.
+#[test]
+fn catchers_that_nothing_shades_stay_as_they_are() {
+    let mut description = scene(0.7, 0.0, 1.0).describe(8);
+    description.objects.truncate(1);
+    description.objects[0].catcher = true;
+    let scene = SceneBuffers::build(&description).unwrap();
+    let env = lamp_and_sky();
+    for method in [product(8), cells(8)] {
+        let image = render(&scene, &env, &coarse(method, 4, true));
+        let layers = image.layers.expect("they were asked for");
+        assert!(layers.iter().any(|l| l.catcher > 0.5));
+        for layer in &layers {
+            assert_eq!(layer.blocked, Vec3::ZERO, "{method:?}");
+            assert_eq!(layer.transmission(), Vec3::ONE, "{method:?}");
+        }
+    }
+}
+
+/// Frames do not depend on how the image is cut into tiles.
+#[test]
+fn tiles_change_no_bit() {
+    let (scene, env) = (small_things(true, 0.4, 0.5), lamp_and_sky());
+    for method in [product(8), cells(8)] {
+        let settings = coarse(method, 4, true);
+        let with = |tile| {
+            use glimt_render_gpu::cpu::CpuRenderer;
+            use glimt_render_gpu::prepare::render::Renderer;
+            let mut renderer = CpuRenderer::with_tiles(tile);
+            renderer
+                .render_frame(&scene, &env, &settings, &|_| ())
+                .unwrap()
+        };
+        let whole = with(usize::MAX);
+        for tile in [1, 7, 40] {
+            let parts = with(tile);
+            assert_eq!(parts.linear, whole.linear, "{method:?}, tiles of {tile}");
+            assert_eq!(parts.layers, whole.layers, "{method:?}, tiles of {tile}");
+        }
+    }
+}
