@@ -31,6 +31,7 @@ fn under_a_sun() -> [Case; 4] {
                 method: Mis {
                     brdf_samples: 15,
                     env_samples: 15,
+                    compensation: false,
                 }
                 .into(),
                 ..settings(1, Pattern::Independent)
@@ -322,6 +323,7 @@ fn extreme_light_makes_no_nan() {
                     method: Mis {
                         brdf_samples,
                         env_samples,
+                        ..Mis::default()
                     }
                     .into(),
                     ..settings

@@ -156,11 +156,7 @@ fn tracers(test: &str) -> Vec<Box<dyn Renderer>> {
 
 fn methods() -> [Method; 4] {
     [
-        Mis {
-            brdf_samples: 1,
-            env_samples: 1,
-        }
-        .into(),
+        Mis::default().into(),
         Bis {
             candidates: 4,
             samples: 2,
@@ -208,6 +204,7 @@ fn a_furnace_shows_no_more_and_no_less_than_its_light() {
         method: Mis {
             brdf_samples: 1,
             env_samples: 0,
+            ..Mis::default()
         }
         .into(),
         ..settings(size, camera, rays)

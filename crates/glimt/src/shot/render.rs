@@ -38,6 +38,9 @@ macro_rules! keys {
             pub brdf_samples: u32,
             /// Environment samples on each ray.
             pub env_samples: u32,
+            /// Whether environment samples leave light that is no brighter than the map's mean to BRDF samples; without effect where
+            /// one of the counts is 0.
+            pub compensation: bool,
             $(#[doc = concat!("Of the method \"", $word, "\".")] pub $module: methods::$settings,)*
             /// Of the method "smc".
             pub smc: Smc,
@@ -61,6 +64,7 @@ macro_rules! keys {
                     method: Method::Mis,
                     brdf_samples: mis.brdf_samples,
                     env_samples: mis.env_samples,
+                    compensation: mis.compensation,
                     $($module: methods::$settings::default(),)*
                     smc: Smc::default(),
                     prt: Prt::default(),
@@ -92,6 +96,7 @@ impl Render {
         methods::Mis {
             brdf_samples: self.brdf_samples,
             env_samples: self.env_samples,
+            compensation: self.compensation,
         }
     }
 

@@ -3,7 +3,7 @@
 //! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 /// SHA-256, in hexadecimal, of the shaders that the pixels of a rendered frame depend on.
-pub const PIXELS: &str = "2c95504eb2418bc0b1602b40f188eebaddfbb20b6b5c6bd64d90acc2f777d198";
+pub const PIXELS: &str = "3553f61b51b4c644caebbb45fb3aff489a07b8ff81b91f53dc4f8050f0494c9d";
 
 /// SHA-256, in hexadecimal, of the shaders that precomputed transfer depend on.
 pub const BAKE: &str = "cc4db5aee828b1dcdc8ea3b6acbd42799bc9ec92ddf22686b61bf49327b4bf04";

@@ -29,7 +29,7 @@ struct Cell {
     edges: Vec<u32>,
 }
 
-fn build(light: &mut Light<'_>, _: &[u32], own: &mut [u32]) -> Result<(), BuildError> {
+fn build(light: &mut Light<'_>, own: &mut [u32]) -> Result<(), BuildError> {
     let (size, light) = (light.size, &*light);
     let starts: Vec<u32> = (0..=ROWS).map(|row| first_row(row, size.y)).collect();
     own[..starts.len()].copy_from_slice(&starts);
