@@ -1,7 +1,6 @@
 //! Host file: the tables that draw directions where a light map is brighter than its mean, for `mis` (Karlík et al. 2019).
 
-use glimt_envmap_cdf::{BuildError, compensated_weight, mean_weight};
-use glimt_sampling::luminance;
+use glimt_envmap_cdf::{BuildError, compensated_weight, mean_weight, weight_sum};
 use rayon::prelude::*;
 
 use super::{Light, LightTable, cdf};
@@ -17,19 +16,12 @@ pub(super) const TABLE: LightTable = LightTable {
 };
 
 fn build(light: &mut Light<'_>, own: &mut [u32]) -> Result<(), BuildError> {
+    let width = light.size.x;
     if light.row_luminance.is_empty() {
-        light.row_luminance = row_luminance(light);
+        let rows = light.texels.par_chunks(width as usize);
+        let sums = rows.map(|row| weight_sum(cdf::luminances(row)));
+        light.row_luminance = sums.collect();
     }
-    let mean = mean_weight(&light.row_luminance, light.size.x);
+    let mean = mean_weight(&light.row_luminance, width);
     cdf::fill(light, own, |luminance| compensated_weight(luminance, mean)).map(drop)
-}
-
-/// The sum of each row's luminance.
-fn row_luminance(light: &Light<'_>) -> Vec<f64> {
-    let of_row = |row: &[glam::Vec4]| {
-        let each = row.iter().map(|t| f64::from(luminance(t.truncate())));
-        each.sum()
-    };
-    let rows = light.texels.par_chunks(light.size.x as usize);
-    rows.map(of_row).collect()
 }
