@@ -9,11 +9,10 @@ use crate::edges::LANES;
 /// infinite or negative counts as 0.
 ///
 /// ```
-/// assert_eq!(glimt_envmap_cdf::weight_sum([1.0, f32::NAN, 2.5]), 3.5);
+/// assert_eq!(glimt_envmap_cdf::weight_sum([1.0, f32::NAN, 2.5].into_iter()), 3.5);
 /// ```
 #[must_use]
-pub fn weight_sum(weights: impl IntoIterator<Item = f32>) -> f64 {
-    let mut weights = weights.into_iter();
+pub fn weight_sum(mut weights: impl Iterator<Item = f32>) -> f64 {
     // One sum alone would wait for each addition.
     let mut sums = [0.0; LANES];
     loop {
