@@ -70,6 +70,7 @@ fn settings(
         method: Mis {
             brdf_samples: samples,
             env_samples: samples,
+            compensation: pattern == Pattern::OwenSobol,
         }
         .into(),
         pattern,

@@ -79,6 +79,7 @@ fn settings() -> RenderSettings {
         method: Mis {
             brdf_samples: samples.unwrap_or(1),
             env_samples: samples.unwrap_or(1),
+            ..Mis::default()
         }
         .into(),
         ..RenderSettings::new(size.unwrap_or(UVec2::new(320, 240)), camera())

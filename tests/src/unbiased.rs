@@ -152,6 +152,7 @@ pub fn mis(name: &'static str, [brdf_samples, env_samples]: [u32; 2], pattern: P
         method: Mis {
             brdf_samples,
             env_samples,
+            ..Mis::default()
         }
         .into(),
         ..settings(16, pattern)
@@ -215,16 +216,23 @@ pub fn disagreements(
         .collect()
 }
 
-/// Every case's mean is the integral, in every pixel.
+/// Every case's mean under [`map`] is the integral, in every pixel.
 ///
 /// # Panics
 /// Where one is not.
 pub fn assert_unbiased(analytic: &AnalyticScene, sun: f64, cases: &[Case]) {
-    let map = map(sun);
-    let reference = reference(analytic, &map);
+    assert_unbiased_under(&map(sun), analytic, cases);
+}
+
+/// Every case's mean under this map is the integral, in every pixel.
+///
+/// # Panics
+/// Where one is not.
+pub fn assert_unbiased_under(map: &AnalyticMap, analytic: &AnalyticScene, cases: &[Case]) {
+    let reference = reference(analytic, map);
     let (scene, env) = (
         SceneBuffers::build(&analytic.describe(200)).unwrap(),
-        prepare(&map),
+        prepare(map),
     );
     for case in cases {
         let means = means(&scene, &env, case);

@@ -200,6 +200,7 @@ fn frames_are_the_cpus() {
             method: Mis {
                 brdf_samples: 3,
                 env_samples: 2,
+                ..Mis::default()
             }
             .into(),
             frame: 5,
@@ -210,6 +211,7 @@ fn frames_are_the_cpus() {
             method: Mis {
                 brdf_samples: 4,
                 env_samples: 4,
+                compensation: false,
             }
             .into(),
             seed: 9,
@@ -327,11 +329,12 @@ fn a_light_can_be_uploaded_while_another_renders() {
     let scene_buffers = scene();
     let expected = [0, 1].map(|i| frame(&mut renderer, &lights[i], &settings()).linear);
     let context = renderer.context().clone();
-    let mut next = GpuEnv::new(&context, &lights[1]).unwrap();
+    let method = &settings().method;
+    let mut next = GpuEnv::new(&context, &lights[1], method).unwrap();
     for turn in 0..4 {
         let current = next;
         let (image, uploaded) = std::thread::scope(|scope| {
-            let upload = scope.spawn(|| GpuEnv::new(&context, &lights[turn % 2]).unwrap());
+            let upload = scope.spawn(|| GpuEnv::new(&context, &lights[turn % 2], method).unwrap());
             let image = renderer
                 .render(&scene_buffers, &current, None, &settings(), &|_| ())
                 .unwrap();
@@ -339,7 +342,7 @@ fn a_light_can_be_uploaded_while_another_renders() {
         });
         assert!(image.linear == expected[(turn + 1) % 2]);
         next = uploaded;
-        next.update(&context, &lights[turn % 2]).unwrap();
+        next.update(&context, &lights[turn % 2], method).unwrap();
     }
 }
 

@@ -9,10 +9,12 @@ use glimt_executor::Entry;
 use glimt_render_gpu::generated;
 use glimt_render_gpu::gpu::{Arg, GpuContext, GpuEnv, GpuScene};
 use glimt_render_gpu::kernels::diagnose::{self, EnvRecord, HitRecord, SurfaceRecord};
+use glimt_render_gpu::kernels::environment::Environment;
 use glimt_render_gpu::kernels::frame::FrameParams;
 use glimt_render_gpu::kernels::layers::LayerSample;
 use glimt_render_gpu::kernels::mis::Mis;
 use glimt_render_gpu::kernels::shade::shade;
+use glimt_render_gpu::methods::{self, Method};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::RenderSettings;
 use glimt_render_gpu::prepare::scene::{
@@ -93,6 +95,8 @@ fn env() -> PreparedEnv {
 
 struct Fixture {
     context: GpuContext,
+    /// Whose tables of the light are used.
+    method: Method,
     scene: SceneBuffers,
     env: PreparedEnv,
     frame: FrameParams,
@@ -122,16 +126,32 @@ impl Fixture {
         Some(Fixture {
             context,
             scene: scene(),
+            method: Method::default(),
             env: env(),
             frame,
             rays: 96 * 64 * 4,
         })
     }
 
+    /// The same without compensation, whose tables draw from all of the sky.
+    fn plain(self) -> Fixture {
+        let plain = methods::Mis {
+            compensation: false,
+            ..methods::Mis::default()
+        };
+        let method = plain.into();
+        Fixture { method, ..self }
+    }
+
+    /// What kernels on the CPU see of the light.
+    fn light(&self) -> Environment<'_> {
+        self.env.view_for(&self.method).unwrap()
+    }
+
     /// What the GPU makes of an entry for every ray.
     fn run<T: AnyBitPattern + NoUninit>(&self, entry: &Entry) -> Vec<T> {
         let scene = GpuScene::new(&self.context, &self.scene).unwrap();
-        let env = GpuEnv::new(&self.context, &self.env).unwrap();
+        let env = GpuEnv::new(&self.context, &self.env, &self.method).unwrap();
         let out = self
             .context
             .buffer("out", u64::from(self.rays) * size_of::<T>() as u64)
@@ -201,9 +221,18 @@ fn uniforms_are_the_same_bits() {
 
 #[test]
 fn environment_samples_are_the_same_texels() {
-    let Some(f) = Fixture::new() else { return };
+    let Some(compensated) = Fixture::new() else {
+        return;
+    };
+    assert_eq!(environment_samples(&compensated), 1.0);
+    let sun = environment_samples(&compensated.plain());
+    assert!(sun > 0.1 && sun < 0.99, "the sun draws its share: {sun}");
+}
+
+/// Holds them against each other; the share of the sun.
+fn environment_samples(f: &Fixture) -> f64 {
     let gpu: Vec<EnvRecord> = f.run(&generated::entries::DIAGNOSE_ENV_SAMPLE);
-    let view = f.env.view();
+    let view = f.light();
     let cpu = |ray| diagnose::env_sample(ray, &f.frame, &MIS, view);
     hold("texel drawn", &gpu, cpu, 0.0, |a, b| a.texel == b.texel).unwrap();
     hold("its density", &gpu, cpu, 0.0, |a, b| {
@@ -219,7 +248,7 @@ fn environment_samples_are_the_same_texels() {
     })
     .unwrap();
     let sun = gpu.iter().filter(|r| r.texel == UVec2::new(12, 6)).count();
-    assert!(sun > gpu.len() / 10, "the sun draws its share: {sun}");
+    sun as f64 / gpu.len() as f64
 }
 
 #[test]
@@ -292,7 +321,7 @@ fn layers_agree() {
     });
     f.scene = SceneBuffers::build(&description).unwrap();
     let gpu: Vec<LayerSample> = f.run(&generated::entries::SHADE_MIS_LAYERS);
-    let shade = |ray| shade(ray, &f.frame, &MIS, f.env.view(), f.scene.view());
+    let shade = |ray| shade(ray, &f.frame, &MIS, f.light(), f.scene.view());
     let samples: Vec<LayerSample> = (0..f.rays).map(shade).collect();
     let cpu = |ray: u32| samples[ray as usize];
     let largest = samples
@@ -324,10 +353,17 @@ fn layers_agree() {
 
 #[test]
 fn radiance_agrees() {
-    let Some(f) = Fixture::new() else { return };
+    let Some(compensated) = Fixture::new() else {
+        return;
+    };
+    hold_radiance(&compensated);
+    hold_radiance(&compensated.plain());
+}
+
+fn hold_radiance(f: &Fixture) {
     let gpu: Vec<[f32; 4]> = f.run(&generated::entries::SHADE_MIS);
     let shade = |ray| {
-        let sample: glam::Vec4 = shade(ray, &f.frame, &MIS, f.env.view(), f.scene.view());
+        let sample: glam::Vec4 = shade(ray, &f.frame, &MIS, f.light(), f.scene.view());
         sample.to_array()
     };
     let radiance = |a: &[f32; 4]| Vec4::from_array(*a).truncate();

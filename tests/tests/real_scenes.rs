@@ -18,6 +18,7 @@ use glimt::report::Reporter;
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::generated::entries::SHADE_MIS;
 use glimt_render_gpu::gpu::{Arg, GpuContext, GpuEnv, GpuRenderer, GpuScene};
+use glimt_render_gpu::kernels::environment::Environment;
 use glimt_render_gpu::kernels::estimator::Estimator;
 use glimt_render_gpu::kernels::frame::FrameParams;
 use glimt_render_gpu::kernels::mis::Mis;
@@ -129,7 +130,12 @@ impl Shot {
     }
 
     fn cpu_ray(&self, ray: u32, frame: &FrameParams) -> Vec4 {
-        shade(ray, frame, &MIS, self.env.view(), self.scene.view())
+        shade(ray, frame, &MIS, self.light(), self.scene.view())
+    }
+
+    /// The light as the settings' method sees it.
+    fn light(&self) -> Environment<'_> {
+        self.env.view_for(&self.settings.method).unwrap()
     }
 }
 
@@ -194,7 +200,7 @@ fn nudged_ray(shot: &Shot, ray: u32, frame: &FrameParams, random: &mut Xoshiro12
         forward: frame.forward + nudge(),
         ..*frame
     };
-    let (mut env, scene) = (shot.env.view(), shot.scene.view());
+    let (mut env, scene) = (shot.light(), shot.scene.view());
     env.rotation += nudge().truncate();
     let pattern = frame.pattern_of(ray);
     let camera_ray = frame.camera_ray(&pattern);
@@ -294,7 +300,7 @@ fn frames_are_the_cpus() {
             let outliers = compare(&cpu, &gpu).unwrap_or_else(|e| panic!("{model}, {map}: {e}"));
             let context = renderer.context();
             let scene = GpuScene::new(context, &shot.scene).unwrap();
-            let env = GpuEnv::new(context, &shot.env).unwrap();
+            let env = GpuEnv::new(context, &shot.env, &shot.settings.method).unwrap();
             for pixel in outliers {
                 let rays = gpu_rays(context, &scene, &env, &shot.frame(pixel));
                 take_apart(&shot, pixel, &rays, mean(&cpu) as f32, &mut jumps)

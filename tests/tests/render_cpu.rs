@@ -2,7 +2,7 @@
 
 use glam::{DVec3, UVec2, Vec3, Vec4};
 use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::methods::{Bis, CandidateSource, Mis};
+use glimt_render_gpu::methods::{Bis, CandidateSource, Method, Mis};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{
     Background, FrameImage, Pattern, RenderSettings, Renderer, Tonemap,
@@ -31,6 +31,7 @@ fn under_a_sun() -> [Case; 4] {
                 method: Mis {
                     brdf_samples: 15,
                     env_samples: 15,
+                    compensation: false,
                 }
                 .into(),
                 ..settings(1, Pattern::Independent)
@@ -51,7 +52,23 @@ fn glossy_under_a_sun_is_the_integral() {
 
 #[test]
 fn near_mirror_under_a_sun_is_the_integral() {
-    assert_unbiased(&scene(0.1, 0.9, 500.0), SUN, &under_a_sun());
+    // With compensation little is noise but the BRDF samples that hit the sun, two of all rays: too few for a standard error.
+    // `--test compensation` judges this lobe under a lamp.
+    let plain = under_a_sun().map(|case| match case.settings.method {
+        Method::Mis(own) => Case {
+            settings: RenderSettings {
+                method: Mis {
+                    compensation: false,
+                    ..own
+                }
+                .into(),
+                ..case.settings
+            },
+            ..case
+        },
+        _ => case,
+    });
+    assert_unbiased(&scene(0.1, 0.9, 500.0), SUN, &plain);
 }
 
 #[test]
@@ -322,6 +339,7 @@ fn extreme_light_makes_no_nan() {
                     method: Mis {
                         brdf_samples,
                         env_samples,
+                        ..Mis::default()
                     }
                     .into(),
                     ..settings

@@ -525,6 +525,7 @@ fn bad_maps_and_settings_are_refused() {
             let none = Mis {
                 brdf_samples: 0,
                 env_samples: 0,
+                ..Mis::default()
             };
             s.method = none.into();
         })

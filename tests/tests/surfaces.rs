@@ -154,13 +154,9 @@ fn tracers(test: &str) -> Vec<Box<dyn Renderer>> {
     all
 }
 
-fn methods() -> [Method; 4] {
+fn methods() -> [Method; 5] {
     [
-        Mis {
-            brdf_samples: 1,
-            env_samples: 1,
-        }
-        .into(),
+        Mis::default().into(),
         Bis {
             candidates: 4,
             samples: 2,
@@ -209,6 +205,7 @@ fn a_furnace_shows_no_more_and_no_less_than_its_light() {
         method: Mis {
             brdf_samples: 1,
             env_samples: 0,
+            ..Mis::default()
         }
         .into(),
         ..settings(size, camera, rays)

@@ -3,6 +3,27 @@
 use glam::UVec2;
 
 use crate::build::{BuildError, BuildReport, band_area, build_into, required_len, weight_or_zero};
+use crate::edges::LANES;
+
+/// Sum of a row's weights, as [`RowReport::weight_sum`](crate::RowReport) has it, without building the row. A weight that is NaN,
+/// infinite or negative counts as 0.
+///
+/// ```
+/// assert_eq!(glimt_envmap_cdf::weight_sum([1.0, f32::NAN, 2.5].into_iter()), 3.5);
+/// ```
+#[must_use]
+pub fn weight_sum(mut weights: impl Iterator<Item = f32>) -> f64 {
+    // One sum alone would wait for each addition.
+    let mut sums = [0.0; LANES];
+    loop {
+        for sum in &mut sums {
+            match weights.next() {
+                Some(weight) => *sum += f64::from(weight_or_zero(weight)),
+                None => return sums.iter().sum(),
+            }
+        }
+    }
+}
 
 /// Mean weight of a map over the sphere, each row's sum multiplied by the exact area of its texels.
 ///
@@ -45,7 +66,7 @@ pub fn compensated_weight(weight: f32, mean: f32) -> f32 {
 /// Builds the tables of [`CompensatedCdf`](crate::CompensatedCdf), as [`build_into`] does those of
 /// [`EnvCdf`](crate::EnvCdf). `weights_of_row` gives the plain weights; it is called twice for each row.
 ///
-/// To build in parallel, take the rows' sums first, then call [`build_row_into`](crate::build_row_into) with each
+/// To build in parallel, take each row's [`weight_sum`] first and their [`mean_weight`], then call [`build_row_into`](crate::build_row_into) with each
 /// weight passed through [`compensated_weight`].
 ///
 /// # Errors
@@ -60,11 +81,7 @@ pub fn build_compensated_into<W: IntoIterator<IntoIter: ExactSizeIterator<Item =
     let height = size.y as usize;
     let mut mean = 0.0;
     for y in 0..size.y {
-        let row: f64 = weights_of_row(y)
-            .into_iter()
-            .map(|weight| f64::from(weight_or_zero(weight)))
-            .sum();
-        mean += row * band_area(y as usize, height);
+        mean += weight_sum(weights_of_row(y).into_iter()) * band_area(y as usize, height);
     }
     let mean = (mean / f64::from(size.x)) as f32;
     build_into(

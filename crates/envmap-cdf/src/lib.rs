@@ -80,7 +80,7 @@ pub use build::{
     BuildError, BuildReport, MAX_SIZE, RowReport, TableLen, build_into, build_marginal_into,
     build_row_into, luminance_weights, required_len,
 };
-pub use compensate::{build_compensated_into, compensated_weight, mean_weight};
+pub use compensate::{build_compensated_into, compensated_weight, mean_weight, weight_sum};
 pub use compensated::{CompensatedCdf, CompensatedSample};
 pub use edges::UNITS;
 pub use env_cdf::{EnvCdf, EnvSample};

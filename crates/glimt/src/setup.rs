@@ -235,7 +235,7 @@ impl Setup {
             let key = match &e {
                 SettingsError::Setting(setting) => return check::refused(&self.source, setting),
                 SettingsError::Empty => "image",
-                SettingsError::TooMany | SettingsError::Memory => "render",
+                SettingsError::TooMany | SettingsError::Memory | SettingsError::Tables => "render",
                 SettingsError::Exposure => "image.exposure_ev",
                 SettingsError::FieldOfView => "camera.fov_x_deg",
                 SettingsError::PixelAspect => "image.pixel_aspect",

@@ -370,12 +370,15 @@ fn info_of_everything() {
     for word in [
         "rays_per_pixel = 1",
         "env_samples = 1",
+        "compensation = true",
         "seed = 7",
         "fps = 25.0",
         "mesh = \"sphere\"",
     ] {
         assert!(ran.out.contains(word), "{word}: {}", ran.out);
     }
+    let set = ["info", "shot.toml", "--set", "render.preset=kronander"];
+    assert!(t.run(&set).ok().out.contains("compensation = false"));
     // What it prints is a shot again.
     t.put("again.toml", &ran.out);
     assert_eq!(t.run(&["info", "again.toml"]).ok().out, ran.out);

@@ -19,7 +19,7 @@
 //!
 //! // The weights of a white floor: most of its light comes from the lamp's cell.
 //! let floor = CellSurface::new(Vec3::Z, Vec3::Z, 1.0, 0.0, 1.0, 1.0, 0.0);
-//! let weights = |quad| floor.product_weights(&floor.terms(&cells, quad), cells.quad(field::FLUX, quad));
+//! let weights = |quad| floor.product_weights(&cells.terms(&floor, quad), cells.quad(field::FLUX, quad));
 //! let total: f32 = (0..CELLS / 4).map(|quad| weights(quad).element_sum()).sum();
 //! let lamp = cells.cell_of(UVec2::new(40, 5));
 //! let share = weights(lamp / 4)[(lamp % 4) as usize] / total;

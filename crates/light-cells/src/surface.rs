@@ -127,61 +127,6 @@ impl CellSurface {
         }
     }
 
-    /// Cells `4 · quad` to `4 · quad + 3`.
-    #[inline]
-    #[must_use]
-    pub fn terms(&self, cells: &LightCells<'_>, quad: u32) -> CellTerms {
-        let x = cells.quad(field::DIRECTION, quad);
-        let y = cells.quad(field::DIRECTION + 1, quad);
-        let z = cells.quad(field::DIRECTION + 2, quad);
-        let radius = cells.quad(field::RADIUS, quad);
-        let n = self.normal;
-        let c = x * n.x + y * n.y + z * n.z;
-        let reach = radius + Vec4::splat(self.horizon);
-        let up = (c + reach).max(Vec4::ZERO);
-        let live = step(up);
-        let full = step(c - reach);
-        let cosine = c.max(Vec4::ZERO);
-        let half_spread = Vec4::splat(0.5 * self.spread);
-        let cosine_spread = full * half_spread + (Vec4::ONE - full) * (0.35 * up);
-        if !(self.specular > 0.0) {
-            return CellTerms {
-                cosine,
-                full,
-                live,
-                lobe: Vec4::ZERO,
-                lobe_spread: Vec4::ZERO,
-                cosine_spread,
-            };
-        }
-        // The mean direction, lifted to a quarter of the highest elevation in the cell at least.
-        let lifted = c.max(0.25 * up);
-        let v = self.wo;
-        let nv = n.dot(v);
-        let dv = x * v.x + y * v.y + z * v.z + (lifted - c) * nv;
-        let length = sqrt((Vec4::ONE + lifted * lifted - c * c).max(Vec4::splat(1e-6)));
-        let half2 = (Vec4::splat(2.0) + 2.0 * dv / length).max(Vec4::splat(1e-6));
-        let nh = ((Vec4::splat(nv) + lifted / length).max(Vec4::ZERO)) / sqrt(half2);
-        let cos2 = (nh * nh).min(Vec4::ONE);
-        let sin2 = Vec4::ONE - cos2;
-        let r2 = radius * radius;
-        let e = self.exponent.max(1e-3);
-        let seen = Vec4::splat(4.0) / (Vec4::splat(4.0 / e) + 0.7 * r2);
-        let lobe =
-            cosine_power4(sin2, seen) * seen * (lifted * live) * (self.share * self.peak / e);
-        let tangent = sqrt(sin2 / cos2.max(Vec4::splat(1e-4)));
-        let near = Vec4::splat(0.1 * e * self.spread * self.spread) + 0.06 * e * r2;
-        let slope = (0.5 * e) * tangent * (0.5 * radius + half_spread);
-        CellTerms {
-            cosine,
-            full,
-            live,
-            lobe,
-            lobe_spread: (slope + near).min(Vec4::ONE),
-            cosine_spread,
-        }
-    }
-
     /// Weights in proportion to what the surface reflects of each cell's light: those of product sampling.
     #[inline]
     #[must_use]
@@ -201,6 +146,63 @@ impl CellSurface {
         let lobe = terms.lobe * terms.lobe_spread * self.specular;
         let by_shape = (diffuse * diffuse + lobe * lobe) * visibility.max(Vec4::splat(0.02));
         flux * terms.live * sqrt(reflected * reflected * by_visibility + by_shape)
+    }
+}
+
+impl LightCells<'_> {
+    /// Cells `4 · quad` to `4 · quad + 3` as a surface sees them.
+    #[inline]
+    #[must_use]
+    pub fn terms(&self, surface: &CellSurface, quad: u32) -> CellTerms {
+        let x = self.quad(field::DIRECTION, quad);
+        let y = self.quad(field::DIRECTION + 1, quad);
+        let z = self.quad(field::DIRECTION + 2, quad);
+        let radius = self.quad(field::RADIUS, quad);
+        let n = surface.normal;
+        let c = x * n.x + y * n.y + z * n.z;
+        let reach = radius + Vec4::splat(surface.horizon);
+        let up = (c + reach).max(Vec4::ZERO);
+        let live = step(up);
+        let full = step(c - reach);
+        let cosine = c.max(Vec4::ZERO);
+        let half_spread = Vec4::splat(0.5 * surface.spread);
+        let cosine_spread = full * half_spread + (Vec4::ONE - full) * (0.35 * up);
+        if !(surface.specular > 0.0) {
+            return CellTerms {
+                cosine,
+                full,
+                live,
+                lobe: Vec4::ZERO,
+                lobe_spread: Vec4::ZERO,
+                cosine_spread,
+            };
+        }
+        // The mean direction, lifted to a quarter of the highest elevation in the cell at least.
+        let lifted = c.max(0.25 * up);
+        let v = surface.wo;
+        let nv = n.dot(v);
+        let dv = x * v.x + y * v.y + z * v.z + (lifted - c) * nv;
+        let length = sqrt((Vec4::ONE + lifted * lifted - c * c).max(Vec4::splat(1e-6)));
+        let half2 = (Vec4::splat(2.0) + 2.0 * dv / length).max(Vec4::splat(1e-6));
+        let nh = ((Vec4::splat(nv) + lifted / length).max(Vec4::ZERO)) / sqrt(half2);
+        let cos2 = (nh * nh).min(Vec4::ONE);
+        let sin2 = Vec4::ONE - cos2;
+        let r2 = radius * radius;
+        let e = surface.exponent.max(1e-3);
+        let seen = Vec4::splat(4.0) / (Vec4::splat(4.0 / e) + 0.7 * r2);
+        let lobe =
+            cosine_power4(sin2, seen) * seen * (lifted * live) * (surface.share * surface.peak / e);
+        let tangent = sqrt(sin2 / cos2.max(Vec4::splat(1e-4)));
+        let near = Vec4::splat(0.1 * e * surface.spread * surface.spread) + 0.06 * e * r2;
+        let slope = (0.5 * e) * tangent * (0.5 * radius + half_spread);
+        CellTerms {
+            cosine,
+            full,
+            live,
+            lobe,
+            lobe_spread: (slope + near).min(Vec4::ONE),
+            cosine_spread,
+        }
     }
 }
 

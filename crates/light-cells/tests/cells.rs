@@ -261,7 +261,7 @@ fn what_a_surface_sees_is_bounded() {
                     let angle = d.cross(w).length().atan2(d.dot(w));
                     assert!(angle <= list(field::RADIUS) + 1e-4, "{} {texel}", map.name);
                     for surface in &surfaces {
-                        let terms = surface.terms(&cells, cell / 4);
+                        let terms = cells.terms(surface, cell / 4);
                         let (live, full) = (
                             terms.live[(cell % 4) as usize],
                             terms.full[(cell % 4) as usize],
@@ -287,7 +287,7 @@ fn lobes_add_up_to_what_they_reflect() {
             let surface = CellSurface::new(Vec3::Z, wo, 0.0, 1.0, exponent, 1.0, 0.0);
             let sum: f32 = (0..CELLS / 4)
                 .map(|quad| {
-                    (surface.terms(&cells, quad).lobe * cells.quad(field::FLUX, quad)).element_sum()
+                    (cells.terms(&surface, quad).lobe * cells.quad(field::FLUX, quad)).element_sum()
                 })
                 .sum();
             let brdf = glimt_brdf::BlinnPhong {

@@ -72,9 +72,10 @@ impl Renderer for CpuRenderer {
         progress: &(dyn Fn(f32) + Sync),
     ) -> Result<FrameImage, RenderError> {
         let whole = settings.frame_params_over(plate)?;
+        let light = env.view_for(&settings.method)?;
         let mut following = self.begin(scene, env, settings)?;
         let view = following.as_ref().map(|f| f.window(u64::MAX, 0, 0));
-        let job = Job::new(whole, env, scene, plate, settings);
+        let job = Job::new(whole, light, scene, plate, settings);
         let inputs = Inputs {
             frame: &whole,
             env: job.env.shorten(),

@@ -34,7 +34,7 @@ fn is_right() -> bool {
     let cell = cells.cell_of(bright);
     let quad = cell / 4;
     let flux = cells.quad(field::FLUX, quad);
-    let weights = floor.product_weights(&floor.terms(&cells, quad), flux);
+    let weights = floor.product_weights(&cells.terms(&floor, quad), flux);
     let drawn = cells.sample(cell, black_box(UVec2::new(1 << 30, 3 << 30)));
     weights[(cell % 4) as usize] > 1.0 && drawn.texel == bright && drawn.pmf > 0.99
 }

@@ -41,7 +41,7 @@ pub(crate) const EXPORTS: &[Export] = &[
             ("cell_pmf", "glimt_light_cells::LightCells::pmf_in_cell"),
             ("cell_quad", "glimt_light_cells::LightCells::quad"),
             ("cell_surface", "glimt_light_cells::CellSurface::new"),
-            ("cell_terms", "glimt_light_cells::CellSurface::terms"),
+            ("cell_terms", "glimt_light_cells::LightCells::terms"),
             (
                 "cell_product_weights",
                 "glimt_light_cells::CellSurface::product_weights",

@@ -8,6 +8,7 @@ use glimt_render_gpu::kernels::frame::{Background, FrameParams, Shadow};
 use glimt_render_gpu::kernels::mis::Mis;
 use glimt_render_gpu::kernels::scene::Scene;
 use glimt_render_gpu::kernels::{diagnose, film, shade};
+use glimt_render_gpu::methods::{Method, Product};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{Pattern, RenderSettings, Tonemap};
 use glimt_render_gpu::prepare::scene::{
@@ -172,7 +173,7 @@ impl Stage<'_> {
         rays: u32,
     ) {
         let scene = GpuScene::new(self.context, &self.scene).expect("a small scene");
-        let env = GpuEnv::new(self.context, &self.env).expect("a small map");
+        let env = GpuEnv::new(self.context, &self.env, &all_of_luminance()).expect("a small map");
         let mut args = vec![("frame", Arg::Value(bytemuck::bytes_of(frame)))];
         args.extend(scene.args());
         args.extend(env.args());
@@ -192,6 +193,11 @@ impl Stage<'_> {
             rays,
         );
     }
+}
+
+/// A method that reads all tables of luminance as it is.
+pub(super) fn all_of_luminance() -> Method {
+    Product::default().into()
 }
 
 pub(super) fn params(pattern: Pattern, tonemap: Tonemap) -> FrameParams {

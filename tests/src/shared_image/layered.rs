@@ -1,14 +1,14 @@
 //! Host file: a small frame with catchers, over a plate and alone: the kernels of compositing.
 
 use glam::Vec4;
-use glimt_render_gpu::gpu::Arg;
+use glimt_render_gpu::gpu::{Arg, GpuEnv};
 use glimt_render_gpu::kernels::composite;
 use glimt_render_gpu::kernels::frame::FrameParams;
 use glimt_render_gpu::kernels::layers::{LayerSample, PixelLayers, reconstruct_layers};
 use glimt_render_gpu::kernels::shade;
 use glimt_render_gpu::prepare::plate::Plate;
 
-use super::frame::{MIS, MIS_IN_LAYERS, RAYS, SIZE, Stage};
+use super::frame::{MIS, MIS_IN_LAYERS, RAYS, SIZE, Stage, all_of_luminance};
 use super::{Output, Pair, launch, words};
 
 impl Stage<'_> {
@@ -36,7 +36,7 @@ impl Stage<'_> {
         let out_layers = Output::new::<PixelLayers>(context, pixels);
         let plate = context.buffer_of("plate", plate.pixels());
         let plate = plate.expect("a small buffer");
-        let gpu_env = glimt_render_gpu::gpu::GpuEnv::new(context, &self.env).expect("a small map");
+        let gpu_env = GpuEnv::new(context, &self.env, &all_of_luminance()).expect("a small map");
         let mut args = vec![
             ("frame", Arg::Value(bytemuck::bytes_of(frame))),
             ("samples", Arg::Buffer(&out_samples.buffer)),

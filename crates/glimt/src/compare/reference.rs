@@ -96,6 +96,8 @@ pub fn keys() -> Vec<String> {
         "render.pattern=owen-sobol".to_owned(),
         "render.brdf_samples=1".to_owned(),
         "render.env_samples=1".to_owned(),
+        // Contestants that compensate are judged by light that was not.
+        "render.compensation=false".to_owned(),
         format!("image.rays_per_pixel={RAYS}"),
     ];
     keys.to_vec()

@@ -231,7 +231,7 @@ impl LightCache {
         // Frames are gone through in order, again and again: to drop the oldest for the newest would keep none.
         let size = light.view().size;
         let texels = size.x as usize * size.y as usize;
-        let bytes = texels * (size_of::<Vec4>() + size_of::<u32>());
+        let bytes = texels * (size_of::<Vec4>() + 2 * size_of::<u32>());
         if self.kept.is_empty() || self.bytes + bytes <= LIGHT_BYTES {
             self.bytes += bytes;
             self.kept.push((key, Arc::clone(&light)));

@@ -112,6 +112,9 @@ mod tests {
         let mut other = base.clone();
         other.render.seed = 2;
         assert_ne!(of_shot(&base), of_shot(&other));
+        let mut other = base.clone();
+        other.render.compensation = false;
+        assert_ne!(of_shot(&base), of_shot(&other));
         let zero = [0; 32];
         assert_ne!(of_frame(&zero, &zero, 1), of_frame(&zero, &zero, 2));
     }

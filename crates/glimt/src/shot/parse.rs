@@ -228,12 +228,13 @@ fn apply_preset(table: &mut Table) {
         _ => return,
     };
     let word = |word: &str| Value::String(word.into());
-    let settings: [(&[&str], &str, Value); 14] = [
+    let settings: [(&[&str], &str, Value); 15] = [
         (&["image"], "rays_per_pixel", Value::Integer(1)),
         (&["image"], "filter", word("centre")),
         (&["render"], "pattern", word(pattern)),
         (&["render"], "brdf_samples", Value::Integer(15)),
         (&["render"], "env_samples", Value::Integer(15)),
+        (&["render"], "compensation", Value::Boolean(false)),
         (&["render", "bis"], "candidates", Value::Integer(400)),
         (&["render", "bis"], "samples", Value::Integer(20)),
         (&["render", "bis"], "source", word("brdf")),
@@ -414,6 +415,7 @@ mod tests {
         let shot = shot(text, &["image.rays_per_pixel=2"]).unwrap();
         assert_eq!(shot.render.brdf_samples, 15);
         assert_eq!(shot.render.env_samples, 3);
+        assert!(!shot.render.compensation);
         assert_eq!(shot.image.rays_per_pixel, 2);
         assert_eq!(shot.image.filter, super::super::Filter::Centre);
         let text = "[render]\npreset = \"stratified\"\nbis = { samples = 3 }\n";

@@ -59,6 +59,9 @@ macro_rules! tables {
             pub brdf_samples: u32,
             /// Environment samples on each ray.
             pub env_samples: u32,
+            /// Whether environment samples leave light that is no brighter than the map's mean to BRDF samples; without effect where
+            /// one of the counts is 0.
+            pub compensation: bool,
             $(#[doc = concat!("Of the method \"", $word, "\".")] pub $module: methods::$settings,)*
             /// Of the method "cells".
             pub cells: methods::Cells,
@@ -84,6 +87,7 @@ macro_rules! tables {
                     method: Method::Mis,
                     brdf_samples: mis.brdf_samples,
                     env_samples: mis.env_samples,
+                    compensation: mis.compensation,
                     $($module: methods::$settings::default(),)*
                     cells: methods::Cells::default(),
                     smc: Smc::default(),
@@ -117,6 +121,7 @@ impl Render {
         methods::Mis {
             brdf_samples: self.brdf_samples,
             env_samples: self.env_samples,
+            compensation: self.compensation,
         }
     }
 

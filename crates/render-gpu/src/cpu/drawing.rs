@@ -66,7 +66,7 @@ impl Renderer for CpuDrawing {
         let known = scene.transfer().ok_or(SettingsError::NoTransfer)?;
         let lights = self.vertex_lights(scene, env, settings)?;
         let surface = known.surface(&lights);
-        let job = Job::new(whole, env, scene, plate, settings);
+        let job = Job::new(whole, env.view(), scene, plate, settings);
         let mut image = Image::new(settings).map_err(RenderError::device)?;
         let (map, view) = (env.view().map(), scene.view());
         // A GPU draws triangles instead, so this is not a pass.

@@ -9,11 +9,11 @@ use rayon::prelude::*;
 use crate::film::{Pixels, Samples};
 use crate::generated::passes::{EnvironmentArg, SceneArg};
 use crate::kernels::composite::PlatePixel;
+use crate::kernels::environment::Environment;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::PixelLayers;
 use crate::methods::smc::Own;
 use crate::methods::{Method, Points};
-use crate::prepare::env::PreparedEnv;
 use crate::prepare::plate::Plate;
 use crate::prepare::render::{FrameImage, RenderSettings};
 use crate::prepare::scene_build::SceneBuffers;
@@ -126,13 +126,13 @@ type Shade<'s> = dyn Fn(Tile<'_>, &mut Samples<Host>) -> Result<(), HostError> +
 impl<'a> Job<'a> {
     pub(super) fn new(
         whole: FrameParams,
-        env: &'a PreparedEnv,
+        env: Environment<'a>,
         scene: &'a SceneBuffers,
         plate: Option<&'a Plate>,
         settings: &RenderSettings,
     ) -> Self {
         Self {
-            env: env.view().into(),
+            env: env.into(),
             scene: scene.view().into(),
             whole,
             plate: plate.map(Plate::pixels),

@@ -742,15 +742,15 @@ fn direction_to_texel(d_2: vec3<f32>, size: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_16 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:38
+// glimt_render_gpu/src/kernels/environment.rs:37
 fn RadianceMap_radiance(size_1: vec2<u32>, rotation: vec2<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:39
+    // glimt_render_gpu/src/kernels/environment.rs:38
     let to_map = vec2<f32>(rotation.x, -(rotation.y));
-    // glimt_render_gpu/src/kernels/environment.rs:40
+    // glimt_render_gpu/src/kernels/environment.rs:39
     let _e10 = rotate_z(direction_1, to_map);
     let _e11 = direction_to_texel(_e10, size_1);
-    // glimt_render_gpu/src/kernels/environment.rs:41
+    // glimt_render_gpu/src/kernels/environment.rs:40
     let _e20 = before_texels[((_e11.y * size_1.x) + _e11.x)];
     return _e20.xyz;
 }
@@ -771,27 +771,27 @@ fn LightTarget_previous(previous_light_size: vec2<u32>, previous_light_rotation:
     return ((_e16 + previous_floor) * _e7);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:90
+// glimt_render_gpu/src/kernels/environment.rs:89
 fn Environment_to_map(size_2: vec2<u32>, rotation_1: vec2<f32>, direction_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:90
     let _e8 = rotate_z(direction_3, vec2<f32>(rotation_1.x, -(rotation_1.y)));
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:97
+// glimt_render_gpu/src/kernels/environment.rs:96
 fn Environment_texel(size_3: vec2<u32>, rotation_2: vec2<f32>, direction_4: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:98
+    // glimt_render_gpu/src/kernels/environment.rs:97
     let _e5 = Environment_to_map(size_3, rotation_2, direction_4);
     let _e6 = direction_to_texel(_e5, size_3);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:104
+// glimt_render_gpu/src/kernels/environment.rs:103
 fn Environment_radiance(size_4: vec2<u32>, rotation_3: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:105
+    // glimt_render_gpu/src/kernels/environment.rs:104
     let _e11 = env_texels[((texel.y * size_4.x) + texel.x)];
     return _e11.xyz;
 }
@@ -1849,17 +1849,17 @@ fn CapMove_propose(this_26: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Propos
     return Proposed(normalize(_e12), 1f, 1f);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:132
+// glimt_render_gpu/src/kernels/environment.rs:131
 fn marginal_words(size_5: vec2<u32>) -> u32 {
 
-    // glimt_render_gpu/src/kernels/environment.rs:133
+    // glimt_render_gpu/src/kernels/environment.rs:132
     return (size_5.y + 1u);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:68
+// glimt_render_gpu/src/kernels/environment.rs:67
 fn Environment_cdf(size_6: vec2<u32>, rotation_4: vec2<f32>) -> Returned_Environment_cdf {
 
-    // glimt_render_gpu/src/kernels/environment.rs:69
+    // glimt_render_gpu/src/kernels/environment.rs:68
     let _e3 = marginal_words(size_6);
     return Returned_Environment_cdf(size_6, _e3, (arrayLength((&env_tables)) - _e3));
 }
@@ -2111,13 +2111,13 @@ fn EnvCdf_sample(size_11: vec2<u32>, conditional_start_1: u32, conditional_len_1
     return EnvSample(texel_5, _e58, _e62);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:111
+// glimt_render_gpu/src/kernels/environment.rs:110
 fn Environment_sample(size_12: vec2<u32>, rotation_5: vec2<f32>, u_8: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:112
+    // glimt_render_gpu/src/kernels/environment.rs:111
     let _e5 = Environment_cdf(size_12, rotation_5);
     let _e9 = EnvCdf_sample(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, u_8);
-    // glimt_render_gpu/src/kernels/environment.rs:113
+    // glimt_render_gpu/src/kernels/environment.rs:112
     let _e12 = rotate_z(_e9.direction, rotation_5);
     return EnvSample(_e9.texel, _e12, _e9.pdf_sr);
 }

@@ -684,17 +684,17 @@ fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples:
     return _e30;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:132
+// glimt_render_gpu/src/kernels/environment.rs:131
 fn marginal_words(size: vec2<u32>) -> u32 {
 
-    // glimt_render_gpu/src/kernels/environment.rs:133
+    // glimt_render_gpu/src/kernels/environment.rs:132
     return (size.y + 1u);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:68
+// glimt_render_gpu/src/kernels/environment.rs:67
 fn Environment_cdf(size_1: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cdf {
 
-    // glimt_render_gpu/src/kernels/environment.rs:69
+    // glimt_render_gpu/src/kernels/environment.rs:68
     let _e3 = marginal_words(size_1);
     return Returned_Environment_cdf(size_1, _e3, (arrayLength((&env_tables)) - _e3));
 }
@@ -953,21 +953,21 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:111
+// glimt_render_gpu/src/kernels/environment.rs:110
 fn Environment_sample(size_7: vec2<u32>, rotation_1: vec2<f32>, u_4: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:112
+    // glimt_render_gpu/src/kernels/environment.rs:111
     let _e5 = Environment_cdf(size_7, rotation_1);
     let _e9 = EnvCdf_sample(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, u_4);
-    // glimt_render_gpu/src/kernels/environment.rs:113
+    // glimt_render_gpu/src/kernels/environment.rs:112
     let _e12 = rotate_z(_e9.direction, rotation_1);
     return EnvSample(_e9.texel, _e12, _e9.pdf_sr);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:90
+// glimt_render_gpu/src/kernels/environment.rs:89
 fn Environment_to_map(size_8: vec2<u32>, rotation_2: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:90
     let _e8 = rotate_z(direction, vec2<f32>(rotation_2.x, -(rotation_2.y)));
     return _e8;
 }
@@ -1017,10 +1017,10 @@ fn direction_to_texel(d_2: vec3<f32>, size_9: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_13 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:97
+// glimt_render_gpu/src/kernels/environment.rs:96
 fn Environment_texel(size_10: vec2<u32>, rotation_3: vec2<f32>, direction_1: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:98
+    // glimt_render_gpu/src/kernels/environment.rs:97
     let _e5 = Environment_to_map(size_10, rotation_3, direction_1);
     let _e6 = direction_to_texel(_e5, size_10);
     return _e6;

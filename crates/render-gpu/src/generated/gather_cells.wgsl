@@ -163,7 +163,7 @@ fn cap(word_1: u32) -> u32 {
     return (_e9 | (_e16 << 16u));
 }
 
-// glimt_render_gpu/src/kernels/cells.rs:45
+// glimt_render_gpu/src/kernels/cells.rs:43
 fn gather_cells_1(tile_1: u32, frame_1: FrameParams, cells: CellParams, counts_start: u32, counts_len: u32) {
     var counter: u32;
     var counter_1: u32;
@@ -171,62 +171,62 @@ fn gather_cells_1(tile_1: u32, frame_1: FrameParams, cells: CellParams, counts_s
     var counter_3: i32;
     var counter_4: u32;
 
-    // glimt_render_gpu/src/kernels/cells.rs:52
+    // glimt_render_gpu/src/kernels/cells.rs:50
     let first_row = (frame_1.first_pixel / frame_1.width);
-    // glimt_render_gpu/src/kernels/cells.rs:53
+    // glimt_render_gpu/src/kernels/cells.rs:51
     let _e15 = CellParams_corner(cells, (((first_row / 8u) * cells.tiles_across) + tile_1));
-    // glimt_render_gpu/src/kernels/cells.rs:54
+    // glimt_render_gpu/src/kernels/cells.rs:52
     let _e17 = tile_end(_e15, frame_1);
-    // glimt_render_gpu/src/kernels/cells.rs:55
+    // glimt_render_gpu/src/kernels/cells.rs:53
     counter = _e15.y;
     loop {
         let y = counter;
         if (y >= _e17.y) {
             break;
         }
-        // glimt_render_gpu/src/kernels/cells.rs:56
+        // glimt_render_gpu/src/kernels/cells.rs:54
         counter_1 = _e15.x;
         loop {
             let x = counter_1;
             if (x >= _e17.x) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/cells.rs:57
+            // glimt_render_gpu/src/kernels/cells.rs:55
             let pixel = (((y - first_row) * frame_1.width) + x);
-            // glimt_render_gpu/src/kernels/cells.rs:58
+            // glimt_render_gpu/src/kernels/cells.rs:56
             let first = (pixel * frame_1.rays_per_pixel);
-            // glimt_render_gpu/src/kernels/cells.rs:59
+            // glimt_render_gpu/src/kernels/cells.rs:57
             counter_2 = first;
             loop {
                 let ray = counter_2;
                 if (ray >= (first + frame_1.rays_per_pixel)) {
                     break;
                 }
-                // glimt_render_gpu/src/kernels/cells.rs:60
+                // glimt_render_gpu/src/kernels/cells.rs:58
                 let word_2 = points[ray].record;
-                // glimt_render_gpu/src/kernels/cells.rs:61
+                // glimt_render_gpu/src/kernels/cells.rs:59
                 let _e52 = points[ray];
                 let _e53 = SeenPoint_slot(_e52);
-                // glimt_render_gpu/src/kernels/cells.rs:62
+                // glimt_render_gpu/src/kernels/cells.rs:60
                 if ((word_2 != 0u) && (_e53 > 0u)) {
-                    // glimt_render_gpu/src/kernels/cells.rs:63
+                    // glimt_render_gpu/src/kernels/cells.rs:61
                     let base = ((_e53 - 1u) * 256u);
-                    // glimt_render_gpu/src/kernels/cells.rs:64
+                    // glimt_render_gpu/src/kernels/cells.rs:62
                     counter_3 = 0i;
                     loop {
                         let half = counter_3;
                         if (half >= 2i) {
                             break;
                         }
-                        // glimt_render_gpu/src/kernels/cells.rs:65
+                        // glimt_render_gpu/src/kernels/cells.rs:63
                         let found = (word_2 >> (u32((16i * half)) & 31u));
-                        // glimt_render_gpu/src/kernels/cells.rs:66
+                        // glimt_render_gpu/src/kernels/cells.rs:64
                         if ((found & 32768u) != 0u) {
-                            // glimt_render_gpu/src/kernels/cells.rs:67
+                            // glimt_render_gpu/src/kernels/cells.rs:65
                             let cell_1 = (found & 511u);
-                            // glimt_render_gpu/src/kernels/cells.rs:68
+                            // glimt_render_gpu/src/kernels/cells.rs:66
                             let at = (base + (cell_1 / 2u));
-                            // glimt_render_gpu/src/kernels/cells.rs:69
+                            // glimt_render_gpu/src/kernels/cells.rs:67
                             let _e94 = counts[(counts_start + at)];
                             let _e99 = count(_e94, cell_1, ((found & 16384u) != 0u));
                             counts[(counts_start + at)] = _e99;
@@ -252,14 +252,14 @@ fn gather_cells_1(tile_1: u32, frame_1: FrameParams, cells: CellParams, counts_s
             counter = (_e112 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/cells.rs:76
+    // glimt_render_gpu/src/kernels/cells.rs:74
     counter_4 = 0u;
     loop {
         let i = counter_4;
         if (i >= (3u * 256u)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/cells.rs:77
+        // glimt_render_gpu/src/kernels/cells.rs:75
         let _e127 = counts[(counts_start + i)];
         let _e128 = cap(_e127);
         counts[(counts_start + i)] = _e128;

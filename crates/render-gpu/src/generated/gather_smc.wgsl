@@ -366,10 +366,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:90
+// glimt_render_gpu/src/kernels/environment.rs:89
 fn Environment_to_map(size: vec2<u32>, rotation: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:90
     let _e8 = rotate_z(direction, vec2<f32>(rotation.x, -(rotation.y)));
     return _e8;
 }
@@ -419,19 +419,19 @@ fn direction_to_texel(d_2: vec3<f32>, size_1: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_9 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:97
+// glimt_render_gpu/src/kernels/environment.rs:96
 fn Environment_texel(size_2: vec2<u32>, rotation_1: vec2<f32>, direction_1: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:98
+    // glimt_render_gpu/src/kernels/environment.rs:97
     let _e5 = Environment_to_map(size_2, rotation_1, direction_1);
     let _e6 = direction_to_texel(_e5, size_2);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:104
+// glimt_render_gpu/src/kernels/environment.rs:103
 fn Environment_radiance(size_3: vec2<u32>, rotation_2: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:105
+    // glimt_render_gpu/src/kernels/environment.rs:104
     let _e11 = env_texels[((texel.y * size_3.x) + texel.x)];
     return _e11.xyz;
 }
@@ -1937,49 +1937,49 @@ fn FrameParams_camera_ray(this_28: FrameParams, pattern: PixelPattern) -> Ray {
     return _e33;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:57
+// glimt_render_gpu/src/kernels/environment.rs:56
 fn Environment_map(size_6: vec2<u32>, rotation_3: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:58
+    // glimt_render_gpu/src/kernels/environment.rs:57
     return Returned_Environment_map(size_6, rotation_3);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:147
+// glimt_render_gpu/src/kernels/environment.rs:146
 fn bilinear(size_7: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:148
+    // glimt_render_gpu/src/kernels/environment.rs:147
     let _e4 = direction_to_uv(d_3);
     let p_1 = ((_e4 * vec2<f32>(size_7)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:150
+    // glimt_render_gpu/src/kernels/environment.rs:149
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:151
+    // glimt_render_gpu/src/kernels/environment.rs:150
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:152
+    // glimt_render_gpu/src/kernels/environment.rs:151
     let x0_ = (((next.x + size_7.x) - 1u) % size_7.x);
-    // glimt_render_gpu/src/kernels/environment.rs:153
+    // glimt_render_gpu/src/kernels/environment.rs:152
     let x1_ = (next.x % size_7.x);
-    // glimt_render_gpu/src/kernels/environment.rs:154
+    // glimt_render_gpu/src/kernels/environment.rs:153
     let row0_1 = ((max(next.y, 1u) * size_7.x) - size_7.x);
-    // glimt_render_gpu/src/kernels/environment.rs:155
+    // glimt_render_gpu/src/kernels/environment.rs:154
     let row1_1 = (min(next.y, (size_7.y - 1u)) * size_7.x);
-    // glimt_render_gpu/src/kernels/environment.rs:156
+    // glimt_render_gpu/src/kernels/environment.rs:155
     let _e53 = env_texels[(row0_1 + x0_)];
     let _e57 = env_texels[(row0_1 + x1_)];
     let upper_1 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:157
+    // glimt_render_gpu/src/kernels/environment.rs:156
     let _e68 = env_texels[(row1_1 + x0_)];
     let _e72 = env_texels[(row1_1 + x1_)];
     let lower_1 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:158
+    // glimt_render_gpu/src/kernels/environment.rs:157
     return ((upper_1 * (1f - f.y)) + (lower_1 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:47
+// glimt_render_gpu/src/kernels/environment.rs:46
 fn RadianceMap_background(size_8: vec2<u32>, rotation_4: vec2<f32>, direction_7: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:48
+    // glimt_render_gpu/src/kernels/environment.rs:47
     let to_map = vec2<f32>(rotation_4.x, -(rotation_4.y));
-    // glimt_render_gpu/src/kernels/environment.rs:49
+    // glimt_render_gpu/src/kernels/environment.rs:48
     let _e10 = rotate_z(direction_7, to_map);
     let _e11 = bilinear(size_8, _e10);
     return _e11;

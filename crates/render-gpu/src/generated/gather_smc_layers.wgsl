@@ -373,10 +373,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:90
+// glimt_render_gpu/src/kernels/environment.rs:89
 fn Environment_to_map(size: vec2<u32>, rotation: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:90
     let _e8 = rotate_z(direction, vec2<f32>(rotation.x, -(rotation.y)));
     return _e8;
 }
@@ -426,19 +426,19 @@ fn direction_to_texel(d_2: vec3<f32>, size_1: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_7 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:97
+// glimt_render_gpu/src/kernels/environment.rs:96
 fn Environment_texel(size_2: vec2<u32>, rotation_1: vec2<f32>, direction_1: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:98
+    // glimt_render_gpu/src/kernels/environment.rs:97
     let _e5 = Environment_to_map(size_2, rotation_1, direction_1);
     let _e6 = direction_to_texel(_e5, size_2);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:104
+// glimt_render_gpu/src/kernels/environment.rs:103
 fn Environment_radiance(size_3: vec2<u32>, rotation_2: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:105
+    // glimt_render_gpu/src/kernels/environment.rs:104
     let _e11 = env_texels[((texel.y * size_3.x) + texel.x)];
     return _e11.xyz;
 }
@@ -1957,10 +1957,10 @@ fn FrameParams_camera_ray(this_28: FrameParams, pattern: PixelPattern) -> Ray {
     return _e33;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:57
+// glimt_render_gpu/src/kernels/environment.rs:56
 fn Environment_map(size_6: vec2<u32>, rotation_3: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:58
+    // glimt_render_gpu/src/kernels/environment.rs:57
     return Returned_Environment_map(size_6, rotation_3);
 }
 

@@ -325,27 +325,11 @@ fn tile_end(corner: vec2<u32>, frame: FrameParams) -> vec2<u32> {
     return vec2<u32>(min((corner.x + 16u), frame.width), min((corner.y + 8u), frame.height));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:132
-fn marginal_words(size: vec2<u32>) -> u32 {
+// glimt_render_gpu/src/kernels/environment.rs:78
+fn Environment_cells(size: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cells {
 
-    // glimt_render_gpu/src/kernels/environment.rs:133
-    return (size.y + 1u);
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:139
-fn cdf_words(size_1: vec2<u32>) -> u32 {
-
-    // glimt_render_gpu/src/kernels/environment.rs:140
-    let _e3 = marginal_words(size_1);
-    return (_e3 + (size_1.y * (size_1.x + 1u)));
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:79
-fn Environment_cells(size_2: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cells {
-
-    // glimt_render_gpu/src/kernels/environment.rs:80
-    let _e3 = cdf_words(size_2);
-    return Returned_Environment_cells(size_2, _e3);
+    // glimt_render_gpu/src/kernels/environment.rs:79
+    return Returned_Environment_cells(size, 0u);
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:130
@@ -945,12 +929,12 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_9: CameraView, p: vec2<f32>, size_3: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_9: CameraView, p: vec2<f32>, size_1: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
-    let x_11 = (((2f * p.x) / f32(size_3.x)) - 1f);
+    let x_11 = (((2f * p.x) / f32(size_1.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
-    let y_2 = (((2f * p.y) / f32(size_3.y)) - 1f);
+    let y_2 = (((2f * p.y) / f32(size_1.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
     return normalize(((this_9.forward + (this_9.right * x_11)) - (this_9.up * y_2)));
 }
@@ -1199,10 +1183,10 @@ fn wrap(x_6: f32, mode: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:103
-fn neighbour(index_10: i32, size_4: u32, mode_1: u32) -> u32 {
+fn neighbour(index_10: i32, size_2: u32, mode_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:104
-    let last = (i32(size_4) - 1i);
+    let last = (i32(size_2) - 1i);
     // glimt_render_gpu/src/kernels/texture.rs:105
     if (mode_1 == 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:106
@@ -2145,10 +2129,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:90
-fn Environment_to_map(size_5: vec2<u32>, rotation_1: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:89
+fn Environment_to_map(size_3: vec2<u32>, rotation_1: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:90
     let _e8 = rotate_z(direction_2, vec2<f32>(rotation_1.x, -(rotation_1.y)));
     return _e8;
 }
@@ -2202,7 +2186,7 @@ fn SeenPoint_is_catcher(this_26: SeenPoint) -> bool {
 }
 
 // glimt_light_cells/src/partition.rs:113
-fn LightCells_quad(size_6: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
+fn LightCells_quad(size_4: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
     // glimt_light_cells/src/partition.rs:114
     let at_2 = (((start + 32u) + (list * 512u)) + (4u * quad));
@@ -2257,148 +2241,148 @@ fn cosine_power4_(sin2_theta: vec4<f32>, exponent_2: vec4<f32>) -> vec4<f32> {
     return (x128_ * x128_);
 }
 
-// glimt_light_cells/src/surface.rs:133
-fn CellSurface_terms(this_27: CellSurface, cells_size: vec2<u32>, cells_start: u32, quad_1: u32) -> CellTerms {
+// glimt_light_cells/src/surface.rs:156
+fn LightCells_terms(size_5: vec2<u32>, start_1: u32, surface_1: CellSurface, quad_1: u32) -> CellTerms {
 
-    // glimt_light_cells/src/surface.rs:134
-    let _e7 = LightCells_quad(cells_size, cells_start, 15u, quad_1);
-    // glimt_light_cells/src/surface.rs:135
-    let _e12 = LightCells_quad(cells_size, cells_start, (15u + 1u), quad_1);
-    // glimt_light_cells/src/surface.rs:136
-    let _e17 = LightCells_quad(cells_size, cells_start, (15u + 2u), quad_1);
-    // glimt_light_cells/src/surface.rs:137
-    let _e20 = LightCells_quad(cells_size, cells_start, 18u, quad_1);
-    // glimt_light_cells/src/surface.rs:138
-    let n_4 = this_27.normal;
-    // glimt_light_cells/src/surface.rs:139
+    // glimt_light_cells/src/surface.rs:157
+    let _e7 = LightCells_quad(size_5, start_1, 15u, quad_1);
+    // glimt_light_cells/src/surface.rs:158
+    let _e12 = LightCells_quad(size_5, start_1, (15u + 1u), quad_1);
+    // glimt_light_cells/src/surface.rs:159
+    let _e17 = LightCells_quad(size_5, start_1, (15u + 2u), quad_1);
+    // glimt_light_cells/src/surface.rs:160
+    let _e20 = LightCells_quad(size_5, start_1, 18u, quad_1);
+    // glimt_light_cells/src/surface.rs:161
+    let n_4 = surface_1.normal;
+    // glimt_light_cells/src/surface.rs:162
     let c_5 = (((_e7 * n_4.x) + (_e12 * n_4.y)) + (_e17 * n_4.z));
-    // glimt_light_cells/src/surface.rs:140
-    let reach_2 = (_e20 + vec4(this_27.horizon));
-    // glimt_light_cells/src/surface.rs:141
+    // glimt_light_cells/src/surface.rs:163
+    let reach_2 = (_e20 + vec4(surface_1.horizon));
+    // glimt_light_cells/src/surface.rs:164
     let up = max((c_5 + reach_2), vec4(0f));
-    // glimt_light_cells/src/surface.rs:142
+    // glimt_light_cells/src/surface.rs:165
     let _e42 = step_(up);
-    // glimt_light_cells/src/surface.rs:143
+    // glimt_light_cells/src/surface.rs:166
     let _e45 = step_((c_5 - reach_2));
-    // glimt_light_cells/src/surface.rs:144
+    // glimt_light_cells/src/surface.rs:167
     let cosine_1 = max(c_5, vec4(0f));
-    // glimt_light_cells/src/surface.rs:145
-    let half_spread = vec4((0.5f * this_27.spread));
-    // glimt_light_cells/src/surface.rs:146
+    // glimt_light_cells/src/surface.rs:168
+    let half_spread = vec4((0.5f * surface_1.spread));
+    // glimt_light_cells/src/surface.rs:169
     let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
-    // glimt_light_cells/src/surface.rs:147
-    if !((this_27.specular > 0f)) {
-        // glimt_light_cells/src/surface.rs:148
+    // glimt_light_cells/src/surface.rs:170
+    if !((surface_1.specular > 0f)) {
+        // glimt_light_cells/src/surface.rs:171
         return CellTerms(cosine_1, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
     }
-    // glimt_light_cells/src/surface.rs:158
+    // glimt_light_cells/src/surface.rs:181
     let lifted = max(c_5, (0.25f * up));
-    // glimt_light_cells/src/surface.rs:159
-    let v_6 = this_27.wo;
-    // glimt_light_cells/src/surface.rs:160
+    // glimt_light_cells/src/surface.rs:182
+    let v_6 = surface_1.wo;
+    // glimt_light_cells/src/surface.rs:183
     let nv = dot(n_4, v_6);
-    // glimt_light_cells/src/surface.rs:161
+    // glimt_light_cells/src/surface.rs:184
     let dv = ((((_e7 * v_6.x) + (_e12 * v_6.y)) + (_e17 * v_6.z)) + ((lifted - c_5) * nv));
-    // glimt_light_cells/src/surface.rs:162
+    // glimt_light_cells/src/surface.rs:185
     let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_5 * c_5)), vec4(0.000001f)));
-    // glimt_light_cells/src/surface.rs:163
+    // glimt_light_cells/src/surface.rs:186
     let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
-    // glimt_light_cells/src/surface.rs:164
+    // glimt_light_cells/src/surface.rs:187
     let _e123 = sqrt_(half2_);
     let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
-    // glimt_light_cells/src/surface.rs:165
+    // glimt_light_cells/src/surface.rs:188
     let cos2_ = min((nh * nh), vec4(1f));
-    // glimt_light_cells/src/surface.rs:166
+    // glimt_light_cells/src/surface.rs:189
     let sin2_ = (vec4(1f) - cos2_);
-    // glimt_light_cells/src/surface.rs:167
+    // glimt_light_cells/src/surface.rs:190
     let r2_ = (_e20 * _e20);
-    // glimt_light_cells/src/surface.rs:168
-    let e = max(this_27.exponent, 0.001f);
-    // glimt_light_cells/src/surface.rs:169
+    // glimt_light_cells/src/surface.rs:191
+    let e = max(surface_1.exponent, 0.001f);
+    // glimt_light_cells/src/surface.rs:192
     let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
-    // glimt_light_cells/src/surface.rs:170
+    // glimt_light_cells/src/surface.rs:193
     let _e151 = cosine_power4_(sin2_, seen);
-    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((this_27.share * this_27.peak) / e));
-    // glimt_light_cells/src/surface.rs:172
+    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((surface_1.share * surface_1.peak) / e));
+    // glimt_light_cells/src/surface.rs:195
     let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
-    // glimt_light_cells/src/surface.rs:173
-    let near_2 = (vec4((((0.1f * e) * this_27.spread) * this_27.spread)) + ((0.06f * e) * r2_));
-    // glimt_light_cells/src/surface.rs:174
+    // glimt_light_cells/src/surface.rs:196
+    let near_2 = (vec4((((0.1f * e) * surface_1.spread) * surface_1.spread)) + ((0.06f * e) * r2_));
+    // glimt_light_cells/src/surface.rs:197
     let slope_1 = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
-    // glimt_light_cells/src/surface.rs:175
+    // glimt_light_cells/src/surface.rs:198
     return CellTerms(cosine_1, _e45, _e42, lobe, min((slope_1 + near_2), vec4(1f)), cosine_spread);
 }
 
 // glimt_render_gpu/src/kernels/cell_state.rs:185
-fn Even_quad(this_28: Even, _quad: u32) -> vec4<f32> {
+fn Even_quad(this_27: Even, _quad: u32) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/cell_state.rs:186
     return vec4(0.75f);
 }
 
-// glimt_light_cells/src/surface.rs:212
-fn CellSurface_blocked_weights(this_29: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+// glimt_light_cells/src/surface.rs:214
+fn CellSurface_blocked_weights(this_28: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
 
-    // glimt_light_cells/src/surface.rs:213
-    let reflected = ((terms.cosine * this_29.diffuse) + (terms.lobe * this_29.specular));
-    // glimt_light_cells/src/surface.rs:214
-    let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:215
-    let diffuse = (terms.cosine_spread * this_29.diffuse);
+    let reflected = ((terms.cosine * this_28.diffuse) + (terms.lobe * this_28.specular));
     // glimt_light_cells/src/surface.rs:216
-    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_29.specular);
+    let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:217
-    let by_shape = ((diffuse * diffuse) + (lobe_1 * lobe_1));
+    let diffuse = (terms.cosine_spread * this_28.diffuse);
     // glimt_light_cells/src/surface.rs:218
+    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_28.specular);
+    // glimt_light_cells/src/surface.rs:219
+    let by_shape = ((diffuse * diffuse) + (lobe_1 * lobe_1));
+    // glimt_light_cells/src/surface.rs:220
     let _e41 = sqrt_((((reflected * reflected) * blocked) + by_shape));
     return ((flux * terms.live) * _e41);
 }
 
-// glimt_light_cells/src/surface.rs:197
-fn CellSurface_residual_weights(this_30: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+// glimt_light_cells/src/surface.rs:142
+fn CellSurface_residual_weights(this_29: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
 
-    // glimt_light_cells/src/surface.rs:198
-    let reflected_1 = ((terms_1.cosine * this_30.diffuse) + (terms_1.lobe * this_30.specular));
-    // glimt_light_cells/src/surface.rs:199
+    // glimt_light_cells/src/surface.rs:143
+    let reflected_1 = ((terms_1.cosine * this_29.diffuse) + (terms_1.lobe * this_29.specular));
+    // glimt_light_cells/src/surface.rs:144
     let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
-    // glimt_light_cells/src/surface.rs:200
-    let diffuse_1 = (terms_1.cosine_spread * this_30.diffuse);
-    // glimt_light_cells/src/surface.rs:201
-    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_30.specular);
-    // glimt_light_cells/src/surface.rs:202
+    // glimt_light_cells/src/surface.rs:145
+    let diffuse_1 = (terms_1.cosine_spread * this_29.diffuse);
+    // glimt_light_cells/src/surface.rs:146
+    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_29.specular);
+    // glimt_light_cells/src/surface.rs:147
     let by_shape_1 = (((diffuse_1 * diffuse_1) + (lobe_2 * lobe_2)) * max(visibility_1, vec4(0.02f)));
-    // glimt_light_cells/src/surface.rs:203
+    // glimt_light_cells/src/surface.rs:148
     let _e45 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape_1));
     return ((flux_1 * terms_1.live) * _e45);
 }
 
-// glimt_light_cells/src/surface.rs:188
-fn CellSurface_product_weights(this_31: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
+// glimt_light_cells/src/surface.rs:133
+fn CellSurface_product_weights(this_30: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
 
-    // glimt_light_cells/src/surface.rs:189
-    let reflected_2 = ((terms_2.cosine * this_31.diffuse) + (terms_2.lobe * this_31.specular));
-    // glimt_light_cells/src/surface.rs:190
-    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_31.diffuse)));
+    // glimt_light_cells/src/surface.rs:134
+    let reflected_2 = ((terms_2.cosine * this_30.diffuse) + (terms_2.lobe * this_30.specular));
+    // glimt_light_cells/src/surface.rs:135
+    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_30.diffuse)));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:238
-fn weights(surface_1: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
+fn weights(surface_2: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen_14: vec4<f32>;
     var chosen_15: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/proposal.rs:245
     if (true && is_catcher) {
         // glimt_render_gpu/src/kernels/proposal.rs:246
-        let _e11 = CellSurface_blocked_weights(surface_1, terms_3, flux_3, visibility_2);
+        let _e11 = CellSurface_blocked_weights(surface_2, terms_3, flux_3, visibility_2);
         chosen_14 = _e11;
     } else {
         if true {
             // glimt_render_gpu/src/kernels/proposal.rs:248
-            let _e15 = CellSurface_residual_weights(surface_1, terms_3, flux_3, visibility_2);
+            let _e15 = CellSurface_residual_weights(surface_2, terms_3, flux_3, visibility_2);
             chosen_15 = _e15;
         } else {
             // glimt_render_gpu/src/kernels/proposal.rs:250
-            let _e17 = CellSurface_product_weights(surface_1, terms_3, flux_3);
+            let _e17 = CellSurface_product_weights(surface_2, terms_3, flux_3);
             chosen_15 = _e17;
         }
         let _e18 = chosen_15;
@@ -2409,47 +2393,47 @@ fn weights(surface_1: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibi
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:129
-fn channel_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_2: u32, channel: u32, normal_3: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
+fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_2: u32, channel: u32, normal_3: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:137
     let list_1 = (4u + (3u * channel));
     // glimt_render_gpu/src/kernels/proposal.rs:138
-    let _e14 = LightCells_quad(cells_size_1, cells_start_1, list_1, quad_2);
-    let _e19 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 1u), quad_2);
-    let _e25 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 2u), quad_2);
+    let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_2);
+    let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_2);
+    let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_2);
     let moment = (((_e14 * normal_3.x) + (_e19 * normal_3.y)) + (_e25 * normal_3.z));
     // glimt_render_gpu/src/kernels/proposal.rs:141
-    let _e32 = LightCells_quad(cells_size_1, cells_start_1, (1u + channel), quad_2);
+    let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_2);
     // glimt_render_gpu/src/kernels/proposal.rs:142
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:147
-fn diffuse_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_3: u32, normal_4: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
+fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_3: u32, normal_4: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:148
-    let _e9 = channel_sum(cells_size_2, cells_start_2, quad_3, 0u, normal_4, full_1, cut_1);
-    let _e11 = channel_sum(cells_size_2, cells_start_2, quad_3, 1u, normal_4, full_1, cut_1);
-    let _e13 = channel_sum(cells_size_2, cells_start_2, quad_3, 2u, normal_4, full_1, cut_1);
+    let _e9 = channel_sum(cells_size_1, cells_start_1, quad_3, 0u, normal_4, full_1, cut_1);
+    let _e11 = channel_sum(cells_size_1, cells_start_1, quad_3, 1u, normal_4, full_1, cut_1);
+    let _e13 = channel_sum(cells_size_1, cells_start_1, quad_3, 2u, normal_4, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:157
-fn radiance_sum(cells_size_3: vec2<u32>, cells_start_3: u32, quad_4: u32, factors: vec4<f32>) -> vec3<f32> {
+fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_4: u32, factors: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:158
-    let _e7 = LightCells_quad(cells_size_3, cells_start_3, 1u, quad_4);
+    let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_4);
     let _e8 = (_e7 * factors);
-    let _e19 = LightCells_quad(cells_size_3, cells_start_3, (1u + 1u), quad_4);
+    let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_4);
     let _e20 = (_e19 * factors);
-    let _e31 = LightCells_quad(cells_size_3, cells_start_3, (1u + 2u), quad_4);
+    let _e31 = LightCells_quad(cells_size_2, cells_start_2, (1u + 2u), quad_4);
     let _e32 = (_e31 * factors);
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:166
-fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected: Even, is_catcher_1: bool) -> Totals {
+fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected: Even, is_catcher_1: bool) -> Totals {
     var t_4: Totals;
     var counter_3: u32;
     var weight: f32;
@@ -2457,9 +2441,9 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
     var counter_4: u32;
 
     // glimt_render_gpu/src/kernels/proposal.rs:172
-    let surface_2 = of_.surface;
+    let surface_3 = of_.surface;
     // glimt_render_gpu/src/kernels/proposal.rs:173
-    let has_lobe = (surface_2.specular > 0f);
+    let has_lobe = (surface_3.specular > 0f);
     // glimt_render_gpu/src/kernels/proposal.rs:174
     t_4 = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
     // glimt_render_gpu/src/kernels/proposal.rs:189
@@ -2483,9 +2467,9 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
             // glimt_render_gpu/src/kernels/proposal.rs:193
             let quad_5 = ((2u * block) + half);
             // glimt_render_gpu/src/kernels/proposal.rs:194
-            let _e58 = LightCells_quad(cells_size_4, cells_start_4, 0u, quad_5);
+            let _e58 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_5);
             // glimt_render_gpu/src/kernels/proposal.rs:195
-            let _e60 = CellSurface_terms(surface_2, cells_size_4, cells_start_4, quad_5);
+            let _e60 = LightCells_terms(cells_size_3, cells_start_3, surface_3, quad_5);
             // glimt_render_gpu/src/kernels/proposal.rs:196
             let _e63 = (_e58 * _e60.live);
             let seen_1 = (((_e63.x + _e63.y) + _e63.z) + _e63.w);
@@ -2497,7 +2481,7 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                 // glimt_render_gpu/src/kernels/proposal.rs:200
                 let _e78 = Even_quad(expected, quad_5);
                 // glimt_render_gpu/src/kernels/proposal.rs:201
-                let _e80 = weights(surface_2, _e60, _e58, _e78, is_catcher_1);
+                let _e80 = weights(surface_3, _e60, _e58, _e78, is_catcher_1);
                 // glimt_render_gpu/src/kernels/proposal.rs:202
                 let _e89 = weight;
                 weight = (_e89 + (((_e80.x + _e80.y) + _e80.z) + _e80.w));
@@ -2508,7 +2492,7 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                     // glimt_render_gpu/src/kernels/proposal.rs:205
                     let cut_2 = ((_e78 - full_2) * _e60.cosine);
                     // glimt_render_gpu/src/kernels/proposal.rs:206
-                    let _e103 = diffuse_sum(cells_size_4, cells_start_4, quad_5, of_.mean_normal, full_2, cut_2);
+                    let _e103 = diffuse_sum(cells_size_3, cells_start_3, quad_5, of_.mean_normal, full_2, cut_2);
                     let _e104 = t_4.diffuse;
                     t_4.diffuse = (_e104 + _e103);
                     // glimt_render_gpu/src/kernels/proposal.rs:207
@@ -2516,12 +2500,12 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                         // glimt_render_gpu/src/kernels/proposal.rs:208
                         let cut_3 = ((vec4(1f) - _e60.full) * _e60.cosine);
                         // glimt_render_gpu/src/kernels/proposal.rs:209
-                        let _e117 = diffuse_sum(cells_size_4, cells_start_4, quad_5, of_.mean_normal, _e60.full, cut_3);
+                        let _e117 = diffuse_sum(cells_size_3, cells_start_3, quad_5, of_.mean_normal, _e60.full, cut_3);
                         // glimt_render_gpu/src/kernels/proposal.rs:210
                         let _e120 = t_4.open_diffuse;
                         t_4.open_diffuse = (_e120 + _e117);
                         // glimt_render_gpu/src/kernels/proposal.rs:211
-                        let _e125 = radiance_sum(cells_size_4, cells_start_4, quad_5, _e60.lobe);
+                        let _e125 = radiance_sum(cells_size_3, cells_start_3, quad_5, _e60.lobe);
                         let _e126 = t_4.open_specular;
                         t_4.open_specular = (_e126 + _e125);
                     }
@@ -2543,19 +2527,19 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                     let _e169 = t_4.lobe_visible;
                     t_4.lobe_visible = (_e169 + (((_e160.x + _e160.y) + _e160.z) + _e160.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:220
-                    let _e174 = LightCells_quad(cells_size_4, cells_start_4, 13u, quad_5);
+                    let _e174 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_5);
                     let _e175 = (_e60.lobe * _e174);
                     let _e184 = t_4.lobe_square;
                     t_4.lobe_square = (_e184 + (((_e175.x + _e175.y) + _e175.z) + _e175.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:221
-                    let _e189 = LightCells_quad(cells_size_4, cells_start_4, 14u, quad_5);
+                    let _e189 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_5);
                     let _e190 = (_e60.lobe * _e189);
                     let _e199 = t_4.lobe_area;
                     t_4.lobe_area = (_e199 + (((_e190.x + _e190.y) + _e190.z) + _e190.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:223
                     if true {
                         // glimt_render_gpu/src/kernels/proposal.rs:224
-                        let _e207 = radiance_sum(cells_size_4, cells_start_4, quad_5, (_e60.lobe * _e78));
+                        let _e207 = radiance_sum(cells_size_3, cells_start_3, quad_5, (_e60.lobe * _e78));
                         let _e208 = t_4.specular;
                         t_4.specular = (_e208 + _e207);
                     }
@@ -2603,7 +2587,7 @@ fn worth(a_3: f32, visible: f32, variance: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:269
-fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u32, expected_1: Even, is_catcher_2: bool) -> Proposal {
+fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_1: Even, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
     var first_3: Totals;
@@ -2620,7 +2604,7 @@ fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u3
     of_2 = of_1;
     // glimt_render_gpu/src/kernels/proposal.rs:276
     let _e9 = of_2;
-    let _e10 = weigh(_e9, cells_size_5, cells_start_5, expected_1, is_catcher_2);
+    let _e10 = weigh(_e9, cells_size_4, cells_start_4, expected_1, is_catcher_2);
     sums = _e10;
     // glimt_render_gpu/src/kernels/proposal.rs:277
     let _e13 = sums;
@@ -2679,7 +2663,7 @@ fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u3
             of_2.surface.share = _e98;
             // glimt_render_gpu/src/kernels/proposal.rs:297
             let _e102 = of_2;
-            let _e103 = weigh(_e102, cells_size_5, cells_start_5, expected_1, is_catcher_2);
+            let _e103 = weigh(_e102, cells_size_4, cells_start_4, expected_1, is_catcher_2);
             sums = _e103;
         }
     }
@@ -2768,37 +2752,37 @@ fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u3
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:109
-fn PixelPattern_point(this_32: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
+fn PixelPattern_point(this_31: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:110
-    let _e8 = PixelPattern_sobol_point(this_32, purpose_5, index_15);
-    let _e9 = PixelPattern_generator(this_32, purpose_5, index_15);
-    return PatternSource((this_32.kind == 0u), _e8, _e9);
+    let _e8 = PixelPattern_sobol_point(this_31, purpose_5, index_15);
+    let _e9 = PixelPattern_generator(this_31, purpose_5, index_15);
+    return PatternSource((this_31.kind == 0u), _e8, _e9);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:170
-fn PatternSource_next_uvec2_(this_33: ptr<function, PatternSource>) -> vec2<u32> {
+fn PatternSource_next_uvec2_(this_32: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_16: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:171
-    let _e5 = (*this_33).is_sobol;
+    let _e5 = (*this_32).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:172
-        let _e9 = (*this_33).point;
+        let _e9 = (*this_32).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_33).point = _e11;
+        (*this_32).point = _e11;
         chosen_16 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:174
-        let _e15 = (*this_33).generator;
+        let _e15 = (*this_32).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_33).generator = _e17;
+        (*this_32).generator = _e17;
         chosen_16 = _e16;
     }
     let _e18 = chosen_16;
@@ -2813,48 +2797,48 @@ fn Place_new(target_: f32) -> Place {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:481
-fn Place_offer(this_34: ptr<function, Place>, index_16: u32, width: f32) {
+fn Place_offer(this_33: ptr<function, Place>, index_16: u32, width: f32) {
 
     // glimt_render_gpu/src/kernels/proposal.rs:482
-    let _e8 = (*this_34).is_found;
+    let _e8 = (*this_33).is_found;
     if ((width > 0f) && !(_e8)) {
         // glimt_render_gpu/src/kernels/proposal.rs:483
-        (*this_34).index = index_16;
+        (*this_33).index = index_16;
         // glimt_render_gpu/src/kernels/proposal.rs:484
-        let _e15 = (*this_34).sum;
-        (*this_34).first = _e15;
+        let _e15 = (*this_33).sum;
+        (*this_33).first = _e15;
         // glimt_render_gpu/src/kernels/proposal.rs:485
-        (*this_34).width = width;
+        (*this_33).width = width;
     }
     // glimt_render_gpu/src/kernels/proposal.rs:487
-    let _e21 = (*this_34).sum;
-    (*this_34).sum = (_e21 + width);
+    let _e21 = (*this_33).sum;
+    (*this_33).sum = (_e21 + width);
     // glimt_render_gpu/src/kernels/proposal.rs:488
-    let _e25 = (*this_34).is_found;
-    let _e27 = (*this_34).sum;
-    let _e29 = (*this_34).target_;
-    (*this_34).is_found = (_e25 || (_e27 > _e29));
+    let _e25 = (*this_33).is_found;
+    let _e27 = (*this_33).sum;
+    let _e29 = (*this_33).target_;
+    (*this_33).is_found = (_e25 || (_e27 > _e29));
     return;
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:494
-fn Place_word(this_35: Place, whole: f32, fraction: u32) -> u32 {
+fn Place_word(this_34: Place, whole: f32, fraction: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:495
     let unit = (whole * (1f / 16777216f));
     // glimt_render_gpu/src/kernels/proposal.rs:496
-    let fine = ((this_35.target_ - this_35.first) + (unit * (f32(fraction) * (1f / 65536f))));
+    let fine = ((this_34.target_ - this_34.first) + (unit * (f32(fraction) * (1f / 65536f))));
     // glimt_render_gpu/src/kernels/proposal.rs:497
-    let place_3 = clamp((fine / max(this_35.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    let place_3 = clamp((fine / max(this_34.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
     // glimt_render_gpu/src/kernels/proposal.rs:498
     return ((u32((place_3 * 16777216f)) << 8u) | (fraction & 255u));
 }
 
 // glimt_light_cells/src/partition.rs:140
-fn LightCells_texel_rows(size_7: vec2<u32>, start_1: u32, row: u32) -> vec2<u32> {
+fn LightCells_texel_rows(size_6: vec2<u32>, start_2: u32, row: u32) -> vec2<u32> {
 
     // glimt_light_cells/src/partition.rs:141
-    let at_3 = (start_1 + row);
+    let at_3 = (start_2 + row);
     // glimt_light_cells/src/partition.rs:142
     let _e8 = env_tables[at_3];
     let _e13 = env_tables[(at_3 + 1u)];
@@ -2869,7 +2853,7 @@ fn first_row_word() -> u32 {
 }
 
 // glimt_light_cells/src/partition.rs:147
-fn LightCells_row_edges(size_8: vec2<u32>, start_2: u32, cell_1: u32, rows: vec2<u32>) -> u32 {
+fn LightCells_row_edges(size_7: vec2<u32>, start_3: u32, cell_1: u32, rows: vec2<u32>) -> u32 {
 
     // glimt_light_cells/src/partition.rs:148
     let _e9 = Tuple_u32_u32_((cell_1 % 32u), (cell_1 / 32u));
@@ -2879,16 +2863,16 @@ fn LightCells_row_edges(size_8: vec2<u32>, start_2: u32, cell_1: u32, rows: vec2
     let of_band = (32u * (rows.x + row_2));
     // glimt_light_cells/src/partition.rs:150
     let _e18 = first_row_word();
-    return (((start_2 + _e18) + of_band) + (column_1 * ((rows.y - rows.x) + 1u)));
+    return (((start_3 + _e18) + of_band) + (column_1 * ((rows.y - rows.x) + 1u)));
 }
 
 // glimt_envmap_cdf/src/search.rs:31
-fn find_bin(start_3: u32, bins: u32, u_4: u32) -> Bin {
+fn find_bin(start_4: u32, bins: u32, u_4: u32) -> Bin {
     var at: u32;
     var left: u32;
 
     // glimt_envmap_cdf/src/search.rs:33
-    at = start_3;
+    at = start_4;
     // glimt_envmap_cdf/src/search.rs:34
     left = bins;
     // glimt_envmap_cdf/src/search.rs:35
@@ -2919,7 +2903,7 @@ fn find_bin(start_3: u32, bins: u32, u_4: u32) -> Bin {
     let _e36 = at;
     let _e38 = at;
     let _e43 = env_tables[(_e38 + 1u)];
-    return Bin((_e36 - start_3), first_7, (_e43 - first_7));
+    return Bin((_e36 - start_4), first_7, (_e43 - first_7));
 }
 
 // glimt_light_cells/src/partition.rs:92
@@ -2937,11 +2921,11 @@ fn column_unit(u_5: u32) -> u32 {
 }
 
 // glimt_light_cells/src/partition.rs:79
-fn first_column_word(size_9: vec2<u32>) -> u32 {
+fn first_column_word(size_8: vec2<u32>) -> u32 {
 
     // glimt_light_cells/src/partition.rs:80
     let _e3 = first_row_word();
-    return (_e3 + (32u * (size_9.y + 16u)));
+    return (_e3 + (32u * (size_8.y + 16u)));
 }
 
 // glimt_light_cells/src/partition.rs:85
@@ -2953,25 +2937,25 @@ fn column_words(width_2: u32) -> u32 {
 }
 
 // glimt_light_cells/src/partition.rs:155
-fn LightCells_column_edge(size_10: vec2<u32>, start_4: u32, x_9: u32, y_1: u32) -> u32 {
+fn LightCells_column_edge(size_9: vec2<u32>, start_5: u32, x_9: u32, y_1: u32) -> u32 {
 
     // glimt_light_cells/src/partition.rs:156
-    let _e6 = first_column_word(size_10);
-    let _e9 = column_words(size_10.x);
-    let at_4 = (((start_4 + _e6) + (y_1 * _e9)) + (x_9 / 2u));
+    let _e6 = first_column_word(size_9);
+    let _e9 = column_words(size_9.x);
+    let at_4 = (((start_5 + _e6) + (y_1 * _e9)) + (x_9 / 2u));
     // glimt_light_cells/src/partition.rs:157
     let _e18 = env_tables[at_4];
     return ((_e18 >> ((16u * (x_9 & 1u)) & 31u)) & 65535u);
 }
 
 // glimt_light_cells/src/partition.rs:209
-fn LightCells_pmf(size_11: vec2<u32>, start_5: u32, row_1: Bin, texel: vec2<u32>, first_4: u32) -> f32 {
+fn LightCells_pmf(size_10: vec2<u32>, start_6: u32, row_1: Bin, texel: vec2<u32>, first_4: u32) -> f32 {
     var chosen_17: u32;
 
     // glimt_light_cells/src/partition.rs:210
     if (texel.x > first_4) {
         // glimt_light_cells/src/partition.rs:211
-        let _e15 = LightCells_column_edge(size_11, start_5, (texel.x - 1u), texel.y);
+        let _e15 = LightCells_column_edge(size_10, start_6, (texel.x - 1u), texel.y);
         chosen_17 = _e15;
     } else {
         // glimt_light_cells/src/partition.rs:213
@@ -2979,21 +2963,21 @@ fn LightCells_pmf(size_11: vec2<u32>, start_5: u32, row_1: Bin, texel: vec2<u32>
     }
     let lower_1 = chosen_17;
     // glimt_light_cells/src/partition.rs:215
-    let _e22 = LightCells_column_edge(size_11, start_5, texel.x, texel.y);
+    let _e22 = LightCells_column_edge(size_10, start_6, texel.x, texel.y);
     let units = (_e22 - lower_1);
     // glimt_light_cells/src/partition.rs:216
     return ((f32(row_1.units) * (1f / 2147483600f)) * (f32(units) * (1f / 32768f)));
 }
 
 // glimt_light_cells/src/partition.rs:163
-fn LightCells_sample(size_12: vec2<u32>, start_6: u32, cell_2: u32, u_6: vec2<u32>) -> TexelDraw {
+fn LightCells_sample(size_11: vec2<u32>, start_7: u32, cell_2: u32, u_6: vec2<u32>) -> TexelDraw {
     var at_1: u32;
     var left_1: u32;
 
     // glimt_light_cells/src/partition.rs:164
-    let _e8 = LightCells_texel_rows(size_12, start_6, (cell_2 / 32u));
+    let _e8 = LightCells_texel_rows(size_11, start_7, (cell_2 / 32u));
     // glimt_light_cells/src/partition.rs:165
-    let _e10 = LightCells_row_edges(size_12, start_6, cell_2, _e8);
+    let _e10 = LightCells_row_edges(size_11, start_7, cell_2, _e8);
     // glimt_light_cells/src/partition.rs:166
     let _e18 = find_bin(_e10, (_e8.y - _e8.x), (u_6.y >> 1u));
     // glimt_light_cells/src/partition.rs:172
@@ -3001,13 +2985,13 @@ fn LightCells_sample(size_12: vec2<u32>, start_6: u32, cell_2: u32, u_6: vec2<u3
     // glimt_light_cells/src/partition.rs:173
     let column_2 = (cell_2 % 32u);
     // glimt_light_cells/src/partition.rs:174
-    let _e28 = first_column(column_2, size_12.x);
+    let _e28 = first_column(column_2, size_11.x);
     // glimt_light_cells/src/partition.rs:176
     let _e31 = column_unit(u_6.x);
     // glimt_light_cells/src/partition.rs:177
     at_1 = _e28;
     // glimt_light_cells/src/partition.rs:178
-    let _e38 = first_column((column_2 + 1u), size_12.x);
+    let _e38 = first_column((column_2 + 1u), size_11.x);
     left_1 = (_e38 - _e28);
     // glimt_light_cells/src/partition.rs:179
     loop {
@@ -3020,7 +3004,7 @@ fn LightCells_sample(size_12: vec2<u32>, start_6: u32, cell_2: u32, u_6: vec2<u3
         let half_2 = (_e47 / 2u);
         // glimt_light_cells/src/partition.rs:181
         let _e51 = at_1;
-        let _e55 = LightCells_column_edge(size_12, start_6, ((_e51 + half_2) - 1u), y_4);
+        let _e55 = LightCells_column_edge(size_11, start_7, ((_e51 + half_2) - 1u), y_4);
         if (_e55 <= _e31) {
             // glimt_light_cells/src/partition.rs:182
             let _e58 = at_1;
@@ -3033,7 +3017,7 @@ fn LightCells_sample(size_12: vec2<u32>, start_6: u32, cell_2: u32, u_6: vec2<u3
     // glimt_light_cells/src/partition.rs:186
     let _e64 = at_1;
     let _e66 = at_1;
-    let _e68 = LightCells_pmf(size_12, start_6, _e18, vec2<u32>(_e66, y_4), _e28);
+    let _e68 = LightCells_pmf(size_11, start_7, _e18, vec2<u32>(_e66, y_4), _e28);
     return TexelDraw(vec2<u32>(_e64, y_4), _e68);
 }
 
@@ -3075,33 +3059,33 @@ fn cos_sin_pi(x_10: f32) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel_1: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+fn direction_in_texel(texel_1: vec2<u32>, size_12: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
     var chosen_19: u32;
     var chosen_20: u32;
     var chosen_21: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_14 = max(size_13, vec2(1u));
+    let size_13 = max(size_12, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_3 = min(texel_1.y, (size_14.y - 1u));
+    let row_3 = min(texel_1.y, (size_13.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_3) >= size_14.y);
+    let southern = ((2u * row_3) >= size_13.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_19 = (size_14.y - row_3);
+        chosen_19 = (size_13.y - row_3);
     } else {
         chosen_19 = row_3;
     }
     let upper_1 = chosen_19;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_20 = ((size_14.y - row_3) - 1u);
+        chosen_20 = ((size_13.y - row_3) - 1u);
     } else {
         chosen_20 = (row_3 + 1u);
     }
     let lower_2 = chosen_20;
     // glimt_probe/src/latlong.rs:149
-    let half_3 = (0.5f / f32(size_14.y));
+    let half_3 = (0.5f / f32(size_13.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper_1) * half_3));
     let sin_upper = _e41.y;
@@ -3124,13 +3108,13 @@ fn direction_in_texel(texel_1: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> v
     }
     let cos_theta = chosen_21;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_1.x) + r.x)) / f32(size_14.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_1.x) + r.x)) / f32(size_13.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta * _e90.x), (sin_theta * _e90.y), cos_theta);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:398
-fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_6: vec2<u32>, cells_start_6: u32, expected_2: Even) -> CellDraw {
+fn Proposal_sample_cells(this_35: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_2: Even) -> CellDraw {
     var self_: Proposal;
     var row_place: Place;
     var counter_6: u32;
@@ -3141,7 +3125,7 @@ fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_6: vec2<u
     var cell_place: Place;
     var counter_9: u32;
 
-    self_ = this_36;
+    self_ = this_35;
     // glimt_render_gpu/src/kernels/proposal.rs:404
     let per_row = (64u / 16u);
     // glimt_render_gpu/src/kernels/proposal.rs:406
@@ -3222,17 +3206,17 @@ fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_6: vec2<u
         let _e95 = block_place.index;
         let quad_6 = ((2u * _e95) + half_4);
         // glimt_render_gpu/src/kernels/proposal.rs:426
-        let _e100 = LightCells_quad(cells_size_6, cells_start_6, 0u, quad_6);
+        let _e100 = LightCells_quad(cells_size_5, cells_start_5, 0u, quad_6);
         // glimt_render_gpu/src/kernels/proposal.rs:427
         let _e104 = self_.of_.surface;
-        let _e105 = CellSurface_terms(_e104, cells_size_6, cells_start_6, quad_6);
+        let _e105 = LightCells_terms(cells_size_5, cells_start_5, _e104, quad_6);
         // glimt_render_gpu/src/kernels/proposal.rs:428
         let _e107 = Even_quad(expected_2, quad_6);
         // glimt_render_gpu/src/kernels/proposal.rs:429
-        let surface_3 = self_.of_.surface;
+        let surface_4 = self_.of_.surface;
         // glimt_render_gpu/src/kernels/proposal.rs:430
         let _e114 = self_.is_catcher;
-        let _e115 = weights(surface_3, _e105, _e100, _e107, _e114);
+        let _e115 = weights(surface_4, _e105, _e100, _e107, _e114);
         // glimt_render_gpu/src/kernels/proposal.rs:431
         let _e120 = self_.defence;
         let all_1 = (_e115 + ((_e100 * _e105.live) * _e120));
@@ -3261,14 +3245,14 @@ fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_6: vec2<u
     let within = vec2<u32>(_e158, _e164);
     // glimt_render_gpu/src/kernels/proposal.rs:442
     let _e168 = cell_place.index;
-    let _e169 = LightCells_sample(cells_size_6, cells_start_6, _e168, within);
+    let _e169 = LightCells_sample(cells_size_5, cells_start_5, _e168, within);
     // glimt_render_gpu/src/kernels/proposal.rs:443
     let _e172 = hash2_(_e151, u_7.x);
     // glimt_render_gpu/src/kernels/proposal.rs:444
     let place_4 = vec2<u32>((_e172 << 16u), (_e172 & 4294901760u));
     // glimt_render_gpu/src/kernels/proposal.rs:445
     let _e181 = unit_vec2_(place_4);
-    let _e182 = direction_in_texel(_e169.texel, cells_size_6, _e181);
+    let _e182 = direction_in_texel(_e169.texel, cells_size_5, _e181);
     let _e185 = cell_place.index;
     return CellDraw(_e182, _e169.texel, _e185);
 }

@@ -1076,42 +1076,42 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(_e47, clamp(v_9, 0f, 1f));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:147
+// glimt_render_gpu/src/kernels/environment.rs:146
 fn bilinear(size_1: vec2<u32>, d_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:148
+    // glimt_render_gpu/src/kernels/environment.rs:147
     let _e4 = direction_to_uv(d_2);
     let p_1 = ((_e4 * vec2<f32>(size_1)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:150
+    // glimt_render_gpu/src/kernels/environment.rs:149
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:151
+    // glimt_render_gpu/src/kernels/environment.rs:150
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:152
+    // glimt_render_gpu/src/kernels/environment.rs:151
     let x0_ = (((next.x + size_1.x) - 1u) % size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:153
+    // glimt_render_gpu/src/kernels/environment.rs:152
     let x1_ = (next.x % size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:154
+    // glimt_render_gpu/src/kernels/environment.rs:153
     let row0_1 = ((max(next.y, 1u) * size_1.x) - size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:155
+    // glimt_render_gpu/src/kernels/environment.rs:154
     let row1_1 = (min(next.y, (size_1.y - 1u)) * size_1.x);
-    // glimt_render_gpu/src/kernels/environment.rs:156
+    // glimt_render_gpu/src/kernels/environment.rs:155
     let _e53 = texels[(row0_1 + x0_)];
     let _e57 = texels[(row0_1 + x1_)];
     let upper_1 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:157
+    // glimt_render_gpu/src/kernels/environment.rs:156
     let _e68 = texels[(row1_1 + x0_)];
     let _e72 = texels[(row1_1 + x1_)];
     let lower_1 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:158
+    // glimt_render_gpu/src/kernels/environment.rs:157
     return ((upper_1 * (1f - f.y)) + (lower_1 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:47
+// glimt_render_gpu/src/kernels/environment.rs:46
 fn RadianceMap_background(size_2: vec2<u32>, rotation: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:48
+    // glimt_render_gpu/src/kernels/environment.rs:47
     let to_map = vec2<f32>(rotation.x, -(rotation.y));
-    // glimt_render_gpu/src/kernels/environment.rs:49
+    // glimt_render_gpu/src/kernels/environment.rs:48
     let _e10 = rotate_z(direction_2, to_map);
     let _e11 = bilinear(size_2, _e10);
     return _e11;

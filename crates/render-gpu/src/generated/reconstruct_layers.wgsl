@@ -781,10 +781,10 @@ fn FrameParams_camera_ray(this_12: FrameParams, pattern: PixelPattern) -> Ray {
     return _e33;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:57
+// glimt_render_gpu/src/kernels/environment.rs:56
 fn Environment_map(size_1: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:58
+    // glimt_render_gpu/src/kernels/environment.rs:57
     return Returned_Environment_map(size_1, rotation);
 }
 
@@ -828,51 +828,51 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(_e47, clamp(v_2, 0f, 1f));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:147
+// glimt_render_gpu/src/kernels/environment.rs:146
 fn bilinear(size_2: vec2<u32>, d_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:148
+    // glimt_render_gpu/src/kernels/environment.rs:147
     let _e4 = direction_to_uv(d_2);
     let p_1 = ((_e4 * vec2<f32>(size_2)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:150
+    // glimt_render_gpu/src/kernels/environment.rs:149
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:151
+    // glimt_render_gpu/src/kernels/environment.rs:150
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:152
+    // glimt_render_gpu/src/kernels/environment.rs:151
     let x0_ = (((next.x + size_2.x) - 1u) % size_2.x);
-    // glimt_render_gpu/src/kernels/environment.rs:153
+    // glimt_render_gpu/src/kernels/environment.rs:152
     let x1_ = (next.x % size_2.x);
-    // glimt_render_gpu/src/kernels/environment.rs:154
+    // glimt_render_gpu/src/kernels/environment.rs:153
     let row0_ = ((max(next.y, 1u) * size_2.x) - size_2.x);
-    // glimt_render_gpu/src/kernels/environment.rs:155
+    // glimt_render_gpu/src/kernels/environment.rs:154
     let row1_ = (min(next.y, (size_2.y - 1u)) * size_2.x);
-    // glimt_render_gpu/src/kernels/environment.rs:156
+    // glimt_render_gpu/src/kernels/environment.rs:155
     let _e53 = env_texels[(row0_ + x0_)];
     let _e57 = env_texels[(row0_ + x1_)];
     let upper = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:157
+    // glimt_render_gpu/src/kernels/environment.rs:156
     let _e68 = env_texels[(row1_ + x0_)];
     let _e72 = env_texels[(row1_ + x1_)];
     let lower = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:158
+    // glimt_render_gpu/src/kernels/environment.rs:157
     return ((upper * (1f - f.y)) + (lower * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:47
+// glimt_render_gpu/src/kernels/environment.rs:46
 fn RadianceMap_background(size_3: vec2<u32>, rotation_1: vec2<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:48
+    // glimt_render_gpu/src/kernels/environment.rs:47
     let to_map = vec2<f32>(rotation_1.x, -(rotation_1.y));
-    // glimt_render_gpu/src/kernels/environment.rs:49
+    // glimt_render_gpu/src/kernels/environment.rs:48
     let _e10 = rotate_z(direction_1, to_map);
     let _e11 = bilinear(size_3, _e10);
     return _e11;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:124
+// glimt_render_gpu/src/kernels/environment.rs:123
 fn Environment_background(size_4: vec2<u32>, rotation_2: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:125
+    // glimt_render_gpu/src/kernels/environment.rs:124
     let _e5 = Environment_map(size_4, rotation_2);
     let _e8 = RadianceMap_background(_e5.value_size, _e5.value_rotation, direction_2);
     return _e8;

@@ -2390,10 +2390,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:90
+// glimt_render_gpu/src/kernels/environment.rs:89
 fn Environment_to_map(size_2: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:90
     let _e8 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
     return _e8;
 }
@@ -2443,34 +2443,34 @@ fn direction_to_texel(d_2: vec3<f32>, size_3: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_20 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:97
+// glimt_render_gpu/src/kernels/environment.rs:96
 fn Environment_texel(size_4: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:98
+    // glimt_render_gpu/src/kernels/environment.rs:97
     let _e5 = Environment_to_map(size_4, rotation_1, direction_7);
     let _e6 = direction_to_texel(_e5, size_4);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:104
+// glimt_render_gpu/src/kernels/environment.rs:103
 fn Environment_radiance(size_5: vec2<u32>, rotation_2: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:105
+    // glimt_render_gpu/src/kernels/environment.rs:104
     let _e11 = env_texels[((texel.y * size_5.x) + texel.x)];
     return _e11.xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:132
+// glimt_render_gpu/src/kernels/environment.rs:131
 fn marginal_words(size_6: vec2<u32>) -> u32 {
 
-    // glimt_render_gpu/src/kernels/environment.rs:133
+    // glimt_render_gpu/src/kernels/environment.rs:132
     return (size_6.y + 1u);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:68
+// glimt_render_gpu/src/kernels/environment.rs:67
 fn Environment_cdf(size_7: vec2<u32>, rotation_3: vec2<f32>) -> Returned_Environment_cdf {
 
-    // glimt_render_gpu/src/kernels/environment.rs:69
+    // glimt_render_gpu/src/kernels/environment.rs:68
     let _e3 = marginal_words(size_7);
     return Returned_Environment_cdf(size_7, _e3, (arrayLength((&env_tables)) - _e3));
 }
@@ -2758,13 +2758,13 @@ fn EnvCdf_sample(size_15: vec2<u32>, conditional_start_4: u32, conditional_len_4
     return EnvSample(texel_5, _e58, _e62);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:111
+// glimt_render_gpu/src/kernels/environment.rs:110
 fn Environment_sample(size_16: vec2<u32>, rotation_4: vec2<f32>, u_12: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:112
+    // glimt_render_gpu/src/kernels/environment.rs:111
     let _e5 = Environment_cdf(size_16, rotation_4);
     let _e9 = EnvCdf_sample(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, u_12);
-    // glimt_render_gpu/src/kernels/environment.rs:113
+    // glimt_render_gpu/src/kernels/environment.rs:112
     let _e12 = rotate_z(_e9.direction, rotation_4);
     return EnvSample(_e9.texel, _e12, _e9.pdf_sr);
 }
@@ -3295,49 +3295,49 @@ fn Vec4_of_surface(light_1: Reflected, _is_catcher: bool) -> vec4<f32> {
     return vec4<f32>(light_1.lit, 1f);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:57
+// glimt_render_gpu/src/kernels/environment.rs:56
 fn Environment_map(size_17: vec2<u32>, rotation_5: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:58
+    // glimt_render_gpu/src/kernels/environment.rs:57
     return Returned_Environment_map(size_17, rotation_5);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:147
+// glimt_render_gpu/src/kernels/environment.rs:146
 fn bilinear(size_18: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:148
+    // glimt_render_gpu/src/kernels/environment.rs:147
     let _e4 = direction_to_uv(d_3);
     let p_1 = ((_e4 * vec2<f32>(size_18)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:150
+    // glimt_render_gpu/src/kernels/environment.rs:149
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:151
+    // glimt_render_gpu/src/kernels/environment.rs:150
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:152
+    // glimt_render_gpu/src/kernels/environment.rs:151
     let x0_ = (((next.x + size_18.x) - 1u) % size_18.x);
-    // glimt_render_gpu/src/kernels/environment.rs:153
+    // glimt_render_gpu/src/kernels/environment.rs:152
     let x1_ = (next.x % size_18.x);
-    // glimt_render_gpu/src/kernels/environment.rs:154
+    // glimt_render_gpu/src/kernels/environment.rs:153
     let row0_1 = ((max(next.y, 1u) * size_18.x) - size_18.x);
-    // glimt_render_gpu/src/kernels/environment.rs:155
+    // glimt_render_gpu/src/kernels/environment.rs:154
     let row1_1 = (min(next.y, (size_18.y - 1u)) * size_18.x);
-    // glimt_render_gpu/src/kernels/environment.rs:156
+    // glimt_render_gpu/src/kernels/environment.rs:155
     let _e53 = env_texels[(row0_1 + x0_)];
     let _e57 = env_texels[(row0_1 + x1_)];
     let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:157
+    // glimt_render_gpu/src/kernels/environment.rs:156
     let _e68 = env_texels[(row1_1 + x0_)];
     let _e72 = env_texels[(row1_1 + x1_)];
     let lower_2 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:158
+    // glimt_render_gpu/src/kernels/environment.rs:157
     return ((upper_2 * (1f - f.y)) + (lower_2 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:47
+// glimt_render_gpu/src/kernels/environment.rs:46
 fn RadianceMap_background(size_19: vec2<u32>, rotation_6: vec2<f32>, direction_11: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:48
+    // glimt_render_gpu/src/kernels/environment.rs:47
     let to_map = vec2<f32>(rotation_6.x, -(rotation_6.y));
-    // glimt_render_gpu/src/kernels/environment.rs:49
+    // glimt_render_gpu/src/kernels/environment.rs:48
     let _e10 = rotate_z(direction_11, to_map);
     let _e11 = bilinear(size_19, _e10);
     return _e11;

@@ -2397,10 +2397,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:90
+// glimt_render_gpu/src/kernels/environment.rs:89
 fn Environment_to_map(size_2: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:90
     let _e8 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
     return _e8;
 }
@@ -2450,34 +2450,34 @@ fn direction_to_texel(d_2: vec3<f32>, size_3: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_18 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:97
+// glimt_render_gpu/src/kernels/environment.rs:96
 fn Environment_texel(size_4: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:98
+    // glimt_render_gpu/src/kernels/environment.rs:97
     let _e5 = Environment_to_map(size_4, rotation_1, direction_7);
     let _e6 = direction_to_texel(_e5, size_4);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:104
+// glimt_render_gpu/src/kernels/environment.rs:103
 fn Environment_radiance(size_5: vec2<u32>, rotation_2: vec2<f32>, texel: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:105
+    // glimt_render_gpu/src/kernels/environment.rs:104
     let _e11 = env_texels[((texel.y * size_5.x) + texel.x)];
     return _e11.xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:132
+// glimt_render_gpu/src/kernels/environment.rs:131
 fn marginal_words(size_6: vec2<u32>) -> u32 {
 
-    // glimt_render_gpu/src/kernels/environment.rs:133
+    // glimt_render_gpu/src/kernels/environment.rs:132
     return (size_6.y + 1u);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:68
+// glimt_render_gpu/src/kernels/environment.rs:67
 fn Environment_cdf(size_7: vec2<u32>, rotation_3: vec2<f32>) -> Returned_Environment_cdf {
 
-    // glimt_render_gpu/src/kernels/environment.rs:69
+    // glimt_render_gpu/src/kernels/environment.rs:68
     let _e3 = marginal_words(size_7);
     return Returned_Environment_cdf(size_7, _e3, (arrayLength((&env_tables)) - _e3));
 }
@@ -2765,13 +2765,13 @@ fn EnvCdf_sample(size_15: vec2<u32>, conditional_start_4: u32, conditional_len_4
     return EnvSample(texel_5, _e58, _e62);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:111
+// glimt_render_gpu/src/kernels/environment.rs:110
 fn Environment_sample(size_16: vec2<u32>, rotation_4: vec2<f32>, u_12: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:112
+    // glimt_render_gpu/src/kernels/environment.rs:111
     let _e5 = Environment_cdf(size_16, rotation_4);
     let _e9 = EnvCdf_sample(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, u_12);
-    // glimt_render_gpu/src/kernels/environment.rs:113
+    // glimt_render_gpu/src/kernels/environment.rs:112
     let _e12 = rotate_z(_e9.direction, rotation_4);
     return EnvSample(_e9.texel, _e12, _e9.pdf_sr);
 }
@@ -3315,10 +3315,10 @@ fn LayerSample_of_surface(light_2: Reflected, is_catcher_1: bool) -> LayerSample
     return _e4;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:57
+// glimt_render_gpu/src/kernels/environment.rs:56
 fn Environment_map(size_17: vec2<u32>, rotation_5: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:58
+    // glimt_render_gpu/src/kernels/environment.rs:57
     return Returned_Environment_map(size_17, rotation_5);
 }
 

@@ -361,28 +361,28 @@ fn CellParams_tile_of(this_: CellParams, pixel: u32, frame: FrameParams) -> u32 
     return (((y_2 / 8u) * this_.tiles_across) + (x_12 / 16u));
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:143
+// glimt_render_gpu/src/kernels/expect.rs:137
 fn threshold(frame_1: FrameParams, cells: CellParams, parts: u32) -> f32 {
     var sum: f32;
     var counter: u32;
 
-    // glimt_render_gpu/src/kernels/expect.rs:149
+    // glimt_render_gpu/src/kernels/expect.rs:138
     if (cells.is_adaptive == 0u) {
-        // glimt_render_gpu/src/kernels/expect.rs:150
+        // glimt_render_gpu/src/kernels/expect.rs:139
         return 0f;
     }
-    // glimt_render_gpu/src/kernels/expect.rs:152
+    // glimt_render_gpu/src/kernels/expect.rs:141
     let behind = ((cells.tiles * 3u) * 128u);
-    // glimt_render_gpu/src/kernels/expect.rs:153
+    // glimt_render_gpu/src/kernels/expect.rs:142
     sum = 0f;
-    // glimt_render_gpu/src/kernels/expect.rs:154
+    // glimt_render_gpu/src/kernels/expect.rs:143
     counter = 0u;
     loop {
         let part = counter;
         if (part >= parts) {
             break;
         }
-        // glimt_render_gpu/src/kernels/expect.rs:155
+        // glimt_render_gpu/src/kernels/expect.rs:144
         let _e28 = visibility_3[(behind + part)];
         let _e30 = sum;
         sum = (_e30 + bitcast<f32>(_e28));
@@ -391,32 +391,16 @@ fn threshold(frame_1: FrameParams, cells: CellParams, parts: u32) -> f32 {
             counter = (_e32 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/expect.rs:157
+    // glimt_render_gpu/src/kernels/expect.rs:146
     let _e36 = sum;
     return (_e36 / (f32((frame_1.width * frame_1.height)) * cells.rays));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:132
-fn marginal_words(size: vec2<u32>) -> u32 {
+// glimt_render_gpu/src/kernels/environment.rs:78
+fn Environment_cells(size: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cells {
 
-    // glimt_render_gpu/src/kernels/environment.rs:133
-    return (size.y + 1u);
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:139
-fn cdf_words(size_1: vec2<u32>) -> u32 {
-
-    // glimt_render_gpu/src/kernels/environment.rs:140
-    let _e3 = marginal_words(size_1);
-    return (_e3 + (size_1.y * (size_1.x + 1u)));
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:79
-fn Environment_cells(size_2: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cells {
-
-    // glimt_render_gpu/src/kernels/environment.rs:80
-    let _e3 = cdf_words(size_2);
-    return Returned_Environment_cells(size_2, _e3);
+    // glimt_render_gpu/src/kernels/environment.rs:79
+    return Returned_Environment_cells(size, 0u);
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:130
@@ -548,10 +532,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:90
-fn Environment_to_map(size_3: vec2<u32>, rotation_1: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:89
+fn Environment_to_map(size_1: vec2<u32>, rotation_1: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:90
     let _e8 = rotate_z(direction, vec2<f32>(rotation_1.x, -(rotation_1.y)));
     return _e8;
 }
@@ -721,7 +705,7 @@ fn SeenPoint_is_catcher(this_7: SeenPoint) -> bool {
 }
 
 // glimt_light_cells/src/partition.rs:113
-fn LightCells_quad(size_4: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
+fn LightCells_quad(size_2: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
     // glimt_light_cells/src/partition.rs:114
     let at_4 = (((start + 32u) + (list * 512u)) + (4u * quad));
@@ -776,75 +760,75 @@ fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
     return (x128_ * x128_);
 }
 
-// glimt_light_cells/src/surface.rs:133
-fn CellSurface_terms(this_8: CellSurface, cells_size: vec2<u32>, cells_start: u32, quad_1: u32) -> CellTerms {
+// glimt_light_cells/src/surface.rs:156
+fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_1: u32) -> CellTerms {
 
-    // glimt_light_cells/src/surface.rs:134
-    let _e7 = LightCells_quad(cells_size, cells_start, 15u, quad_1);
-    // glimt_light_cells/src/surface.rs:135
-    let _e12 = LightCells_quad(cells_size, cells_start, (15u + 1u), quad_1);
-    // glimt_light_cells/src/surface.rs:136
-    let _e17 = LightCells_quad(cells_size, cells_start, (15u + 2u), quad_1);
-    // glimt_light_cells/src/surface.rs:137
-    let _e20 = LightCells_quad(cells_size, cells_start, 18u, quad_1);
-    // glimt_light_cells/src/surface.rs:138
-    let n_3 = this_8.normal;
-    // glimt_light_cells/src/surface.rs:139
+    // glimt_light_cells/src/surface.rs:157
+    let _e7 = LightCells_quad(size_3, start_1, 15u, quad_1);
+    // glimt_light_cells/src/surface.rs:158
+    let _e12 = LightCells_quad(size_3, start_1, (15u + 1u), quad_1);
+    // glimt_light_cells/src/surface.rs:159
+    let _e17 = LightCells_quad(size_3, start_1, (15u + 2u), quad_1);
+    // glimt_light_cells/src/surface.rs:160
+    let _e20 = LightCells_quad(size_3, start_1, 18u, quad_1);
+    // glimt_light_cells/src/surface.rs:161
+    let n_3 = surface.normal;
+    // glimt_light_cells/src/surface.rs:162
     let c_2 = (((_e7 * n_3.x) + (_e12 * n_3.y)) + (_e17 * n_3.z));
-    // glimt_light_cells/src/surface.rs:140
-    let reach_2 = (_e20 + vec4(this_8.horizon));
-    // glimt_light_cells/src/surface.rs:141
+    // glimt_light_cells/src/surface.rs:163
+    let reach_2 = (_e20 + vec4(surface.horizon));
+    // glimt_light_cells/src/surface.rs:164
     let up = max((c_2 + reach_2), vec4(0f));
-    // glimt_light_cells/src/surface.rs:142
+    // glimt_light_cells/src/surface.rs:165
     let _e42 = step_(up);
-    // glimt_light_cells/src/surface.rs:143
+    // glimt_light_cells/src/surface.rs:166
     let _e45 = step_((c_2 - reach_2));
-    // glimt_light_cells/src/surface.rs:144
+    // glimt_light_cells/src/surface.rs:167
     let cosine = max(c_2, vec4(0f));
-    // glimt_light_cells/src/surface.rs:145
-    let half_spread = vec4((0.5f * this_8.spread));
-    // glimt_light_cells/src/surface.rs:146
+    // glimt_light_cells/src/surface.rs:168
+    let half_spread = vec4((0.5f * surface.spread));
+    // glimt_light_cells/src/surface.rs:169
     let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
-    // glimt_light_cells/src/surface.rs:147
-    if !((this_8.specular > 0f)) {
-        // glimt_light_cells/src/surface.rs:148
+    // glimt_light_cells/src/surface.rs:170
+    if !((surface.specular > 0f)) {
+        // glimt_light_cells/src/surface.rs:171
         return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
     }
-    // glimt_light_cells/src/surface.rs:158
+    // glimt_light_cells/src/surface.rs:181
     let lifted = max(c_2, (0.25f * up));
-    // glimt_light_cells/src/surface.rs:159
-    let v_5 = this_8.wo;
-    // glimt_light_cells/src/surface.rs:160
+    // glimt_light_cells/src/surface.rs:182
+    let v_5 = surface.wo;
+    // glimt_light_cells/src/surface.rs:183
     let nv = dot(n_3, v_5);
-    // glimt_light_cells/src/surface.rs:161
+    // glimt_light_cells/src/surface.rs:184
     let dv = ((((_e7 * v_5.x) + (_e12 * v_5.y)) + (_e17 * v_5.z)) + ((lifted - c_2) * nv));
-    // glimt_light_cells/src/surface.rs:162
+    // glimt_light_cells/src/surface.rs:185
     let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_2 * c_2)), vec4(0.000001f)));
-    // glimt_light_cells/src/surface.rs:163
+    // glimt_light_cells/src/surface.rs:186
     let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
-    // glimt_light_cells/src/surface.rs:164
+    // glimt_light_cells/src/surface.rs:187
     let _e123 = sqrt_(half2_);
     let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
-    // glimt_light_cells/src/surface.rs:165
+    // glimt_light_cells/src/surface.rs:188
     let cos2_ = min((nh * nh), vec4(1f));
-    // glimt_light_cells/src/surface.rs:166
+    // glimt_light_cells/src/surface.rs:189
     let sin2_ = (vec4(1f) - cos2_);
-    // glimt_light_cells/src/surface.rs:167
+    // glimt_light_cells/src/surface.rs:190
     let r2_ = (_e20 * _e20);
-    // glimt_light_cells/src/surface.rs:168
-    let e = max(this_8.exponent, 0.001f);
-    // glimt_light_cells/src/surface.rs:169
+    // glimt_light_cells/src/surface.rs:191
+    let e = max(surface.exponent, 0.001f);
+    // glimt_light_cells/src/surface.rs:192
     let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
-    // glimt_light_cells/src/surface.rs:170
+    // glimt_light_cells/src/surface.rs:193
     let _e151 = cosine_power4_(sin2_, seen);
-    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((this_8.share * this_8.peak) / e));
-    // glimt_light_cells/src/surface.rs:172
+    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((surface.share * surface.peak) / e));
+    // glimt_light_cells/src/surface.rs:195
     let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
-    // glimt_light_cells/src/surface.rs:173
-    let near_1 = (vec4((((0.1f * e) * this_8.spread) * this_8.spread)) + ((0.06f * e) * r2_));
-    // glimt_light_cells/src/surface.rs:174
+    // glimt_light_cells/src/surface.rs:196
+    let near_1 = (vec4((((0.1f * e) * surface.spread) * surface.spread)) + ((0.06f * e) * r2_));
+    // glimt_light_cells/src/surface.rs:197
     let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
-    // glimt_light_cells/src/surface.rs:175
+    // glimt_light_cells/src/surface.rs:198
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near_1), vec4(1f)), cosine_spread);
 }
 
@@ -872,69 +856,69 @@ fn Expected_quad(first_2: u32, slot_2: u32, quad_2: u32) -> vec4<f32> {
     return (_e22 * (1f / 255f));
 }
 
-// glimt_light_cells/src/surface.rs:212
-fn CellSurface_blocked_weights(this_9: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+// glimt_light_cells/src/surface.rs:214
+fn CellSurface_blocked_weights(this_8: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
 
-    // glimt_light_cells/src/surface.rs:213
-    let reflected = ((terms.cosine * this_9.diffuse) + (terms.lobe * this_9.specular));
-    // glimt_light_cells/src/surface.rs:214
-    let blocked_2 = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:215
-    let diffuse_1 = (terms.cosine_spread * this_9.diffuse);
+    let reflected = ((terms.cosine * this_8.diffuse) + (terms.lobe * this_8.specular));
     // glimt_light_cells/src/surface.rs:216
-    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_9.specular);
+    let blocked_2 = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:217
-    let by_shape = ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
+    let diffuse_1 = (terms.cosine_spread * this_8.diffuse);
     // glimt_light_cells/src/surface.rs:218
+    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_8.specular);
+    // glimt_light_cells/src/surface.rs:219
+    let by_shape = ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
+    // glimt_light_cells/src/surface.rs:220
     let _e41 = sqrt_((((reflected * reflected) * blocked_2) + by_shape));
     return ((flux * terms.live) * _e41);
 }
 
-// glimt_light_cells/src/surface.rs:197
-fn CellSurface_residual_weights(this_10: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+// glimt_light_cells/src/surface.rs:142
+fn CellSurface_residual_weights(this_9: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
 
-    // glimt_light_cells/src/surface.rs:198
-    let reflected_1 = ((terms_1.cosine * this_10.diffuse) + (terms_1.lobe * this_10.specular));
-    // glimt_light_cells/src/surface.rs:199
+    // glimt_light_cells/src/surface.rs:143
+    let reflected_1 = ((terms_1.cosine * this_9.diffuse) + (terms_1.lobe * this_9.specular));
+    // glimt_light_cells/src/surface.rs:144
     let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
-    // glimt_light_cells/src/surface.rs:200
-    let diffuse_2 = (terms_1.cosine_spread * this_10.diffuse);
-    // glimt_light_cells/src/surface.rs:201
-    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_10.specular);
-    // glimt_light_cells/src/surface.rs:202
+    // glimt_light_cells/src/surface.rs:145
+    let diffuse_2 = (terms_1.cosine_spread * this_9.diffuse);
+    // glimt_light_cells/src/surface.rs:146
+    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_9.specular);
+    // glimt_light_cells/src/surface.rs:147
     let by_shape_1 = (((diffuse_2 * diffuse_2) + (lobe_2 * lobe_2)) * max(visibility_1, vec4(0.02f)));
-    // glimt_light_cells/src/surface.rs:203
+    // glimt_light_cells/src/surface.rs:148
     let _e45 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape_1));
     return ((flux_1 * terms_1.live) * _e45);
 }
 
-// glimt_light_cells/src/surface.rs:188
-fn CellSurface_product_weights(this_11: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
+// glimt_light_cells/src/surface.rs:133
+fn CellSurface_product_weights(this_10: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
 
-    // glimt_light_cells/src/surface.rs:189
-    let reflected_2 = ((terms_2.cosine * this_11.diffuse) + (terms_2.lobe * this_11.specular));
-    // glimt_light_cells/src/surface.rs:190
-    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_11.diffuse)));
+    // glimt_light_cells/src/surface.rs:134
+    let reflected_2 = ((terms_2.cosine * this_10.diffuse) + (terms_2.lobe * this_10.specular));
+    // glimt_light_cells/src/surface.rs:135
+    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_10.diffuse)));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:238
-fn weights(surface: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
+fn weights(surface_1: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen: vec4<f32>;
     var chosen_1: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/proposal.rs:245
     if (true && is_catcher) {
         // glimt_render_gpu/src/kernels/proposal.rs:246
-        let _e11 = CellSurface_blocked_weights(surface, terms_3, flux_3, visibility_2);
+        let _e11 = CellSurface_blocked_weights(surface_1, terms_3, flux_3, visibility_2);
         chosen = _e11;
     } else {
         if true {
             // glimt_render_gpu/src/kernels/proposal.rs:248
-            let _e15 = CellSurface_residual_weights(surface, terms_3, flux_3, visibility_2);
+            let _e15 = CellSurface_residual_weights(surface_1, terms_3, flux_3, visibility_2);
             chosen_1 = _e15;
         } else {
             // glimt_render_gpu/src/kernels/proposal.rs:250
-            let _e17 = CellSurface_product_weights(surface, terms_3, flux_3);
+            let _e17 = CellSurface_product_weights(surface_1, terms_3, flux_3);
             chosen_1 = _e17;
         }
         let _e18 = chosen_1;
@@ -945,47 +929,47 @@ fn weights(surface: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibili
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:129
-fn channel_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_3: u32, channel: u32, normal_2: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
+fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_2: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:137
     let list_1 = (4u + (3u * channel));
     // glimt_render_gpu/src/kernels/proposal.rs:138
-    let _e14 = LightCells_quad(cells_size_1, cells_start_1, list_1, quad_3);
-    let _e19 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 1u), quad_3);
-    let _e25 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 2u), quad_3);
+    let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_3);
+    let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_3);
+    let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_3);
     let moment = (((_e14 * normal_2.x) + (_e19 * normal_2.y)) + (_e25 * normal_2.z));
     // glimt_render_gpu/src/kernels/proposal.rs:141
-    let _e32 = LightCells_quad(cells_size_1, cells_start_1, (1u + channel), quad_3);
+    let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_3);
     // glimt_render_gpu/src/kernels/proposal.rs:142
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:147
-fn diffuse_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_4: u32, normal_3: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
+fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_3: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:148
-    let _e9 = channel_sum(cells_size_2, cells_start_2, quad_4, 0u, normal_3, full_1, cut_1);
-    let _e11 = channel_sum(cells_size_2, cells_start_2, quad_4, 1u, normal_3, full_1, cut_1);
-    let _e13 = channel_sum(cells_size_2, cells_start_2, quad_4, 2u, normal_3, full_1, cut_1);
+    let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_3, full_1, cut_1);
+    let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_3, full_1, cut_1);
+    let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_3, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:157
-fn radiance_sum(cells_size_3: vec2<u32>, cells_start_3: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
+fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:158
-    let _e7 = LightCells_quad(cells_size_3, cells_start_3, 1u, quad_5);
+    let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_5);
     let _e8 = (_e7 * factors);
-    let _e19 = LightCells_quad(cells_size_3, cells_start_3, (1u + 1u), quad_5);
+    let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_5);
     let _e20 = (_e19 * factors);
-    let _e31 = LightCells_quad(cells_size_3, cells_start_3, (1u + 2u), quad_5);
+    let _e31 = LightCells_quad(cells_size_2, cells_start_2, (1u + 2u), quad_5);
     let _e32 = (_e31 * factors);
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:166
-fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_first: u32, expected_slot: u32, is_catcher_1: bool) -> Totals {
+fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected_first: u32, expected_slot: u32, is_catcher_1: bool) -> Totals {
     var t: Totals;
     var counter_4: u32;
     var weight: f32;
@@ -993,9 +977,9 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
     var counter_5: u32;
 
     // glimt_render_gpu/src/kernels/proposal.rs:172
-    let surface_1 = of_.surface;
+    let surface_2 = of_.surface;
     // glimt_render_gpu/src/kernels/proposal.rs:173
-    let has_lobe = (surface_1.specular > 0f);
+    let has_lobe = (surface_2.specular > 0f);
     // glimt_render_gpu/src/kernels/proposal.rs:174
     t = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
     // glimt_render_gpu/src/kernels/proposal.rs:189
@@ -1019,9 +1003,9 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
             // glimt_render_gpu/src/kernels/proposal.rs:193
             let quad_6 = ((2u * block) + half);
             // glimt_render_gpu/src/kernels/proposal.rs:194
-            let _e59 = LightCells_quad(cells_size_4, cells_start_4, 0u, quad_6);
+            let _e59 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_6);
             // glimt_render_gpu/src/kernels/proposal.rs:195
-            let _e61 = CellSurface_terms(surface_1, cells_size_4, cells_start_4, quad_6);
+            let _e61 = LightCells_terms(cells_size_3, cells_start_3, surface_2, quad_6);
             // glimt_render_gpu/src/kernels/proposal.rs:196
             let _e64 = (_e59 * _e61.live);
             let seen_1 = (((_e64.x + _e64.y) + _e64.z) + _e64.w);
@@ -1033,7 +1017,7 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                 // glimt_render_gpu/src/kernels/proposal.rs:200
                 let _e79 = Expected_quad(expected_first, expected_slot, quad_6);
                 // glimt_render_gpu/src/kernels/proposal.rs:201
-                let _e81 = weights(surface_1, _e61, _e59, _e79, is_catcher_1);
+                let _e81 = weights(surface_2, _e61, _e59, _e79, is_catcher_1);
                 // glimt_render_gpu/src/kernels/proposal.rs:202
                 let _e90 = weight;
                 weight = (_e90 + (((_e81.x + _e81.y) + _e81.z) + _e81.w));
@@ -1044,7 +1028,7 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                     // glimt_render_gpu/src/kernels/proposal.rs:205
                     let cut_2 = ((_e79 - full_2) * _e61.cosine);
                     // glimt_render_gpu/src/kernels/proposal.rs:206
-                    let _e104 = diffuse_sum(cells_size_4, cells_start_4, quad_6, of_.mean_normal, full_2, cut_2);
+                    let _e104 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, full_2, cut_2);
                     let _e105 = t.diffuse;
                     t.diffuse = (_e105 + _e104);
                     // glimt_render_gpu/src/kernels/proposal.rs:207
@@ -1052,12 +1036,12 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                         // glimt_render_gpu/src/kernels/proposal.rs:208
                         let cut_3 = ((vec4(1f) - _e61.full) * _e61.cosine);
                         // glimt_render_gpu/src/kernels/proposal.rs:209
-                        let _e118 = diffuse_sum(cells_size_4, cells_start_4, quad_6, of_.mean_normal, _e61.full, cut_3);
+                        let _e118 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, _e61.full, cut_3);
                         // glimt_render_gpu/src/kernels/proposal.rs:210
                         let _e121 = t.open_diffuse;
                         t.open_diffuse = (_e121 + _e118);
                         // glimt_render_gpu/src/kernels/proposal.rs:211
-                        let _e126 = radiance_sum(cells_size_4, cells_start_4, quad_6, _e61.lobe);
+                        let _e126 = radiance_sum(cells_size_3, cells_start_3, quad_6, _e61.lobe);
                         let _e127 = t.open_specular;
                         t.open_specular = (_e127 + _e126);
                     }
@@ -1079,19 +1063,19 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                     let _e170 = t.lobe_visible;
                     t.lobe_visible = (_e170 + (((_e161.x + _e161.y) + _e161.z) + _e161.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:220
-                    let _e175 = LightCells_quad(cells_size_4, cells_start_4, 13u, quad_6);
+                    let _e175 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_6);
                     let _e176 = (_e61.lobe * _e175);
                     let _e185 = t.lobe_square;
                     t.lobe_square = (_e185 + (((_e176.x + _e176.y) + _e176.z) + _e176.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:221
-                    let _e190 = LightCells_quad(cells_size_4, cells_start_4, 14u, quad_6);
+                    let _e190 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_6);
                     let _e191 = (_e61.lobe * _e190);
                     let _e200 = t.lobe_area;
                     t.lobe_area = (_e200 + (((_e191.x + _e191.y) + _e191.z) + _e191.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:223
                     if true {
                         // glimt_render_gpu/src/kernels/proposal.rs:224
-                        let _e208 = radiance_sum(cells_size_4, cells_start_4, quad_6, (_e61.lobe * _e79));
+                        let _e208 = radiance_sum(cells_size_3, cells_start_3, quad_6, (_e61.lobe * _e79));
                         let _e209 = t.specular;
                         t.specular = (_e209 + _e208);
                     }
@@ -1139,7 +1123,7 @@ fn worth(a: f32, visible: f32, variance: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:269
-fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u32, expected_first_1: u32, expected_slot_1: u32, is_catcher_2: bool) -> Proposal {
+fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_first_1: u32, expected_slot_1: u32, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
     var first_3: Totals;
@@ -1156,7 +1140,7 @@ fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u3
     of_2 = of_1;
     // glimt_render_gpu/src/kernels/proposal.rs:276
     let _e10 = of_2;
-    let _e11 = weigh(_e10, cells_size_5, cells_start_5, expected_first_1, expected_slot_1, is_catcher_2);
+    let _e11 = weigh(_e10, cells_size_4, cells_start_4, expected_first_1, expected_slot_1, is_catcher_2);
     sums = _e11;
     // glimt_render_gpu/src/kernels/proposal.rs:277
     let _e14 = sums;
@@ -1215,7 +1199,7 @@ fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u3
             of_2.surface.share = _e99;
             // glimt_render_gpu/src/kernels/proposal.rs:297
             let _e103 = of_2;
-            let _e104 = weigh(_e103, cells_size_5, cells_start_5, expected_first_1, expected_slot_1, is_catcher_2);
+            let _e104 = weigh(_e103, cells_size_4, cells_start_4, expected_first_1, expected_slot_1, is_catcher_2);
             sums = _e104;
         }
     }
@@ -1357,11 +1341,11 @@ fn OwenSobol_new(seed: u32, frame_2: u32, pixel_2: u32, sample_index: u32) -> Ow
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:126
-fn PixelPattern_sobol_point(this_12: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+fn PixelPattern_sobol_point(this_11: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
     // glimt_render_gpu/src/kernels/pattern.rs:127
-    let _e6 = hash2_(this_12.seed, purpose);
-    let _e9 = OwenSobol_new(_e6, this_12.frame, this_12.pixel, index);
+    let _e6 = hash2_(this_11.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_11.frame, this_11.pixel, index);
     return _e9;
 }
 
@@ -1476,21 +1460,21 @@ fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_3: u32, pixel_3: u32) -> Xoshiro
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:131
-fn PixelPattern_generator(this_13: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
+fn PixelPattern_generator(this_12: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
 
     // glimt_render_gpu/src/kernels/pattern.rs:132
-    let _e6 = hash3_(this_13.seed, purpose_1, index_1);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_13.frame, this_13.pixel);
+    let _e6 = hash3_(this_12.seed, purpose_1, index_1);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_12.frame, this_12.pixel);
     return _e9;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:109
-fn PixelPattern_point(this_14: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
+fn PixelPattern_point(this_13: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:110
-    let _e8 = PixelPattern_sobol_point(this_14, purpose_2, index_2);
-    let _e9 = PixelPattern_generator(this_14, purpose_2, index_2);
-    return PatternSource((this_14.kind == 0u), _e8, _e9);
+    let _e8 = PixelPattern_sobol_point(this_13, purpose_2, index_2);
+    let _e9 = PixelPattern_generator(this_13, purpose_2, index_2);
+    return PatternSource((this_13.kind == 0u), _e8, _e9);
 }
 
 // glimt_sampling/src/sobol.rs:21
@@ -1718,25 +1702,25 @@ fn owen_sobol(index_8: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_15: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_14: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_3 = (*this_15).dimension;
+    let dimension_3 = (*this_14).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_15).dimension = (dimension_3 + 1u);
+    (*this_14).dimension = (dimension_3 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_15).index;
-    let _e13 = (*this_15).seed;
+    let _e11 = (*this_14).index;
+    let _e13 = (*this_14).seed;
     let _e16 = hash2_(_e13, (dimension_3 >> 2u));
     let _e17 = owen_sobol(_e11, dimension_3, _e16);
     return _e17;
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_16: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_15: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s_2 = (*this_16).state;
+    let s_2 = (*this_15).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s_2.x + s_2.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_2.x);
@@ -1745,34 +1729,34 @@ fn Xoshiro128PlusPlus_next_u32_(this_16: ptr<function, Xoshiro128PlusPlus>) -> u
     // glimt_sampling/src/xoshiro.rs:60
     let w_1 = (s_2.w ^ s_2.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_16).state = vec4<u32>((s_2.x ^ w_1), (s_2.y ^ z_1), (z_1 ^ (s_2.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_15).state = vec4<u32>((s_2.x ^ w_1), (s_2.y ^ z_1), (z_1 ^ (s_2.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:161
-fn PatternSource_next_u32_(this_17: ptr<function, PatternSource>) -> u32 {
+fn PatternSource_next_u32_(this_16: ptr<function, PatternSource>) -> u32 {
     var chosen_4: u32;
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:162
-    let _e5 = (*this_17).is_sobol;
+    let _e5 = (*this_16).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:163
-        let _e9 = (*this_17).point;
+        let _e9 = (*this_16).point;
         borrowed = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed));
         let _e11 = borrowed;
-        (*this_17).point = _e11;
+        (*this_16).point = _e11;
         chosen_4 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:165
-        let _e15 = (*this_17).generator;
+        let _e15 = (*this_16).generator;
         borrowed_1 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
         let _e17 = borrowed_1;
-        (*this_17).generator = _e17;
+        (*this_16).generator = _e17;
         chosen_4 = _e16;
     }
     let _e18 = chosen_4;
@@ -1787,47 +1771,47 @@ fn unit_f32_(u: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:339
-fn Proposal_is_sharp(this_18: Proposal) -> bool {
+fn Proposal_is_sharp(this_17: Proposal) -> bool {
     var self_: Proposal;
 
-    self_ = this_18;
+    self_ = this_17;
     // glimt_render_gpu/src/kernels/proposal.rs:340
-    let surface_2 = self_.of_.surface;
+    let surface_3 = self_.of_.surface;
     // glimt_render_gpu/src/kernels/proposal.rs:341
-    return ((surface_2.specular > 0f) && (dot(surface_2.normal, surface_2.wo) < 0.3f));
+    return ((surface_3.specular > 0f) && (dot(surface_3.normal, surface_3.wo) < 0.3f));
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:136
-fn PixelPattern_key(this_19: PixelPattern, purpose_3: u32) -> u32 {
+fn PixelPattern_key(this_18: PixelPattern, purpose_3: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:137
-    let _e5 = hash2_(this_19.seed, purpose_3);
-    let _e8 = hash3_(_e5, this_19.frame, this_19.pixel);
+    let _e5 = hash2_(this_18.seed, purpose_3);
+    let _e8 = hash3_(_e5, this_18.frame, this_18.pixel);
     return _e8;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:121
-fn PixelPattern_ray_key(this_20: PixelPattern, purpose_4: u32) -> u32 {
+fn PixelPattern_ray_key(this_19: PixelPattern, purpose_4: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:122
-    let _e4 = PixelPattern_key(this_20, purpose_4);
-    let _e6 = hash2_(_e4, this_20.ray);
+    let _e4 = PixelPattern_key(this_19, purpose_4);
+    let _e6 = hash2_(_e4, this_19.ray);
     return _e6;
 }
 
 // glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_20: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_21).dimension;
+    let _e4 = (*this_20).dimension;
     let dimension_4 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:192
-    (*this_21).dimension = (dimension_4 + 2u);
+    (*this_20).dimension = (dimension_4 + 2u);
     // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_21).seed;
+    let _e15 = (*this_20).seed;
     let _e18 = hash2_(_e15, (dimension_4 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_21).index;
+    let _e21 = (*this_20).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
     let _e24 = sobol_reversed(_e22, dimension_4);
@@ -1838,39 +1822,39 @@ fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_22: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_21: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_22);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_21);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_22);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_21);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:170
-fn PatternSource_next_uvec2_(this_23: ptr<function, PatternSource>) -> vec2<u32> {
+fn PatternSource_next_uvec2_(this_22: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_5: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:171
-    let _e5 = (*this_23).is_sobol;
+    let _e5 = (*this_22).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:172
-        let _e9 = (*this_23).point;
+        let _e9 = (*this_22).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_23).point = _e11;
+        (*this_22).point = _e11;
         chosen_5 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:174
-        let _e15 = (*this_23).generator;
+        let _e15 = (*this_22).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_23).generator = _e17;
+        (*this_22).generator = _e17;
         chosen_5 = _e16;
     }
     let _e18 = chosen_5;
@@ -1887,7 +1871,7 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:180
-fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_6: vec2<u32>, cells_start_6: u32, pattern: PixelPattern, rays: f32, threshold_1: f32, group: Group, word_1: u32, points_start_3: u32, points_len_3: u32) -> u32 {
+fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_5: vec2<u32>, cells_start_5: u32, pattern: PixelPattern, rays: f32, threshold_1: f32, group: Group, word_1: u32, points_start_3: u32, points_len_3: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/group_light.rs:181
     let _e6 = unit_f32_(word_1);
@@ -1911,20 +1895,20 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_24: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_23: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_1, this_24.t), dot(v_1, this_24.b), dot(v_1, this_24.n));
+    return vec3<f32>(dot(v_1, this_23.t), dot(v_1, this_23.b), dot(v_1, this_23.n));
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:105
-fn SeenPoint_shading_point(this_25: SeenPoint) -> ShadingPoint {
+fn SeenPoint_shading_point(this_24: SeenPoint) -> ShadingPoint {
 
     // glimt_render_gpu/src/kernels/seen.rs:106
-    let _e4 = ShadingFrame_from_normal(this_25.normal);
+    let _e4 = ShadingFrame_from_normal(this_24.normal);
     // glimt_render_gpu/src/kernels/seen.rs:107
-    let _e9 = ShadingFrame_to_local(_e4, this_25.wo);
-    return ShadingPoint(this_25.origin, this_25.geometric_normal, _e4, _e9, BlinnPhong(this_25.diffuse, this_25.specular, this_25.exponent), this_25.emission);
+    let _e9 = ShadingFrame_to_local(_e4, this_24.wo);
+    return ShadingPoint(this_24.origin, this_24.geometric_normal, _e4, _e9, BlinnPhong(this_24.diffuse, this_24.specular, this_24.exponent), this_24.emission);
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:88
@@ -1935,13 +1919,13 @@ fn lobe_of(point_1: ShadingPoint) -> BlinnPhong {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_26: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_25: BlinnPhong) -> f32 {
     var chosen_6: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_26.specular);
+    let _e4 = luminance(this_25.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_26.diffuse);
+    let _e7 = luminance(this_25.diffuse);
     let both_4 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_4 > 0f) {
@@ -2160,23 +2144,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_2: f32, exponent_6: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_27: HalfVector, exponent_7: f32) -> f32 {
+fn HalfVector_lobe(this_26: HalfVector, exponent_7: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_27.cos2_theta, this_27.sin2_theta, exponent_7);
+    let _e6 = cosine_power(this_26.cos2_theta, this_26.sin2_theta, exponent_7);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_28: HalfVector, exponent_8: f32) -> f32 {
+fn HalfVector_pdf_sr(this_27: HalfVector, exponent_8: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_28, exponent_8);
-    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_28.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_27, exponent_8);
+    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_27.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_28: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_3.z <= 0f) || (wi_1.z <= 0f)) {
@@ -2186,7 +2170,7 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_29);
+    let _e17 = BlinnPhong_pmf_specular(this_28);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -2194,21 +2178,21 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_3, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_29.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_28.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_30: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_29: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_11: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_30);
+    let _e8 = BlinnPhong_pmf_specular(this_29);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_30.exponent);
+        let _e12 = sample_power_cosine(u_5, this_29.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_11 = (((2f * dot(wo_4, h)) * h) - wo_4);
@@ -2219,15 +2203,15 @@ fn BlinnPhong_sample(this_30: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec
     }
     let wi_4 = chosen_11;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_30, wo_4, wi_4);
+    let _e25 = BlinnPhong_pdf_sr(this_29, wo_4, wi_4);
     return BrdfSample(wi_4, _e25);
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_31: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_30: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_31.t * v_2.x) + (this_31.b * v_2.y)) + (this_31.n * v_2.z));
+    return (((this_30.t * v_2.x) + (this_30.b * v_2.y)) + (this_30.n * v_2.z));
 }
 
 // glimt_probe/src/latlong.rs:45
@@ -2264,33 +2248,33 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:68
-fn direction_to_texel(d_2: vec3<f32>, size_5: vec2<u32>) -> vec2<u32> {
+fn direction_to_texel(d_2: vec3<f32>, size_4: vec2<u32>) -> vec2<u32> {
 
     // glimt_probe/src/latlong.rs:69
-    let size_23 = max(size_5, vec2(1u));
+    let size_22 = max(size_4, vec2(1u));
     // glimt_probe/src/latlong.rs:70
     let _e8 = direction_to_uv(d_2);
-    let position = (_e8 * vec2<f32>(size_23));
+    let position = (_e8 * vec2<f32>(size_22));
     // glimt_probe/src/latlong.rs:71
-    return min(vec2<u32>(position), (size_23 - vec2(1u)));
+    return min(vec2<u32>(position), (size_22 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:97
-fn Environment_texel(size_6: vec2<u32>, rotation_2: vec2<f32>, direction_5: vec3<f32>) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/environment.rs:96
+fn Environment_texel(size_5: vec2<u32>, rotation_2: vec2<f32>, direction_5: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:98
-    let _e5 = Environment_to_map(size_6, rotation_2, direction_5);
-    let _e6 = direction_to_texel(_e5, size_6);
+    // glimt_render_gpu/src/kernels/environment.rs:97
+    let _e5 = Environment_to_map(size_5, rotation_2, direction_5);
+    let _e6 = direction_to_texel(_e5, size_5);
     return _e6;
 }
 
 // glimt_envmap_cdf/src/search.rs:31
-fn find_bin(start_1: u32, bins: u32, u_6: u32) -> Bin {
+fn find_bin(start_2: u32, bins: u32, u_6: u32) -> Bin {
     var at: u32;
     var left: u32;
 
     // glimt_envmap_cdf/src/search.rs:33
-    at = start_1;
+    at = start_2;
     // glimt_envmap_cdf/src/search.rs:34
     left = bins;
     // glimt_envmap_cdf/src/search.rs:35
@@ -2321,7 +2305,7 @@ fn find_bin(start_1: u32, bins: u32, u_6: u32) -> Bin {
     let _e36 = at;
     let _e38 = at;
     let _e43 = env_tables[(_e38 + 1u)];
-    return Bin((_e36 - start_1), first_7, (_e43 - first_7));
+    return Bin((_e36 - start_2), first_7, (_e43 - first_7));
 }
 
 // glimt_light_cells/src/partition.rs:99
@@ -2332,18 +2316,18 @@ fn column_of(x_6: u32, width: u32) -> u32 {
 }
 
 // glimt_light_cells/src/partition.rs:133
-fn LightCells_cell_of(size_7: vec2<u32>, start_2: u32, texel: vec2<u32>) -> u32 {
+fn LightCells_cell_of(size_6: vec2<u32>, start_3: u32, texel: vec2<u32>) -> u32 {
 
     // glimt_light_cells/src/partition.rs:134
-    let _e7 = find_bin(start_2, 16u, texel.y);
+    let _e7 = find_bin(start_3, 16u, texel.y);
     let row_3 = _e7.index;
     // glimt_light_cells/src/partition.rs:135
-    let _e14 = column_of(texel.x, size_7.x);
+    let _e14 = column_of(texel.x, size_6.x);
     return ((row_3 * 32u) + _e14);
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:209
-fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_7: vec2<u32>, cells_start_7: u32, pattern_1: PixelPattern, rays_1: f32, threshold_2: f32, group_1: Group, index_9: u32, points_start_4: u32, points_len_4: u32) -> Look {
+fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_6: vec2<u32>, cells_start_6: u32, pattern_1: PixelPattern, rays_1: f32, threshold_2: f32, group_1: Group, index_9: u32, points_start_4: u32, points_len_4: u32) -> Look {
     var source: PatternSource;
 
     // glimt_render_gpu/src/kernels/group_light.rs:210
@@ -2354,7 +2338,7 @@ fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cel
     let _e18 = unit_vec2_(_e17);
     // glimt_render_gpu/src/kernels/group_light.rs:212
     let _e20 = PatternSource_next_u32_((&source));
-    let _e21 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_2, group_1, _e20, points_start_4, points_len_4);
+    let _e21 = GroupLight_member(env_size_2, env_rotation_2, cells_size_6, cells_start_6, pattern_1, rays_1, threshold_2, group_1, _e20, points_start_4, points_len_4);
     // glimt_render_gpu/src/kernels/group_light.rs:213
     let _e26 = points[(points_start_4 + _e21)];
     let _e27 = SeenPoint_shading_point(_e26);
@@ -2367,7 +2351,7 @@ fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cel
     let _e38 = Environment_texel(env_size_2, env_rotation_2, _e36);
     // glimt_render_gpu/src/kernels/group_light.rs:217
     let _e40 = Environment_to_map(env_size_2, env_rotation_2, _e36);
-    let _e41 = LightCells_cell_of(cells_size_7, cells_start_7, _e38);
+    let _e41 = LightCells_cell_of(cells_size_6, cells_start_6, _e38);
     return Look(_e40, _e36, _e38, _e41, _e21, (_e32.pdf_sr > 0f));
 }
 
@@ -2379,48 +2363,48 @@ fn Place_new(target_: f32) -> Place {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:481
-fn Place_offer(this_32: ptr<function, Place>, index_10: u32, width_1: f32) {
+fn Place_offer(this_31: ptr<function, Place>, index_10: u32, width_1: f32) {
 
     // glimt_render_gpu/src/kernels/proposal.rs:482
-    let _e8 = (*this_32).is_found;
+    let _e8 = (*this_31).is_found;
     if ((width_1 > 0f) && !(_e8)) {
         // glimt_render_gpu/src/kernels/proposal.rs:483
-        (*this_32).index = index_10;
+        (*this_31).index = index_10;
         // glimt_render_gpu/src/kernels/proposal.rs:484
-        let _e15 = (*this_32).sum;
-        (*this_32).first = _e15;
+        let _e15 = (*this_31).sum;
+        (*this_31).first = _e15;
         // glimt_render_gpu/src/kernels/proposal.rs:485
-        (*this_32).width = width_1;
+        (*this_31).width = width_1;
     }
     // glimt_render_gpu/src/kernels/proposal.rs:487
-    let _e21 = (*this_32).sum;
-    (*this_32).sum = (_e21 + width_1);
+    let _e21 = (*this_31).sum;
+    (*this_31).sum = (_e21 + width_1);
     // glimt_render_gpu/src/kernels/proposal.rs:488
-    let _e25 = (*this_32).is_found;
-    let _e27 = (*this_32).sum;
-    let _e29 = (*this_32).target_;
-    (*this_32).is_found = (_e25 || (_e27 > _e29));
+    let _e25 = (*this_31).is_found;
+    let _e27 = (*this_31).sum;
+    let _e29 = (*this_31).target_;
+    (*this_31).is_found = (_e25 || (_e27 > _e29));
     return;
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:494
-fn Place_word(this_33: Place, whole: f32, fraction: u32) -> u32 {
+fn Place_word(this_32: Place, whole: f32, fraction: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:495
     let unit_1 = (whole * (1f / 16777216f));
     // glimt_render_gpu/src/kernels/proposal.rs:496
-    let fine = ((this_33.target_ - this_33.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
+    let fine = ((this_32.target_ - this_32.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
     // glimt_render_gpu/src/kernels/proposal.rs:497
-    let place_2 = clamp((fine / max(this_33.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    let place_2 = clamp((fine / max(this_32.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
     // glimt_render_gpu/src/kernels/proposal.rs:498
     return ((u32((place_2 * 16777216f)) << 8u) | (fraction & 255u));
 }
 
 // glimt_light_cells/src/partition.rs:140
-fn LightCells_texel_rows(size_8: vec2<u32>, start_3: u32, row: u32) -> vec2<u32> {
+fn LightCells_texel_rows(size_7: vec2<u32>, start_4: u32, row: u32) -> vec2<u32> {
 
     // glimt_light_cells/src/partition.rs:141
-    let at_5 = (start_3 + row);
+    let at_5 = (start_4 + row);
     // glimt_light_cells/src/partition.rs:142
     let _e8 = env_tables[at_5];
     let _e13 = env_tables[(at_5 + 1u)];
@@ -2435,7 +2419,7 @@ fn first_row_word() -> u32 {
 }
 
 // glimt_light_cells/src/partition.rs:147
-fn LightCells_row_edges(size_9: vec2<u32>, start_4: u32, cell: u32, rows: vec2<u32>) -> u32 {
+fn LightCells_row_edges(size_8: vec2<u32>, start_5: u32, cell: u32, rows: vec2<u32>) -> u32 {
 
     // glimt_light_cells/src/partition.rs:148
     let _e9 = Tuple_u32_u32_((cell % 32u), (cell / 32u));
@@ -2445,7 +2429,7 @@ fn LightCells_row_edges(size_9: vec2<u32>, start_4: u32, cell: u32, rows: vec2<u
     let of_band = (32u * (rows.x + row_4));
     // glimt_light_cells/src/partition.rs:150
     let _e18 = first_row_word();
-    return (((start_4 + _e18) + of_band) + (column_1 * ((rows.y - rows.x) + 1u)));
+    return (((start_5 + _e18) + of_band) + (column_1 * ((rows.y - rows.x) + 1u)));
 }
 
 // glimt_light_cells/src/partition.rs:92
@@ -2463,11 +2447,11 @@ fn column_unit(u_7: u32) -> u32 {
 }
 
 // glimt_light_cells/src/partition.rs:79
-fn first_column_word(size_10: vec2<u32>) -> u32 {
+fn first_column_word(size_9: vec2<u32>) -> u32 {
 
     // glimt_light_cells/src/partition.rs:80
     let _e3 = first_row_word();
-    return (_e3 + (32u * (size_10.y + 16u)));
+    return (_e3 + (32u * (size_9.y + 16u)));
 }
 
 // glimt_light_cells/src/partition.rs:85
@@ -2479,25 +2463,25 @@ fn column_words(width_3: u32) -> u32 {
 }
 
 // glimt_light_cells/src/partition.rs:155
-fn LightCells_column_edge(size_11: vec2<u32>, start_5: u32, x_7: u32, y_1: u32) -> u32 {
+fn LightCells_column_edge(size_10: vec2<u32>, start_6: u32, x_7: u32, y_1: u32) -> u32 {
 
     // glimt_light_cells/src/partition.rs:156
-    let _e6 = first_column_word(size_11);
-    let _e9 = column_words(size_11.x);
-    let at_6 = (((start_5 + _e6) + (y_1 * _e9)) + (x_7 / 2u));
+    let _e6 = first_column_word(size_10);
+    let _e9 = column_words(size_10.x);
+    let at_6 = (((start_6 + _e6) + (y_1 * _e9)) + (x_7 / 2u));
     // glimt_light_cells/src/partition.rs:157
     let _e18 = env_tables[at_6];
     return ((_e18 >> ((16u * (x_7 & 1u)) & 31u)) & 65535u);
 }
 
 // glimt_light_cells/src/partition.rs:209
-fn LightCells_pmf(size_12: vec2<u32>, start_6: u32, row_1: Bin, texel_1: vec2<u32>, first_4: u32) -> f32 {
+fn LightCells_pmf(size_11: vec2<u32>, start_7: u32, row_1: Bin, texel_1: vec2<u32>, first_4: u32) -> f32 {
     var chosen_14: u32;
 
     // glimt_light_cells/src/partition.rs:210
     if (texel_1.x > first_4) {
         // glimt_light_cells/src/partition.rs:211
-        let _e15 = LightCells_column_edge(size_12, start_6, (texel_1.x - 1u), texel_1.y);
+        let _e15 = LightCells_column_edge(size_11, start_7, (texel_1.x - 1u), texel_1.y);
         chosen_14 = _e15;
     } else {
         // glimt_light_cells/src/partition.rs:213
@@ -2505,21 +2489,21 @@ fn LightCells_pmf(size_12: vec2<u32>, start_6: u32, row_1: Bin, texel_1: vec2<u3
     }
     let lower = chosen_14;
     // glimt_light_cells/src/partition.rs:215
-    let _e22 = LightCells_column_edge(size_12, start_6, texel_1.x, texel_1.y);
+    let _e22 = LightCells_column_edge(size_11, start_7, texel_1.x, texel_1.y);
     let units = (_e22 - lower);
     // glimt_light_cells/src/partition.rs:216
     return ((f32(row_1.units) * (1f / 2147483600f)) * (f32(units) * (1f / 32768f)));
 }
 
 // glimt_light_cells/src/partition.rs:163
-fn LightCells_sample(size_13: vec2<u32>, start_7: u32, cell_1: u32, u_8: vec2<u32>) -> TexelDraw {
+fn LightCells_sample(size_12: vec2<u32>, start_8: u32, cell_1: u32, u_8: vec2<u32>) -> TexelDraw {
     var at_1: u32;
     var left_1: u32;
 
     // glimt_light_cells/src/partition.rs:164
-    let _e8 = LightCells_texel_rows(size_13, start_7, (cell_1 / 32u));
+    let _e8 = LightCells_texel_rows(size_12, start_8, (cell_1 / 32u));
     // glimt_light_cells/src/partition.rs:165
-    let _e10 = LightCells_row_edges(size_13, start_7, cell_1, _e8);
+    let _e10 = LightCells_row_edges(size_12, start_8, cell_1, _e8);
     // glimt_light_cells/src/partition.rs:166
     let _e18 = find_bin(_e10, (_e8.y - _e8.x), (u_8.y >> 1u));
     // glimt_light_cells/src/partition.rs:172
@@ -2527,13 +2511,13 @@ fn LightCells_sample(size_13: vec2<u32>, start_7: u32, cell_1: u32, u_8: vec2<u3
     // glimt_light_cells/src/partition.rs:173
     let column_2 = (cell_1 % 32u);
     // glimt_light_cells/src/partition.rs:174
-    let _e28 = first_column(column_2, size_13.x);
+    let _e28 = first_column(column_2, size_12.x);
     // glimt_light_cells/src/partition.rs:176
     let _e31 = column_unit(u_8.x);
     // glimt_light_cells/src/partition.rs:177
     at_1 = _e28;
     // glimt_light_cells/src/partition.rs:178
-    let _e38 = first_column((column_2 + 1u), size_13.x);
+    let _e38 = first_column((column_2 + 1u), size_12.x);
     left_1 = (_e38 - _e28);
     // glimt_light_cells/src/partition.rs:179
     loop {
@@ -2546,7 +2530,7 @@ fn LightCells_sample(size_13: vec2<u32>, start_7: u32, cell_1: u32, u_8: vec2<u3
         let half_2 = (_e47 / 2u);
         // glimt_light_cells/src/partition.rs:181
         let _e51 = at_1;
-        let _e55 = LightCells_column_edge(size_13, start_7, ((_e51 + half_2) - 1u), y_3);
+        let _e55 = LightCells_column_edge(size_12, start_8, ((_e51 + half_2) - 1u), y_3);
         if (_e55 <= _e31) {
             // glimt_light_cells/src/partition.rs:182
             let _e58 = at_1;
@@ -2559,7 +2543,7 @@ fn LightCells_sample(size_13: vec2<u32>, start_7: u32, cell_1: u32, u_8: vec2<u3
     // glimt_light_cells/src/partition.rs:186
     let _e64 = at_1;
     let _e66 = at_1;
-    let _e68 = LightCells_pmf(size_13, start_7, _e18, vec2<u32>(_e66, y_3), _e28);
+    let _e68 = LightCells_pmf(size_12, start_8, _e18, vec2<u32>(_e66, y_3), _e28);
     return TexelDraw(vec2<u32>(_e64, y_3), _e68);
 }
 
@@ -2601,33 +2585,33 @@ fn cos_sin_pi(x_8: f32) -> vec2<f32> {
 }
 
 // glimt_probe/src/latlong.rs:142
-fn direction_in_texel(texel_2: vec2<u32>, size_14: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
     var chosen_16: u32;
     var chosen_17: u32;
     var chosen_18: f32;
 
     // glimt_probe/src/latlong.rs:143
-    let size_24 = max(size_14, vec2(1u));
+    let size_23 = max(size_13, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_5 = min(texel_2.y, (size_24.y - 1u));
+    let row_5 = min(texel_2.y, (size_23.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_5) >= size_24.y);
+    let southern = ((2u * row_5) >= size_23.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_16 = (size_24.y - row_5);
+        chosen_16 = (size_23.y - row_5);
     } else {
         chosen_16 = row_5;
     }
     let upper = chosen_16;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_17 = ((size_24.y - row_5) - 1u);
+        chosen_17 = ((size_23.y - row_5) - 1u);
     } else {
         chosen_17 = (row_5 + 1u);
     }
     let lower_1 = chosen_17;
     // glimt_probe/src/latlong.rs:149
-    let half_3 = (0.5f / f32(size_24.y));
+    let half_3 = (0.5f / f32(size_23.y));
     // glimt_probe/src/latlong.rs:150
     let _e41 = cos_sin_pi((f32(upper) * half_3));
     let sin_upper = _e41.y;
@@ -2650,13 +2634,13 @@ fn direction_in_texel(texel_2: vec2<u32>, size_14: vec2<u32>, r: vec2<f32>) -> v
     }
     let cos_theta_1 = chosen_18;
     // glimt_probe/src/latlong.rs:160
-    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_2.x) + r.x)) / f32(size_24.x))));
+    let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_2.x) + r.x)) / f32(size_23.x))));
     // glimt_probe/src/latlong.rs:161
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:398
-fn Proposal_sample_cells(this_34: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u32>, cells_start_8: u32, expected_first_2: u32, expected_slot_2: u32) -> CellDraw {
+fn Proposal_sample_cells(this_33: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u32>, cells_start_7: u32, expected_first_2: u32, expected_slot_2: u32) -> CellDraw {
     var self_1: Proposal;
     var row_place: Place;
     var counter_7: u32;
@@ -2667,7 +2651,7 @@ fn Proposal_sample_cells(this_34: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     var cell_place: Place;
     var counter_10: u32;
 
-    self_1 = this_34;
+    self_1 = this_33;
     // glimt_render_gpu/src/kernels/proposal.rs:404
     let per_row = (64u / 16u);
     // glimt_render_gpu/src/kernels/proposal.rs:406
@@ -2748,17 +2732,17 @@ fn Proposal_sample_cells(this_34: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
         let _e96 = block_place.index;
         let quad_7 = ((2u * _e96) + half_4);
         // glimt_render_gpu/src/kernels/proposal.rs:426
-        let _e101 = LightCells_quad(cells_size_8, cells_start_8, 0u, quad_7);
+        let _e101 = LightCells_quad(cells_size_7, cells_start_7, 0u, quad_7);
         // glimt_render_gpu/src/kernels/proposal.rs:427
         let _e105 = self_1.of_.surface;
-        let _e106 = CellSurface_terms(_e105, cells_size_8, cells_start_8, quad_7);
+        let _e106 = LightCells_terms(cells_size_7, cells_start_7, _e105, quad_7);
         // glimt_render_gpu/src/kernels/proposal.rs:428
         let _e108 = Expected_quad(expected_first_2, expected_slot_2, quad_7);
         // glimt_render_gpu/src/kernels/proposal.rs:429
-        let surface_3 = self_1.of_.surface;
+        let surface_4 = self_1.of_.surface;
         // glimt_render_gpu/src/kernels/proposal.rs:430
         let _e115 = self_1.is_catcher;
-        let _e116 = weights(surface_3, _e106, _e101, _e108, _e115);
+        let _e116 = weights(surface_4, _e106, _e101, _e108, _e115);
         // glimt_render_gpu/src/kernels/proposal.rs:431
         let _e121 = self_1.defence;
         let all_1 = (_e116 + ((_e101 * _e106.live) * _e121));
@@ -2787,20 +2771,20 @@ fn Proposal_sample_cells(this_34: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     let within = vec2<u32>(_e159, _e165);
     // glimt_render_gpu/src/kernels/proposal.rs:442
     let _e169 = cell_place.index;
-    let _e170 = LightCells_sample(cells_size_8, cells_start_8, _e169, within);
+    let _e170 = LightCells_sample(cells_size_7, cells_start_7, _e169, within);
     // glimt_render_gpu/src/kernels/proposal.rs:443
     let _e173 = hash2_(_e152, u_9.x);
     // glimt_render_gpu/src/kernels/proposal.rs:444
     let place_3 = vec2<u32>((_e173 << 16u), (_e173 & 4294901760u));
     // glimt_render_gpu/src/kernels/proposal.rs:445
     let _e182 = unit_vec2_(place_3);
-    let _e183 = direction_in_texel(_e170.texel, cells_size_8, _e182);
+    let _e183 = direction_in_texel(_e170.texel, cells_size_7, _e182);
     let _e186 = cell_place.index;
     return CellDraw(_e183, _e170.texel, _e186);
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:186
-fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_9: vec2<u32>, cells_start_9: u32, pattern_2: PixelPattern, rays_2: f32, threshold_3: f32, group_2: Group, proposal: Proposal, expected_first_3: u32, expected_slot_3: u32, index_11: u32, points_start_5: u32, points_len_5: u32) -> Look {
+fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_8: vec2<u32>, cells_start_8: u32, pattern_2: PixelPattern, rays_2: f32, threshold_3: f32, group_2: Group, proposal: Proposal, expected_first_3: u32, expected_slot_3: u32, index_11: u32, points_start_5: u32, points_len_5: u32) -> Look {
     var proposal_1: Proposal;
     var source_1: PatternSource;
 
@@ -2812,29 +2796,29 @@ fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, ce
     let _e21 = PatternSource_next_uvec2_((&source_1));
     // glimt_render_gpu/src/kernels/group_light.rs:196
     let _e23 = PatternSource_next_u32_((&source_1));
-    let _e24 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_3, group_2, _e23, points_start_5, points_len_5);
+    let _e24 = GroupLight_member(env_size_3, env_rotation_3, cells_size_8, cells_start_8, pattern_2, rays_2, threshold_3, group_2, _e23, points_start_5, points_len_5);
     // glimt_render_gpu/src/kernels/group_light.rs:197
     let _e26 = proposal_1;
-    let _e27 = Proposal_sample_cells(_e26, _e21, cells_size_9, cells_start_9, expected_first_3, expected_slot_3);
+    let _e27 = Proposal_sample_cells(_e26, _e21, cells_size_8, cells_start_8, expected_first_3, expected_slot_3);
     // glimt_render_gpu/src/kernels/group_light.rs:198
     let _e31 = rotate_z(_e27.direction, env_rotation_3);
     return Look(_e27.direction, _e31, _e27.texel, _e27.cell, _e24, true);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:347
-fn Proposal_cell(this_35: Proposal, cell_2: u32, cells_size_10: vec2<u32>, cells_start_10: u32, expected_first_4: u32, expected_slot_4: u32) -> CellAt {
+fn Proposal_cell(this_34: Proposal, cell_2: u32, cells_size_9: vec2<u32>, cells_start_9: u32, expected_first_4: u32, expected_slot_4: u32) -> CellAt {
     var self_2: Proposal;
 
-    self_2 = this_35;
+    self_2 = this_34;
     // glimt_render_gpu/src/kernels/proposal.rs:348
     let _e13 = Tuple_u32_usize((cell_2 / 4u), (cell_2 % 4u));
     let quad_8 = _e13.fa;
     let lane = _e13.fb;
     // glimt_render_gpu/src/kernels/proposal.rs:349
-    let _e18 = LightCells_quad(cells_size_10, cells_start_10, 0u, quad_8);
+    let _e18 = LightCells_quad(cells_size_9, cells_start_9, 0u, quad_8);
     // glimt_render_gpu/src/kernels/proposal.rs:350
     let _e22 = self_2.of_.surface;
-    let _e23 = CellSurface_terms(_e22, cells_size_10, cells_start_10, quad_8);
+    let _e23 = LightCells_terms(cells_size_9, cells_start_9, _e22, quad_8);
     // glimt_render_gpu/src/kernels/proposal.rs:351
     let _e25 = Expected_quad(expected_first_4, expected_slot_4, quad_8);
     // glimt_render_gpu/src/kernels/proposal.rs:352
@@ -2846,48 +2830,48 @@ fn Proposal_cell(this_35: Proposal, cell_2: u32, cells_size_10: vec2<u32>, cells
 }
 
 // glimt_light_cells/src/partition.rs:195
-fn LightCells_pmf_in_cell(size_15: vec2<u32>, start_8: u32, texel_3: vec2<u32>, cell_3: u32) -> f32 {
+fn LightCells_pmf_in_cell(size_14: vec2<u32>, start_9: u32, texel_3: vec2<u32>, cell_3: u32) -> f32 {
 
     // glimt_light_cells/src/partition.rs:196
-    let _e8 = LightCells_texel_rows(size_15, start_8, (cell_3 / 32u));
+    let _e8 = LightCells_texel_rows(size_14, start_9, (cell_3 / 32u));
     // glimt_light_cells/src/partition.rs:197
-    let _e10 = LightCells_row_edges(size_15, start_8, cell_3, _e8);
+    let _e10 = LightCells_row_edges(size_14, start_9, cell_3, _e8);
     let at_7 = ((_e10 + texel_3.y) - _e8.x);
     // glimt_light_cells/src/partition.rs:198
     let _e22 = env_tables[(at_7 + 1u)];
     let _e25 = env_tables[at_7];
     let of_row = Bin(0u, 0u, (_e22 - _e25));
     // glimt_light_cells/src/partition.rs:203
-    let _e32 = first_column((cell_3 % 32u), size_15.x);
+    let _e32 = first_column((cell_3 % 32u), size_14.x);
     // glimt_light_cells/src/partition.rs:204
-    let _e34 = LightCells_pmf(size_15, start_8, of_row, texel_3, _e32);
+    let _e34 = LightCells_pmf(size_14, start_9, of_row, texel_3, _e32);
     return _e34;
 }
 
 // glimt_probe/src/latlong.rs:121
-fn texel_solid_angle_sr(row_2: u32, size_16: vec2<u32>) -> f32 {
+fn texel_solid_angle_sr(row_2: u32, size_15: vec2<u32>) -> f32 {
 
     // glimt_probe/src/latlong.rs:122
-    let size_25 = max(size_16, vec2(1u));
+    let size_24 = max(size_15, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_7 = min(row_2, (size_25.y - 1u));
+    let row_7 = min(row_2, (size_24.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_7, ((size_25.y - 1u) - row_7));
+    let from_pole = min(row_7, ((size_24.y - 1u) - row_7));
     // glimt_probe/src/latlong.rs:125
-    let half_row = (0.5f / f32(size_25.y));
+    let half_row = (0.5f / f32(size_24.y));
     // glimt_probe/src/latlong.rs:126
     let middle = (f32(((2u * from_pole) + 1u)) * half_row);
     // glimt_probe/src/latlong.rs:127
     let _e37 = cos_sin_pi(middle);
     let _e40 = cos_sin_pi(half_row);
-    return ((((4f * 3.1415927f) / f32(size_25.x)) * _e37.y) * _e40.y);
+    return ((((4f * 3.1415927f) / f32(size_24.x)) * _e37.y) * _e40.y);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:366
-fn Proposal_cells_pdf_sr(this_36: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_11: vec2<u32>, cells_start_11: u32) -> f32 {
+fn Proposal_cells_pdf_sr(this_35: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_10: vec2<u32>, cells_start_10: u32) -> f32 {
     var self_3: Proposal;
 
-    self_3 = this_36;
+    self_3 = this_35;
     // glimt_render_gpu/src/kernels/proposal.rs:373
     let _e10 = self_3.total;
     if !((_e10 > 0f)) {
@@ -2899,23 +2883,23 @@ fn Proposal_cells_pdf_sr(this_36: Proposal, texel_4: vec2<u32>, cell_4: u32, at_
     let weight_2 = (at_2.weight + (_e19 * at_2.live));
     // glimt_render_gpu/src/kernels/proposal.rs:377
     let _e25 = self_3.total;
-    let _e27 = LightCells_pmf_in_cell(cells_size_11, cells_start_11, texel_4, cell_4);
+    let _e27 = LightCells_pmf_in_cell(cells_size_10, cells_start_10, texel_4, cell_4);
     let pmf = ((weight_2 / _e25) * _e27);
     // glimt_render_gpu/src/kernels/proposal.rs:378
-    let _e31 = texel_solid_angle_sr(texel_4.y, cells_size_11);
+    let _e31 = texel_solid_angle_sr(texel_4.y, cells_size_10);
     return (pmf / _e31);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:104
-fn Environment_radiance(size_17: vec2<u32>, rotation_3: vec2<f32>, texel_5: vec2<u32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:103
+fn Environment_radiance(size_16: vec2<u32>, rotation_3: vec2<f32>, texel_5: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:105
-    let _e11 = env_texels[((texel_5.y * size_17.x) + texel_5.x)];
+    // glimt_render_gpu/src/kernels/environment.rs:104
+    let _e11 = env_texels[((texel_5.y * size_16.x) + texel_5.x)];
     return _e11.xyz;
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_37: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_36: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_5.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2923,19 +2907,19 @@ fn BlinnPhong_eval(this_37: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse_3 = (this_37.diffuse * 0.31830987f);
+    let diffuse_3 = (this_36.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_37.specular.x, this_37.specular.y), this_37.specular.z) <= 0f) {
+    if (max(max(this_36.specular.x, this_36.specular.y), this_36.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse_3;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_37.exponent);
+    let _e31 = normalisation(this_36.exponent);
     let _e32 = HalfVector_new(wo_5, wi_2);
-    let _e34 = HalfVector_lobe(_e32, this_37.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_36.exponent);
     let lobe_3 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse_3 + (this_37.specular * lobe_3));
+    return (diffuse_3 + (this_36.specular * lobe_3));
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:97
@@ -3040,10 +3024,10 @@ fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:59
-fn Triangle_is_see_through(this_38: Triangle) -> bool {
+fn Triangle_is_see_through(this_37: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:60
-    return ((this_38.object & 1073741824u) != 0u);
+    return ((this_37.object & 1073741824u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:144
@@ -3123,10 +3107,10 @@ fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_3: u32) -> Te
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_39: TextureView) -> bool {
+fn TextureView_exists(this_38: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_39.width > 0u);
+    return (this_38.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -3149,10 +3133,10 @@ fn wrap(x_10: f32, mode: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:103
-fn neighbour(index_13: i32, size_18: u32, mode_1: u32) -> u32 {
+fn neighbour(index_13: i32, size_17: u32, mode_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:104
-    let last = (i32(size_18) - 1i);
+    let last = (i32(size_17) - 1i);
     // glimt_render_gpu/src/kernels/texture.rs:105
     if (mode_1 == 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:106
@@ -3171,11 +3155,11 @@ fn neighbour(index_13: i32, size_18: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_40: TextureView, index_14: u32) -> vec4<f32> {
+fn TextureView_texel(this_39: TextureView, index_14: u32) -> vec4<f32> {
     var chosen_21: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_6 = scene_surface[(this_40.first + index_14)];
+    let word_6 = scene_surface[(this_39.first + index_14)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r_3 = (word_6 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -3185,7 +3169,7 @@ fn TextureView_texel(this_40: TextureView, index_14: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_6 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_40.flags & 1u) != 0u) {
+    if ((this_39.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r_3];
         let _e42 = scene_surface[g];
@@ -3200,40 +3184,40 @@ fn TextureView_texel(this_40: TextureView, index_14: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_41: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_40: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_41.flags >> 1u) & 3u);
+    let wrap_u = ((this_40.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_41.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_40.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_14 = ((_e21 * f32(this_41.width)) - 0.5f);
+    let x_14 = ((_e21 * f32(this_40.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_5 = ((_e29 * f32(this_41.height)) - 0.5f);
+    let y_5 = ((_e29 * f32(this_40.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e38 = Tuple_f32_f32_(floor(x_14), floor(y_5));
     let left_2 = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left_2), this_41.width, wrap_u);
+    let _e44 = neighbour(i32(left_2), this_40.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left_2) + 1i), this_41.width, wrap_u);
+    let _e50 = neighbour((i32(left_2) + 1i), this_40.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e54 = neighbour(i32(top), this_41.height, wrap_v);
-    let row0_ = (_e54 * this_41.width);
+    let _e54 = neighbour(i32(top), this_40.height, wrap_v);
+    let row0_ = (_e54 * this_40.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e62 = neighbour((i32(top) + 1i), this_41.height, wrap_v);
-    let row1_ = (_e62 * this_41.width);
+    let _e62 = neighbour((i32(top) + 1i), this_40.height, wrap_v);
+    let row1_ = (_e62 * this_40.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e67 = TextureView_texel(this_41, (row0_ + _e44));
-    let _e69 = TextureView_texel(this_41, (row0_ + _e50));
+    let _e67 = TextureView_texel(this_40, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_40, (row0_ + _e50));
     let _e70 = (x_14 - left_2);
     let upper_1 = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e78 = TextureView_texel(this_41, (row1_ + _e44));
-    let _e80 = TextureView_texel(this_41, (row1_ + _e50));
+    let _e78 = TextureView_texel(this_40, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_40, (row1_ + _e50));
     let _e81 = (x_14 - left_2);
     let lower_2 = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -3337,37 +3321,37 @@ fn is_passed(index_16: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
-fn Triangle_is_catcher(this_42: Triangle) -> bool {
+fn Triangle_is_catcher(this_41: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:46
-    return ((this_42.object & 2147483648u) != 0u);
+    return ((this_41.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_43: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_42: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_43.v1_ - this_43.v0_), (this_43.v2_ - this_43.v0_));
+    return cross((this_42.v1_ - this_42.v0_), (this_42.v2_ - this_42.v0_));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_44: Triangle) -> f32 {
+fn Triangle_ray_offset(this_43: Triangle) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_44.v0_), abs(this_44.v1_)), abs(this_44.v2_));
+    let extent = max(max(abs(this_43.v0_), abs(this_43.v1_)), abs(this_43.v2_));
     // glimt_render_gpu/src/kernels/triangle.rs:68
     return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_45: Triangle, ray_6: Ray, t_1: f32) -> f32 {
+fn Triangle_setback(this_44: Triangle, ray_6: Ray, t_1: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_45);
+    let _e5 = Triangle_area_normal(this_44);
     // glimt_render_gpu/src/kernels/triangle.rs:76
     let across = abs(dot(_e5, ray_6.direction));
     // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_45);
+    let _e12 = Triangle_ray_offset(this_44);
     let apart = (2f * max(_e12, ((0.0000038146973f * t_1) * sqrt(dot(ray_6.direction, ray_6.direction)))));
     // glimt_render_gpu/src/kernels/triangle.rs:82
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t_1);
@@ -3657,11 +3641,11 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_8: vec3<f32>, key_2: u32) -> bo
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:384
-fn Proposal_open_control(this_46: Proposal, direction_9: vec3<f32>, at_3: CellAt) -> vec3<f32> {
+fn Proposal_open_control(this_45: Proposal, direction_9: vec3<f32>, at_3: CellAt) -> vec3<f32> {
     var self_4: Proposal;
     var chosen_23: f32;
 
-    self_4 = this_46;
+    self_4 = this_45;
     // glimt_render_gpu/src/kernels/proposal.rs:385
     if at_3.is_full {
         // glimt_render_gpu/src/kernels/proposal.rs:386
@@ -3681,7 +3665,7 @@ fn Proposal_open_control(this_46: Proposal, direction_9: vec3<f32>, at_3: CellAt
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:291
-fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_3: PixelPattern, rays_3: f32, threshold_4: f32, group_3: Group, proposal_2: Proposal, look: Look, point_4: ShadingPoint, f: vec3<f32>, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
+fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, threshold_4: f32, group_3: Group, proposal_2: Proposal, look: Look, point_4: ShadingPoint, f: vec3<f32>, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
     var proposal_3: Proposal;
     var own: vec3<f32>;
     var sum_4: vec3<f32>;
@@ -3760,7 +3744,7 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:229
-fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_4: PixelPattern, rays_4: f32, threshold_5: f32, group_4: Group, proposal_4: Proposal, expected_first_5: u32, expected_slot_5: u32, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Sample {
+fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, threshold_5: f32, group_4: Group, proposal_4: Proposal, expected_first_5: u32, expected_slot_5: u32, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Sample {
     var proposal_5: Proposal;
     var pdf_sr: f32;
     var both_3: bool;
@@ -3775,7 +3759,7 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     let _e27 = ShadingFrame_to_local(_e23.frame, look_1.direction);
     // glimt_render_gpu/src/kernels/group_light.rs:240
     let _e29 = proposal_5;
-    let _e31 = Proposal_cell(_e29, look_1.cell, cells_size_13, cells_start_13, expected_first_5, expected_slot_5);
+    let _e31 = Proposal_cell(_e29, look_1.cell, cells_size_12, cells_start_12, expected_first_5, expected_slot_5);
     // glimt_render_gpu/src/kernels/group_light.rs:241
     let share_2 = proposal_5.lobe_share;
     // glimt_render_gpu/src/kernels/group_light.rs:242
@@ -3784,7 +3768,7 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     if (share_2 < 1f) {
         // glimt_render_gpu/src/kernels/group_light.rs:244
         let _e42 = proposal_5;
-        let _e45 = Proposal_cells_pdf_sr(_e42, look_1.texel, look_1.cell, _e31, cells_size_13, cells_start_13);
+        let _e45 = Proposal_cells_pdf_sr(_e42, look_1.texel, look_1.cell, _e31, cells_size_12, cells_start_12);
         // glimt_render_gpu/src/kernels/group_light.rs:245
         pdf_sr = ((1f - share_2) * _e45);
     }
@@ -3836,7 +3820,7 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
         let _e113 = Proposal_open_control(_e111, look_1.of_map, _e31);
         // glimt_render_gpu/src/kernels/group_light.rs:271
         let _e115 = proposal_5;
-        let _e116 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_13, cells_start_13, pattern_4, rays_4, threshold_5, group_4, _e115, look_1, _e23, _e77, points_start_7, points_len_7);
+        let _e116 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_5, group_4, _e115, look_1, _e23, _e77, points_start_7, points_len_7);
         // glimt_render_gpu/src/kernels/group_light.rs:272
         let _e119 = proposal_5.is_catcher;
         if _e119 {
@@ -3885,7 +3869,7 @@ fn note(group_5: Group, s: u32, found: u32, points_start_8: u32, points_len_8: u
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:109
-fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_14: vec2<u32>, cells_start_14: u32, pattern_5: PixelPattern, rays_5: f32, threshold_6: f32, group_6: Group, number: u32, expected_first_6: u32, expected_slot_6: u32, points_start_9: u32, points_len_9: u32, drawn: ptr<function, Drawn>) -> Reflected {
+fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_5: PixelPattern, rays_5: f32, threshold_6: f32, group_6: Group, number: u32, expected_first_6: u32, expected_slot_6: u32, points_start_9: u32, points_len_9: u32, drawn: ptr<function, Drawn>) -> Reflected {
     var proposal_6: Proposal;
     var source_2: PatternSource;
     var worth_1: f32;
@@ -3907,7 +3891,7 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
     // glimt_render_gpu/src/kernels/group_light.rs:121
     let _e31 = SeenPoint_is_catcher(leader_3);
     // glimt_render_gpu/src/kernels/group_light.rs:122
-    let _e33 = Proposal_new(_e16, cells_size_14, cells_start_14, _e27.value_first, _e27.value_slot, _e31);
+    let _e33 = Proposal_new(_e16, cells_size_13, cells_start_13, _e27.value_first, _e27.value_slot, _e31);
     proposal_6 = _e33;
     // glimt_render_gpu/src/kernels/group_light.rs:123
     let _e37 = PixelPattern_point(pattern_5, 12u, number);
@@ -3985,7 +3969,7 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
             (*drawn).lobes = (_e143 + 1u);
             // glimt_render_gpu/src/kernels/group_light.rs:147
             let _e147 = (*drawn).lobes;
-            let _e150 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_14, cells_start_14, pattern_5, rays_5, threshold_6, group_6, (_e147 - 1u), points_start_9, points_len_9);
+            let _e150 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_6, (_e147 - 1u), points_start_9, points_len_9);
             chosen_26 = _e150;
         } else {
             // glimt_render_gpu/src/kernels/group_light.rs:149
@@ -3994,7 +3978,7 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
             // glimt_render_gpu/src/kernels/group_light.rs:150
             let _e157 = proposal_6;
             let _e159 = (*drawn).cells;
-            let _e162 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_14, cells_start_14, pattern_5, rays_5, threshold_6, group_6, _e157, _e27.value_first, _e27.value_slot, (_e159 - 1u), points_start_9, points_len_9);
+            let _e162 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_6, _e157, _e27.value_first, _e27.value_slot, (_e159 - 1u), points_start_9, points_len_9);
             chosen_26 = _e162;
         }
         let look_2 = chosen_26;
@@ -4004,7 +3988,7 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
             let own_2 = (_e107 + s_5);
             // glimt_render_gpu/src/kernels/group_light.rs:154
             let _e169 = proposal_6;
-            let _e170 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_14, cells_start_14, pattern_5, rays_5, threshold_6, group_6, _e169, _e27.value_first, _e27.value_slot, look_2, own_2, points_start_9, points_len_9);
+            let _e170 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_6, _e169, _e27.value_first, _e27.value_slot, look_2, own_2, points_start_9, points_len_9);
             // glimt_render_gpu/src/kernels/group_light.rs:155
             let _e173 = lit_1;
             lit_1 = (_e173 + _e170.lit);
@@ -4144,66 +4128,66 @@ fn jittered_pair(index_19: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:65
-fn PixelPattern_pair(this_47: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec2<u32> {
+fn PixelPattern_pair(this_46: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed_4: OwenSobol;
     var borrowed_5: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:66
-    let index_21 = ((this_47.ray * samples) + sample);
+    let index_21 = ((this_46.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:67
-    if (this_47.kind == 0u) {
+    if (this_46.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:68
-        let _e14 = PixelPattern_sobol_point(this_47, purpose_5, index_21);
+        let _e14 = PixelPattern_sobol_point(this_46, purpose_5, index_21);
         borrowed_4 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_4));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:70
-    let _e18 = PixelPattern_generator(this_47, purpose_5, index_21);
+    let _e18 = PixelPattern_generator(this_46, purpose_5, index_21);
     borrowed_5 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
     // glimt_render_gpu/src/kernels/pattern.rs:71
-    if (this_47.kind == 1u) {
+    if (this_46.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:72
         return _e20;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:74
-    let _e29 = PixelPattern_key(this_47, purpose_5);
-    let _e30 = jittered_pair(index_21, (this_47.rays * samples), _e20, _e29);
+    let _e29 = PixelPattern_key(this_46, purpose_5);
+    let _e30 = jittered_pair(index_21, (this_46.rays * samples), _e20, _e29);
     return _e30;
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_48: CameraView, p: vec2<f32>, size_19: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_47: CameraView, p: vec2<f32>, size_18: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
-    let x_15 = (((2f * p.x) / f32(size_19.x)) - 1f);
+    let x_15 = (((2f * p.x) / f32(size_18.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
-    let y_6 = (((2f * p.y) / f32(size_19.y)) - 1f);
+    let y_6 = (((2f * p.y) / f32(size_18.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_48.forward + (this_48.right * x_15)) - (this_48.up * y_6)));
+    return normalize(((this_47.forward + (this_47.right * x_15)) - (this_47.up * y_6)));
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:161
-fn FrameParams_direction(this_49: FrameParams, pixel_4: u32, place_1: vec2<f32>) -> vec3<f32> {
+fn FrameParams_direction(this_48: FrameParams, pixel_4: u32, place_1: vec2<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/frame.rs:162
-    let corner = vec2<f32>(vec2<u32>((pixel_4 % this_49.width), (pixel_4 / this_49.width)));
+    let corner = vec2<f32>(vec2<u32>((pixel_4 % this_48.width), (pixel_4 / this_48.width)));
     // glimt_render_gpu/src/kernels/frame.rs:163
-    let view = CameraView(this_49.eye, this_49.forward, this_49.right, this_49.up);
+    let view = CameraView(this_48.eye, this_48.forward, this_48.right, this_48.up);
     // glimt_render_gpu/src/kernels/frame.rs:169
-    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_49.width, this_49.height));
+    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_48.width, this_48.height));
     return _e22;
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:144
-fn FrameParams_camera_ray(this_50: FrameParams, pattern_6: PixelPattern) -> Ray {
+fn FrameParams_camera_ray(this_49: FrameParams, pattern_6: PixelPattern) -> Ray {
     var chosen_27: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:145
-    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_50.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
+    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_49.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
     // glimt_render_gpu/src/kernels/frame.rs:149
-    if (this_50.filter_ == 1u) {
+    if (this_49.filter_ == 1u) {
         // glimt_render_gpu/src/kernels/frame.rs:150
         chosen_27 = vec2(0.5f);
     } else {
@@ -4214,58 +4198,58 @@ fn FrameParams_camera_ray(this_50: FrameParams, pattern_6: PixelPattern) -> Ray 
     }
     let place_4 = chosen_27;
     // glimt_render_gpu/src/kernels/frame.rs:154
-    let _e28 = FrameParams_direction(this_50, pattern_6.pixel, place_4);
+    let _e28 = FrameParams_direction(this_49, pattern_6.pixel, place_4);
     // glimt_render_gpu/src/kernels/frame.rs:155
     let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_50.eye, _e28, _e32);
+    let _e33 = Ray_keyed(this_49.eye, _e28, _e32);
     return _e33;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:57
-fn Environment_map(size_20: vec2<u32>, rotation_4: vec2<f32>) -> Returned_Environment_map {
+// glimt_render_gpu/src/kernels/environment.rs:56
+fn Environment_map(size_19: vec2<u32>, rotation_4: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:58
-    return Returned_Environment_map(size_20, rotation_4);
+    // glimt_render_gpu/src/kernels/environment.rs:57
+    return Returned_Environment_map(size_19, rotation_4);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:147
-fn bilinear(size_21: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:146
+fn bilinear(size_20: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:148
+    // glimt_render_gpu/src/kernels/environment.rs:147
     let _e4 = direction_to_uv(d_3);
-    let p_1 = ((_e4 * vec2<f32>(size_21)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:150
+    let p_1 = ((_e4 * vec2<f32>(size_20)) - vec2(0.5f));
+    // glimt_render_gpu/src/kernels/environment.rs:149
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:151
+    // glimt_render_gpu/src/kernels/environment.rs:150
     let f_1 = ((p_1 + vec2(1f)) - vec2<f32>(next));
+    // glimt_render_gpu/src/kernels/environment.rs:151
+    let x0_ = (((next.x + size_20.x) - 1u) % size_20.x);
     // glimt_render_gpu/src/kernels/environment.rs:152
-    let x0_ = (((next.x + size_21.x) - 1u) % size_21.x);
+    let x1_ = (next.x % size_20.x);
     // glimt_render_gpu/src/kernels/environment.rs:153
-    let x1_ = (next.x % size_21.x);
+    let row0_1 = ((max(next.y, 1u) * size_20.x) - size_20.x);
     // glimt_render_gpu/src/kernels/environment.rs:154
-    let row0_1 = ((max(next.y, 1u) * size_21.x) - size_21.x);
+    let row1_1 = (min(next.y, (size_20.y - 1u)) * size_20.x);
     // glimt_render_gpu/src/kernels/environment.rs:155
-    let row1_1 = (min(next.y, (size_21.y - 1u)) * size_21.x);
-    // glimt_render_gpu/src/kernels/environment.rs:156
     let _e53 = env_texels[(row0_1 + x0_)];
     let _e57 = env_texels[(row0_1 + x1_)];
     let upper_2 = ((_e53 * (1f - f_1.x)) + (_e57 * f_1.x));
-    // glimt_render_gpu/src/kernels/environment.rs:157
+    // glimt_render_gpu/src/kernels/environment.rs:156
     let _e68 = env_texels[(row1_1 + x0_)];
     let _e72 = env_texels[(row1_1 + x1_)];
     let lower_3 = ((_e68 * (1f - f_1.x)) + (_e72 * f_1.x));
-    // glimt_render_gpu/src/kernels/environment.rs:158
+    // glimt_render_gpu/src/kernels/environment.rs:157
     return ((upper_2 * (1f - f_1.y)) + (lower_3 * f_1.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:47
-fn RadianceMap_background(size_22: vec2<u32>, rotation_5: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:46
+fn RadianceMap_background(size_21: vec2<u32>, rotation_5: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:48
+    // glimt_render_gpu/src/kernels/environment.rs:47
     let to_map = vec2<f32>(rotation_5.x, -(rotation_5.y));
-    // glimt_render_gpu/src/kernels/environment.rs:49
+    // glimt_render_gpu/src/kernels/environment.rs:48
     let _e10 = rotate_z(direction_10, to_map);
-    let _e11 = bilinear(size_22, _e10);
+    let _e11 = bilinear(size_21, _e10);
     return _e11;
 }
 
@@ -4382,15 +4366,15 @@ fn shade_groups(pixel_5: u32, frame_5: FrameParams, rays_6: f32, threshold_7: f3
     return;
 }
 
-// glimt_render_gpu/src/kernels/cells.rs:21
+// glimt_render_gpu/src/kernels/cells.rs:19
 fn shade_cells_1(pixel_6: u32, frame_6: FrameParams, cells_1: CellParams, env_size_8: vec2<u32>, env_rotation_8: vec2<f32>, points_start_11: u32, points_len_11: u32, samples_start_1: u32, samples_len_1: u32) {
 
-    // glimt_render_gpu/src/kernels/cells.rs:31
+    // glimt_render_gpu/src/kernels/cells.rs:29
     let _e13 = CellParams_tile_of(cells_1, (frame_6.first_pixel + pixel_6), frame_6);
-    // glimt_render_gpu/src/kernels/cells.rs:32
-    // glimt_render_gpu/src/kernels/cells.rs:37
+    // glimt_render_gpu/src/kernels/cells.rs:30
+    // glimt_render_gpu/src/kernels/cells.rs:35
     let _e20 = threshold(frame_6, cells_1, 64u);
-    // glimt_render_gpu/src/kernels/cells.rs:38
+    // glimt_render_gpu/src/kernels/cells.rs:36
     shade_groups(pixel_6, frame_6, cells_1.rays, _e20, (_e13 * 3u), 0u, env_size_8, env_rotation_8, points_start_11, points_len_11, samples_start_1, samples_len_1);
     return;
 }

@@ -2314,10 +2314,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:90
+// glimt_render_gpu/src/kernels/environment.rs:89
 fn Environment_to_map(size_2: vec2<u32>, rotation: vec2<f32>, direction_6: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:90
     let _e8 = rotate_z(direction_6, vec2<f32>(rotation.x, -(rotation.y)));
     return _e8;
 }
@@ -2367,26 +2367,26 @@ fn direction_to_texel(d_2: vec3<f32>, size_3: vec2<u32>) -> vec2<u32> {
     return min(vec2<u32>(position), (size_20 - vec2(1u)));
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:97
+// glimt_render_gpu/src/kernels/environment.rs:96
 fn Environment_texel(size_4: vec2<u32>, rotation_1: vec2<f32>, direction_7: vec3<f32>) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:98
+    // glimt_render_gpu/src/kernels/environment.rs:97
     let _e5 = Environment_to_map(size_4, rotation_1, direction_7);
     let _e6 = direction_to_texel(_e5, size_4);
     return _e6;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:132
+// glimt_render_gpu/src/kernels/environment.rs:131
 fn marginal_words(size_5: vec2<u32>) -> u32 {
 
-    // glimt_render_gpu/src/kernels/environment.rs:133
+    // glimt_render_gpu/src/kernels/environment.rs:132
     return (size_5.y + 1u);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:68
+// glimt_render_gpu/src/kernels/environment.rs:67
 fn Environment_cdf(size_6: vec2<u32>, rotation_2: vec2<f32>) -> Returned_Environment_cdf {
 
-    // glimt_render_gpu/src/kernels/environment.rs:69
+    // glimt_render_gpu/src/kernels/environment.rs:68
     let _e3 = marginal_words(size_6);
     return Returned_Environment_cdf(size_6, _e3, (arrayLength((&env_tables)) - _e3));
 }
@@ -2500,18 +2500,18 @@ fn multi_sample_density(n_f: u32, pdf_f: f32, n_g: u32, pdf_g: f32) -> f32 {
     return ((f32(n_f) * pdf_f) + (f32(n_g) * pdf_g));
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:75
+// glimt_render_gpu/src/kernels/mis.rs:78
 fn Mis_density(this_31: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/mis.rs:76
+    // glimt_render_gpu/src/kernels/mis.rs:79
     let _e7 = multi_sample_density(this_31.brdf_samples, brdf_pdf_sr, this_31.env_samples, env_pdf_sr);
     return _e7;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:104
+// glimt_render_gpu/src/kernels/environment.rs:103
 fn Environment_radiance(size_12: vec2<u32>, rotation_3: vec2<f32>, texel_3: vec2<u32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:105
+    // glimt_render_gpu/src/kernels/environment.rs:104
     let _e11 = env_texels[((texel_3.y * size_12.x) + texel_3.x)];
     return _e11.xyz;
 }
@@ -2566,28 +2566,28 @@ fn LightSample_new(point_1: ShadingPoint, direction_8: vec3<f32>, wi_3: vec3<f32
     return LightSample(direction_8, (radiance_1 * weight));
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:30
+// glimt_render_gpu/src/kernels/mis.rs:33
 fn Mis_brdf_sample(this_33: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> LightSample {
 
-    // glimt_render_gpu/src/kernels/mis.rs:37
+    // glimt_render_gpu/src/kernels/mis.rs:40
     let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_33.brdf_samples);
-    // glimt_render_gpu/src/kernels/mis.rs:38
+    // glimt_render_gpu/src/kernels/mis.rs:41
     let _e16 = unit_vec2_(_e10.xy);
     let _e17 = BlinnPhong_sample(point_2.brdf, point_2.wo, _e10.z, _e16);
-    // glimt_render_gpu/src/kernels/mis.rs:39
+    // glimt_render_gpu/src/kernels/mis.rs:42
     if !((_e17.pdf_sr > 0f)) {
-        // glimt_render_gpu/src/kernels/mis.rs:40
+        // glimt_render_gpu/src/kernels/mis.rs:43
         return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/mis.rs:42
+    // glimt_render_gpu/src/kernels/mis.rs:45
     let _e34 = ShadingFrame_to_world(point_2.frame, _e17.wi);
-    // glimt_render_gpu/src/kernels/mis.rs:43
+    // glimt_render_gpu/src/kernels/mis.rs:46
     let _e36 = Environment_texel(env_size, env_rotation, _e34);
-    // glimt_render_gpu/src/kernels/mis.rs:44
+    // glimt_render_gpu/src/kernels/mis.rs:47
     let _e39 = Environment_cdf(env_size, env_rotation);
     let _e43 = EnvCdf_texel_pdf_sr(_e39.value_size, _e39.value_conditional_start, _e39.value_conditional_len, _e36);
     let _e44 = Mis_density(this_33, _e17.pdf_sr, _e43);
-    // glimt_render_gpu/src/kernels/mis.rs:45
+    // glimt_render_gpu/src/kernels/mis.rs:48
     let _e47 = Environment_radiance(env_size, env_rotation, _e36);
     let _e48 = LightSample_new(point_2, _e34, _e17.wi, _e47, _e44);
     return _e48;
@@ -2829,60 +2829,60 @@ fn EnvCdf_sample(size_15: vec2<u32>, conditional_start_4: u32, conditional_len_4
     return EnvSample(texel_5, _e58, _e62);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:111
+// glimt_render_gpu/src/kernels/environment.rs:110
 fn Environment_sample(size_16: vec2<u32>, rotation_4: vec2<f32>, u_12: vec2<u32>) -> EnvSample {
 
-    // glimt_render_gpu/src/kernels/environment.rs:112
+    // glimt_render_gpu/src/kernels/environment.rs:111
     let _e5 = Environment_cdf(size_16, rotation_4);
     let _e9 = EnvCdf_sample(_e5.value_size, _e5.value_conditional_start, _e5.value_conditional_len, u_12);
-    // glimt_render_gpu/src/kernels/environment.rs:113
+    // glimt_render_gpu/src/kernels/environment.rs:112
     let _e12 = rotate_z(_e9.direction, rotation_4);
     return EnvSample(_e9.texel, _e12, _e9.pdf_sr);
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:51
+// glimt_render_gpu/src/kernels/mis.rs:54
 fn Mis_env_sample(this_36: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LightSample {
 
-    // glimt_render_gpu/src/kernels/mis.rs:58
+    // glimt_render_gpu/src/kernels/mis.rs:61
     let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_36.env_samples);
-    // glimt_render_gpu/src/kernels/mis.rs:59
+    // glimt_render_gpu/src/kernels/mis.rs:62
     let _e12 = Environment_sample(env_size_1, env_rotation_1, _e10);
-    // glimt_render_gpu/src/kernels/mis.rs:60
+    // glimt_render_gpu/src/kernels/mis.rs:63
     if !((_e12.pdf_sr > 0f)) {
-        // glimt_render_gpu/src/kernels/mis.rs:61
+        // glimt_render_gpu/src/kernels/mis.rs:64
         return LightSample(vec3<f32>(0f, 0f, 1f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/mis.rs:63
+    // glimt_render_gpu/src/kernels/mis.rs:66
     let _e29 = ShadingFrame_to_local(point_5.frame, _e12.direction);
-    // glimt_render_gpu/src/kernels/mis.rs:64
+    // glimt_render_gpu/src/kernels/mis.rs:67
     let _e33 = BlinnPhong_pdf_sr(point_5.brdf, point_5.wo, _e29);
     let _e35 = Mis_density(this_36, _e33, _e12.pdf_sr);
-    // glimt_render_gpu/src/kernels/mis.rs:65
+    // glimt_render_gpu/src/kernels/mis.rs:68
     let _e39 = Environment_radiance(env_size_1, env_rotation_1, _e12.texel);
     let _e40 = LightSample_new(point_5, _e12.direction, _e29, _e39, _e35);
     return _e40;
 }
 
-// glimt_render_gpu/src/kernels/mis.rs:82
+// glimt_render_gpu/src/kernels/mis.rs:85
 fn Mis_reflected(this_37: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> Reflected {
     var sum_2: Reflected;
     var counter_2: u32;
     var counter_3: u32;
 
-    // glimt_render_gpu/src/kernels/mis.rs:89
+    // glimt_render_gpu/src/kernels/mis.rs:92
     let _e8 = PixelPattern_ray_key(pattern_3, 9u);
-    // glimt_render_gpu/src/kernels/mis.rs:90
+    // glimt_render_gpu/src/kernels/mis.rs:93
     sum_2 = Reflected(vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/mis.rs:91
+    // glimt_render_gpu/src/kernels/mis.rs:94
     counter_2 = 0u;
     loop {
         let i_1 = counter_2;
         if (i_1 >= this_37.brdf_samples) {
             break;
         }
-        // glimt_render_gpu/src/kernels/mis.rs:92
+        // glimt_render_gpu/src/kernels/mis.rs:95
         let _e23 = Mis_brdf_sample(this_37, i_1, point_6, pattern_3, env_size_2, env_rotation_2);
-        // glimt_render_gpu/src/kernels/mis.rs:93
+        // glimt_render_gpu/src/kernels/mis.rs:96
         let _e26 = LightSample_traced(_e23, point_6, (_e8 + i_1));
         Reflected_gather((&sum_2), _e26);
         continuing {
@@ -2890,16 +2890,16 @@ fn Mis_reflected(this_37: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
             counter_2 = (_e27 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/mis.rs:95
+    // glimt_render_gpu/src/kernels/mis.rs:98
     counter_3 = 0u;
     loop {
         let i_2 = counter_3;
         if (i_2 >= this_37.env_samples) {
             break;
         }
-        // glimt_render_gpu/src/kernels/mis.rs:96
+        // glimt_render_gpu/src/kernels/mis.rs:99
         let _e37 = Mis_env_sample(this_37, i_2, point_6, pattern_3, env_size_2, env_rotation_2);
-        // glimt_render_gpu/src/kernels/mis.rs:97
+        // glimt_render_gpu/src/kernels/mis.rs:100
         let _e42 = LightSample_traced(_e37, point_6, (_e8 + (this_37.brdf_samples + i_2)));
         Reflected_gather((&sum_2), _e42);
         continuing {
@@ -2907,7 +2907,7 @@ fn Mis_reflected(this_37: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
             counter_3 = (_e43 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/mis.rs:99
+    // glimt_render_gpu/src/kernels/mis.rs:102
     let _e47 = sum_2;
     return _e47;
 }
@@ -2919,49 +2919,49 @@ fn Vec4_of_surface(light_1: Reflected, _is_catcher: bool) -> vec4<f32> {
     return vec4<f32>(light_1.lit, 1f);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:57
+// glimt_render_gpu/src/kernels/environment.rs:56
 fn Environment_map(size_17: vec2<u32>, rotation_5: vec2<f32>) -> Returned_Environment_map {
 
-    // glimt_render_gpu/src/kernels/environment.rs:58
+    // glimt_render_gpu/src/kernels/environment.rs:57
     return Returned_Environment_map(size_17, rotation_5);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:147
+// glimt_render_gpu/src/kernels/environment.rs:146
 fn bilinear(size_18: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:148
+    // glimt_render_gpu/src/kernels/environment.rs:147
     let _e4 = direction_to_uv(d_3);
     let p_1 = ((_e4 * vec2<f32>(size_18)) - vec2(0.5f));
-    // glimt_render_gpu/src/kernels/environment.rs:150
+    // glimt_render_gpu/src/kernels/environment.rs:149
     let next = vec2<u32>((p_1 + vec2(1f)));
-    // glimt_render_gpu/src/kernels/environment.rs:151
+    // glimt_render_gpu/src/kernels/environment.rs:150
     let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
-    // glimt_render_gpu/src/kernels/environment.rs:152
+    // glimt_render_gpu/src/kernels/environment.rs:151
     let x0_ = (((next.x + size_18.x) - 1u) % size_18.x);
-    // glimt_render_gpu/src/kernels/environment.rs:153
+    // glimt_render_gpu/src/kernels/environment.rs:152
     let x1_ = (next.x % size_18.x);
-    // glimt_render_gpu/src/kernels/environment.rs:154
+    // glimt_render_gpu/src/kernels/environment.rs:153
     let row0_1 = ((max(next.y, 1u) * size_18.x) - size_18.x);
-    // glimt_render_gpu/src/kernels/environment.rs:155
+    // glimt_render_gpu/src/kernels/environment.rs:154
     let row1_1 = (min(next.y, (size_18.y - 1u)) * size_18.x);
-    // glimt_render_gpu/src/kernels/environment.rs:156
+    // glimt_render_gpu/src/kernels/environment.rs:155
     let _e53 = env_texels[(row0_1 + x0_)];
     let _e57 = env_texels[(row0_1 + x1_)];
     let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:157
+    // glimt_render_gpu/src/kernels/environment.rs:156
     let _e68 = env_texels[(row1_1 + x0_)];
     let _e72 = env_texels[(row1_1 + x1_)];
     let lower_2 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
-    // glimt_render_gpu/src/kernels/environment.rs:158
+    // glimt_render_gpu/src/kernels/environment.rs:157
     return ((upper_2 * (1f - f.y)) + (lower_2 * f.y)).xyz;
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:47
+// glimt_render_gpu/src/kernels/environment.rs:46
 fn RadianceMap_background(size_19: vec2<u32>, rotation_6: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:48
+    // glimt_render_gpu/src/kernels/environment.rs:47
     let to_map = vec2<f32>(rotation_6.x, -(rotation_6.y));
-    // glimt_render_gpu/src/kernels/environment.rs:49
+    // glimt_render_gpu/src/kernels/environment.rs:48
     let _e10 = rotate_z(direction_10, to_map);
     let _e11 = bilinear(size_19, _e10);
     return _e11;

@@ -92,27 +92,11 @@ var<storage, read_write> out: array<f32>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/environment.rs:132
-fn marginal_words(size: vec2<u32>) -> u32 {
+// glimt_render_gpu/src/kernels/environment.rs:78
+fn Environment_cells(size: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cells {
 
-    // glimt_render_gpu/src/kernels/environment.rs:133
-    return (size.y + 1u);
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:139
-fn cdf_words(size_1: vec2<u32>) -> u32 {
-
-    // glimt_render_gpu/src/kernels/environment.rs:140
-    let _e3 = marginal_words(size_1);
-    return (_e3 + (size_1.y * (size_1.x + 1u)));
-}
-
-// glimt_render_gpu/src/kernels/environment.rs:79
-fn Environment_cells(size_2: vec2<u32>, rotation: vec2<f32>) -> Returned_Environment_cells {
-
-    // glimt_render_gpu/src/kernels/environment.rs:80
-    let _e3 = cdf_words(size_2);
-    return Returned_Environment_cells(size_2, _e3);
+    // glimt_render_gpu/src/kernels/environment.rs:79
+    return Returned_Environment_cells(size, 0u);
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -122,10 +106,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(((d.x * cos_sin.x) - (d.y * cos_sin.y)), ((d.x * cos_sin.y) + (d.y * cos_sin.x)), d.z);
 }
 
-// glimt_render_gpu/src/kernels/environment.rs:90
-fn Environment_to_map(size_3: vec2<u32>, rotation_1: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/environment.rs:89
+fn Environment_to_map(size_1: vec2<u32>, rotation_1: vec2<f32>, direction: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/environment.rs:91
+    // glimt_render_gpu/src/kernels/environment.rs:90
     let _e8 = rotate_z(direction, vec2<f32>(rotation_1.x, -(rotation_1.y)));
     return _e8;
 }
@@ -151,10 +135,10 @@ fn CellSurface_new(normal: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponent_
     return CellSurface(normal, wo, (kd * 0.31830987f), ks, widened, _e22, sqrt((2f * (1f - r))), horizon, 1f);
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:84
+// glimt_render_gpu/src/kernels/expect.rs:83
 fn representative_of(entry: TileEntry, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
 
-    // glimt_render_gpu/src/kernels/expect.rs:85
+    // glimt_render_gpu/src/kernels/expect.rs:84
     let _e6 = Environment_to_map(env_size, env_rotation, entry.normal);
     let _e12 = Environment_to_map(env_size, env_rotation, entry.normal);
     let _e14 = Environment_to_map(env_size, env_rotation, entry.wo);
@@ -163,7 +147,7 @@ fn representative_of(entry: TileEntry, env_size: vec2<u32>, env_rotation: vec2<f
 }
 
 // glimt_light_cells/src/partition.rs:113
-fn LightCells_quad(size_4: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
+fn LightCells_quad(size_2: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
     // glimt_light_cells/src/partition.rs:114
     let at = (((start + 32u) + (list * 512u)) + (4u * quad));
@@ -218,75 +202,75 @@ fn cosine_power4_(sin2_theta: vec4<f32>, exponent_2: vec4<f32>) -> vec4<f32> {
     return (x128_ * x128_);
 }
 
-// glimt_light_cells/src/surface.rs:133
-fn CellSurface_terms(this_: CellSurface, cells_size: vec2<u32>, cells_start: u32, quad_1: u32) -> CellTerms {
+// glimt_light_cells/src/surface.rs:156
+fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_1: u32) -> CellTerms {
 
-    // glimt_light_cells/src/surface.rs:134
-    let _e7 = LightCells_quad(cells_size, cells_start, 15u, quad_1);
-    // glimt_light_cells/src/surface.rs:135
-    let _e12 = LightCells_quad(cells_size, cells_start, (15u + 1u), quad_1);
-    // glimt_light_cells/src/surface.rs:136
-    let _e17 = LightCells_quad(cells_size, cells_start, (15u + 2u), quad_1);
-    // glimt_light_cells/src/surface.rs:137
-    let _e20 = LightCells_quad(cells_size, cells_start, 18u, quad_1);
-    // glimt_light_cells/src/surface.rs:138
-    let n = this_.normal;
-    // glimt_light_cells/src/surface.rs:139
+    // glimt_light_cells/src/surface.rs:157
+    let _e7 = LightCells_quad(size_3, start_1, 15u, quad_1);
+    // glimt_light_cells/src/surface.rs:158
+    let _e12 = LightCells_quad(size_3, start_1, (15u + 1u), quad_1);
+    // glimt_light_cells/src/surface.rs:159
+    let _e17 = LightCells_quad(size_3, start_1, (15u + 2u), quad_1);
+    // glimt_light_cells/src/surface.rs:160
+    let _e20 = LightCells_quad(size_3, start_1, 18u, quad_1);
+    // glimt_light_cells/src/surface.rs:161
+    let n = surface.normal;
+    // glimt_light_cells/src/surface.rs:162
     let c = (((_e7 * n.x) + (_e12 * n.y)) + (_e17 * n.z));
-    // glimt_light_cells/src/surface.rs:140
-    let reach = (_e20 + vec4(this_.horizon));
-    // glimt_light_cells/src/surface.rs:141
+    // glimt_light_cells/src/surface.rs:163
+    let reach = (_e20 + vec4(surface.horizon));
+    // glimt_light_cells/src/surface.rs:164
     let up = max((c + reach), vec4(0f));
-    // glimt_light_cells/src/surface.rs:142
+    // glimt_light_cells/src/surface.rs:165
     let _e42 = step_(up);
-    // glimt_light_cells/src/surface.rs:143
+    // glimt_light_cells/src/surface.rs:166
     let _e45 = step_((c - reach));
-    // glimt_light_cells/src/surface.rs:144
+    // glimt_light_cells/src/surface.rs:167
     let cosine = max(c, vec4(0f));
-    // glimt_light_cells/src/surface.rs:145
-    let half_spread = vec4((0.5f * this_.spread));
-    // glimt_light_cells/src/surface.rs:146
+    // glimt_light_cells/src/surface.rs:168
+    let half_spread = vec4((0.5f * surface.spread));
+    // glimt_light_cells/src/surface.rs:169
     let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
-    // glimt_light_cells/src/surface.rs:147
-    if !((this_.specular > 0f)) {
-        // glimt_light_cells/src/surface.rs:148
+    // glimt_light_cells/src/surface.rs:170
+    if !((surface.specular > 0f)) {
+        // glimt_light_cells/src/surface.rs:171
         return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
     }
-    // glimt_light_cells/src/surface.rs:158
+    // glimt_light_cells/src/surface.rs:181
     let lifted = max(c, (0.25f * up));
-    // glimt_light_cells/src/surface.rs:159
-    let v = this_.wo;
-    // glimt_light_cells/src/surface.rs:160
+    // glimt_light_cells/src/surface.rs:182
+    let v = surface.wo;
+    // glimt_light_cells/src/surface.rs:183
     let nv = dot(n, v);
-    // glimt_light_cells/src/surface.rs:161
+    // glimt_light_cells/src/surface.rs:184
     let dv = ((((_e7 * v.x) + (_e12 * v.y)) + (_e17 * v.z)) + ((lifted - c) * nv));
-    // glimt_light_cells/src/surface.rs:162
+    // glimt_light_cells/src/surface.rs:185
     let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c * c)), vec4(0.000001f)));
-    // glimt_light_cells/src/surface.rs:163
+    // glimt_light_cells/src/surface.rs:186
     let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
-    // glimt_light_cells/src/surface.rs:164
+    // glimt_light_cells/src/surface.rs:187
     let _e123 = sqrt_(half2_);
     let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
-    // glimt_light_cells/src/surface.rs:165
+    // glimt_light_cells/src/surface.rs:188
     let cos2_ = min((nh * nh), vec4(1f));
-    // glimt_light_cells/src/surface.rs:166
+    // glimt_light_cells/src/surface.rs:189
     let sin2_ = (vec4(1f) - cos2_);
-    // glimt_light_cells/src/surface.rs:167
+    // glimt_light_cells/src/surface.rs:190
     let r2_ = (_e20 * _e20);
-    // glimt_light_cells/src/surface.rs:168
-    let e = max(this_.exponent, 0.001f);
-    // glimt_light_cells/src/surface.rs:169
+    // glimt_light_cells/src/surface.rs:191
+    let e = max(surface.exponent, 0.001f);
+    // glimt_light_cells/src/surface.rs:192
     let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
-    // glimt_light_cells/src/surface.rs:170
+    // glimt_light_cells/src/surface.rs:193
     let _e151 = cosine_power4_(sin2_, seen);
-    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((this_.share * this_.peak) / e));
-    // glimt_light_cells/src/surface.rs:172
+    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((surface.share * surface.peak) / e));
+    // glimt_light_cells/src/surface.rs:195
     let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
-    // glimt_light_cells/src/surface.rs:173
-    let near = (vec4((((0.1f * e) * this_.spread) * this_.spread)) + ((0.06f * e) * r2_));
-    // glimt_light_cells/src/surface.rs:174
+    // glimt_light_cells/src/surface.rs:196
+    let near = (vec4((((0.1f * e) * surface.spread) * surface.spread)) + ((0.06f * e) * r2_));
+    // glimt_light_cells/src/surface.rs:197
     let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
-    // glimt_light_cells/src/surface.rs:175
+    // glimt_light_cells/src/surface.rs:198
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near), vec4(1f)), cosine_spread);
 }
 
@@ -314,69 +298,69 @@ fn Expected_quad(first: u32, slot: u32, quad_2: u32) -> vec4<f32> {
     return (_e22 * (1f / 255f));
 }
 
-// glimt_light_cells/src/surface.rs:212
-fn CellSurface_blocked_weights(this_1: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+// glimt_light_cells/src/surface.rs:214
+fn CellSurface_blocked_weights(this_: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
 
-    // glimt_light_cells/src/surface.rs:213
-    let reflected = ((terms.cosine * this_1.diffuse) + (terms.lobe * this_1.specular));
-    // glimt_light_cells/src/surface.rs:214
-    let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:215
-    let diffuse = (terms.cosine_spread * this_1.diffuse);
+    let reflected = ((terms.cosine * this_.diffuse) + (terms.lobe * this_.specular));
     // glimt_light_cells/src/surface.rs:216
-    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_1.specular);
+    let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:217
-    let by_shape = ((diffuse * diffuse) + (lobe_1 * lobe_1));
+    let diffuse = (terms.cosine_spread * this_.diffuse);
     // glimt_light_cells/src/surface.rs:218
+    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_.specular);
+    // glimt_light_cells/src/surface.rs:219
+    let by_shape = ((diffuse * diffuse) + (lobe_1 * lobe_1));
+    // glimt_light_cells/src/surface.rs:220
     let _e41 = sqrt_((((reflected * reflected) * blocked) + by_shape));
     return ((flux * terms.live) * _e41);
 }
 
-// glimt_light_cells/src/surface.rs:197
-fn CellSurface_residual_weights(this_2: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+// glimt_light_cells/src/surface.rs:142
+fn CellSurface_residual_weights(this_1: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
 
-    // glimt_light_cells/src/surface.rs:198
-    let reflected_1 = ((terms_1.cosine * this_2.diffuse) + (terms_1.lobe * this_2.specular));
-    // glimt_light_cells/src/surface.rs:199
+    // glimt_light_cells/src/surface.rs:143
+    let reflected_1 = ((terms_1.cosine * this_1.diffuse) + (terms_1.lobe * this_1.specular));
+    // glimt_light_cells/src/surface.rs:144
     let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
-    // glimt_light_cells/src/surface.rs:200
-    let diffuse_1 = (terms_1.cosine_spread * this_2.diffuse);
-    // glimt_light_cells/src/surface.rs:201
-    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_2.specular);
-    // glimt_light_cells/src/surface.rs:202
+    // glimt_light_cells/src/surface.rs:145
+    let diffuse_1 = (terms_1.cosine_spread * this_1.diffuse);
+    // glimt_light_cells/src/surface.rs:146
+    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_1.specular);
+    // glimt_light_cells/src/surface.rs:147
     let by_shape_1 = (((diffuse_1 * diffuse_1) + (lobe_2 * lobe_2)) * max(visibility_1, vec4(0.02f)));
-    // glimt_light_cells/src/surface.rs:203
+    // glimt_light_cells/src/surface.rs:148
     let _e45 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape_1));
     return ((flux_1 * terms_1.live) * _e45);
 }
 
-// glimt_light_cells/src/surface.rs:188
-fn CellSurface_product_weights(this_3: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
+// glimt_light_cells/src/surface.rs:133
+fn CellSurface_product_weights(this_2: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
 
-    // glimt_light_cells/src/surface.rs:189
-    let reflected_2 = ((terms_2.cosine * this_3.diffuse) + (terms_2.lobe * this_3.specular));
-    // glimt_light_cells/src/surface.rs:190
-    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_3.diffuse)));
+    // glimt_light_cells/src/surface.rs:134
+    let reflected_2 = ((terms_2.cosine * this_2.diffuse) + (terms_2.lobe * this_2.specular));
+    // glimt_light_cells/src/surface.rs:135
+    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_2.diffuse)));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:238
-fn weights(surface: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
+fn weights(surface_1: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen: vec4<f32>;
     var chosen_1: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/proposal.rs:245
     if (true && is_catcher) {
         // glimt_render_gpu/src/kernels/proposal.rs:246
-        let _e11 = CellSurface_blocked_weights(surface, terms_3, flux_3, visibility_2);
+        let _e11 = CellSurface_blocked_weights(surface_1, terms_3, flux_3, visibility_2);
         chosen = _e11;
     } else {
         if true {
             // glimt_render_gpu/src/kernels/proposal.rs:248
-            let _e15 = CellSurface_residual_weights(surface, terms_3, flux_3, visibility_2);
+            let _e15 = CellSurface_residual_weights(surface_1, terms_3, flux_3, visibility_2);
             chosen_1 = _e15;
         } else {
             // glimt_render_gpu/src/kernels/proposal.rs:250
-            let _e17 = CellSurface_product_weights(surface, terms_3, flux_3);
+            let _e17 = CellSurface_product_weights(surface_1, terms_3, flux_3);
             chosen_1 = _e17;
         }
         let _e18 = chosen_1;
@@ -387,47 +371,47 @@ fn weights(surface: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibili
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:129
-fn channel_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_3: u32, channel: u32, normal_1: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
+fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_1: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:137
     let list_1 = (4u + (3u * channel));
     // glimt_render_gpu/src/kernels/proposal.rs:138
-    let _e14 = LightCells_quad(cells_size_1, cells_start_1, list_1, quad_3);
-    let _e19 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 1u), quad_3);
-    let _e25 = LightCells_quad(cells_size_1, cells_start_1, (list_1 + 2u), quad_3);
+    let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_3);
+    let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_3);
+    let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_3);
     let moment = (((_e14 * normal_1.x) + (_e19 * normal_1.y)) + (_e25 * normal_1.z));
     // glimt_render_gpu/src/kernels/proposal.rs:141
-    let _e32 = LightCells_quad(cells_size_1, cells_start_1, (1u + channel), quad_3);
+    let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_3);
     // glimt_render_gpu/src/kernels/proposal.rs:142
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:147
-fn diffuse_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_4: u32, normal_2: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
+fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_2: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:148
-    let _e9 = channel_sum(cells_size_2, cells_start_2, quad_4, 0u, normal_2, full_1, cut_1);
-    let _e11 = channel_sum(cells_size_2, cells_start_2, quad_4, 1u, normal_2, full_1, cut_1);
-    let _e13 = channel_sum(cells_size_2, cells_start_2, quad_4, 2u, normal_2, full_1, cut_1);
+    let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_2, full_1, cut_1);
+    let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_2, full_1, cut_1);
+    let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_2, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:157
-fn radiance_sum(cells_size_3: vec2<u32>, cells_start_3: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
+fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:158
-    let _e7 = LightCells_quad(cells_size_3, cells_start_3, 1u, quad_5);
+    let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_5);
     let _e8 = (_e7 * factors);
-    let _e19 = LightCells_quad(cells_size_3, cells_start_3, (1u + 1u), quad_5);
+    let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_5);
     let _e20 = (_e19 * factors);
-    let _e31 = LightCells_quad(cells_size_3, cells_start_3, (1u + 2u), quad_5);
+    let _e31 = LightCells_quad(cells_size_2, cells_start_2, (1u + 2u), quad_5);
     let _e32 = (_e31 * factors);
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:166
-fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_first: u32, expected_slot: u32, is_catcher_1: bool) -> Totals {
+fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected_first: u32, expected_slot: u32, is_catcher_1: bool) -> Totals {
     var t: Totals;
     var counter: u32;
     var weight: f32;
@@ -435,9 +419,9 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
     var counter_1: u32;
 
     // glimt_render_gpu/src/kernels/proposal.rs:172
-    let surface_1 = of_.surface;
+    let surface_2 = of_.surface;
     // glimt_render_gpu/src/kernels/proposal.rs:173
-    let has_lobe = (surface_1.specular > 0f);
+    let has_lobe = (surface_2.specular > 0f);
     // glimt_render_gpu/src/kernels/proposal.rs:174
     t = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
     // glimt_render_gpu/src/kernels/proposal.rs:189
@@ -461,9 +445,9 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
             // glimt_render_gpu/src/kernels/proposal.rs:193
             let quad_6 = ((2u * block) + half);
             // glimt_render_gpu/src/kernels/proposal.rs:194
-            let _e59 = LightCells_quad(cells_size_4, cells_start_4, 0u, quad_6);
+            let _e59 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_6);
             // glimt_render_gpu/src/kernels/proposal.rs:195
-            let _e61 = CellSurface_terms(surface_1, cells_size_4, cells_start_4, quad_6);
+            let _e61 = LightCells_terms(cells_size_3, cells_start_3, surface_2, quad_6);
             // glimt_render_gpu/src/kernels/proposal.rs:196
             let _e64 = (_e59 * _e61.live);
             let seen_1 = (((_e64.x + _e64.y) + _e64.z) + _e64.w);
@@ -475,7 +459,7 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                 // glimt_render_gpu/src/kernels/proposal.rs:200
                 let _e79 = Expected_quad(expected_first, expected_slot, quad_6);
                 // glimt_render_gpu/src/kernels/proposal.rs:201
-                let _e81 = weights(surface_1, _e61, _e59, _e79, is_catcher_1);
+                let _e81 = weights(surface_2, _e61, _e59, _e79, is_catcher_1);
                 // glimt_render_gpu/src/kernels/proposal.rs:202
                 let _e90 = weight;
                 weight = (_e90 + (((_e81.x + _e81.y) + _e81.z) + _e81.w));
@@ -486,7 +470,7 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                     // glimt_render_gpu/src/kernels/proposal.rs:205
                     let cut_2 = ((_e79 - full_2) * _e61.cosine);
                     // glimt_render_gpu/src/kernels/proposal.rs:206
-                    let _e104 = diffuse_sum(cells_size_4, cells_start_4, quad_6, of_.mean_normal, full_2, cut_2);
+                    let _e104 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, full_2, cut_2);
                     let _e105 = t.diffuse;
                     t.diffuse = (_e105 + _e104);
                     // glimt_render_gpu/src/kernels/proposal.rs:207
@@ -494,12 +478,12 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                         // glimt_render_gpu/src/kernels/proposal.rs:208
                         let cut_3 = ((vec4(1f) - _e61.full) * _e61.cosine);
                         // glimt_render_gpu/src/kernels/proposal.rs:209
-                        let _e118 = diffuse_sum(cells_size_4, cells_start_4, quad_6, of_.mean_normal, _e61.full, cut_3);
+                        let _e118 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, _e61.full, cut_3);
                         // glimt_render_gpu/src/kernels/proposal.rs:210
                         let _e121 = t.open_diffuse;
                         t.open_diffuse = (_e121 + _e118);
                         // glimt_render_gpu/src/kernels/proposal.rs:211
-                        let _e126 = radiance_sum(cells_size_4, cells_start_4, quad_6, _e61.lobe);
+                        let _e126 = radiance_sum(cells_size_3, cells_start_3, quad_6, _e61.lobe);
                         let _e127 = t.open_specular;
                         t.open_specular = (_e127 + _e126);
                     }
@@ -521,19 +505,19 @@ fn weigh(of_: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expec
                     let _e170 = t.lobe_visible;
                     t.lobe_visible = (_e170 + (((_e161.x + _e161.y) + _e161.z) + _e161.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:220
-                    let _e175 = LightCells_quad(cells_size_4, cells_start_4, 13u, quad_6);
+                    let _e175 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_6);
                     let _e176 = (_e61.lobe * _e175);
                     let _e185 = t.lobe_square;
                     t.lobe_square = (_e185 + (((_e176.x + _e176.y) + _e176.z) + _e176.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:221
-                    let _e190 = LightCells_quad(cells_size_4, cells_start_4, 14u, quad_6);
+                    let _e190 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_6);
                     let _e191 = (_e61.lobe * _e190);
                     let _e200 = t.lobe_area;
                     t.lobe_area = (_e200 + (((_e191.x + _e191.y) + _e191.z) + _e191.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:223
                     if true {
                         // glimt_render_gpu/src/kernels/proposal.rs:224
-                        let _e208 = radiance_sum(cells_size_4, cells_start_4, quad_6, (_e61.lobe * _e79));
+                        let _e208 = radiance_sum(cells_size_3, cells_start_3, quad_6, (_e61.lobe * _e79));
                         let _e209 = t.specular;
                         t.specular = (_e209 + _e208);
                     }
@@ -581,7 +565,7 @@ fn worth_1(a: f32, visible: f32, variance: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:269
-fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u32, expected_first_1: u32, expected_slot_1: u32, is_catcher_2: bool) -> Proposal {
+fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_first_1: u32, expected_slot_1: u32, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
     var first_1: Totals;
@@ -598,7 +582,7 @@ fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u3
     of_2 = of_1;
     // glimt_render_gpu/src/kernels/proposal.rs:276
     let _e10 = of_2;
-    let _e11 = weigh(_e10, cells_size_5, cells_start_5, expected_first_1, expected_slot_1, is_catcher_2);
+    let _e11 = weigh(_e10, cells_size_4, cells_start_4, expected_first_1, expected_slot_1, is_catcher_2);
     sums = _e11;
     // glimt_render_gpu/src/kernels/proposal.rs:277
     let _e14 = sums;
@@ -657,7 +641,7 @@ fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u3
             of_2.surface.share = _e99;
             // glimt_render_gpu/src/kernels/proposal.rs:297
             let _e103 = of_2;
-            let _e104 = weigh(_e103, cells_size_5, cells_start_5, expected_first_1, expected_slot_1, is_catcher_2);
+            let _e104 = weigh(_e103, cells_size_4, cells_start_4, expected_first_1, expected_slot_1, is_catcher_2);
             sums = _e104;
         }
     }
@@ -745,34 +729,34 @@ fn Proposal_new(of_1: Representative, cells_size_5: vec2<u32>, cells_start_5: u3
     return Proposal(_e221, _e222, _e223, _e224, _e225, _e226, ((kd_1 * _e200) + (_e203 * (_e205 * _e206))), ((kd_1 * _e211) + (_e214 * (_e216 * _e217))), is_catcher_2);
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:103
+// glimt_render_gpu/src/kernels/expect.rs:102
 fn worth_2(tile: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> f32 {
     var sum: f32;
     var counter_3: u32;
     var proposal: Proposal;
 
-    // glimt_render_gpu/src/kernels/expect.rs:109
+    // glimt_render_gpu/src/kernels/expect.rs:103
     let _e5 = Environment_cells(env_size_1, env_rotation_1);
-    // glimt_render_gpu/src/kernels/expect.rs:110
+    // glimt_render_gpu/src/kernels/expect.rs:104
     sum = 0f;
-    // glimt_render_gpu/src/kernels/expect.rs:111
+    // glimt_render_gpu/src/kernels/expect.rs:105
     counter_3 = 0u;
     loop {
         let slot_1 = counter_3;
         if (slot_1 >= 3u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/expect.rs:112
+        // glimt_render_gpu/src/kernels/expect.rs:106
         let entry_2 = entries[((tile * 3u) + slot_1)];
-        // glimt_render_gpu/src/kernels/expect.rs:113
+        // glimt_render_gpu/src/kernels/expect.rs:107
         if (entry_2.surface != 0u) {
-            // glimt_render_gpu/src/kernels/expect.rs:114
-            // glimt_render_gpu/src/kernels/expect.rs:119
+            // glimt_render_gpu/src/kernels/expect.rs:108
+            // glimt_render_gpu/src/kernels/expect.rs:113
             let _e34 = representative_of(entry_2, env_size_1, env_rotation_1);
-            // glimt_render_gpu/src/kernels/expect.rs:120
+            // glimt_render_gpu/src/kernels/expect.rs:114
             let _e37 = Proposal_new(_e34, _e5.value_size, _e5.value_start, (tile * 3u), (slot_1 + 1u), false);
             proposal = _e37;
-            // glimt_render_gpu/src/kernels/expect.rs:121
+            // glimt_render_gpu/src/kernels/expect.rs:115
             let _e43 = proposal.total;
             let _e45 = proposal.lobe_worth;
             let _e48 = sum;
@@ -783,7 +767,7 @@ fn worth_2(tile: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> f32 {
             counter_3 = (_e50 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/expect.rs:124
+    // glimt_render_gpu/src/kernels/expect.rs:118
     let _e54 = sum;
     return _e54;
 }

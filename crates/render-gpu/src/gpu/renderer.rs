@@ -127,7 +127,8 @@ impl GpuRenderer {
     ///
     /// # Errors
     ///
-    /// As [`Renderer::render_frame`]; [`SettingsError::Memory`] by another method, which would need the host's light, too.
+    /// As [`Renderer::render_frame`]; [`SettingsError::Memory`] by another method, which would need the host's light, too;
+    /// [`SettingsError::Tables`] where the light was uploaded for another method.
     pub fn render(
         &mut self,
         scene: &SceneBuffers,
@@ -138,6 +139,9 @@ impl GpuRenderer {
     ) -> Result<FrameImage, RenderError> {
         if settings.method.has_memory() {
             return Err(SettingsError::Memory.into());
+        }
+        if !env.serves(&settings.method) {
+            return Err(SettingsError::Tables.into());
         }
         self.times = FrameTimes::default();
         self.render_tiles(scene, env, None, plate, settings, progress)
@@ -289,10 +293,12 @@ impl Renderer for GpuRenderer {
         let started = Instant::now();
         self.envs.swap(0, 1);
         let current = match self.envs[0].take() {
-            Some(mut old) => old.update(&self.context, env).map(|()| old),
-            None => GpuEnv::new(&self.context, env),
+            Some(mut old) => old
+                .update(&self.context, env, &settings.method)
+                .map(|()| old),
+            None => GpuEnv::new(&self.context, env, &settings.method),
         };
-        let current = current.map_err(device)?;
+        let current = current?;
         self.times = FrameTimes {
             upload: started.elapsed(),
             ..FrameTimes::default()

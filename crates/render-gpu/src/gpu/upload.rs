@@ -8,7 +8,10 @@ use crate::generated::passes::{EnvironmentArg, SceneArg};
 use crate::kernels::bvh::BvhNode;
 use crate::kernels::scene::Corner;
 use crate::kernels::triangle::Triangle;
+use crate::methods::Method;
 use crate::prepare::env::PreparedEnv;
+use crate::prepare::light_tables::BuiltTables;
+use crate::prepare::render::RenderError;
 use crate::prepare::scene_build::SceneBuffers;
 
 /// A scene's buffers.
@@ -149,7 +152,7 @@ impl KeptScene {
     }
 }
 
-/// A light map with its tables.
+/// A light map with the tables that a method reads.
 ///
 /// While one lights the frame that renders, the next frame's may be made or updated on another thread.
 #[derive(Debug)]
@@ -158,39 +161,56 @@ pub struct GpuEnv {
     rotation: Vec2,
     texels: GpuVec<Vec4>,
     tables: GpuVec<u32>,
+    built: BuiltTables,
 }
 
 impl GpuEnv {
-    /// Uploads a light map.
+    /// Uploads a light map for a method.
     ///
     /// # Errors
     ///
-    /// [`GpuError::Limit`] where it is larger than a binding may be, and [`GpuError::OutOfMemory`].
-    pub fn new(context: &GpuContext, env: &PreparedEnv) -> Result<Self, GpuError> {
-        let view = env.view();
+    /// [`SettingsError::Tables`] where it was prepared for another one; [`GpuError::Limit`] where it is larger than a binding may be,
+    /// and [`GpuError::OutOfMemory`].
+    pub fn new(
+        context: &GpuContext,
+        env: &PreparedEnv,
+        method: &Method,
+    ) -> Result<Self, RenderError> {
+        let view = env.view_for(method)?;
+        let texels = context.binding_of("env.texels", view.texels);
+        let tables = context.binding_of("env.tables", view.tables);
         Ok(Self {
             size: view.size,
             rotation: view.rotation,
-            texels: context.binding_of("env.texels", view.texels)?,
-            tables: context.binding_of("env.tables", view.tables)?,
+            texels: texels.map_err(RenderError::device)?,
+            tables: tables.map_err(RenderError::device)?,
+            built: env.tables_for(method)?.clone(),
         })
     }
 
-    /// Puts another light map in its place, into the same buffers where the size is the same.
+    /// Puts another light map in its place, into the same buffers where their sizes are the same.
     ///
     /// # Errors
     ///
     /// As [`Self::new`].
-    pub fn update(&mut self, context: &GpuContext, env: &PreparedEnv) -> Result<(), GpuError> {
-        let view = env.view();
-        if view.size != self.size {
-            *self = Self::new(context, env)?;
-            return Ok(());
-        }
-        context.write(&self.texels, view.texels)?;
-        context.write(&self.tables, view.tables)?;
+    pub fn update(
+        &mut self,
+        context: &GpuContext,
+        env: &PreparedEnv,
+        method: &Method,
+    ) -> Result<(), RenderError> {
+        let view = env.view_for(method)?;
+        rewrite(context, &mut self.texels, view.texels).map_err(RenderError::device)?;
+        rewrite(context, &mut self.tables, view.tables).map_err(RenderError::device)?;
+        self.size = view.size;
         self.rotation = view.rotation;
+        self.built = env.tables_for(method)?.clone();
         Ok(())
+    }
+
+    /// Whether it has the tables that a method reads.
+    pub(super) fn serves(&self, method: &Method) -> bool {
+        self.built.serve(method)
     }
 
     /// Its texels.

@@ -11,8 +11,7 @@ use glimt_probe::rotate::rotate_z;
 pub struct Environment<'a> {
     /// Linear RGB, row by row from +z.
     pub texels: &'a [Vec4],
-    /// All of its tables, one after the other. Where each of them begins depends on the map's size alone; the first are those of
-    /// [`Environment::cdf`].
+    /// The tables that its method reads: those of [`Environment::cdf`], or those of [`Environment::cells`].
     pub tables: &'a [u32],
     /// Its columns and rows.
     pub size: UVec2,
@@ -62,7 +61,7 @@ impl<'a> Environment<'a> {
         }
     }
 
-    /// The tables that draw directions in proportion to the map's luminance.
+    /// The tables that draw directions in proportion to the map's luminance, or to what of it is above the mean.
     #[inline]
     #[must_use]
     pub fn cdf(&self) -> EnvCdf<'a> {
@@ -73,14 +72,14 @@ impl<'a> Environment<'a> {
         }
     }
 
-    /// The map's cells.
+    /// The map's cells, where its tables are those.
     #[inline]
     #[must_use]
     pub fn cells(&self) -> LightCells<'a> {
         LightCells {
             size: self.size,
             words: self.tables,
-            start: cdf_words(self.size),
+            start: 0,
         }
     }
 
@@ -105,7 +104,7 @@ impl<'a> Environment<'a> {
         self.texels[(texel.y * self.size.x + texel.x) as usize].truncate()
     }
 
-    /// A direction of the world, drawn in proportion to the map's luminance. Its radiance is that of its texel.
+    /// A direction of the world, drawn by [`Environment::cdf`]. Its radiance is that of its texel.
     #[inline]
     #[must_use]
     pub fn sample(&self, u: UVec2) -> EnvSample {

@@ -11,6 +11,9 @@ use super::scene::{Scene, ShadingPoint};
 /// `L̂ = Σ L(ω) ρ(ωo, ω) V(ω) ⟨ω·n⟩ / (N_ρ q_ρ(ω) + N_L q_L(ω))` over N_ρ samples of the BRDF and N_L of the
 /// environment: the balance heuristic of Veach and Guibas 1995.
 ///
+/// q_L is the density of the environment's tables, whichever the host built. Compensated ones (Karlík et al. 2019) are 0 where there
+/// is light, so they need an N_ρ above 0.
+///
 /// With one of the counts zero it is importance sampling of the other alone. Impossible samples contribute 0 and count.
 ///
 /// Differs from the paper, whose print omits the counts.

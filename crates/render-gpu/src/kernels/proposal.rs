@@ -192,7 +192,7 @@ fn weigh<P: Expectation>(
         for half in 0..2 {
             let quad = 2 * block + half;
             let flux = cells.quad(field::FLUX, quad);
-            let terms = surface.terms(cells, quad);
+            let terms = cells.terms(&surface, quad);
             let seen = (flux * terms.live).element_sum();
             // Half of all cells lie below the horizon, and many of a night's are black.
             if seen > 0.0 {
@@ -347,7 +347,7 @@ impl Proposal {
     pub fn cell<P: Expectation>(&self, cell: u32, cells: &LightCells<'_>, expected: &P) -> CellAt {
         let (quad, lane) = (cell / 4, (cell % 4) as usize);
         let flux = cells.quad(field::FLUX, quad);
-        let terms = self.of.surface.terms(cells, quad);
+        let terms = cells.terms(&self.of.surface, quad);
         let visibility = expected.quad(quad);
         let weight = weights::<P>(&self.of.surface, &terms, flux, visibility, self.is_catcher);
         CellAt {
@@ -424,7 +424,7 @@ impl Proposal {
         for half in 0..2 {
             let quad = 2 * block_place.index + half;
             let flux = cells.quad(field::FLUX, quad);
-            let terms = self.of.surface.terms(cells, quad);
+            let terms = cells.terms(&self.of.surface, quad);
             let visibility = expected.quad(quad);
             let surface = &self.of.surface;
             let own = weights::<P>(surface, &terms, flux, visibility, self.is_catcher);

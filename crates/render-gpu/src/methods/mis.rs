@@ -1,8 +1,11 @@
 //! Host file: multiple importance sampling (Kronander 2014, Eq. 2).
 
-use super::{Memoryless, scaled};
+use super::{CDF, Memoryless, scaled};
 use crate::kernels::mis;
-use crate::settings::{SettingError, at_most, settings};
+use crate::settings::{SettingError, any, at_most, settings};
+
+/// Name of the tables that draw directions where a light is brighter than its mean.
+pub(crate) const COMPENSATED_CDF: &str = "compensated cdf";
 
 settings! {
     /// Multiple importance sampling: samples of the material and of the light, combined by the balance heuristic. One of the two
@@ -12,6 +15,16 @@ settings! {
         brdf_samples: u32 = 1, at_most(65_536), "1 is usual";
         /// Environment samples N_L on each ray.
         env_samples: u32 = 1, at_most(65_536), "1 is usual";
+        /// Whether environment samples leave light that is no brighter than the map's mean to BRDF samples (Karlík et al. 2019). Without
+        /// effect where one of the counts is 0: samples of the environment alone must find all light.
+        compensation: bool = true, any, "";
+    }
+}
+
+impl Mis {
+    /// Whether both strategies are there, so that one may leave light to the other.
+    fn compensates(&self) -> bool {
+        self.compensation && self.brdf_samples > 0 && self.env_samples > 0
     }
 }
 
@@ -35,6 +48,13 @@ impl Memoryless for Mis {
         mis::Mis {
             brdf_samples: self.brdf_samples,
             env_samples: self.env_samples,
+        }
+    }
+
+    fn reads(&self, table: &str) -> bool {
+        match self.compensates() {
+            true => table == COMPENSATED_CDF,
+            false => table == CDF,
         }
     }
 

@@ -8,7 +8,8 @@ use glimt_probe::latlong::texel_solid_angle_sr;
 use glimt_probe::rotate::cos_sin_degrees;
 use rayon::prelude::*;
 
-use super::light_tables::{self, Light};
+use super::light_tables::{self, BuiltTables, Light, TableBuffer};
+use super::render::SettingsError;
 use crate::kernels::environment::Environment;
 use crate::methods::Method;
 
@@ -106,21 +107,16 @@ impl EnvMap {
         &self.texels
     }
 
-    /// The map without tables, for methods that draw no directions from it: it is looked up as ever, and sampled as a black map.
+    /// The map without tables, for what draws no directions from it: it is looked up as ever, and sampled as a black map. Methods
+    /// that read a table refuse it.
     ///
     /// # Errors
     /// As [`EnvMap::prepare`].
     pub fn without_tables(self, rotate_z_deg: f32) -> Result<PreparedEnv, EnvError> {
-        Ok(PreparedEnv {
-            tables: light_tables::zeroed(self.size)?,
-            size: self.size,
-            texels: self.texels,
-            rotation: cos_sin_degrees(rotate_z_deg),
-            mean_luminance: 0.0,
-        })
+        self.prepare_tables(rotate_z_deg, &|_| false)
     }
 
-    /// Builds the map's tables, on all of rayon's threads, for a map that stands turned by `rotate_z_deg`,
+    /// Builds the map's tables for all methods, on all of rayon's threads, for a map that stands turned by `rotate_z_deg`,
     /// counter-clockwise seen from above.
     ///
     /// # Errors
@@ -129,7 +125,7 @@ impl EnvMap {
         self.prepare_tables(rotate_z_deg, &|_| true)
     }
 
-    /// As [`EnvMap::prepare`], but builds those tables alone that a method reads.
+    /// As [`EnvMap::prepare`], but builds those tables alone that a method reads with its settings. Others may refuse the map.
     ///
     /// # Errors
     /// As [`EnvMap::prepare`].
@@ -148,14 +144,14 @@ impl EnvMap {
             texels: &texels,
             row_luminance: Vec::new(),
         };
-        let tables = light_tables::build(&mut light, wanted)?;
+        let buffers = light_tables::build(&mut light, wanted)?;
         let rows = light.row_luminance.iter().zip(0..size.y);
         let energies = rows.map(|(sum, row)| sum * f64::from(texel_solid_angle_sr(row, size)));
         let mean_luminance = (energies.sum::<f64>() / (4.0 * PI)) as f32;
         Ok(PreparedEnv {
             size,
             texels,
-            tables,
+            buffers,
             rotation: cos_sin_degrees(rotate_z_deg),
             mean_luminance,
         })
@@ -167,13 +163,14 @@ impl EnvMap {
 pub struct PreparedEnv {
     size: UVec2,
     texels: Vec<Vec4>,
-    tables: Vec<u32>,
+    /// The first holds what is made of luminance as it is.
+    buffers: Vec<TableBuffer>,
     rotation: Vec2,
     mean_luminance: f32,
 }
 
 impl PreparedEnv {
-    /// The map's mean luminance over all directions; 0 without tables.
+    /// The map's mean luminance over all directions, whatever its tables are of; 0 without tables.
     #[must_use]
     pub fn mean_luminance(&self) -> f32 {
         self.mean_luminance
@@ -185,11 +182,34 @@ impl PreparedEnv {
         brightness(self.size, &self.texels)
     }
 
-    /// What kernels see of it.
+    /// What kernels see of it, with the tables that draw in proportion to luminance. Where those were not built, they are black.
     pub fn view(&self) -> Environment<'_> {
+        self.view_with(&self.buffers[0])
+    }
+
+    /// What the kernels of a method see of it, with the tables that the method reads.
+    ///
+    /// # Errors
+    /// [`SettingsError::Tables`] where they were not built.
+    pub fn view_for(&self, method: &Method) -> Result<Environment<'_>, SettingsError> {
+        Ok(self.view_with(self.buffer_for(method)?))
+    }
+
+    /// The tables in [`PreparedEnv::view_for`], by name.
+    pub(crate) fn tables_for(&self, method: &Method) -> Result<&BuiltTables, SettingsError> {
+        Ok(&self.buffer_for(method)?.built)
+    }
+
+    fn buffer_for(&self, method: &Method) -> Result<&TableBuffer, SettingsError> {
+        let mut buffers = self.buffers.iter();
+        let serving = buffers.find(|buffer| buffer.built.serve(method));
+        serving.ok_or(SettingsError::Tables)
+    }
+
+    fn view_with<'a>(&'a self, buffer: &'a TableBuffer) -> Environment<'a> {
         Environment {
             texels: &self.texels,
-            tables: &self.tables,
+            tables: &buffer.words,
             size: self.size,
             rotation: self.rotation,
         }

@@ -1,30 +1,38 @@
-//! Host file: the tables of a light map, one after the other in one buffer of words.
+//! Host file: the tables of a light map, one after the other in buffers of words.
 //!
-//! A table is a file of [`light_tables`](self) with its [`LightTable`], and a line of [`TABLES`]. Kernels find it by the function
-//! that is its [`LightTable::first`].
+//! A table is a file of [`light_tables`](self) with its [`LightTable`], and a line of [`BUFFERS`]. Kernels see one buffer, and find
+//! a table there by the function that is its [`LightTable::first`].
 
 mod cdf;
+mod compensated_cdf;
 mod light_cells;
 
 use glam::{UVec2, Vec4};
 use glimt_envmap_cdf::{BuildError, required_len};
 
-/// All tables, in the order in which they lie.
-const TABLES: &[LightTable] = &[cdf::TABLE, light_cells::TABLE];
+use crate::methods::Method;
+
+/// All tables, in the order in which they lie in their buffers. Whatever a method reads lies in one buffer. The first two are tables
+/// of directions, so kernels draw from either by the same words.
+const BUFFERS: [&[LightTable]; 3] = [
+    &[cdf::TABLE],
+    &[compensated_cdf::TABLE],
+    &[light_cells::TABLE],
+];
 
 /// A table of words that is made of each light map.
 struct LightTable {
     /// What methods call it that read it.
     name: &'static str,
-    /// Index of its first word, for a map of this size: the sum of the words of the tables before it.
+    /// Index of its first word, for a map of this size: the sum of the words of the tables before it in its buffer.
     first: fn(UVec2) -> u32,
     /// How many words it has, for a map of this size.
     words: fn(UVec2) -> u32,
-    /// Fills its own words, which are 0. Those of the tables before it that are wanted are filled.
+    /// Fills its own words, which are 0.
     build: Build,
 }
 
-type Build = fn(light: &mut Light<'_>, before: &[u32], own: &mut [u32]) -> Result<(), BuildError>;
+type Build = fn(light: &mut Light<'_>, own: &mut [u32]) -> Result<(), BuildError>;
 
 /// A light map, and what its tables find out on the way.
 pub(super) struct Light<'a> {
@@ -36,32 +44,50 @@ pub(super) struct Light<'a> {
     pub(super) row_luminance: Vec<f64>,
 }
 
-/// Room for all tables of a map of this size, all words 0, as of a black map.
-///
-/// # Errors
-/// [`BuildError::Size`].
-pub(super) fn zeroed(size: UVec2) -> Result<Vec<u32>, BuildError> {
-    required_len(size.x, size.y)?;
-    let words: u32 = TABLES.iter().map(|table| (table.words)(size)).sum();
-    Ok(vec![0; words as usize])
+/// Tables that kernels see together.
+#[derive(Clone, Debug)]
+pub(super) struct TableBuffer {
+    /// Words of all of its tables. Those of a table that was not built are 0, as of a black map.
+    pub(super) words: Vec<u32>,
+    pub(super) built: BuiltTables,
 }
 
-/// All tables of a map. Those that are not `wanted` have room, too, and stay 0.
+/// Names of the tables that a buffer holds.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BuiltTables(Vec<&'static str>);
+
+impl BuiltTables {
+    /// Whether a method finds all here that it reads.
+    pub(crate) fn serve(&self, method: &Method) -> bool {
+        let mut all = BUFFERS.iter().copied().flatten();
+        all.all(|table| !method.reads(table.name) || self.0.contains(&table.name))
+    }
+}
+
+/// The buffers of a map, with those tables that are `wanted`. The first has all of its words in any case.
 ///
 /// # Errors
 /// [`BuildError::Size`].
 pub(super) fn build(
     light: &mut Light<'_>,
     wanted: &dyn Fn(&str) -> bool,
-) -> Result<Vec<u32>, BuildError> {
+) -> Result<Vec<TableBuffer>, BuildError> {
     let size = light.size;
-    let mut all = zeroed(size)?;
-    for table in TABLES.iter().filter(|table| wanted(table.name)) {
-        let (before, rest) = all.split_at_mut((table.first)(size) as usize);
-        let own = &mut rest[..(table.words)(size) as usize];
-        (table.build)(light, before, own)?;
+    required_len(size.x, size.y)?;
+    let mut buffers = Vec::new();
+    for tables in BUFFERS {
+        let built: Vec<&LightTable> = tables.iter().filter(|table| wanted(table.name)).collect();
+        let is_there = buffers.is_empty() || !built.is_empty();
+        let count: u32 = tables.iter().map(|table| (table.words)(size)).sum();
+        let mut words = vec![0; if is_there { count as usize } else { 0 }];
+        for table in &built {
+            let own = &mut words[(table.first)(size) as usize..][..(table.words)(size) as usize];
+            (table.build)(light, own)?;
+        }
+        let built = BuiltTables(built.iter().map(|table| table.name).collect());
+        buffers.push(TableBuffer { words, built });
     }
-    Ok(all)
+    Ok(buffers)
 }
 
 #[cfg(test)]
@@ -72,12 +98,21 @@ mod tests {
     fn tables_lie_one_after_the_other() {
         for (x, y) in [(1, 1), (2, 1), (1, 9), (64, 32), (1628, 814)] {
             let size = UVec2::new(x, y);
-            let mut end = 0;
-            for table in TABLES {
-                assert_eq!((table.first)(size), end);
-                end += (table.words)(size);
+            let texels = vec![Vec4::ONE; (x * y) as usize];
+            let mut light = Light {
+                size,
+                texels: &texels,
+                row_luminance: Vec::new(),
+            };
+            let buffers = build(&mut light, &|_| true).unwrap();
+            for (tables, buffer) in BUFFERS.iter().zip(buffers) {
+                let mut end = 0;
+                for table in *tables {
+                    assert_eq!((table.first)(size), end);
+                    end += (table.words)(size);
+                }
+                assert_eq!(buffer.words.len(), end as usize);
             }
-            assert_eq!(zeroed(size).unwrap().len(), end as usize);
         }
     }
 }

@@ -5,7 +5,7 @@ pub mod bake;
 pub mod env;
 mod geometry;
 pub mod light_sh;
-mod light_tables;
+pub(crate) mod light_tables;
 mod materials;
 pub mod plate;
 pub mod projection;

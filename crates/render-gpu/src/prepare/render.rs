@@ -191,6 +191,9 @@ pub enum SettingsError {
     /// The exposure's factor outgrows 32 bits.
     #[error("2 to the power of the exposure must be finite")]
     Exposure,
+    /// The light lacks a table that the method reads.
+    #[error("the light was prepared for another method: prepare it for the one that renders")]
+    Tables,
     /// What was saved belongs to another method.
     #[error("this renderer cannot continue from what another method keeps")]
     Memory,

@@ -5,18 +5,17 @@ use glimt_light_cells::{build_band, split_bands, store_sums, table_words};
 use rayon::prelude::*;
 
 use super::{Light, LightTable};
-use crate::kernels::environment::cdf_words;
 use crate::methods::LIGHT_CELLS;
 
 /// That of `glimt_light_cells`.
 pub(super) const TABLE: LightTable = LightTable {
     name: LIGHT_CELLS,
-    first: cdf_words,
+    first: |_| 0,
     words: table_words,
     build,
 };
 
-fn build(light: &mut Light<'_>, _: &[u32], own: &mut [u32]) -> Result<(), BuildError> {
+fn build(light: &mut Light<'_>, own: &mut [u32]) -> Result<(), BuildError> {
     let (size, texels) = (light.size, light.texels);
     let width = size.x as usize;
     let failed = |_| BuildError::Size(size);
