@@ -8,7 +8,7 @@ use glimt_render_gpu::kernels::frame::{Background, FrameParams, Shadow};
 use glimt_render_gpu::kernels::mis::Mis;
 use glimt_render_gpu::kernels::scene::Scene;
 use glimt_render_gpu::kernels::{diagnose, film, shade};
-use glimt_render_gpu::methods::{Method, Product};
+use glimt_render_gpu::methods::{Bis, Method};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
 use glimt_render_gpu::prepare::render::{Pattern, RenderSettings, Tonemap};
 use glimt_render_gpu::prepare::scene::{
@@ -172,8 +172,21 @@ impl Stage<'_> {
         out: &Output,
         rays: u32,
     ) {
+        self.shade_by(&all_of_luminance(), kernel, frame, more, out, rays);
+    }
+
+    /// The same with the tables of a method.
+    pub(super) fn shade_by(
+        &self,
+        method: &Method,
+        kernel: &str,
+        frame: &FrameParams,
+        more: &[(&str, Arg<'_>)],
+        out: &Output,
+        rays: u32,
+    ) {
         let scene = GpuScene::new(self.context, &self.scene).expect("a small scene");
-        let env = GpuEnv::new(self.context, &self.env, &all_of_luminance()).expect("a small map");
+        let env = GpuEnv::new(self.context, &self.env, method).expect("a small map");
         let mut args = vec![("frame", Arg::Value(bytemuck::bytes_of(frame)))];
         args.extend(scene.args());
         args.extend(env.args());
@@ -195,9 +208,9 @@ impl Stage<'_> {
     }
 }
 
-/// A method that reads all tables of luminance as it is.
+/// A method that reads the tables of luminance as it is.
 pub(super) fn all_of_luminance() -> Method {
-    Product::default().into()
+    Bis::default().into()
 }
 
 pub(super) fn params(pattern: Pattern, tonemap: Tonemap) -> FrameParams {

@@ -8,7 +8,7 @@ use glimt_render_gpu::kernels::cell_state::{
 };
 use glimt_render_gpu::kernels::seen::{self, SeenPoint};
 use glimt_render_gpu::kernels::{cells, expect, pilot, product, scout};
-use glimt_render_gpu::methods::Cells;
+use glimt_render_gpu::methods::{Cells, Product};
 use glimt_render_gpu::prepare::render::{Pattern, Tonemap};
 
 use super::estimators::value;
@@ -28,7 +28,9 @@ impl Stage<'_> {
             unused_b: 0,
             unused_c: 0,
         };
-        let (env, scene, rays) = (self.env.view(), self.scene.view(), PIXELS * RAYS);
+        let method = Product::default().into();
+        let env = self.env.view_for(&method).expect("all tables");
+        let (scene, rays) = (self.scene.view(), PIXELS * RAYS);
         let mut points: Vec<SeenPoint> =
             (0..rays).map(|ray| seen::see(ray, &frame, scene)).collect();
         let mut cpu = vec![Vec4::ZERO; rays as usize];
@@ -38,14 +40,14 @@ impl Stage<'_> {
         }
         let found = Output::new::<SeenPoint>(self.context, rays);
         let out = Output::new::<Vec4>(self.context, rays);
-        self.shade_with("seen::see", &frame, &[], &found, rays);
+        self.shade_by(&method, "seen::see", &frame, &[], &found, rays);
         let more = [
             ("product", value(&own)),
             ("points", Arg::Chunk(&found.buffer, RAYS)),
             ("samples", Arg::Chunk(&out.buffer, RAYS)),
         ];
         let kernel = "product::shade_product::<glam::Vec4>";
-        self.shade_with(kernel, &frame, &more, &out, PIXELS);
+        self.shade_by(&method, kernel, &frame, &more, &out, PIXELS);
         Pair {
             name: "product".to_owned(),
             cpu: words(&cpu),
@@ -63,7 +65,9 @@ impl Stage<'_> {
             ..Cells::default()
         };
         let own = of_cells.params(SIZE);
-        let (env, scene, rays) = (self.env.view(), self.scene.view(), PIXELS * RAYS);
+        let method = of_cells.into();
+        let env = self.env.view_for(&method).expect("all tables");
+        let (scene, rays) = (self.scene.view(), PIXELS * RAYS);
         let tiles = own.tiles;
         let all = (tiles * ENTRIES) as usize;
         let mut entries = vec![TileEntry::NONE; all];
@@ -124,7 +128,7 @@ impl Stage<'_> {
         let entries = [("entries", Arg::Buffer(&gpu_entries))];
         let run = |kernel: &str, more: &[(&str, Arg<'_>)], out: &Output, count: u32| {
             let more = [&params[..], more].concat();
-            self.shade_with(kernel, &frame, &more, out, count);
+            self.shade_by(&method, kernel, &frame, &more, out, count);
         };
         let written = [("entries", Arg::Chunk(&gpu_entries, ENTRIES))];
         run("scout::scout", &written, &out, tiles);

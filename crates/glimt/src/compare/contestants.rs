@@ -14,7 +14,7 @@ use std::path::Path;
 /// Contestants under one word, as --preset takes them: the word, their names, their keys.
 ///
 /// All keys are spelled out. `render.preset` would not do: it yields to the keys that a shot gives.
-const BUILT_IN: [(&str, &str, &[&str]); 6] = [
+const BUILT_IN: [(&str, &str, &[&str]); 8] = [
     (
         "kronander-mis",
         "kronander MIS",
@@ -70,6 +70,26 @@ const BUILT_IN: [(&str, &str, &[&str]); 6] = [
             "render.brdf_samples=1",
             "render.env_samples=1",
             "render.compensation=true",
+            "render.pattern=owen-sobol",
+        ],
+    ),
+    (
+        "product",
+        "product sampling",
+        &[
+            "render.method=product",
+            "image.rays_per_pixel=16",
+            "render.product.rays=32",
+            "render.pattern=owen-sobol",
+        ],
+    ),
+    (
+        "cells",
+        "light cells",
+        &[
+            "render.method=cells",
+            "image.rays_per_pixel=16",
+            "render.cells.rays=32",
             "render.pattern=owen-sobol",
         ],
     ),
