@@ -21,7 +21,7 @@ fn shot(t: &Scratch) {
          material = { diffuse = [0.3, 0.3, 0.3], specular = [0.5, 0.5, 0.5], exponent = 40 }\n\
          [[object]]\nmesh = \"plane\"\nscale = 3\n\
          [render]\nmethod = \"smc\"\nsmc = { reinitialise = 0 }\n\
-         [output]\npng = false\nvideo = \"\"\naovs = [\"ess\", \"age\", \"z-ratio\", \"started\"]\n",
+         [output]\npng = false\nvideo = \"\"\naovs = [\"ess\", \"age\", \"z-ratio\", \"started\", \"z-spread\"]\n",
     );
 }
 

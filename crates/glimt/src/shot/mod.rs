@@ -447,6 +447,8 @@ words! {
         Age = "age",
         /// Of the method "smc": the share of rays that were re-initialised in this frame.
         Started = "started",
+        /// Of the method "smc": sd(Z)/Z, the relative spread of the normalisers of a pixel's rays; 0 with one ray.
+        ZSpread = "z-spread",
     }
 }
 words! {
@@ -528,7 +530,7 @@ impl Aov {
     /// Whether it reports how particles fare. The others are layers of the composite.
     #[must_use]
     pub fn is_diagnostic(self) -> bool {
-        matches!(self, Self::Ess | Self::ZRatio | Self::Age | Self::Started)
+        !matches!(self, Self::Object | Self::Catcher | Self::Difference)
     }
 }
 

@@ -11,6 +11,7 @@ use crate::generated::passes::{EnvironmentArg, SceneArg};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::PixelLayers;
+use crate::kernels::smc::SmcHealth;
 use crate::kernels::smc_point::SmcPoint;
 use crate::methods::smc::Own;
 use crate::prepare::env::PreparedEnv;
@@ -49,7 +50,7 @@ impl Image {
     pub(super) fn finish(
         self,
         settings: &RenderSettings,
-        diagnostics: Option<Vec<Vec4>>,
+        diagnostics: Option<Vec<SmcHealth>>,
     ) -> FrameImage {
         FrameImage {
             size: settings.size,

@@ -247,10 +247,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:108
+// glimt_render_gpu/src/kernels/pattern.rs:110
 fn PixelPattern_sobol_point(this_1: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:109
+    // glimt_render_gpu/src/kernels/pattern.rs:111
     let _e6 = hash2_(this_1.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_1.frame, this_1.pixel, index);
     return _e9;
@@ -602,10 +602,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:113
+// glimt_render_gpu/src/kernels/pattern.rs:115
 fn PixelPattern_generator(this_3: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:114
+    // glimt_render_gpu/src/kernels/pattern.rs:116
     let _e6 = hash3_(this_3.seed, purpose_1, index_6);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_3.frame, this_3.pixel);
     return _e9;
@@ -640,52 +640,52 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_5: ptr<function, Xoshiro128PlusPlus>) -> 
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:118
+// glimt_render_gpu/src/kernels/pattern.rs:120
 fn PixelPattern_key(this_6: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:119
+    // glimt_render_gpu/src/kernels/pattern.rs:121
     let _e5 = hash2_(this_6.seed, purpose_2);
     let _e8 = hash3_(_e5, this_6.frame, this_6.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:193
+// glimt_render_gpu/src/kernels/pattern.rs:195
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:194
+    // glimt_render_gpu/src/kernels/pattern.rs:196
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:195
+        // glimt_render_gpu/src/kernels/pattern.rs:197
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:197
-    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:198
-    let mask = (4294967295u >> ((32u - bits_2) & 31u));
     // glimt_render_gpu/src/kernels/pattern.rs:199
-    x_4 = index_7;
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
     // glimt_render_gpu/src/kernels/pattern.rs:200
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:201
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:202
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:201
+        // glimt_render_gpu/src/kernels/pattern.rs:203
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:202
+        // glimt_render_gpu/src/kernels/pattern.rs:204
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:203
+            // glimt_render_gpu/src/kernels/pattern.rs:205
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:205
+            // glimt_render_gpu/src/kernels/pattern.rs:207
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:206
+            // glimt_render_gpu/src/kernels/pattern.rs:208
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -695,10 +695,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:208
+        // glimt_render_gpu/src/kernels/pattern.rs:210
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:209
+            // glimt_render_gpu/src/kernels/pattern.rs:211
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -707,61 +707,61 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:184
+// glimt_render_gpu/src/kernels/pattern.rs:186
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:164
+// glimt_render_gpu/src/kernels/pattern.rs:166
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:165
+    // glimt_render_gpu/src/kernels/pattern.rs:167
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:166
+    // glimt_render_gpu/src/kernels/pattern.rs:168
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:167
+    // glimt_render_gpu/src/kernels/pattern.rs:169
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:168
+    // glimt_render_gpu/src/kernels/pattern.rs:170
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:169
+    // glimt_render_gpu/src/kernels/pattern.rs:171
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:170
+    // glimt_render_gpu/src/kernels/pattern.rs:172
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:55
+// glimt_render_gpu/src/kernels/pattern.rs:57
 fn PixelPattern_pair(this_7: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:56
+    // glimt_render_gpu/src/kernels/pattern.rs:58
     let index_18 = ((this_7.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:57
+    // glimt_render_gpu/src/kernels/pattern.rs:59
     if (this_7.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:58
+        // glimt_render_gpu/src/kernels/pattern.rs:60
         let _e14 = PixelPattern_sobol_point(this_7, purpose_3, index_18);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:60
+    // glimt_render_gpu/src/kernels/pattern.rs:62
     let _e18 = PixelPattern_generator(this_7, purpose_3, index_18);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:61
+    // glimt_render_gpu/src/kernels/pattern.rs:63
     if (this_7.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:62
+        // glimt_render_gpu/src/kernels/pattern.rs:64
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:64
+    // glimt_render_gpu/src/kernels/pattern.rs:66
     let _e29 = PixelPattern_key(this_7, purpose_3);
     let _e30 = jittered_pair(index_18, (this_7.rays * samples), _e20, _e29);
     return _e30;
@@ -806,10 +806,10 @@ fn FrameParams_direction(this_9: FrameParams, pixel_2: u32, place: vec2<f32>) ->
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:103
+// glimt_render_gpu/src/kernels/pattern.rs:105
 fn PixelPattern_ray_key(this_10: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:104
+    // glimt_render_gpu/src/kernels/pattern.rs:106
     let _e4 = PixelPattern_key(this_10, purpose_4);
     let _e6 = hash2_(_e4, this_10.ray);
     return _e6;
@@ -1906,52 +1906,52 @@ fn OwenSobol_next_u32_(this_22: ptr<function, OwenSobol>) -> u32 {
     return _e17;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:178
+// glimt_render_gpu/src/kernels/pattern.rs:180
 fn jittered(index_16: u32, count_2: u32, jitter_2: u32, key_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:179
+    // glimt_render_gpu/src/kernels/pattern.rs:181
     let _e7 = hash2_(key_4, 4u);
     let _e8 = permute(index_16, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:70
+// glimt_render_gpu/src/kernels/pattern.rs:72
 fn PixelPattern_triple(this_23: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
     var point: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:71
+    // glimt_render_gpu/src/kernels/pattern.rs:73
     let index_19 = ((this_23.ray * samples_1) + sample_1);
-    // glimt_render_gpu/src/kernels/pattern.rs:72
+    // glimt_render_gpu/src/kernels/pattern.rs:74
     if (this_23.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:73
+        // glimt_render_gpu/src/kernels/pattern.rs:75
         let _e14 = PixelPattern_sobol_point(this_23, purpose_5, index_19);
         point = _e14;
-        // glimt_render_gpu/src/kernels/pattern.rs:74
+        // glimt_render_gpu/src/kernels/pattern.rs:76
         let _e17 = OwenSobol_next_uvec2_((&point));
-        // glimt_render_gpu/src/kernels/pattern.rs:75
+        // glimt_render_gpu/src/kernels/pattern.rs:77
         let _e19 = OwenSobol_next_u32_((&point));
         return vec3<u32>(_e17, _e19);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:77
+    // glimt_render_gpu/src/kernels/pattern.rs:79
     let _e22 = PixelPattern_generator(this_23, purpose_5, index_19);
     generator = _e22;
-    // glimt_render_gpu/src/kernels/pattern.rs:78
-    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:79
-    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:80
+    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:81
+    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:82
     if (this_23.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:81
+        // glimt_render_gpu/src/kernels/pattern.rs:83
         return vec3<u32>(_e25, _e27);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:83
+    // glimt_render_gpu/src/kernels/pattern.rs:85
     let _e37 = PixelPattern_key(this_23, purpose_5);
     let _e38 = Tuple_u32_u32_((this_23.rays * samples_1), _e37);
     let count_3 = _e38.fa;
     let key_5 = _e38.fb;
-    // glimt_render_gpu/src/kernels/pattern.rs:84
+    // glimt_render_gpu/src/kernels/pattern.rs:86
     let _e42 = jittered_pair(index_19, count_3, _e25, key_5);
     let _e43 = jittered(index_19, count_3, _e27, key_5);
     return vec3<u32>(_e42, _e43);

@@ -28,7 +28,7 @@ struct RayState {
     ess: f32,
     log_ratio: f32,
     started: u32,
-    accepted: u32,
+    lifetime: u32,
 }
 
 struct SmcPoint {
@@ -280,19 +280,19 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
     return _e7;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:118
+// glimt_render_gpu/src/kernels/pattern.rs:120
 fn PixelPattern_key(this_2: PixelPattern, purpose: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:119
+    // glimt_render_gpu/src/kernels/pattern.rs:121
     let _e5 = hash2_(this_2.seed, purpose);
     let _e8 = hash3_(_e5, this_2.frame, this_2.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:103
+// glimt_render_gpu/src/kernels/pattern.rs:105
 fn PixelPattern_ray_key(this_3: PixelPattern, purpose_1: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:104
+    // glimt_render_gpu/src/kernels/pattern.rs:106
     let _e4 = PixelPattern_key(this_3, purpose_1);
     let _e6 = hash2_(_e4, this_3.ray);
     return _e6;
@@ -1361,10 +1361,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel: u32, sample_index: u32) -> OwenSo
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:108
+// glimt_render_gpu/src/kernels/pattern.rs:110
 fn PixelPattern_sobol_point(this_19: PixelPattern, purpose_2: u32, index_6: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:109
+    // glimt_render_gpu/src/kernels/pattern.rs:111
     let _e6 = hash2_(this_19.seed, purpose_2);
     let _e9 = OwenSobol_new(_e6, this_19.frame, this_19.pixel, index_6);
     return _e9;
@@ -1716,10 +1716,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_1: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:113
+// glimt_render_gpu/src/kernels/pattern.rs:115
 fn PixelPattern_generator(this_21: PixelPattern, purpose_3: u32, index_12: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:114
+    // glimt_render_gpu/src/kernels/pattern.rs:116
     let _e6 = hash3_(this_21.seed, purpose_3, index_12);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_21.frame, this_21.pixel);
     return _e9;
@@ -1754,43 +1754,43 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) ->
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:193
+// glimt_render_gpu/src/kernels/pattern.rs:195
 fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
     var x_6: u32;
     var round_key: u32;
     var counter_2: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:194
+    // glimt_render_gpu/src/kernels/pattern.rs:196
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:195
+        // glimt_render_gpu/src/kernels/pattern.rs:197
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:197
-    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:198
-    let mask = (4294967295u >> ((32u - bits_2) & 31u));
     // glimt_render_gpu/src/kernels/pattern.rs:199
-    x_6 = index_13;
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
     // glimt_render_gpu/src/kernels/pattern.rs:200
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:201
+    x_6 = index_13;
+    // glimt_render_gpu/src/kernels/pattern.rs:202
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:201
+        // glimt_render_gpu/src/kernels/pattern.rs:203
         round_key = key_5;
-        // glimt_render_gpu/src/kernels/pattern.rs:202
+        // glimt_render_gpu/src/kernels/pattern.rs:204
         counter_2 = 0i;
         loop {
             let _e31 = counter_2;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:203
+            // glimt_render_gpu/src/kernels/pattern.rs:205
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:205
+            // glimt_render_gpu/src/kernels/pattern.rs:207
             let _e37 = x_6;
             let _e38 = round_key;
             x_6 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:206
+            // glimt_render_gpu/src/kernels/pattern.rs:208
             let _e44 = x_6;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_6;
@@ -1800,10 +1800,10 @@ fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
                 counter_2 = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:208
+        // glimt_render_gpu/src/kernels/pattern.rs:210
         let _e62 = x_6;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:209
+            // glimt_render_gpu/src/kernels/pattern.rs:211
             let _e65 = x_6;
             let _e67 = hash_u32_(~(key_5));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -1812,61 +1812,61 @@ fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:184
+// glimt_render_gpu/src/kernels/pattern.rs:186
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:164
+// glimt_render_gpu/src/kernels/pattern.rs:166
 fn jittered_pair(index_14: u32, count_1: u32, jitter_1: vec2<u32>, key_6: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:165
+    // glimt_render_gpu/src/kernels/pattern.rs:167
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:166
+    // glimt_render_gpu/src/kernels/pattern.rs:168
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:167
+    // glimt_render_gpu/src/kernels/pattern.rs:169
     let _e21 = hash2_(key_6, 1u);
     let _e22 = permute(index_14, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:168
+    // glimt_render_gpu/src/kernels/pattern.rs:170
     let _e26 = hash2_(key_6, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:169
+    // glimt_render_gpu/src/kernels/pattern.rs:171
     let _e31 = hash2_(key_6, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:170
+    // glimt_render_gpu/src/kernels/pattern.rs:172
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:55
+// glimt_render_gpu/src/kernels/pattern.rs:57
 fn PixelPattern_pair(this_24: PixelPattern, purpose_4: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:56
+    // glimt_render_gpu/src/kernels/pattern.rs:58
     let index_16 = ((this_24.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:57
+    // glimt_render_gpu/src/kernels/pattern.rs:59
     if (this_24.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:58
+        // glimt_render_gpu/src/kernels/pattern.rs:60
         let _e14 = PixelPattern_sobol_point(this_24, purpose_4, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:60
+    // glimt_render_gpu/src/kernels/pattern.rs:62
     let _e18 = PixelPattern_generator(this_24, purpose_4, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:61
+    // glimt_render_gpu/src/kernels/pattern.rs:63
     if (this_24.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:62
+        // glimt_render_gpu/src/kernels/pattern.rs:64
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:64
+    // glimt_render_gpu/src/kernels/pattern.rs:66
     let _e29 = PixelPattern_key(this_24, purpose_4);
     let _e30 = jittered_pair(index_16, (this_24.rays * samples), _e20, _e29);
     return _e30;

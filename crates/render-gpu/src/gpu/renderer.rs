@@ -15,6 +15,7 @@ use crate::generated::entries::{RECONSTRUCT, SHADE_MIS, TONEMAP};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
+use crate::kernels::smc::SmcHealth;
 use crate::kernels::smc_point::SmcPoint;
 use crate::methods::smc::{Following, Own, TILE_GRANULE};
 use crate::methods::{Inputs, Method, MethodMemory};
@@ -66,7 +67,7 @@ struct TileBuffers {
     points: Option<GpuVec<SmcPoint>>,
     pixels: Pixels<Gpu>,
     plate: GpuVec<PlatePixel>,
-    diagnostics: GpuVec<Vec4>,
+    diagnostics: GpuVec<SmcHealth>,
 }
 
 impl GpuRenderer {
@@ -319,7 +320,8 @@ impl Renderer for GpuRenderer {
             self.context
                 .copy(texels, light, texels.len())
                 .map_err(device)?;
-            following.end(PastFrame::new(settings, smc, scene, env)?);
+            let past = PastFrame::new(settings, smc, scene, env)?;
+            following.end(past, env.view().map());
         }
         if let Some(following) = following {
             self.following = Some(following);

@@ -27,6 +27,8 @@ pub const PARTICLES: u32 = 7;
 pub const SEEN_THROUGH: u32 = 8;
 /// What uniforms are for: that of shadow rays.
 pub const LIT_THROUGH: u32 = 9;
+/// What uniforms are for: how long a set of particles lives.
+pub const LIFETIME: u32 = 10;
 
 /// The pattern of one pixel, as one of its rays sees it.
 ///
