@@ -17,7 +17,7 @@ use glimt_tests::stats::{Evidence, Mean, sidak, z_test};
 use glimt_tests::unbiased::{channel, disagreements, prepare, reference, scene, settings};
 
 const SEEDS: u32 = 64;
-const RAYS: u32 = 16;
+const RAYS: u32 = 8;
 
 /// The frame in which the light is another one at once.
 const CUT: u32 = 9;
@@ -32,7 +32,7 @@ const ALPHA: f64 = 6.334e-5;
 fn light(frame: u32) -> AnalyticMap {
     let size = [32, 16];
     let cut = frame >= CUT;
-    let turned = 0.05 * f64::from(frame) + if cut { 2.5 } else { 0.0 };
+    let turned = 0.09 * f64::from(frame) + if cut { 2.5 } else { 0.0 };
     let flicker = match frame {
         5 | 7 => 0.6,
         6 | 8 => 1.5,
@@ -56,7 +56,7 @@ fn light(frame: u32) -> AnalyticMap {
                 theta.sin() * phi.sin(),
                 theta.cos(),
             );
-            let bright = lamps.map(|(at, power)| power * (15.0 * (d.dot(at) - 1.0)).exp());
+            let bright = lamps.map(|(at, power)| power * (20.0 * (d.dot(at) - 1.0)).exp());
             let sky = if (row < 10) != cut { 0.3 } else { 0.1 };
             (DVec3::new(0.9, 1.0, 1.2) * sky + DVec3::new(1.2, 1.0, 0.8) * (bright[0] + bright[1]))
                 .as_vec3()
@@ -103,7 +103,7 @@ fn sequence(
     let mut values: Vec<Vec<Vec<f64>>> = vec![Vec::new(); JUDGED.len()];
     let mut normalisers: Vec<Vec<Vec<f64>>> = vec![Vec::new(); JUDGED.len()];
     let mut started = vec![0.0; JUDGED.len()];
-    for seed in 0..SEEDS {
+    for seed in 1000..1000 + SEEDS {
         let mut renderer = CpuRenderer::default();
         for (frame, env) in (0..).zip(envs) {
             let settings = RenderSettings {
@@ -206,14 +206,20 @@ fn sets_that_are_started_unseen_have_the_integral_as_their_mean_and_others_have_
     let analytic = scene(0.3, 0.6, 50.0);
     let buffers = SceneBuffers::build(&analytic.describe(200)).unwrap();
     let truths = JUDGED.map(|frame| reference(&analytic, &lights[frame as usize]));
+    // Few particles, whose normalisers vary much.
+    let few = Smc {
+        particles: 4,
+        candidates: 32,
+        ..Smc::default()
+    };
     let unbiased = [
-        ("by age and change", Smc::default()),
+        ("by age and change", few),
         (
             "by age alone",
             Smc {
                 max_change: 1.0,
                 max_age: 4,
-                ..Smc::default()
+                ..few
             },
         ),
     ];
@@ -222,15 +228,18 @@ fn sets_that_are_started_unseen_have_the_integral_as_their_mean_and_others_have_
         let (bad, image) = judge(name, &found, &truths);
         assert_eq!(bad, 0, "{name}");
         assert!(image.statistic <= image.limit, "{name}: {image}");
-        let all_known = found.iter().all(|f| f.spread < 1.0);
-        assert!(all_known, "{name}: the test has no power");
+        let errors = found.iter().map(|f| f.image.standard_error / f.image.mean);
+        assert!(
+            errors.fold(0.0, f64::max) < 0.02,
+            "{name}: the test has no power"
+        );
     }
     // The rule that looks at the sets fails the same test by far.
     let by_ratio = Smc {
         max_age: 0,
         max_change: 1.0,
         reinitialise: 1.25,
-        ..Smc::default()
+        ..few
     };
     let found = sequence(&buffers, &envs, &truths, by_ratio);
     let (bad, image) = judge("by the ratio", &found, &truths);
@@ -278,7 +287,7 @@ fn a_cut_starts_all_rays_and_age_a_share_of_them_in_each_frame() {
 #[test]
 fn a_set_without_weights_stays_dark_until_its_age_ends_it() {
     let buffers = SceneBuffers::build(&scene(0.8, 0.0, 1.0).describe(20)).unwrap();
-    // One half of the sky, then the other: without a floor, no particle has any weight left.
+    // One half of the sky, then the other: without a floor and steps between, no particle has any weight left.
     let half = |other: bool| AnalyticMap {
         size: [4, 2],
         texels: (0..8)
@@ -286,6 +295,7 @@ fn a_set_without_weights_stays_dark_until_its_age_ends_it() {
             .collect(),
     };
     let smc = |reinitialise| Smc {
+        intermediate: 0,
         floor: 0.0,
         max_age: 4,
         max_change: 1.0,

@@ -3,7 +3,7 @@
 use glam::{DVec3, Mat4, UVec2, Vec3};
 use glimt_render_gpu::cpu::CpuRenderer;
 use glimt_render_gpu::gpu::{AdapterPreference, GpuOptions, GpuRenderer};
-use glimt_render_gpu::kernels::past::{STARTED_NOT, STARTED_WITHOUT_PAST};
+use glimt_render_gpu::kernels::past::{STARTED_BY_CHANGE, STARTED_NOT, STARTED_WITHOUT_PAST};
 use glimt_render_gpu::kernels::smc::SmcHealth;
 use glimt_render_gpu::methods::{MethodMemory, Smc};
 use glimt_render_gpu::prepare::env::PreparedEnv;
@@ -399,23 +399,33 @@ fn a_saved_state_goes_on_bit_for_bit() {
     {
         renderers.push((Box::new(a), Box::new(b)));
     }
+    let aged = Smc {
+        max_age: 3,
+        max_change: 0.2,
+        ..NEVER
+    };
+    // A cut in the first frame that continues from the state.
+    let light_of = |frame| light(if frame >= 3 { frame + 20 } else { frame });
     for (mut through, mut later) in renderers {
         for frame in 0..3 {
             render(
                 &mut *through,
                 &buffers,
                 &prepare(&light(frame)),
-                &moving(frame, NEVER),
+                &moving(frame, aged),
             );
         }
         later
             .set_memory(through.memory().unwrap().unwrap())
             .unwrap();
-        for frame in 3..5 {
-            let (env, settings) = (prepare(&light(frame)), moving(frame, NEVER));
+        for frame in 3..6 {
+            let (env, settings) = (prepare(&light_of(frame)), moving(frame, aged));
             let a = render(&mut *through, &buffers, &env, &settings);
             let b = render(&mut *later, &buffers, &env, &settings);
             assert_eq!(a.linear, b.linear, "{}", through.name());
+            let rays = state(&mut *later).rays;
+            let by_change = rays.iter().any(|ray| ray.started == STARTED_BY_CHANGE);
+            assert_eq!(by_change, frame == 3);
         }
         // Another seed is another experiment.
         let other = RenderSettings {

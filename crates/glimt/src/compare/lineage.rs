@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 /// The most that may re-initialise in a frame, of a sampler that is worth its memory.
 pub const MOST_STARTED: f64 = 0.2;
 
-/// The median age in frames that it should exceed.
-pub const LEAST_AGE: f64 = 10.0;
+/// What sd(Z)/Z should stay below: beyond it few rays carry all of the light.
+pub const MOST_SPREAD: f64 = 1.0;
 
 /// Rays that continue from the frame before, and those that do not.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -58,7 +58,7 @@ impl Lineage {
     #[must_use]
     pub fn sentence(&self, name: &str) -> String {
         let started = 100.0 * self.started;
-        let holds = self.started < MOST_STARTED && self.age > LEAST_AGE;
+        let holds = self.started < MOST_STARTED && self.spread.is_none_or(|s| s < MOST_SPREAD);
         let (of, most) = ("of the rays of", 100.0 * MOST_STARTED);
         let spread = self.spread.map(|spread| format!(" (sd(Z)/Z {spread:.2})"));
         let text = format!(
@@ -69,7 +69,7 @@ impl Lineage {
         match holds {
             true => text,
             false => format!(
-                "{}, WHERE LESS THAN {most} % AND MORE THAN {LEAST_AGE} ARE WANTED",
+                "{}, WHERE LESS THAN {most} % AND sd(Z)/Z BELOW {MOST_SPREAD} ARE WANTED",
                 text
             ),
         }
@@ -109,6 +109,12 @@ mod tests {
             age: 3.0,
             spread: None,
         };
+        assert!(!young.sentence("a").contains("WANTED"));
+        let wide = Lineage {
+            spread: Some(1.5),
+            ..young
+        };
+        assert!(wide.sentence("a").contains("WANTED"));
         let both = Lineage::together(&[vec![young], vec![lineage]]).unwrap();
         assert!((both.started - 0.15).abs() < 1e-12 && both.age == 13.0);
         assert_eq!(both.spread, Some(0.25));

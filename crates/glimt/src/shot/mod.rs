@@ -457,7 +457,8 @@ words! {
         /// None.
         #[default] None = "",
         /// The paper's samples, independent, on one ray through each pixel's centre: 15 + 15 by "mis", 20 of 400 candidates by "bis",
-        /// 8 particles with 3 distributions between frames by "smc" (Kronander 2014).
+        /// 8 particles with 3 distributions between frames by "smc" (Kronander 2014), re-initialised by the ratio of normalisers,
+        /// which is biased.
         Kronander = "kronander",
         /// 15 + 15 samples in strata, on one ray through each pixel's centre.
         Stratified = "stratified",

@@ -194,7 +194,7 @@ macro_rules! methods {
             pub fn describe(&self) -> String {
                 match self {
                     $(Self::$settings(own) => own.describe(),)+
-                    Self::Smc(own) => format!("N = {}", own.particles),
+                    Self::Smc(own) => own.describe(),
                 }
             }
 

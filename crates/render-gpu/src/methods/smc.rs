@@ -132,6 +132,15 @@ impl Smc {
         }
     }
 
+    /// The counts on a ray, and a bias that comes from the settings, in words.
+    pub(super) fn describe(&self) -> String {
+        let biased = match self.reinitialise > 0.0 {
+            true => " (biased: re-initialised by the normaliser's ratio)",
+            false => "",
+        };
+        format!("N = {}{biased}", self.particles)
+    }
+
     /// Bytes of a ray in the larger of the buffers that are kept.
     pub(super) fn bytes_kept(&self) -> u64 {
         let particles = u64::from(self.particles) * size_of::<Particle>() as u64;
