@@ -51,7 +51,7 @@ printf '%3d s synth\n' $((SECONDS - begun)) >&2
 size=(--set image.size=[120,68])
 brdf_light=(--method bis --set render.bis.candidates=48 --set render.bis.samples=4)
 particles=(--method smc --set render.smc.particles=4)
-health='"ess","z-ratio","age","started"'
+health='"ess","z-ratio","age","started","z-spread"'
 
 # One object before the light.
 still=("${size[@]}" --frames 1)

@@ -226,7 +226,7 @@ pub struct FollowFlags {
 /// Flags of `glimt compare`.
 #[derive(Clone, Debug, Default, Args)]
 pub struct CompareFlags {
-    /// A built-in contestant: kronander (all three of the paper), kronander-mis, kronander-bis, kronander-smc, stratified,
+    /// A built-in contestant: kronander (all three of the paper), kronander-mis, kronander-bis, kronander-smc (biased), stratified,
     /// owen-sobol, shot (its own settings); repeat for more. Default: kronander, stratified and shot
     #[arg(long, value_name = "NAME")]
     pub preset: Vec<String>,

@@ -20,8 +20,8 @@ fn shot(t: &Scratch) {
          [[object]]\nmesh = \"sphere\"\nground = true\n\
          material = { diffuse = [0.3, 0.3, 0.3], specular = [0.5, 0.5, 0.5], exponent = 40 }\n\
          [[object]]\nmesh = \"plane\"\nscale = 3\n\
-         [render]\nmethod = \"smc\"\nsmc = { reinitialise = 0 }\n\
-         [output]\npng = false\nvideo = \"\"\naovs = [\"ess\", \"age\", \"z-ratio\", \"started\"]\n",
+         [render]\nmethod = \"smc\"\nsmc = { max_age = 3, max_change = 0.9 }\n\
+         [output]\npng = false\nvideo = \"\"\naovs = [\"ess\", \"age\", \"z-ratio\", \"started\", \"z-spread\"]\n",
     );
 }
 

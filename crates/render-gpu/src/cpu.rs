@@ -5,6 +5,7 @@ mod tiles;
 
 use glimt_executor::{Chunks, Cpu, Host, Rayon, Serial};
 
+use crate::kernels::smc::SmcHealth;
 use crate::methods::smc::{Following, Own};
 use crate::methods::{Before, Inputs, Method, MethodMemory, Points, Work};
 use crate::prepare::env::PreparedEnv;
@@ -122,7 +123,7 @@ impl Renderer for CpuRenderer {
             if settings.diagnostics {
                 let pixels = whole.width * whole.height;
                 let rays = pixels as usize * whole.rays_per_pixel as usize;
-                let mut list = vec![glam::Vec4::ZERO; pixels as usize];
+                let mut list = vec![SmcHealth::default(); pixels as usize];
                 let out = Chunks::new(&mut list, 1);
                 following
                     .diagnose(&mut Rayon::default(), &whole, 0..rays, out, pixels)
@@ -130,7 +131,8 @@ impl Renderer for CpuRenderer {
                 diagnostics = Some(list);
             }
             *following.light_mut() = env.view().texels.to_vec();
-            following.end(PastFrame::new(settings, smc, scene, env)?);
+            let past = PastFrame::new(settings, smc, scene, env)?;
+            following.end(past, env.view().map());
             self.following = Some(following);
         }
         Ok(image.finish(settings, diagnostics))

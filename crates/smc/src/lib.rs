@@ -59,9 +59,10 @@
 //!
 //! - Weights are kept as logarithms; a weight of 0 is [`LOG_ZERO`].
 //! - A step draws a fixed number of words whatever it decides, so that two processors' generators stay in step.
-//! - A set whose weights are all 0 stays so: it is the caller's to re-initialise it, with its normaliser. A set without particles is one.
+//! - A set whose weights are all 0 stays so, with a normaliser of 0: it belongs to the mean. A set without particles is one.
 //! - Densities have any unit as long as f32 holds them, and their products with proposals' densities.
-//! - The sampler is unbiased for a fixed plan. Re-initialising a set *because of* its normaliser biases it.
+//! - The sampler is unbiased for a fixed plan. To re-initialise a set *because of* its normaliser, or because all its weights are 0,
+//!   biases it; at an age, or because of what its target is, does not.
 //!
 //! # One source, two processors
 //!

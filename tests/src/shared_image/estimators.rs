@@ -73,7 +73,7 @@ impl Stage<'_> {
 
         let frame = settings.frame_params().expect("settings");
         let (mean, previous) = (self.env.mean_luminance(), light.mean_luminance());
-        let params = of_smc.params(mean, previous);
+        let params = of_smc.params(mean, previous, 0.0);
         let view = of_smc.past_view(&state.past.view, 0, SIZE.x * SIZE.y);
         let motions = vec![Mat4::IDENTITY; self.scene.transforms().len()];
         let n = of_smc.particles as usize;

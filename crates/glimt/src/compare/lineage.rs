@@ -1,13 +1,13 @@
 //! Host file: how the rays of a contestant fare that continue from frame to frame.
 
-use glam::Vec4;
+use glimt_render_gpu::kernels::smc::SmcHealth;
 use serde::{Deserialize, Serialize};
 
 /// The most that may re-initialise in a frame, of a sampler that is worth its memory.
 pub const MOST_STARTED: f64 = 0.2;
 
-/// The median age in frames that it should exceed.
-pub const LEAST_AGE: f64 = 10.0;
+/// What sd(Z)/Z should stay below: beyond it few rays carry all of the light.
+pub const MOST_SPREAD: f64 = 1.0;
 
 /// Rays that continue from the frame before, and those that do not.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -16,22 +16,32 @@ pub struct Lineage {
     pub started: f64,
     /// The median age over pixels, in frames.
     pub age: f64,
+    /// sd(Z)/Z, the relative spread of the normalisers of a pixel's rays: the median over pixels. `None` with one ray a pixel.
+    #[serde(default)]
+    pub spread: Option<f64>,
 }
 
 impl Lineage {
-    /// Of a frame's [diagnostics](glimt_render_gpu::prepare::render::FrameImage::diagnostics); `None` where nothing is seen.
+    /// Of a frame's [diagnostics](glimt_render_gpu::prepare::render::FrameImage::diagnostics), with so many rays a pixel; `None`
+    /// where nothing is seen.
     #[must_use]
-    pub fn of(diagnostics: &[Vec4]) -> Option<Self> {
-        let seen: Vec<&Vec4> = diagnostics.iter().filter(|d| d.x > 0.0).collect();
-        let mut ages: Vec<f64> = seen.iter().map(|d| f64::from(d.z)).collect();
-        ages.sort_by(f64::total_cmp);
+    pub fn of(diagnostics: &[SmcHealth], rays_per_pixel: u32) -> Option<Self> {
+        // A dead set has no effective samples, but a pixel that shows something has ages or starts.
+        let shows = |d: &&SmcHealth| d.ess > 0.0 || d.age > 0.0 || d.started > 0.0;
+        let seen: Vec<&SmcHealth> = diagnostics.iter().filter(shows).collect();
+        let median = |value: fn(&SmcHealth) -> f32| {
+            let mut values: Vec<f64> = seen.iter().map(|d| f64::from(value(d))).collect();
+            values.sort_by(f64::total_cmp);
+            values.get(values.len() / 2).copied()
+        };
         Some(Self {
-            age: *ages.get(ages.len() / 2)?,
-            started: seen.iter().map(|d| f64::from(d.w)).sum::<f64>() / seen.len() as f64,
+            age: median(|d| d.age)?,
+            started: seen.iter().map(|d| f64::from(d.started)).sum::<f64>() / seen.len() as f64,
+            spread: median(|d| d.spread).filter(|_| rays_per_pixel > 1),
         })
     }
 
-    /// Of several frames: the mean share that starts, and the age in the last frame, which has had the time to grow.
+    /// Of several frames: the mean share that starts, and the age and spread in the last frame, which have had the time to grow.
     #[must_use]
     pub fn together(frames: &[Vec<Self>]) -> Option<Self> {
         let all: Vec<&Self> = frames.iter().flatten().collect();
@@ -39,6 +49,8 @@ impl Lineage {
         Some(Self {
             started: all.iter().map(|l| l.started).sum::<f64>() / all.len() as f64,
             age: last.iter().map(|l| l.age).sum::<f64>() / last.len() as f64,
+            spread: (last.iter().map(|l| l.spread).sum::<Option<f64>>())
+                .map(|sum| sum / last.len() as f64),
         })
     }
 
@@ -46,16 +58,18 @@ impl Lineage {
     #[must_use]
     pub fn sentence(&self, name: &str) -> String {
         let started = 100.0 * self.started;
-        let holds = self.started < MOST_STARTED && self.age > LEAST_AGE;
+        let holds = self.started < MOST_STARTED && self.spread.is_none_or(|s| s < MOST_SPREAD);
         let (of, most) = ("of the rays of", 100.0 * MOST_STARTED);
+        let spread = self.spread.map(|spread| format!(" (sd(Z)/Z {spread:.2})"));
         let text = format!(
-            "{of} \u{201c}{name}\u{201d} {started:.1} % re-initialise in a frame and their median age is {:.1} frames",
-            self.age
+            "{of} \u{201c}{name}\u{201d} {started:.1} % re-initialise in a frame and their median age is {:.1} frames{}",
+            self.age,
+            spread.unwrap_or_default()
         );
         match holds {
             true => text,
             false => format!(
-                "{}, WHERE LESS THAN {most} % AND MORE THAN {LEAST_AGE} ARE WANTED",
+                "{}, WHERE LESS THAN {most} % AND sd(Z)/Z BELOW {MOST_SPREAD} ARE WANTED",
                 text
             ),
         }
@@ -68,24 +82,42 @@ mod tests {
 
     #[test]
     fn pixels_that_show_nothing_do_not_count() {
-        let pixel = |ess: f32, age: f32, started: f32| Vec4::new(ess, 0.0, age, started);
+        let pixel = |ess: f32, age: f32, started: f32, spread: f32| SmcHealth {
+            ess,
+            log_ratio: 0.0,
+            age,
+            started,
+            spread,
+        };
         let frame = [
-            pixel(0.0, 0.0, 0.0),
-            pixel(0.5, 20.0, 0.0),
-            pixel(1.0, 0.0, 1.0),
-            pixel(0.7, 12.0, 0.0),
-            pixel(0.7, 13.0, 0.0),
+            pixel(0.0, 0.0, 0.0, 0.0),
+            pixel(0.5, 20.0, 0.0, 0.25),
+            pixel(1.0, 0.0, 1.0, 0.125),
+            pixel(0.7, 12.0, 0.0, 0.5),
+            // All of its sets are dead.
+            pixel(0.0, 13.0, 0.0, 0.0),
         ];
-        let lineage = Lineage::of(&frame).unwrap();
+        let lineage = Lineage::of(&frame, 4).unwrap();
         assert_eq!((lineage.started, lineage.age), (0.25, 13.0));
-        assert_eq!(Lineage::of(&frame[..1]), None);
+        assert_eq!(lineage.spread, Some(0.25));
+        assert!(lineage.sentence("a").contains("sd(Z)/Z 0.25"));
+        assert_eq!(Lineage::of(&frame, 1).unwrap().spread, None);
+        assert_eq!(Lineage::of(&frame[..1], 4), None);
         assert!(lineage.sentence("a").contains("WANTED"));
         let young = Lineage {
             started: 0.05,
             age: 3.0,
+            spread: None,
         };
+        assert!(!young.sentence("a").contains("WANTED"));
+        let wide = Lineage {
+            spread: Some(1.5),
+            ..young
+        };
+        assert!(wide.sentence("a").contains("WANTED"));
         let both = Lineage::together(&[vec![young], vec![lineage]]).unwrap();
         assert!((both.started - 0.15).abs() < 1e-12 && both.age == 13.0);
+        assert_eq!(both.spread, Some(0.25));
         assert!(!both.sentence("a").contains("WANTED"));
         assert_eq!(Lineage::together(&[]), None);
     }

@@ -156,7 +156,8 @@ impl<'a> TrialRenderer<'a> {
             .render_frame(&self.scene, &light, &settings, &|_| ())
             .map_err(device::failure)?;
         let seconds = began.elapsed().as_secs_f64();
-        let lineage = image.diagnostics.as_deref().and_then(Lineage::of);
+        let lineage = image.diagnostics.as_deref();
+        let lineage = lineage.and_then(|all| Lineage::of(all, settings.rays_per_pixel));
         let mut pixels = image.linear;
         if let Some(layers) = image.layers {
             for (pixel, layer) in pixels.iter_mut().zip(&layers) {

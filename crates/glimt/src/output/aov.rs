@@ -5,6 +5,7 @@ use glam::Vec3;
 use glimt_probe::gather::ColourMatrix;
 use glimt_render_gpu::kernels::composite::in_primaries;
 use glimt_render_gpu::kernels::layers::PixelLayers;
+use glimt_render_gpu::kernels::smc::SmcHealth;
 use glimt_render_gpu::prepare::render::{FrameImage, RenderSettings};
 use std::borrow::Cow;
 
@@ -49,16 +50,18 @@ pub fn name(aov: Aov) -> &'static str {
         Aov::ZRatio => "smc.log_z_ratio",
         Aov::Age => "smc.age",
         Aov::Started => "smc.started",
+        Aov::ZSpread => "smc.z_spread",
     }
 }
 
-/// Which component of [`FrameImage::diagnostics`] it is, if any.
-pub fn diagnostic(aov: Aov) -> Option<usize> {
+/// What it is of [`FrameImage::diagnostics`], if anything.
+pub fn diagnostic(aov: Aov) -> Option<fn(&SmcHealth) -> f32> {
     match aov {
-        Aov::Ess => Some(0),
-        Aov::ZRatio => Some(1),
-        Aov::Age => Some(2),
-        Aov::Started => Some(3),
+        Aov::Ess => Some(|health| health.ess),
+        Aov::ZRatio => Some(|health| health.log_ratio),
+        Aov::Age => Some(|health| health.age),
+        Aov::Started => Some(|health| health.started),
+        Aov::ZSpread => Some(|health| health.spread),
         Aov::Object | Aov::Catcher | Aov::Difference => None,
     }
 }
@@ -117,19 +120,20 @@ pub fn channels(
     let mut list = Vec::new();
     for &aov in aovs {
         let layer = name(aov);
-        list.extend(match aov {
-            Aov::Object => rgb(layer, &|l| finite(l.object.truncate() * exposure)),
-            Aov::Catcher => rgb(layer, &PixelLayers::transmission),
-            Aov::Difference => rgb(layer, &|l| finite(-l.blocked * exposure)),
-            Aov::Ess | Aov::ZRatio | Aov::Age | Aov::Started => {
-                let component = diagnostic(aov).unwrap_or_default();
+        list.extend(match diagnostic(aov) {
+            Some(value) => {
                 let all = image.diagnostics.as_deref().unwrap_or_default();
                 vec![Channel {
                     name: layer.to_owned(),
-                    samples: all.iter().map(|d| d[component]).collect(),
+                    samples: all.iter().map(value).collect(),
                     half: false,
                 }]
             }
+            None => match aov {
+                Aov::Catcher => rgb(layer, &PixelLayers::transmission),
+                Aov::Difference => rgb(layer, &|l| finite(-l.blocked * exposure)),
+                _ => rgb(layer, &|l| finite(l.object.truncate() * exposure)),
+            },
         });
         if aov == Aov::Object {
             list.push(Channel {

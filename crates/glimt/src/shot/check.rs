@@ -152,7 +152,7 @@ fn check_render(shot: &Shot, source: &Source) -> Result<()> {
     if render.method != Method::Smc && shot.output.aovs.iter().any(|aov| aov.is_diagnostic()) {
         return bad(
             "output.aovs",
-            "\"ess\", \"z-ratio\", \"age\" and \"started\" belong to the method \"smc\"",
+            "\"ess\", \"z-ratio\", \"age\", \"started\" and \"z-spread\" belong to the method \"smc\"",
             "leave them out, or set render.method = \"smc\"",
         );
     }

@@ -447,6 +447,8 @@ words! {
         Age = "age",
         /// Of the method "smc": the share of rays that were re-initialised in this frame.
         Started = "started",
+        /// Of the method "smc": sd(Z)/Z, the relative spread of the normalisers of a pixel's rays; 0 with one ray.
+        ZSpread = "z-spread",
     }
 }
 words! {
@@ -455,7 +457,8 @@ words! {
         /// None.
         #[default] None = "",
         /// The paper's samples, independent, on one ray through each pixel's centre: 15 + 15 by "mis", 20 of 400 candidates by "bis",
-        /// 8 particles with 3 distributions between frames by "smc" (Kronander 2014). Without compensation.
+        /// 8 particles with 3 distributions between frames by "smc" (Kronander 2014), re-initialised by the ratio of normalisers,
+        /// which is biased. Without compensation.
         Kronander = "kronander",
         /// 15 + 15 samples in strata, on one ray through each pixel's centre, without compensation.
         Stratified = "stratified",
@@ -528,7 +531,7 @@ impl Aov {
     /// Whether it reports how particles fare. The others are layers of the composite.
     #[must_use]
     pub fn is_diagnostic(self) -> bool {
-        matches!(self, Self::Ess | Self::ZRatio | Self::Age | Self::Started)
+        !matches!(self, Self::Object | Self::Catcher | Self::Difference)
     }
 }
 

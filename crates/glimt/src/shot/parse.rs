@@ -222,9 +222,9 @@ fn element<'a>(array: &'a mut Vec<Value>, name: &str, index: &str) -> Result<&'a
 /// Fills in what a preset means, where the key itself is not given.
 fn apply_preset(table: &mut Table) {
     let preset = table.get("render").and_then(|r| r.get("preset"));
-    let pattern = match preset.and_then(Value::as_str) {
-        Some("kronander") => "independent",
-        Some("stratified") => "stratified",
+    let (pattern, is_papers) = match preset.and_then(Value::as_str) {
+        Some("kronander") => ("independent", true),
+        Some("stratified") => ("stratified", false),
         _ => return,
     };
     let word = |word: &str| Value::String(word.into());
@@ -245,7 +245,14 @@ fn apply_preset(table: &mut Table) {
         (&["render", "smc"], "ess_threshold", Value::Float(2.0 / 3.0)),
         (&["render", "smc"], "candidates", Value::Integer(400)),
     ];
-    for (path, key, value) in settings {
+    // The paper's rule is biased, so it comes with the paper's preset alone.
+    let by_ratio: [(&[&str], &str, Value); 3] = [
+        (&["render", "smc"], "reinitialise", Value::Float(1.25)),
+        (&["render", "smc"], "max_age", Value::Integer(0)),
+        (&["render", "smc"], "max_change", Value::Float(1.0)),
+    ];
+    let by_ratio = by_ratio.into_iter().filter(|_| is_papers);
+    for (path, key, value) in settings.into_iter().chain(by_ratio) {
         if let Some(section) = section(table, path) {
             section.entry(key).or_insert(value);
         }
@@ -418,10 +425,13 @@ mod tests {
         assert!(!shot.render.compensation);
         assert_eq!(shot.image.rays_per_pixel, 2);
         assert_eq!(shot.image.filter, super::super::Filter::Centre);
+        let smc = shot.render.smc;
+        assert_eq!((smc.reinitialise, smc.max_age), (1.25, 0));
         let text = "[render]\npreset = \"stratified\"\nbis = { samples = 3 }\n";
         let render = self::shot(text, &[]).unwrap().render;
         assert_eq!(render.pattern, super::super::Pattern::Stratified);
         assert_eq!((render.bis.candidates, render.bis.samples), (400, 3));
+        assert_eq!(render.smc.reinitialise, 0.0);
     }
 
     #[test]

@@ -12,6 +12,7 @@ use crate::kernels::composite::PlatePixel;
 use crate::kernels::environment::Environment;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::PixelLayers;
+use crate::kernels::smc::SmcHealth;
 use crate::methods::smc::Own;
 use crate::methods::{Method, Points};
 use crate::prepare::plate::Plate;
@@ -49,7 +50,7 @@ impl Image {
     pub(super) fn finish(
         self,
         settings: &RenderSettings,
-        diagnostics: Option<Vec<Vec4>>,
+        diagnostics: Option<Vec<SmcHealth>>,
     ) -> FrameImage {
         FrameImage {
             size: settings.size,

@@ -12,7 +12,7 @@ struct RayState {
     ess: f32,
     log_ratio: f32,
     started: u32,
-    accepted: u32,
+    lifetime: u32,
 }
 
 struct SmcPoint {
@@ -83,9 +83,9 @@ struct SmcParams {
     max_age: u32,
     candidates: u32,
     source: u32,
+    changed: u32,
     unused_a: u32,
     unused_b: u32,
-    unused_c: u32,
 }
 
 struct PixelPattern {
@@ -436,10 +436,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> Owen
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:126
+// glimt_render_gpu/src/kernels/pattern.rs:128
 fn PixelPattern_sobol_point(this_5: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:127
+    // glimt_render_gpu/src/kernels/pattern.rs:129
     let _e6 = hash2_(this_5.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_5.frame, this_5.pixel, index);
     return _e9;
@@ -555,36 +555,36 @@ fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_1: u32, pixel_2: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:131
+// glimt_render_gpu/src/kernels/pattern.rs:133
 fn PixelPattern_generator(this_6: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:132
+    // glimt_render_gpu/src/kernels/pattern.rs:134
     let _e6 = hash3_(this_6.seed, purpose_1, index_1);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_6.frame, this_6.pixel);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:109
+// glimt_render_gpu/src/kernels/pattern.rs:111
 fn PixelPattern_point(this_7: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:110
+    // glimt_render_gpu/src/kernels/pattern.rs:112
     let _e8 = PixelPattern_sobol_point(this_7, purpose_2, index_2);
     let _e9 = PixelPattern_generator(this_7, purpose_2, index_2);
     return PatternSource((this_7.kind == 0u), _e8, _e9);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:101
+// glimt_render_gpu/src/kernels/pattern.rs:103
 fn PixelPattern_source(this_8: PixelPattern, purpose_3: u32) -> PatternSource {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:102
+    // glimt_render_gpu/src/kernels/pattern.rs:104
     let _e5 = PixelPattern_point(this_8, purpose_3, this_8.ray);
     return _e5;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:69
+// glimt_render_gpu/src/kernels/smc.rs:92
 fn SmcParams_sampler(this_9: SmcParams) -> Sampler {
 
-    // glimt_render_gpu/src/kernels/smc.rs:70
+    // glimt_render_gpu/src/kernels/smc.rs:93
     return Sampler(Bridge(this_9.path, this_9.intermediate), this_9.scheme, this_9.ess_threshold);
 }
 
@@ -1310,16 +1310,16 @@ fn Xoshiro128PlusPlus_next_u32_(this_17: ptr<function, Xoshiro128PlusPlus>) -> u
     return result;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:161
+// glimt_render_gpu/src/kernels/pattern.rs:163
 fn PatternSource_next_u32_(this_18: ptr<function, PatternSource>) -> u32 {
     var chosen_8: u32;
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:162
+    // glimt_render_gpu/src/kernels/pattern.rs:164
     let _e5 = (*this_18).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:163
+        // glimt_render_gpu/src/kernels/pattern.rs:165
         let _e9 = (*this_18).point;
         borrowed = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed));
@@ -1327,7 +1327,7 @@ fn PatternSource_next_u32_(this_18: ptr<function, PatternSource>) -> u32 {
         (*this_18).point = _e11;
         chosen_8 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:165
+        // glimt_render_gpu/src/kernels/pattern.rs:167
         let _e15 = (*this_18).generator;
         borrowed_1 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
@@ -1726,16 +1726,16 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) ->
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:170
+// glimt_render_gpu/src/kernels/pattern.rs:172
 fn PatternSource_next_uvec2_(this_24: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_10: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:171
+    // glimt_render_gpu/src/kernels/pattern.rs:173
     let _e5 = (*this_24).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:172
+        // glimt_render_gpu/src/kernels/pattern.rs:174
         let _e9 = (*this_24).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
@@ -1743,7 +1743,7 @@ fn PatternSource_next_uvec2_(this_24: ptr<function, PatternSource>) -> vec2<u32>
         (*this_24).point = _e11;
         chosen_10 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:174
+        // glimt_render_gpu/src/kernels/pattern.rs:176
         let _e15 = (*this_24).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
@@ -2643,14 +2643,45 @@ fn Sampler_advance(this_35: Sampler, target_previous_light_size_3: vec2<u32>, ta
     return _e75;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:83
+// glimt_render_gpu/src/kernels/smc.rs:106
 fn SmcParams_advance(this_36: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_1: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
 
-    // glimt_render_gpu/src/kernels/smc.rs:90
-    // glimt_render_gpu/src/kernels/smc.rs:111
+    // glimt_render_gpu/src/kernels/smc.rs:113
+    // glimt_render_gpu/src/kernels/smc.rs:134
     let _e25 = SmcParams_sampler(this_36);
     let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_36.cap_share, CapMove(this_36.cap_height), this_36.light_share, target_light_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_1.frame, point_1.wo, point_1.brdf)), particles_start_8, particles_len_8, source_8);
     return _e26;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:138
+fn PixelPattern_key(this_37: PixelPattern, purpose_4: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:139
+    let _e5 = hash2_(this_37.seed, purpose_4);
+    let _e8 = hash3_(_e5, this_37.frame, this_37.pixel);
+    return _e8;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:123
+fn PixelPattern_ray_key(this_38: PixelPattern, purpose_5: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:124
+    let _e4 = PixelPattern_key(this_38, purpose_5);
+    let _e6 = hash2_(_e4, this_38.ray);
+    return _e6;
+}
+
+// glimt_render_gpu/src/kernels/smc.rs:82
+fn SmcParams_lifetime(this_39: SmcParams, started: u32, pattern: PixelPattern) -> u32 {
+
+    // glimt_render_gpu/src/kernels/smc.rs:83
+    if ((this_39.max_age == 0u) || (started == 3u)) {
+        // glimt_render_gpu/src/kernels/smc.rs:84
+        return this_39.max_age;
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:86
+    let _e16 = PixelPattern_ray_key(pattern, 15u);
+    return (1u + (_e16 % this_39.max_age));
 }
 
 // glimt_sampling/src/ris.rs:61
@@ -2661,22 +2692,22 @@ fn RisSum_new() -> RisSum {
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:65
-fn Candidates_of_brdf(this_37: Candidates) -> u32 {
+fn Candidates_of_brdf(this_40: Candidates) -> u32 {
     var chosen_26: u32;
     var chosen_27: u32;
 
     // glimt_render_gpu/src/kernels/candidates.rs:66
-    if (this_37.source == 0u) {
+    if (this_40.source == 0u) {
         // glimt_render_gpu/src/kernels/candidates.rs:67
-        chosen_26 = this_37.count;
+        chosen_26 = this_40.count;
     } else {
-        if (this_37.source == 1u) {
+        if (this_40.source == 1u) {
             // glimt_render_gpu/src/kernels/candidates.rs:69
             chosen_27 = 0u;
         } else {
             // glimt_render_gpu/src/kernels/candidates.rs:71
-            let _e18 = (this_37.count / 2u);
-            chosen_27 = select(_e18, (_e18 + 1u), ((this_37.count % 2u) != 0u));
+            let _e18 = (this_40.count / 2u);
+            chosen_27 = select(_e18, (_e18 + 1u), ((this_40.count % 2u) != 0u));
         }
         let _e25 = chosen_27;
         chosen_26 = _e25;
@@ -2685,52 +2716,43 @@ fn Candidates_of_brdf(this_37: Candidates) -> u32 {
     return _e26;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:136
-fn PixelPattern_key(this_38: PixelPattern, purpose_4: u32) -> u32 {
-
-    // glimt_render_gpu/src/kernels/pattern.rs:137
-    let _e5 = hash2_(this_38.seed, purpose_4);
-    let _e8 = hash3_(_e5, this_38.frame, this_38.pixel);
-    return _e8;
-}
-
-// glimt_render_gpu/src/kernels/pattern.rs:211
+// glimt_render_gpu/src/kernels/pattern.rs:213
 fn permute(index_9: u32, length_: u32, key: u32) -> u32 {
     var x_5: u32;
     var round_key: u32;
     var counter_13: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:212
+    // glimt_render_gpu/src/kernels/pattern.rs:214
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:213
+        // glimt_render_gpu/src/kernels/pattern.rs:215
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:215
-    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:216
-    let mask = (4294967295u >> ((32u - bits_2) & 31u));
     // glimt_render_gpu/src/kernels/pattern.rs:217
-    x_5 = index_9;
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
     // glimt_render_gpu/src/kernels/pattern.rs:218
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:219
+    x_5 = index_9;
+    // glimt_render_gpu/src/kernels/pattern.rs:220
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:219
+        // glimt_render_gpu/src/kernels/pattern.rs:221
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:220
+        // glimt_render_gpu/src/kernels/pattern.rs:222
         counter_13 = 0i;
         loop {
             let _e31 = counter_13;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:221
+            // glimt_render_gpu/src/kernels/pattern.rs:223
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:225
             let _e37 = x_5;
             let _e38 = round_key;
             x_5 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:224
+            // glimt_render_gpu/src/kernels/pattern.rs:226
             let _e44 = x_5;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_5;
@@ -2740,10 +2762,10 @@ fn permute(index_9: u32, length_: u32, key: u32) -> u32 {
                 counter_13 = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:226
+        // glimt_render_gpu/src/kernels/pattern.rs:228
         let _e62 = x_5;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:227
+            // glimt_render_gpu/src/kernels/pattern.rs:229
             let _e65 = x_5;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -2752,134 +2774,134 @@ fn permute(index_9: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:202
+// glimt_render_gpu/src/kernels/pattern.rs:204
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:203
+    // glimt_render_gpu/src/kernels/pattern.rs:205
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:182
+// glimt_render_gpu/src/kernels/pattern.rs:184
 fn jittered_pair(index_10: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:183
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:184
+    // glimt_render_gpu/src/kernels/pattern.rs:186
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_10, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:188
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:189
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:190
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:196
+// glimt_render_gpu/src/kernels/pattern.rs:198
 fn jittered(index_11: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:197
+    // glimt_render_gpu/src/kernels/pattern.rs:199
     let _e7 = hash2_(key_2, 4u);
     let _e8 = permute(index_11, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:80
-fn PixelPattern_triple(this_39: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec3<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:82
+fn PixelPattern_triple(this_41: PixelPattern, purpose_6: u32, sample: u32, samples: u32) -> vec3<u32> {
     var point_2: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:81
-    let index_14 = ((this_39.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:82
-    if (this_39.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:83
-        let _e14 = PixelPattern_sobol_point(this_39, purpose_5, index_14);
-        point_2 = _e14;
-        // glimt_render_gpu/src/kernels/pattern.rs:84
-        let _e17 = OwenSobol_next_uvec2_((&point_2));
+    // glimt_render_gpu/src/kernels/pattern.rs:83
+    let index_14 = ((this_41.ray * samples) + sample);
+    // glimt_render_gpu/src/kernels/pattern.rs:84
+    if (this_41.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:85
+        let _e14 = PixelPattern_sobol_point(this_41, purpose_6, index_14);
+        point_2 = _e14;
+        // glimt_render_gpu/src/kernels/pattern.rs:86
+        let _e17 = OwenSobol_next_uvec2_((&point_2));
+        // glimt_render_gpu/src/kernels/pattern.rs:87
         let _e19 = OwenSobol_next_u32_((&point_2));
         return vec3<u32>(_e17, _e19);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:87
-    let _e22 = PixelPattern_generator(this_39, purpose_5, index_14);
-    generator = _e22;
-    // glimt_render_gpu/src/kernels/pattern.rs:88
-    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:89
-    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
+    let _e22 = PixelPattern_generator(this_41, purpose_6, index_14);
+    generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:90
-    if (this_39.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:91
+    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:91
+    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:92
+    if (this_41.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:93
         return vec3<u32>(_e25, _e27);
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:93
-    let _e37 = PixelPattern_key(this_39, purpose_5);
-    let _e38 = Tuple_u32_u32_((this_39.rays * samples), _e37);
+    // glimt_render_gpu/src/kernels/pattern.rs:95
+    let _e37 = PixelPattern_key(this_41, purpose_6);
+    let _e38 = Tuple_u32_u32_((this_41.rays * samples), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
-    // glimt_render_gpu/src/kernels/pattern.rs:94
+    // glimt_render_gpu/src/kernels/pattern.rs:96
     let _e42 = jittered_pair(index_14, count_3, _e25, key_3);
     let _e43 = jittered(index_14, count_3, _e27, key_3);
     return vec3<u32>(_e42, _e43);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:65
-fn PixelPattern_pair(this_40: PixelPattern, purpose_6: u32, sample_1: u32, samples_1: u32) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:67
+fn PixelPattern_pair(this_42: PixelPattern, purpose_7: u32, sample_1: u32, samples_1: u32) -> vec2<u32> {
     var borrowed_5: OwenSobol;
     var borrowed_6: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:66
-    let index_15 = ((this_40.ray * samples_1) + sample_1);
-    // glimt_render_gpu/src/kernels/pattern.rs:67
-    if (this_40.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:68
-        let _e14 = PixelPattern_sobol_point(this_40, purpose_6, index_15);
+    // glimt_render_gpu/src/kernels/pattern.rs:68
+    let index_15 = ((this_42.ray * samples_1) + sample_1);
+    // glimt_render_gpu/src/kernels/pattern.rs:69
+    if (this_42.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:70
+        let _e14 = PixelPattern_sobol_point(this_42, purpose_7, index_15);
         borrowed_5 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_5));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:70
-    let _e18 = PixelPattern_generator(this_40, purpose_6, index_15);
+    // glimt_render_gpu/src/kernels/pattern.rs:72
+    let _e18 = PixelPattern_generator(this_42, purpose_7, index_15);
     borrowed_6 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_6));
-    // glimt_render_gpu/src/kernels/pattern.rs:71
-    if (this_40.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:72
+    // glimt_render_gpu/src/kernels/pattern.rs:73
+    if (this_42.kind == 1u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:74
-    let _e29 = PixelPattern_key(this_40, purpose_6);
-    let _e30 = jittered_pair(index_15, (this_40.rays * samples_1), _e20, _e29);
+    // glimt_render_gpu/src/kernels/pattern.rs:76
+    let _e29 = PixelPattern_key(this_42, purpose_7);
+    let _e30 = jittered_pair(index_15, (this_42.rays * samples_1), _e20, _e29);
     return _e30;
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:78
-fn Candidates_draw(this_41: Candidates, index_12: u32, point_3: ShadingPoint, pattern: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_43: Candidates, index_12: u32, point_3: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density_1: f32;
     var direction_10: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/candidates.rs:85
-    let _e8 = Candidates_of_brdf(this_41);
+    let _e8 = Candidates_of_brdf(this_43);
     // glimt_render_gpu/src/kernels/candidates.rs:86
-    let of_env = (this_41.count - _e8);
+    let of_env = (this_43.count - _e8);
     // glimt_render_gpu/src/kernels/candidates.rs:88
     density_1 = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:92
     if (index_12 < _e8) {
         // glimt_render_gpu/src/kernels/candidates.rs:93
-        let _e22 = PixelPattern_triple(pattern, 4u, index_12, _e8);
+        let _e22 = PixelPattern_triple(pattern_1, 4u, index_12, _e8);
         // glimt_render_gpu/src/kernels/candidates.rs:94
         let _e28 = unit_vec2_(_e22.xy);
         let _e29 = BlinnPhong_sample(point_3.brdf, point_3.wo, _e22.z, _e28);
@@ -2913,7 +2935,7 @@ fn Candidates_draw(this_41: Candidates, index_12: u32, point_3: ShadingPoint, pa
         }
     } else {
         // glimt_render_gpu/src/kernels/candidates.rs:107
-        let _e82 = PixelPattern_pair(pattern, 5u, (index_12 - _e8), of_env);
+        let _e82 = PixelPattern_pair(pattern_1, 5u, (index_12 - _e8), of_env);
         // glimt_render_gpu/src/kernels/candidates.rs:108
         let _e84 = Environment_sample(env_size, env_rotation, _e82);
         // glimt_render_gpu/src/kernels/candidates.rs:109
@@ -2957,41 +2979,41 @@ fn Candidates_draw(this_41: Candidates, index_12: u32, point_3: ShadingPoint, pa
     // glimt_render_gpu/src/kernels/candidates.rs:124
     let _e161 = radiance;
     let _e162 = luminance(_e161);
-    let target_ = ((_e162 + this_41.floor) * reflected);
+    let target_ = ((_e162 + this_43.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:125
     let _e167 = direction_10;
     let _e168 = wi_3;
     let _e169 = radiance;
     let _e172 = density_1;
-    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_41.count) / _e172)));
+    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_43.count) / _e172)));
 }
 
 // glimt_sampling/src/ris.rs:72
-fn RisSum_add(this_42: ptr<function, RisSum>, weight: f32) {
+fn RisSum_add(this_44: ptr<function, RisSum>, weight: f32) {
 
     // glimt_sampling/src/ris.rs:73
-    let _e6 = (*this_42).candidates;
-    (*this_42).candidates = (_e6 + 1u);
+    let _e6 = (*this_44).candidates;
+    (*this_44).candidates = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
         // glimt_sampling/src/ris.rs:75
-        let _e13 = (*this_42).sum;
-        (*this_42).sum = (_e13 + weight);
+        let _e13 = (*this_44).sum;
+        (*this_44).sum = (_e13 + weight);
         // glimt_sampling/src/ris.rs:76
-        let _e17 = (*this_42).candidates;
-        (*this_42).end = _e17;
+        let _e17 = (*this_44).candidates;
+        (*this_44).end = _e17;
     }
     return;
 }
 
 // glimt_sampling/src/ris.rs:83
-fn RisSum_normaliser(this_43: RisSum) -> f32 {
+fn RisSum_normaliser(this_45: RisSum) -> f32 {
     var chosen_28: f32;
 
     // glimt_sampling/src/ris.rs:84
-    if (this_43.candidates > 0u) {
+    if (this_45.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_28 = (this_43.sum / f32(this_43.candidates));
+        chosen_28 = (this_45.sum / f32(this_45.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
         chosen_28 = 0f;
@@ -3001,55 +3023,55 @@ fn RisSum_normaliser(this_43: RisSum) -> f32 {
 }
 
 // glimt_sampling/src/ris.rs:109
-fn Word_next_u32_(this_44: ptr<function, Word>) -> u32 {
+fn Word_next_u32_(this_46: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/ris.rs:110
-    let _e4 = (*this_44).f0_;
+    let _e4 = (*this_46).f0_;
     return _e4;
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth_1(this_45: ptr<function, Comb>, source_9: ptr<function, Word>) {
+fn Comb_place_tooth_1(this_47: ptr<function, Comb>, source_9: ptr<function, Word>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_45).made;
-    let _e7 = (*this_45).teeth;
+    let _e5 = (*this_47).made;
+    let _e7 = (*this_47).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_45).made;
+    let _e12 = (*this_47).made;
     let first_5 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_45).scheme;
+    let _e16 = (*this_47).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_45).state;
-        (*this_45).next = (first_5 + _e21);
+        let _e21 = (*this_47).state;
+        (*this_47).next = (first_5 + _e21);
     } else {
-        let _e25 = (*this_45).scheme;
+        let _e25 = (*this_47).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = Word_next_u32_(source_9);
             let _e30 = unit_f32_(_e29);
-            (*this_45).next = (first_5 + _e30);
+            (*this_47).next = (first_5 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = Word_next_u32_(source_9);
             let _e36 = unit_f32_(_e35);
             let v_6 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_45).teeth;
-            let _e42 = (*this_45).made;
+            let _e40 = (*this_47).teeth;
+            let _e42 = (*this_47).made;
             let left_4 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_45).state;
-            (*this_45).state = (_e50 * pow(v_6, (1f / left_4)));
+            let _e50 = (*this_47).state;
+            (*this_47).state = (_e50 * pow(v_6, (1f / left_4)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_45).state;
-            let _e58 = (*this_45).teeth;
-            (*this_45).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_47).state;
+            let _e58 = (*this_47).teeth;
+            (*this_47).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -3096,82 +3118,82 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take_1(this_46: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
+fn Comb_take_1(this_48: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_46).scheme;
+    let _e6 = (*this_48).scheme;
     let _e7 = sure_copies(_e6, expected_2);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_46).reach;
-    (*this_46).reach = (_e12 + (expected_2 - f32(_e7)));
+    let _e12 = (*this_48).reach;
+    (*this_48).reach = (_e12 + (expected_2 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before_1 = (*this_46).made;
+    let before_1 = (*this_48).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_46).made;
-        let _e21 = (*this_46).teeth;
-        let _e24 = (*this_46).next;
-        let _e26 = (*this_46).reach;
+        let _e19 = (*this_48).made;
+        let _e21 = (*this_48).teeth;
+        let _e24 = (*this_48).next;
+        let _e26 = (*this_48).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_46).made;
-            (*this_46).made = (_e32 + 1u);
+            let _e32 = (*this_48).made;
+            (*this_48).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth_1(this_46, source_11);
+            Comb_place_tooth_1(this_48, source_11);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_46).made;
+    let _e37 = (*this_48).made;
     return (_e7 + (_e37 - before_1));
 }
 
 // glimt_sampling/src/ris.rs:133
-fn RisPicks_take(this_47: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+fn RisPicks_take(this_49: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     var chosen_30: u32;
     var borrowed_8: Comb;
     var borrowed_9: Word;
 
     // glimt_sampling/src/ris.rs:134
-    let _e6 = (*this_47).candidate;
-    (*this_47).candidate = (_e6 + 1u);
+    let _e6 = (*this_49).candidate;
+    (*this_49).candidate = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:135
-    let _e13 = (*this_47).left;
+    let _e13 = (*this_49).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
         // glimt_sampling/src/ris.rs:136
         return 0u;
     }
     // glimt_sampling/src/ris.rs:138
-    let _e22 = (*this_47).candidate;
-    let _e24 = (*this_47).end;
+    let _e22 = (*this_49).candidate;
+    let _e24 = (*this_49).end;
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
-        let _e28 = (*this_47).left;
+        let _e28 = (*this_49).left;
         chosen_30 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
-        let _e32 = (*this_47).comb;
+        let _e32 = (*this_49).comb;
         borrowed_8 = _e32;
-        let _e34 = (*this_47).sum;
-        let _e37 = (*this_47).samples;
+        let _e34 = (*this_49).sum;
+        let _e37 = (*this_49).samples;
         borrowed_9 = Word(0u);
         let _e42 = Comb_take_1((&borrowed_8), ((weight_1 / _e34) * _e37), (&borrowed_9));
         let _e43 = borrowed_8;
-        (*this_47).comb = _e43;
-        let _e45 = (*this_47).left;
+        (*this_49).comb = _e43;
+        let _e45 = (*this_49).left;
         chosen_30 = min(_e42, _e45);
     }
     let picks_6 = chosen_30;
     // glimt_sampling/src/ris.rs:146
-    let _e50 = (*this_47).left;
-    (*this_47).left = (_e50 - picks_6);
+    let _e50 = (*this_49).left;
+    (*this_49).left = (_e50 - picks_6);
     // glimt_sampling/src/ris.rs:147
     return picks_6;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:117
-fn SmcParams_start(this_48: SmcParams, point_4: ShadingPoint, pattern_1: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
+// glimt_render_gpu/src/kernels/smc.rs:140
+fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
     var counter_14: u32;
     var counter_15: u32;
@@ -3180,78 +3202,78 @@ fn SmcParams_start(this_48: SmcParams, point_4: ShadingPoint, pattern_1: PixelPa
     var counter_16: u32;
     var counter_17: u32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:124
-    // glimt_render_gpu/src/kernels/smc.rs:125
-    let candidates = Candidates(this_48.candidates, this_48.source, this_48.floor);
-    // glimt_render_gpu/src/kernels/smc.rs:130
+    // glimt_render_gpu/src/kernels/smc.rs:147
+    // glimt_render_gpu/src/kernels/smc.rs:148
+    let candidates = Candidates(this_50.candidates, this_50.source, this_50.floor);
+    // glimt_render_gpu/src/kernels/smc.rs:153
     let _e15 = RisSum_new();
     weights_1 = _e15;
-    // glimt_render_gpu/src/kernels/smc.rs:131
+    // glimt_render_gpu/src/kernels/smc.rs:154
     counter_14 = 0u;
     loop {
         let j = counter_14;
-        if (j >= this_48.candidates) {
+        if (j >= this_50.candidates) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:132
-        let _e24 = Candidates_draw(candidates, j, point_4, pattern_1, env_size_1, env_rotation_1);
+        // glimt_render_gpu/src/kernels/smc.rs:155
+        let _e24 = Candidates_draw(candidates, j, point_4, pattern_2, env_size_1, env_rotation_1);
         RisSum_add((&weights_1), _e24.weight);
         continuing {
             let _e26 = counter_14;
             counter_14 = (_e26 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:134
+    // glimt_render_gpu/src/kernels/smc.rs:157
     let _e30 = weights_1;
     let _e31 = RisSum_normaliser(_e30);
-    // glimt_render_gpu/src/kernels/smc.rs:135
+    // glimt_render_gpu/src/kernels/smc.rs:158
     if !((_e31 > 0f)) {
-        // glimt_render_gpu/src/kernels/smc.rs:136
+        // glimt_render_gpu/src/kernels/smc.rs:159
         counter_15 = 0u;
         loop {
             let i_10 = counter_15;
             if (i_10 >= particles_len_9) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:137
+            // glimt_render_gpu/src/kernels/smc.rs:160
             particles[(particles_start_9 + i_10)] = Particle(point_4.frame.n, -1000000000000000000000000000000f);
             continuing {
                 let _e49 = counter_15;
                 counter_15 = (_e49 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/smc.rs:142
+        // glimt_render_gpu/src/kernels/smc.rs:165
         return -1000000000000000000000000000000f;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:144
+    // glimt_render_gpu/src/kernels/smc.rs:167
     let _e55 = weights_1;
-    let _e59 = PixelPattern_pair(pattern_1, 6u, 0u, 1u);
+    let _e59 = PixelPattern_pair(pattern_2, 6u, 0u, 1u);
     let _e61 = RisPicks_new(_e55, particles_len_9, _e59.x);
     picks_5 = _e61;
-    // glimt_render_gpu/src/kernels/smc.rs:145
+    // glimt_render_gpu/src/kernels/smc.rs:168
     filled = 0u;
-    // glimt_render_gpu/src/kernels/smc.rs:146
+    // glimt_render_gpu/src/kernels/smc.rs:169
     counter_16 = 0u;
     loop {
         let j_1 = counter_16;
-        if (j_1 >= this_48.candidates) {
+        if (j_1 >= this_50.candidates) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:147
-        let _e73 = Candidates_draw(candidates, j_1, point_4, pattern_1, env_size_1, env_rotation_1);
-        // glimt_render_gpu/src/kernels/smc.rs:148
+        // glimt_render_gpu/src/kernels/smc.rs:170
+        let _e73 = Candidates_draw(candidates, j_1, point_4, pattern_2, env_size_1, env_rotation_1);
+        // glimt_render_gpu/src/kernels/smc.rs:171
         let _e76 = RisPicks_take((&picks_5), _e73.weight);
-        // glimt_render_gpu/src/kernels/smc.rs:149
+        // glimt_render_gpu/src/kernels/smc.rs:172
         counter_17 = 0u;
         loop {
             let _e80 = counter_17;
             if (_e80 >= _e76) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:150
+            // glimt_render_gpu/src/kernels/smc.rs:173
             let _e84 = filled;
             particles[(particles_start_9 + _e84)].state = _e73.direction;
-            // glimt_render_gpu/src/kernels/smc.rs:151
+            // glimt_render_gpu/src/kernels/smc.rs:174
             let _e91 = filled;
             filled = (_e91 + 1u);
             continuing {
@@ -3264,128 +3286,143 @@ fn SmcParams_start(this_48: SmcParams, point_4: ShadingPoint, pattern_1: PixelPa
             counter_16 = (_e96 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:154
+    // glimt_render_gpu/src/kernels/smc.rs:177
     make_equal(particles_start_9, particles_len_9);
-    // glimt_render_gpu/src/kernels/smc.rs:155
+    // glimt_render_gpu/src/kernels/smc.rs:178
     return log(_e31);
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:162
+// glimt_render_gpu/src/kernels/smc.rs:185
 fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_10: u32, particles_len_10: u32) {
     var now: RayState;
+    var chosen_31: u32;
+    var chosen_32: u32;
     var counter_18: u32;
     var source_12: PatternSource;
     var either_1: bool;
-    var chosen_31: u32;
-    var chosen_32: u32;
     var chosen_33: f32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:173
+    // glimt_render_gpu/src/kernels/smc.rs:196
     let seen = points[ray_2];
-    // glimt_render_gpu/src/kernels/smc.rs:174
+    // glimt_render_gpu/src/kernels/smc.rs:197
     let _e16 = SmcPoint_is_hit(seen);
     if !(_e16) {
-        // glimt_render_gpu/src/kernels/smc.rs:175
+        // glimt_render_gpu/src/kernels/smc.rs:198
         state_5[(state_start + 0u)] = RayState(vec3(0f), 0f, vec3(0f), 0f, 0f, 0f, 0f, 0u, 0f, 0f, 0u, 0u);
-        // glimt_render_gpu/src/kernels/smc.rs:176
+        // glimt_render_gpu/src/kernels/smc.rs:199
         return;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:178
+    // glimt_render_gpu/src/kernels/smc.rs:201
     let _e40 = FrameParams_pattern_of(frame_3, ray_2);
-    // glimt_render_gpu/src/kernels/smc.rs:179
+    // glimt_render_gpu/src/kernels/smc.rs:202
     let _e42 = SmcPoint_shading_point(seen);
-    // glimt_render_gpu/src/kernels/smc.rs:180
-    // glimt_render_gpu/src/kernels/smc.rs:181
+    // glimt_render_gpu/src/kernels/smc.rs:203
+    // glimt_render_gpu/src/kernels/smc.rs:204
     let _e51 = luminance(_e42.brdf.diffuse);
     let _e54 = luminance(_e42.brdf.specular);
     now = RayState(seen.normal, -1000000000000000000000000000000f, seen.wo, seen.depth, _e51, _e54, _e42.brdf.exponent, 0u, f32(particles_len_10), 0f, 1u, 0u);
-    // glimt_render_gpu/src/kernels/smc.rs:195
+    // glimt_render_gpu/src/kernels/smc.rs:218
     if (seen.predecessor != 4294967295u) {
-        // glimt_render_gpu/src/kernels/smc.rs:196
+        // glimt_render_gpu/src/kernels/smc.rs:219
         let old_1 = seen.before;
-        // glimt_render_gpu/src/kernels/smc.rs:197
+        // glimt_render_gpu/src/kernels/smc.rs:220
+        now.age = (old_1.age + 1u);
+        // glimt_render_gpu/src/kernels/smc.rs:221
+        now.lifetime = old_1.lifetime;
+        // glimt_render_gpu/src/kernels/smc.rs:222
+        if (smc.changed != 0u) {
+            // glimt_render_gpu/src/kernels/smc.rs:223
+            chosen_31 = 4u;
+        } else {
+            let _e90 = now.age;
+            if ((old_1.lifetime > 0u) && (_e90 >= old_1.lifetime)) {
+                // glimt_render_gpu/src/kernels/smc.rs:225
+                chosen_32 = 3u;
+            } else {
+                // glimt_render_gpu/src/kernels/smc.rs:227
+                chosen_32 = 0u;
+            }
+            let _e98 = chosen_32;
+            chosen_31 = _e98;
+        }
+        let _e99 = chosen_31;
+        now.started = _e99;
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:230
+    let _e103 = now.started;
+    if (_e103 == 0u) {
+        // glimt_render_gpu/src/kernels/smc.rs:231
+        let old_2 = seen.before;
+        // glimt_render_gpu/src/kernels/smc.rs:232
         let first_6 = (seen.predecessor * particles_len_10);
-        // glimt_render_gpu/src/kernels/smc.rs:198
+        // glimt_render_gpu/src/kernels/smc.rs:233
         counter_18 = 0u;
         loop {
             let i_11 = counter_18;
             if (i_11 >= particles_len_10) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:199
-            let _e82 = past_particles[(first_6 + i_11)];
-            particles[(particles_start_10 + i_11)] = _e82;
+            // glimt_render_gpu/src/kernels/smc.rs:234
+            let _e120 = past_particles[(first_6 + i_11)];
+            particles[(particles_start_10 + i_11)] = _e120;
             continuing {
-                let _e86 = counter_18;
-                counter_18 = (_e86 + 1u);
+                let _e124 = counter_18;
+                counter_18 = (_e124 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/smc.rs:201
-        let _e91 = LightLobe_of_state(old_1);
-        let _e93 = LightLobe_of_point(_e42);
-        // glimt_render_gpu/src/kernels/smc.rs:209
-        let _e96 = PixelPattern_source(_e40, 7u);
-        source_12 = _e96;
-        // glimt_render_gpu/src/kernels/smc.rs:210
-        let _e99 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e91, env_size_2, env_rotation_2, smc.floor, _e93, _e42, particles_start_10, particles_len_10, (&source_12));
-        // glimt_render_gpu/src/kernels/smc.rs:211
-        let _e102 = is_log_zero(_e99.log_ratio);
-        either_1 = _e102;
-        if _e102 {
+        // glimt_render_gpu/src/kernels/smc.rs:236
+        let _e129 = LightLobe_of_state(old_2);
+        let _e131 = LightLobe_of_point(_e42);
+        // glimt_render_gpu/src/kernels/smc.rs:244
+        let _e134 = PixelPattern_source(_e40, 7u);
+        source_12 = _e134;
+        // glimt_render_gpu/src/kernels/smc.rs:245
+        let _e137 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e129, env_size_2, env_rotation_2, smc.floor, _e131, _e42, particles_start_10, particles_len_10, (&source_12));
+        // glimt_render_gpu/src/kernels/smc.rs:246
+        let _e140 = is_log_zero(_e137.log_ratio);
+        either_1 = _e140;
+        if _e140 {
         } else {
-            let _e105 = is_log_zero(old_1.log_normaliser);
-            either_1 = _e105;
+            let _e143 = is_log_zero(old_2.log_normaliser);
+            either_1 = _e143;
         }
         let dead = either_1;
-        // glimt_render_gpu/src/kernels/smc.rs:212
-        now.log_ratio = _e99.log_ratio;
-        // glimt_render_gpu/src/kernels/smc.rs:213
-        now.ess = _e99.ess;
-        // glimt_render_gpu/src/kernels/smc.rs:214
-        now.accepted = _e99.accepted;
-        // glimt_render_gpu/src/kernels/smc.rs:215
-        now.age = (old_1.age + 1u);
-        // glimt_render_gpu/src/kernels/smc.rs:216
-        if ((smc.band > 0f) && (dead || (abs(_e99.log_ratio) > smc.band))) {
-            // glimt_render_gpu/src/kernels/smc.rs:217
-            chosen_31 = 2u;
-        } else {
-            let _e139 = now.age;
-            if ((smc.max_age > 0u) && (_e139 >= smc.max_age)) {
-                // glimt_render_gpu/src/kernels/smc.rs:219
-                chosen_32 = 3u;
-            } else {
-                // glimt_render_gpu/src/kernels/smc.rs:221
-                chosen_32 = 0u;
-            }
-            let _e147 = chosen_32;
-            chosen_31 = _e147;
+        // glimt_render_gpu/src/kernels/smc.rs:247
+        now.log_ratio = _e137.log_ratio;
+        // glimt_render_gpu/src/kernels/smc.rs:248
+        now.ess = _e137.ess;
+        // glimt_render_gpu/src/kernels/smc.rs:249
+        if ((smc.band > 0f) && (dead || (abs(_e137.log_ratio) > smc.band))) {
+            // glimt_render_gpu/src/kernels/smc.rs:250
+            now.started = 2u;
         }
-        let _e148 = chosen_31;
-        now.started = _e148;
-        // glimt_render_gpu/src/kernels/smc.rs:223
+        // glimt_render_gpu/src/kernels/smc.rs:252
         if dead {
-            // glimt_render_gpu/src/kernels/smc.rs:224
+            // glimt_render_gpu/src/kernels/smc.rs:253
             chosen_33 = -1000000000000000000000000000000f;
         } else {
-            // glimt_render_gpu/src/kernels/smc.rs:226
-            chosen_33 = (old_1.log_normaliser + _e99.log_ratio);
+            // glimt_render_gpu/src/kernels/smc.rs:255
+            chosen_33 = (old_2.log_normaliser + _e137.log_ratio);
         }
-        let _e158 = chosen_33;
-        now.log_normaliser = _e158;
+        let _e172 = chosen_33;
+        now.log_normaliser = _e172;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:229
-    let _e162 = now.started;
-    if (_e162 != 0u) {
-        // glimt_render_gpu/src/kernels/smc.rs:230
+    // glimt_render_gpu/src/kernels/smc.rs:258
+    let _e176 = now.started;
+    if (_e176 != 0u) {
+        // glimt_render_gpu/src/kernels/smc.rs:259
         now.age = 0u;
-        // glimt_render_gpu/src/kernels/smc.rs:231
-        let _e169 = SmcParams_start(smc, _e42, _e40, env_size_2, env_rotation_2, particles_start_10, particles_len_10);
-        now.log_normaliser = _e169;
+        // glimt_render_gpu/src/kernels/smc.rs:260
+        let _e184 = now.started;
+        let _e185 = SmcParams_lifetime(smc, _e184, _e40);
+        now.lifetime = _e185;
+        // glimt_render_gpu/src/kernels/smc.rs:261
+        let _e188 = SmcParams_start(smc, _e42, _e40, env_size_2, env_rotation_2, particles_start_10, particles_len_10);
+        now.log_normaliser = _e188;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:233
-    let _e172 = now;
-    state_5[(state_start + 0u)] = _e172;
+    // glimt_render_gpu/src/kernels/smc.rs:263
+    let _e191 = now;
+    state_5[(state_start + 0u)] = _e191;
     return;
 }
 

@@ -12,7 +12,7 @@ struct RayState {
     ess: f32,
     log_ratio: f32,
     started: u32,
-    accepted: u32,
+    lifetime: u32,
 }
 
 struct ColourMatrix {
@@ -46,6 +46,14 @@ struct FrameParams {
     to_display: ColourMatrix,
 }
 
+struct SmcHealth {
+    ess: f32,
+    log_ratio: f32,
+    age: f32,
+    started: f32,
+    spread: f32,
+}
+
 struct Params {
     first: u32,
     count: u32,
@@ -56,65 +64,147 @@ struct Params {
 @group(0) @binding(1) 
 var<storage> states: array<RayState>;
 @group(0) @binding(2) 
-var<storage, read_write> out: array<vec4<f32>>;
+var<storage, read_write> out: array<SmcHealth>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/smc.rs:239
-fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> vec4<f32> {
+// glimt_smc/src/particle.rs:33
+fn is_log_zero(log_weight: f32) -> bool {
+
+    // glimt_smc/src/particle.rs:34
+    return !((log_weight > (0.5f * -1000000000000000000000000000000f)));
+}
+
+// glimt_render_gpu/src/kernels/smc.rs:285
+fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> SmcHealth {
     var sum: vec4<f32>;
     var hits: f32;
+    var largest: f32;
     var counter: u32;
     var chosen: f32;
+    var spread: f32;
+    var both: bool;
+    var total: f32;
+    var squares: f32;
+    var counter_1: u32;
+    var both_1: bool;
 
-    // glimt_render_gpu/src/kernels/smc.rs:245
+    // glimt_render_gpu/src/kernels/smc.rs:291
     let first = (pixel * frame.rays_per_pixel);
-    // glimt_render_gpu/src/kernels/smc.rs:246
+    // glimt_render_gpu/src/kernels/smc.rs:292
+    let end = (first + frame.rays_per_pixel);
+    // glimt_render_gpu/src/kernels/smc.rs:293
     sum = vec4(0f);
-    // glimt_render_gpu/src/kernels/smc.rs:247
+    // glimt_render_gpu/src/kernels/smc.rs:294
     hits = 0f;
-    // glimt_render_gpu/src/kernels/smc.rs:248
+    // glimt_render_gpu/src/kernels/smc.rs:295
+    largest = -1000000000000000000000000000000f;
+    // glimt_render_gpu/src/kernels/smc.rs:296
     counter = first;
     loop {
         let ray = counter;
-        if (ray >= (first + frame.rays_per_pixel)) {
+        if (ray >= end) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:249
+        // glimt_render_gpu/src/kernels/smc.rs:297
         let state = states[ray];
-        // glimt_render_gpu/src/kernels/smc.rs:250
+        // glimt_render_gpu/src/kernels/smc.rs:298
         if (state.depth > 0f) {
-            // glimt_render_gpu/src/kernels/smc.rs:251
+            // glimt_render_gpu/src/kernels/smc.rs:299
             if (state.started == 0u) {
-                // glimt_render_gpu/src/kernels/smc.rs:252
+                // glimt_render_gpu/src/kernels/smc.rs:300
                 chosen = 0f;
             } else {
-                // glimt_render_gpu/src/kernels/smc.rs:254
+                // glimt_render_gpu/src/kernels/smc.rs:302
                 chosen = 1f;
             }
             let started = chosen;
-            // glimt_render_gpu/src/kernels/smc.rs:257
+            // glimt_render_gpu/src/kernels/smc.rs:305
             let ratio = clamp(state.log_ratio, -100f, 100f);
-            // glimt_render_gpu/src/kernels/smc.rs:258
-            let _e48 = sum;
-            sum = (_e48 + vec4<f32>(state.ess, ratio, f32(state.age), started));
-            // glimt_render_gpu/src/kernels/smc.rs:259
-            let _e52 = hits;
-            hits = (_e52 + 1f);
+            // glimt_render_gpu/src/kernels/smc.rs:306
+            let _e52 = sum;
+            sum = (_e52 + vec4<f32>(state.ess, ratio, f32(state.age), started));
+            // glimt_render_gpu/src/kernels/smc.rs:307
+            let _e56 = hits;
+            hits = (_e56 + 1f);
+            // glimt_render_gpu/src/kernels/smc.rs:308
+            let _e59 = largest;
+            largest = max(_e59, state.log_normaliser);
         }
         continuing {
-            let _e54 = counter;
-            counter = (_e54 + 1u);
+            let _e62 = counter;
+            counter = (_e62 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:262
-    let n = f32(particles_per_ray);
-    // glimt_render_gpu/src/kernels/smc.rs:263
-    let _e60 = sum;
-    let _e61 = hits;
-    let mean = (_e60 / vec4(max(_e61, 1f)));
-    // glimt_render_gpu/src/kernels/smc.rs:264
-    return vec4<f32>((mean.x / n), mean.y, mean.z, mean.w);
+    // glimt_render_gpu/src/kernels/smc.rs:311
+    let _e66 = sum;
+    let _e67 = hits;
+    let mean = (_e66 / vec4(max(_e67, 1f)));
+    // glimt_render_gpu/src/kernels/smc.rs:312
+    spread = 0f;
+    // glimt_render_gpu/src/kernels/smc.rs:313
+    let _e76 = hits;
+    let _e78 = (_e76 > 1f);
+    both = _e78;
+    if _e78 {
+        let _e80 = largest;
+        let _e81 = is_log_zero(_e80);
+        both = !(_e81);
+    }
+    let _e83 = both;
+    if _e83 {
+        // glimt_render_gpu/src/kernels/smc.rs:315
+        total = 0f;
+        // glimt_render_gpu/src/kernels/smc.rs:316
+        squares = 0f;
+        // glimt_render_gpu/src/kernels/smc.rs:317
+        counter_1 = first;
+        loop {
+            let ray_1 = counter_1;
+            if (ray_1 >= end) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/smc.rs:318
+            let state_1 = states[ray_1];
+            // glimt_render_gpu/src/kernels/smc.rs:319
+            let _e101 = (state_1.depth > 0f);
+            both_1 = _e101;
+            if _e101 {
+                let _e104 = is_log_zero(state_1.log_normaliser);
+                both_1 = !(_e104);
+            }
+            let _e106 = both_1;
+            if _e106 {
+                // glimt_render_gpu/src/kernels/smc.rs:320
+                let _e109 = largest;
+                let z = exp((state_1.log_normaliser - _e109));
+                // glimt_render_gpu/src/kernels/smc.rs:321
+                let _e113 = total;
+                total = (_e113 + z);
+                // glimt_render_gpu/src/kernels/smc.rs:322
+                let _e117 = squares;
+                squares = (_e117 + (z * z));
+            }
+            continuing {
+                let _e119 = counter_1;
+                counter_1 = (_e119 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/smc.rs:325
+        let _e123 = squares;
+        let _e124 = total;
+        let _e125 = total;
+        let _e127 = hits;
+        let _e130 = hits;
+        let variance = ((_e123 - ((_e124 * _e125) / _e127)) / (_e130 - 1f));
+        // glimt_render_gpu/src/kernels/smc.rs:326
+        let _e138 = hits;
+        let _e140 = total;
+        spread = ((sqrt(max(variance, 0f)) * _e138) / _e140);
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:328
+    let _e149 = spread;
+    return SmcHealth((mean.x / f32(particles_per_ray)), mean.y, mean.z, mean.w, _e149);
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -544,7 +544,7 @@ pub static DIAGNOSE_SMC: Entry = Entry {
     ]),
     buffers: Borrowed(&[
         BufferSlot::new("states", 1, 64, false),
-        BufferSlot::new("out", 2, 16, true),
+        BufferSlot::new("out", 2, 20, true),
     ]),
 };
 

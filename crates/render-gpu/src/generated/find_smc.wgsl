@@ -35,7 +35,7 @@ struct RayState {
     ess: f32,
     log_ratio: f32,
     started: u32,
-    accepted: u32,
+    lifetime: u32,
 }
 
 struct ColourMatrix {
@@ -292,10 +292,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> Owen
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:126
+// glimt_render_gpu/src/kernels/pattern.rs:128
 fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:127
+    // glimt_render_gpu/src/kernels/pattern.rs:129
     let _e6 = hash2_(this_2.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_2.frame, this_2.pixel, index);
     return _e9;
@@ -647,10 +647,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_2: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:131
+// glimt_render_gpu/src/kernels/pattern.rs:133
 fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:132
+    // glimt_render_gpu/src/kernels/pattern.rs:134
     let _e6 = hash3_(this_4.seed, purpose_1, index_6);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_4.frame, this_4.pixel);
     return _e9;
@@ -685,52 +685,52 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_6: ptr<function, Xoshiro128PlusPlus>) -> 
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:136
+// glimt_render_gpu/src/kernels/pattern.rs:138
 fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:137
+    // glimt_render_gpu/src/kernels/pattern.rs:139
     let _e5 = hash2_(this_7.seed, purpose_2);
     let _e8 = hash3_(_e5, this_7.frame, this_7.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:211
+// glimt_render_gpu/src/kernels/pattern.rs:213
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:212
+    // glimt_render_gpu/src/kernels/pattern.rs:214
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:213
+        // glimt_render_gpu/src/kernels/pattern.rs:215
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:215
-    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:216
-    let mask = (4294967295u >> ((32u - bits_2) & 31u));
     // glimt_render_gpu/src/kernels/pattern.rs:217
-    x_4 = index_7;
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
     // glimt_render_gpu/src/kernels/pattern.rs:218
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:219
+    x_4 = index_7;
+    // glimt_render_gpu/src/kernels/pattern.rs:220
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:219
+        // glimt_render_gpu/src/kernels/pattern.rs:221
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:220
+        // glimt_render_gpu/src/kernels/pattern.rs:222
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:221
+            // glimt_render_gpu/src/kernels/pattern.rs:223
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:225
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:224
+            // glimt_render_gpu/src/kernels/pattern.rs:226
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -740,10 +740,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:226
+        // glimt_render_gpu/src/kernels/pattern.rs:228
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:227
+            // glimt_render_gpu/src/kernels/pattern.rs:229
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -752,61 +752,61 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:202
+// glimt_render_gpu/src/kernels/pattern.rs:204
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:203
+    // glimt_render_gpu/src/kernels/pattern.rs:205
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:182
+// glimt_render_gpu/src/kernels/pattern.rs:184
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:183
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:184
+    // glimt_render_gpu/src/kernels/pattern.rs:186
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:188
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:189
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:190
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:65
+// glimt_render_gpu/src/kernels/pattern.rs:67
 fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:66
+    // glimt_render_gpu/src/kernels/pattern.rs:68
     let index_16 = ((this_8.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:67
+    // glimt_render_gpu/src/kernels/pattern.rs:69
     if (this_8.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:68
+        // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:70
+    // glimt_render_gpu/src/kernels/pattern.rs:72
     let _e18 = PixelPattern_generator(this_8, purpose_3, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
-    // glimt_render_gpu/src/kernels/pattern.rs:71
+    // glimt_render_gpu/src/kernels/pattern.rs:73
     if (this_8.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:72
+        // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:74
+    // glimt_render_gpu/src/kernels/pattern.rs:76
     let _e29 = PixelPattern_key(this_8, purpose_3);
     let _e30 = jittered_pair(index_16, (this_8.rays * samples), _e20, _e29);
     return _e30;
@@ -851,10 +851,10 @@ fn FrameParams_direction(this_10: FrameParams, pixel_3: u32, place: vec2<f32>) -
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:121
+// glimt_render_gpu/src/kernels/pattern.rs:123
 fn PixelPattern_ray_key(this_11: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:122
+    // glimt_render_gpu/src/kernels/pattern.rs:124
     let _e4 = PixelPattern_key(this_11, purpose_4);
     let _e6 = hash2_(_e4, this_11.ray);
     return _e6;
@@ -1933,46 +1933,46 @@ fn Triangle_object_index(this_23: Triangle) -> u32 {
     return (this_23.object & 536870911u);
 }
 
-// glimt_render_gpu/src/kernels/past.rs:106
+// glimt_render_gpu/src/kernels/past.rs:109
 fn PastView_project(this_24: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
 
-    // glimt_render_gpu/src/kernels/past.rs:107
+    // glimt_render_gpu/src/kernels/past.rs:110
     let v_6 = (was_at - this_24.eye);
-    // glimt_render_gpu/src/kernels/past.rs:108
+    // glimt_render_gpu/src/kernels/past.rs:111
     let along = dot(v_6, this_24.forward);
-    // glimt_render_gpu/src/kernels/past.rs:109
+    // glimt_render_gpu/src/kernels/past.rs:112
     if !((along > 0f)) {
-        // glimt_render_gpu/src/kernels/past.rs:110
+        // glimt_render_gpu/src/kernels/past.rs:113
         return Option_Vec3_();
     }
-    // glimt_render_gpu/src/kernels/past.rs:112
-    let x_9 = (dot(v_6, this_24.right) / (along * dot(this_24.right, this_24.right)));
-    // glimt_render_gpu/src/kernels/past.rs:113
-    let y_3 = (dot(v_6, this_24.up) / (along * dot(this_24.up, this_24.up)));
-    // glimt_render_gpu/src/kernels/past.rs:114
-    let place_3 = (vec2<f32>((0.5f + (0.5f * x_9)), (0.5f - (0.5f * y_3))) * size_2);
     // glimt_render_gpu/src/kernels/past.rs:115
+    let x_9 = (dot(v_6, this_24.right) / (along * dot(this_24.right, this_24.right)));
+    // glimt_render_gpu/src/kernels/past.rs:116
+    let y_3 = (dot(v_6, this_24.up) / (along * dot(this_24.up, this_24.up)));
+    // glimt_render_gpu/src/kernels/past.rs:117
+    let place_3 = (vec2<f32>((0.5f + (0.5f * x_9)), (0.5f - (0.5f * y_3))) * size_2);
+    // glimt_render_gpu/src/kernels/past.rs:118
     return Option_Vec3_(true, vec3<f32>(place_3, length(v_6)));
 }
 
-// glimt_render_gpu/src/kernels/past.rs:123
+// glimt_render_gpu/src/kernels/past.rs:126
 fn PastView_predecessor(this_25: PastView, point: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
     var chosen_12: vec3<f32>;
     var chosen_13: u32;
     var chosen_14: Option_u32_;
 
-    // glimt_render_gpu/src/kernels/past.rs:131
+    // glimt_render_gpu/src/kernels/past.rs:134
     if (this_25.pixels == 0u) {
-        // glimt_render_gpu/src/kernels/past.rs:132
+        // glimt_render_gpu/src/kernels/past.rs:135
         return Option_u32_();
     }
-    // glimt_render_gpu/src/kernels/past.rs:134
-    let motion = past_motions[object];
-    // glimt_render_gpu/src/kernels/past.rs:135
-    let was_at_1 = (motion * vec4<f32>(point.origin, 1f)).xyz;
-    // glimt_render_gpu/src/kernels/past.rs:136
-    let size_3 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
     // glimt_render_gpu/src/kernels/past.rs:137
+    let motion = past_motions[object];
+    // glimt_render_gpu/src/kernels/past.rs:138
+    let was_at_1 = (motion * vec4<f32>(point.origin, 1f)).xyz;
+    // glimt_render_gpu/src/kernels/past.rs:139
+    let size_3 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
+    // glimt_render_gpu/src/kernels/past.rs:140
     let _e29 = PastView_project(this_25, was_at_1, size_3);
     let value = _e29.value;
     if _e29.is_some {
@@ -1981,51 +1981,51 @@ fn PastView_predecessor(this_25: PastView, point: ShadingPoint, object: u32, fra
         return Option_u32_();
     }
     let seen = chosen_12;
-    // glimt_render_gpu/src/kernels/past.rs:138
+    // glimt_render_gpu/src/kernels/past.rs:141
     let own = vec2<f32>(f32((pattern_1.pixel % frame_2.width)), f32((pattern_1.pixel / frame_2.width)));
-    // glimt_render_gpu/src/kernels/past.rs:142
-    let off = (seen.xy - own);
-    // glimt_render_gpu/src/kernels/past.rs:143
-    let still = ((min(off.x, off.y) > -0.015625f) && (max(off.x, off.y) < (1f + 0.015625f)));
-    // glimt_render_gpu/src/kernels/past.rs:144
-    let in_image = ((((seen.x >= 0f) && (seen.y >= 0f)) && (seen.x < size_3.x)) && (seen.y < size_3.y));
     // glimt_render_gpu/src/kernels/past.rs:145
+    let off = (seen.xy - own);
+    // glimt_render_gpu/src/kernels/past.rs:146
+    let still = ((min(off.x, off.y) > -0.015625f) && (max(off.x, off.y) < (1f + 0.015625f)));
+    // glimt_render_gpu/src/kernels/past.rs:147
+    let in_image = ((((seen.x >= 0f) && (seen.y >= 0f)) && (seen.x < size_3.x)) && (seen.y < size_3.y));
+    // glimt_render_gpu/src/kernels/past.rs:148
     if (!(still) && !(in_image)) {
-        // glimt_render_gpu/src/kernels/past.rs:146
+        // glimt_render_gpu/src/kernels/past.rs:149
         return Option_u32_();
     }
-    // glimt_render_gpu/src/kernels/past.rs:148
+    // glimt_render_gpu/src/kernels/past.rs:151
     if still {
-        // glimt_render_gpu/src/kernels/past.rs:149
+        // glimt_render_gpu/src/kernels/past.rs:152
         chosen_13 = pattern_1.pixel;
     } else {
-        // glimt_render_gpu/src/kernels/past.rs:151
+        // glimt_render_gpu/src/kernels/past.rs:154
         chosen_13 = ((u32(seen.y) * frame_2.width) + u32(seen.x));
     }
     let pixel_4 = chosen_13;
-    // glimt_render_gpu/src/kernels/past.rs:153
+    // glimt_render_gpu/src/kernels/past.rs:156
     if ((pixel_4 < this_25.first_pixel) || ((pixel_4 - this_25.first_pixel) >= this_25.pixels)) {
-        // glimt_render_gpu/src/kernels/past.rs:154
+        // glimt_render_gpu/src/kernels/past.rs:157
         return Option_u32_();
     }
-    // glimt_render_gpu/src/kernels/past.rs:156
+    // glimt_render_gpu/src/kernels/past.rs:159
     let ray_14 = (((pixel_4 - this_25.first_pixel) * pattern_1.rays) + pattern_1.ray);
-    // glimt_render_gpu/src/kernels/past.rs:157
-    let state_1 = past_states[ray_14];
-    // glimt_render_gpu/src/kernels/past.rs:158
-    let turned = normalize((motion * vec4<f32>(point.frame.n, 0f)).xyz);
     // glimt_render_gpu/src/kernels/past.rs:160
-    let saw = (this_25.eye - (state_1.wo * state_1.depth));
+    let state_1 = past_states[ray_14];
     // glimt_render_gpu/src/kernels/past.rs:161
-    let off_plane = abs(dot((was_at_1 - saw), state_1.normal));
-    // glimt_render_gpu/src/kernels/past.rs:162
-    let same_plane = (off_plane <= (this_25.depth_tolerance * seen.z));
+    let turned = normalize((motion * vec4<f32>(point.frame.n, 0f)).xyz);
     // glimt_render_gpu/src/kernels/past.rs:163
+    let saw = (this_25.eye - (state_1.wo * state_1.depth));
+    // glimt_render_gpu/src/kernels/past.rs:164
+    let off_plane = abs(dot((was_at_1 - saw), state_1.normal));
+    // glimt_render_gpu/src/kernels/past.rs:165
+    let same_plane = (off_plane <= (this_25.depth_tolerance * seen.z));
+    // glimt_render_gpu/src/kernels/past.rs:166
     if (((state_1.depth > 0f) && same_plane) && (dot(turned, state_1.normal) >= this_25.normal_cosine)) {
-        // glimt_render_gpu/src/kernels/past.rs:164
+        // glimt_render_gpu/src/kernels/past.rs:167
         chosen_14 = Option_u32_(true, ray_14);
     } else {
-        // glimt_render_gpu/src/kernels/past.rs:166
+        // glimt_render_gpu/src/kernels/past.rs:169
         chosen_14 = Option_u32_();
     }
     let _e158 = chosen_14;

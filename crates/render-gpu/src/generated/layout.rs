@@ -150,7 +150,7 @@ const _: () = {
     assert!(offset_of!(crate::kernels::past::RayState, ess) == 48);
     assert!(offset_of!(crate::kernels::past::RayState, log_ratio) == 52);
     assert!(offset_of!(crate::kernels::past::RayState, started) == 56);
-    assert!(offset_of!(crate::kernels::past::RayState, accepted) == 60);
+    assert!(offset_of!(crate::kernels::past::RayState, lifetime) == 60);
     assert!(size_of::<crate::kernels::product::Product>() == 16);
     assert!(offset_of!(crate::kernels::product::Product, rays) == 0);
     assert!(offset_of!(crate::kernels::product::Product, unused_a) == 4);
@@ -211,6 +211,12 @@ const _: () = {
     assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_b) == 36);
     assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_c) == 40);
     assert!(offset_of!(crate::kernels::sensor::SensorParams, unused_d) == 44);
+    assert!(size_of::<crate::kernels::smc::SmcHealth>() == 20);
+    assert!(offset_of!(crate::kernels::smc::SmcHealth, ess) == 0);
+    assert!(offset_of!(crate::kernels::smc::SmcHealth, log_ratio) == 4);
+    assert!(offset_of!(crate::kernels::smc::SmcHealth, age) == 8);
+    assert!(offset_of!(crate::kernels::smc::SmcHealth, started) == 12);
+    assert!(offset_of!(crate::kernels::smc::SmcHealth, spread) == 16);
     assert!(size_of::<crate::kernels::smc::SmcParams>() == 64);
     assert!(offset_of!(crate::kernels::smc::SmcParams, intermediate) == 0);
     assert!(offset_of!(crate::kernels::smc::SmcParams, path) == 4);
@@ -225,9 +231,9 @@ const _: () = {
     assert!(offset_of!(crate::kernels::smc::SmcParams, max_age) == 40);
     assert!(offset_of!(crate::kernels::smc::SmcParams, candidates) == 44);
     assert!(offset_of!(crate::kernels::smc::SmcParams, source) == 48);
-    assert!(offset_of!(crate::kernels::smc::SmcParams, unused_a) == 52);
-    assert!(offset_of!(crate::kernels::smc::SmcParams, unused_b) == 56);
-    assert!(offset_of!(crate::kernels::smc::SmcParams, unused_c) == 60);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, changed) == 52);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, unused_a) == 56);
+    assert!(offset_of!(crate::kernels::smc::SmcParams, unused_b) == 60);
     assert!(size_of::<crate::kernels::smc_point::SmcPoint>() == 176);
     assert!(offset_of!(crate::kernels::smc_point::SmcPoint, origin) == 0);
     assert!(offset_of!(crate::kernels::smc_point::SmcPoint, depth) == 12);

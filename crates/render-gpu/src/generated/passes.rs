@@ -1601,7 +1601,7 @@ pub struct DiagnoseSmc<'a, M: Memory> {
     /// The kernel's `particles_per_ray`.
     pub particles_per_ray: u32,
     /// What the kernel returns.
-    pub out: M::Chunks<'a, glam::Vec4>,
+    pub out: M::Chunks<'a, crate::kernels::smc::SmcHealth>,
 }
 
 impl<'a, M: Memory> Pass for DiagnoseSmc<'a, M> {

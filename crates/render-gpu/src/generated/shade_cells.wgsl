@@ -1340,10 +1340,10 @@ fn OwenSobol_new(seed: u32, frame_2: u32, pixel_2: u32, sample_index: u32) -> Ow
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:126
+// glimt_render_gpu/src/kernels/pattern.rs:128
 fn PixelPattern_sobol_point(this_11: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:127
+    // glimt_render_gpu/src/kernels/pattern.rs:129
     let _e6 = hash2_(this_11.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_11.frame, this_11.pixel, index);
     return _e9;
@@ -1459,19 +1459,19 @@ fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_3: u32, pixel_3: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:131
+// glimt_render_gpu/src/kernels/pattern.rs:133
 fn PixelPattern_generator(this_12: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:132
+    // glimt_render_gpu/src/kernels/pattern.rs:134
     let _e6 = hash3_(this_12.seed, purpose_1, index_1);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_12.frame, this_12.pixel);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:109
+// glimt_render_gpu/src/kernels/pattern.rs:111
 fn PixelPattern_point(this_13: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:110
+    // glimt_render_gpu/src/kernels/pattern.rs:112
     let _e8 = PixelPattern_sobol_point(this_13, purpose_2, index_2);
     let _e9 = PixelPattern_generator(this_13, purpose_2, index_2);
     return PatternSource((this_13.kind == 0u), _e8, _e9);
@@ -1734,16 +1734,16 @@ fn Xoshiro128PlusPlus_next_u32_(this_15: ptr<function, Xoshiro128PlusPlus>) -> u
     return result;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:161
+// glimt_render_gpu/src/kernels/pattern.rs:163
 fn PatternSource_next_u32_(this_16: ptr<function, PatternSource>) -> u32 {
     var chosen_4: u32;
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:162
+    // glimt_render_gpu/src/kernels/pattern.rs:164
     let _e5 = (*this_16).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:163
+        // glimt_render_gpu/src/kernels/pattern.rs:165
         let _e9 = (*this_16).point;
         borrowed = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed));
@@ -1751,7 +1751,7 @@ fn PatternSource_next_u32_(this_16: ptr<function, PatternSource>) -> u32 {
         (*this_16).point = _e11;
         chosen_4 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:165
+        // glimt_render_gpu/src/kernels/pattern.rs:167
         let _e15 = (*this_16).generator;
         borrowed_1 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
@@ -1781,19 +1781,19 @@ fn Proposal_is_sharp(this_17: Proposal) -> bool {
     return ((surface_3.specular > 0f) && (dot(surface_3.normal, surface_3.wo) < 0.3f));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:136
+// glimt_render_gpu/src/kernels/pattern.rs:138
 fn PixelPattern_key(this_18: PixelPattern, purpose_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:137
+    // glimt_render_gpu/src/kernels/pattern.rs:139
     let _e5 = hash2_(this_18.seed, purpose_3);
     let _e8 = hash3_(_e5, this_18.frame, this_18.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:121
+// glimt_render_gpu/src/kernels/pattern.rs:123
 fn PixelPattern_ray_key(this_19: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:122
+    // glimt_render_gpu/src/kernels/pattern.rs:124
     let _e4 = PixelPattern_key(this_19, purpose_4);
     let _e6 = hash2_(_e4, this_19.ray);
     return _e6;
@@ -1832,16 +1832,16 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_21: ptr<function, Xoshiro128PlusPlus>) ->
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:170
+// glimt_render_gpu/src/kernels/pattern.rs:172
 fn PatternSource_next_uvec2_(this_22: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_5: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:171
+    // glimt_render_gpu/src/kernels/pattern.rs:173
     let _e5 = (*this_22).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:172
+        // glimt_render_gpu/src/kernels/pattern.rs:174
         let _e9 = (*this_22).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
@@ -1849,7 +1849,7 @@ fn PatternSource_next_uvec2_(this_22: ptr<function, PatternSource>) -> vec2<u32>
         (*this_22).point = _e11;
         chosen_5 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:174
+        // glimt_render_gpu/src/kernels/pattern.rs:176
         let _e15 = (*this_22).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
@@ -4039,43 +4039,43 @@ fn Vec4_of_surface(light: Reflected, _is_catcher: bool) -> vec4<f32> {
     return vec4<f32>(light.lit, 1f);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:211
+// glimt_render_gpu/src/kernels/pattern.rs:213
 fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
     var x_11: u32;
     var round_key: u32;
     var counter_14: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:212
+    // glimt_render_gpu/src/kernels/pattern.rs:214
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:213
+        // glimt_render_gpu/src/kernels/pattern.rs:215
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:215
-    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:216
-    let mask = (4294967295u >> ((32u - bits_2) & 31u));
     // glimt_render_gpu/src/kernels/pattern.rs:217
-    x_11 = index_18;
+    let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
     // glimt_render_gpu/src/kernels/pattern.rs:218
+    let mask = (4294967295u >> ((32u - bits_2) & 31u));
+    // glimt_render_gpu/src/kernels/pattern.rs:219
+    x_11 = index_18;
+    // glimt_render_gpu/src/kernels/pattern.rs:220
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:219
+        // glimt_render_gpu/src/kernels/pattern.rs:221
         round_key = key_4;
-        // glimt_render_gpu/src/kernels/pattern.rs:220
+        // glimt_render_gpu/src/kernels/pattern.rs:222
         counter_14 = 0i;
         loop {
             let _e31 = counter_14;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:221
+            // glimt_render_gpu/src/kernels/pattern.rs:223
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:225
             let _e37 = x_11;
             let _e38 = round_key;
             x_11 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:224
+            // glimt_render_gpu/src/kernels/pattern.rs:226
             let _e44 = x_11;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_11;
@@ -4085,10 +4085,10 @@ fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
                 counter_14 = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:226
+        // glimt_render_gpu/src/kernels/pattern.rs:228
         let _e62 = x_11;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:227
+            // glimt_render_gpu/src/kernels/pattern.rs:229
             let _e65 = x_11;
             let _e67 = hash_u32_(~(key_4));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -4097,61 +4097,61 @@ fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:202
+// glimt_render_gpu/src/kernels/pattern.rs:204
 fn stratum(cell_6: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:203
+    // glimt_render_gpu/src/kernels/pattern.rs:205
     return ((cell_6 * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:182
+// glimt_render_gpu/src/kernels/pattern.rs:184
 fn jittered_pair(index_19: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:183
+    // glimt_render_gpu/src/kernels/pattern.rs:185
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:184
+    // glimt_render_gpu/src/kernels/pattern.rs:186
     let _e12 = (count_1 / columns);
     let rows_1 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:187
     let _e21 = hash2_(key_5, 1u);
     let _e22 = permute(index_19, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:188
     let _e26 = hash2_(key_5, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:189
     let _e31 = hash2_(key_5, 3u);
     let _e32 = permute((_e22 / columns), rows_1, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:190
     let _e38 = stratum(((_e27 * rows_1) + _e32), (columns * rows_1), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:65
+// glimt_render_gpu/src/kernels/pattern.rs:67
 fn PixelPattern_pair(this_46: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed_4: OwenSobol;
     var borrowed_5: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:66
+    // glimt_render_gpu/src/kernels/pattern.rs:68
     let index_21 = ((this_46.ray * samples) + sample);
-    // glimt_render_gpu/src/kernels/pattern.rs:67
+    // glimt_render_gpu/src/kernels/pattern.rs:69
     if (this_46.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:68
+        // glimt_render_gpu/src/kernels/pattern.rs:70
         let _e14 = PixelPattern_sobol_point(this_46, purpose_5, index_21);
         borrowed_4 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_4));
         return _e16;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:70
+    // glimt_render_gpu/src/kernels/pattern.rs:72
     let _e18 = PixelPattern_generator(this_46, purpose_5, index_21);
     borrowed_5 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
-    // glimt_render_gpu/src/kernels/pattern.rs:71
+    // glimt_render_gpu/src/kernels/pattern.rs:73
     if (this_46.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:72
+        // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:74
+    // glimt_render_gpu/src/kernels/pattern.rs:76
     let _e29 = PixelPattern_key(this_46, purpose_5);
     let _e30 = jittered_pair(index_21, (this_46.rays * samples), _e20, _e29);
     return _e30;

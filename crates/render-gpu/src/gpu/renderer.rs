@@ -15,6 +15,7 @@ use crate::generated::entries::{RECONSTRUCT, SHADE_MIS, TONEMAP};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
+use crate::kernels::smc::SmcHealth;
 use crate::methods::smc::{Following, Own, TILE_GRANULE};
 use crate::methods::{Before, Inputs, Method, MethodMemory, Points, Work};
 use crate::prepare::env::PreparedEnv;
@@ -64,7 +65,7 @@ struct TileBuffers {
     points: Points<Gpu>,
     pixels: Pixels<Gpu>,
     plate: GpuVec<PlatePixel>,
-    diagnostics: GpuVec<Vec4>,
+    diagnostics: GpuVec<SmcHealth>,
 }
 
 impl GpuRenderer {
@@ -332,7 +333,8 @@ impl Renderer for GpuRenderer {
             self.context
                 .copy(texels, light, texels.len())
                 .map_err(device)?;
-            following.end(PastFrame::new(settings, smc, scene, env)?);
+            let past = PastFrame::new(settings, smc, scene, env)?;
+            following.end(past, env.view().map());
         }
         if let Some(following) = following {
             self.following = Some(following);

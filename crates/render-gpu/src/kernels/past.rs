@@ -26,24 +26,27 @@ pub struct RayState {
     pub exponent: f32,
     /// Frames since the set was started; 0 in the frame that started it.
     pub age: u32,
-    /// The least effective sample size on the way to this frame; N without a predecessor.
+    /// The least effective sample size on the way to this frame; N where no set was led into it.
     pub ess: f32,
-    /// ln Z_t/Z_{t−1} as the sampler estimated it, also where the set was then re-initialised; 0 without a predecessor.
+    /// ln Z_t/Z_{t−1} as the sampler estimated it, also where the ratio itself then re-initialised the set; 0 where no set was led
+    /// into this frame.
     pub log_ratio: f32,
     /// One of the `STARTED_…` constants.
     pub started: u32,
-    /// Accepted moves, of N (K + 1).
-    pub accepted: u32,
+    /// The age at which the set is re-initialised; 0 for never.
+    pub lifetime: u32,
 }
 
 /// [`RayState::started`]: not in this frame.
 pub const STARTED_NOT: u32 = 0;
 /// [`RayState::started`]: as the ray had no predecessor: the first frame, or a point that was not seen in the frame before.
 pub const STARTED_WITHOUT_PAST: u32 = 1;
-/// [`RayState::started`]: as the normaliser jumped, or all weights were 0.
+/// [`RayState::started`]: as the normaliser jumped, or all weights were 0. Only where the rule that is biased is asked for.
 pub const STARTED_BY_RATIO: u32 = 2;
 /// [`RayState::started`]: as the set had reached its greatest age.
 pub const STARTED_BY_AGE: u32 = 3;
+/// [`RayState::started`]: as the light map had changed too much.
+pub const STARTED_BY_CHANGE: u32 = 4;
 
 impl RayState {
     /// Of a ray that hits nothing.
@@ -59,7 +62,7 @@ impl RayState {
         ess: 0.0,
         log_ratio: 0.0,
         started: STARTED_NOT,
-        accepted: 0,
+        lifetime: 0,
     };
 }
 

@@ -4,6 +4,12 @@
 //! A frame has three passes: [`find_smc`](super::smc_point::find_smc) finds the point that a ray sees and the ray that saw it in
 //! the frame before, [`advance_smc`] leads the particles, and [`gather_smc`](super::smc_gather::gather_smc) traces shadow rays
 //! to them. None of them needs more buffers than WebGPU promises.
+//!
+//! A set that is led from frame to frame has a mean without bias, whenever it was started: so has any choice between such sets that
+//! does not look at them. A set is therefore started where its ray has no past, at an age that was drawn when it was started, and
+//! where the light map has changed much. It is not started because its own estimate moved, nor because all its weights are 0: such
+//! a set stays dark until one of these comes, as dark sets belong to the mean. The rule by the ratio of normalisers, which
+//! looks at the estimate and so is biased, is there to compare with ([`SmcParams::band`]).
 
 use glimt_sampling::resample::Scheme;
 use glimt_sampling::ris::{RisPicks, RisSum};
@@ -19,8 +25,11 @@ use super::candidates::{CandidateSource, Candidates};
 use super::environment::{Environment, RadianceMap};
 use super::frame::FrameParams;
 use super::light_target::{BrdfDraw, LightDraw, LightLobe, LightTarget};
-use super::past::{RayState, STARTED_BY_AGE, STARTED_BY_RATIO, STARTED_NOT, STARTED_WITHOUT_PAST};
-use super::pattern::{PARTICLES, PatternSource, PixelPattern, RESAMPLE};
+use super::past::{
+    RayState, STARTED_BY_AGE, STARTED_BY_CHANGE, STARTED_BY_RATIO, STARTED_NOT,
+    STARTED_WITHOUT_PAST,
+};
+use super::pattern::{LIFETIME, PARTICLES, PatternSource, PixelPattern, RESAMPLE};
 use super::scene::ShadingPoint;
 use super::smc_point::{NO_PREDECESSOR, SmcPoint};
 
@@ -46,23 +55,37 @@ pub struct SmcParams {
     pub cap_share: f32,
     /// Of the independent draws, the share that comes from the light and not from the BRDF.
     pub light_share: f32,
-    /// A set is re-initialised where `|ln Z_t/Z_{t−1}|` exceeds this, or all weights are 0. 0 for never.
+    /// A set is re-initialised where `|ln Z_t/Z_{t−1}|` exceeds this, or all weights are 0, which is biased. 0 for never.
     pub band: f32,
-    /// A set is re-initialised at this age; 0 for never.
+    /// The age at which a set is re-initialised that followed another of that age; 0 for never.
     pub max_age: u32,
     /// M, candidates of a start.
     pub candidates: u32,
     /// Where they come from; not the environment alone.
     pub source: CandidateSource,
+    /// 1 where the light map has changed so much that all sets are re-initialised, else 0.
+    pub changed: u32,
     /// Fills 16 bytes.
     pub unused_a: u32,
     /// Fills 16 bytes.
     pub unused_b: u32,
-    /// Fills 16 bytes.
-    pub unused_c: u32,
 }
 
 impl SmcParams {
+    /// The age at which a set is re-initialised that is started for the reason `started`; 0 for never.
+    ///
+    /// All rays of an image start in its first frame, and after a cut. Were their sets as long-lived, all would start together again
+    /// and again. So these live for 1 to [`SmcParams::max_age`] frames, each as likely, by a hash of seed, frame, pixel and ray; then a
+    /// like share of the rays starts in each frame that follows.
+    #[inline]
+    #[must_use]
+    pub fn lifetime(&self, started: u32, pattern: &PixelPattern) -> u32 {
+        if self.max_age == 0 || started == STARTED_BY_AGE {
+            return self.max_age;
+        }
+        1 + pattern.ray_key(LIFETIME) % self.max_age
+    }
+
     /// The sampler that they describe.
     #[inline]
     #[must_use]
@@ -190,9 +213,21 @@ pub fn advance_smc(
         ess: n as f32,
         log_ratio: 0.0,
         started: STARTED_WITHOUT_PAST,
-        accepted: 0,
+        lifetime: 0,
     };
     if seen.predecessor != NO_PREDECESSOR {
+        let old = seen.before;
+        now.age = old.age + 1;
+        now.lifetime = old.lifetime;
+        now.started = if smc.changed != 0 {
+            STARTED_BY_CHANGE
+        } else if old.lifetime > 0 && now.age >= old.lifetime {
+            STARTED_BY_AGE
+        } else {
+            STARTED_NOT
+        };
+    }
+    if now.started == STARTED_NOT {
         let old = seen.before;
         let first = seen.predecessor as usize * n;
         for i in 0..n {
@@ -211,15 +246,9 @@ pub fn advance_smc(
         let dead = is_log_zero(report.log_ratio) || is_log_zero(old.log_normaliser);
         now.log_ratio = report.log_ratio;
         now.ess = report.ess;
-        now.accepted = report.accepted;
-        now.age = old.age + 1;
-        now.started = if smc.band > 0.0 && (dead || report.log_ratio.abs() > smc.band) {
-            STARTED_BY_RATIO
-        } else if smc.max_age > 0 && now.age >= smc.max_age {
-            STARTED_BY_AGE
-        } else {
-            STARTED_NOT
-        };
+        if smc.band > 0.0 && (dead || report.log_ratio.abs() > smc.band) {
+            now.started = STARTED_BY_RATIO;
+        }
         now.log_normaliser = if dead {
             LOG_ZERO
         } else {
@@ -228,24 +257,43 @@ pub fn advance_smc(
     }
     if now.started != STARTED_NOT {
         now.age = 0;
+        now.lifetime = smc.lifetime(now.started, &pattern);
         now.log_normaliser = smc.start(&point, &pattern, env, particles);
     }
     state[0] = now;
 }
 
-/// How the particles of the tile's pixel `pixel` fare: means over its rays that hit something of the effective sample size as a
-/// share of N, of ln Z_t/Z_{t−1}, of the age in frames, and of whether the set was started in this frame. 0 where none hits.
+/// How the particles of a pixel fare: means over its rays that hit something. 0 where none hits. 20 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct SmcHealth {
+    /// The effective sample size as a share of N.
+    pub ess: f32,
+    /// ln Z_t/Z_{t−1}, of a set that dies −100.
+    pub log_ratio: f32,
+    /// The age in frames.
+    pub age: f32,
+    /// The share of sets that were started in this frame.
+    pub started: f32,
+    /// sd(Z)/Z: the standard deviation of Z over the rays, of n − 1 degrees of freedom, over its mean. The rays of a pixel that shows
+    /// one smooth surface have nearly the same integral, so it is the noise of Z. At most √n. 0 where fewer than two rays hit, and where all Z are 0.
+    pub spread: f32,
+}
+
+/// How the particles of the tile's pixel `pixel` fare, `particles_per_ray` on each of its rays.
 #[must_use]
 pub fn diagnose_smc(
     pixel: u32,
     frame: &FrameParams,
     states: &[RayState],
     particles_per_ray: u32,
-) -> Vec4 {
+) -> SmcHealth {
     let first = pixel * frame.rays_per_pixel;
+    let end = first + frame.rays_per_pixel;
     let mut sum = Vec4::ZERO;
     let mut hits = 0.0;
-    for ray in first..first + frame.rays_per_pixel {
+    let mut largest = LOG_ZERO;
+    for ray in first..end {
         let state = states[ray as usize];
         if state.depth > 0.0 {
             let started = if state.started == STARTED_NOT {
@@ -257,11 +305,33 @@ pub fn diagnose_smc(
             let ratio = state.log_ratio.clamp(-100.0, 100.0);
             sum += Vec4::new(state.ess, ratio, state.age as f32, started);
             hits += 1.0;
+            largest = largest.max(state.log_normaliser);
         }
     }
-    let n = particles_per_ray as f32;
     let mean = sum / f32::max(hits, 1.0);
-    Vec4::new(mean.x / n, mean.y, mean.z, mean.w)
+    let mut spread = 0.0;
+    if hits > 1.0 && !is_log_zero(largest) {
+        // Relative to the largest, so that no scale of the light leaves the range.
+        let mut total = 0.0;
+        let mut squares = 0.0;
+        for ray in first..end {
+            let state = states[ray as usize];
+            if state.depth > 0.0 && !is_log_zero(state.log_normaliser) {
+                let z = libm::expf(state.log_normaliser - largest);
+                total += z;
+                squares += z * z;
+            }
+        }
+        let variance = (squares - total * total / hits) / (hits - 1.0);
+        spread = libm::sqrtf(variance.max(0.0)) * hits / total;
+    }
+    SmcHealth {
+        ess: mean.x / particles_per_ray as f32,
+        log_ratio: mean.y,
+        age: mean.z,
+        started: mean.w,
+        spread,
+    }
 }
 
 #[cfg(test)]
@@ -274,5 +344,6 @@ mod tests {
         assert_eq!(core::mem::offset_of!(SmcParams, floor), 16);
         assert_eq!(core::mem::offset_of!(SmcParams, light_share), 32);
         assert_eq!(core::mem::offset_of!(SmcParams, source), 48);
+        assert_eq!(core::mem::size_of::<SmcHealth>(), 20);
     }
 }

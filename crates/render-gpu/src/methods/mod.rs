@@ -401,7 +401,7 @@ macro_rules! memoryless {
                 match self {
                     $(Self::$settings(own) => own.describe(),)+
                     Self::Cells(own) => format!("{} rays a pixel", own.rays),
-                    Self::Smc(own) => format!("N = {}", own.particles),
+                    Self::Smc(own) => own.describe(),
                 }
             }
 

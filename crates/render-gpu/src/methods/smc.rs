@@ -15,11 +15,13 @@ use crate::generated::passes::{
     AdvanceSmc, DiagnoseSmc, FindSmc, GatherSmc, GatherSmcLayers, PastArg, RadianceMapArg,
 };
 use crate::kernels::camera::CameraView;
+use crate::kernels::environment::RadianceMap;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::past::{PastView, RayState};
-use crate::kernels::smc::SmcParams;
+use crate::kernels::smc::{SmcHealth, SmcParams};
 use crate::kernels::smc_point::SmcPoint;
 use crate::prepare::env::PreparedEnv;
+use crate::prepare::light_change::LightBefore;
 use crate::prepare::render::{RenderError, RenderSettings};
 use crate::prepare::scene_build::SceneBuffers;
 use crate::prepare::smc_state::{PastFrame, SmcKey, SmcState};
@@ -49,11 +51,14 @@ settings! {
         cap_share: f32 = 0.5, between(0.0, 1.0), "0.5 is usual";
         /// Of the independent draws, the share that comes from the light and not from the BRDF.
         light_share: f32 = 0.5, between(0.0, 1.0), "0.5 is usual";
-        /// A ray is re-initialised where its normaliser grows or shrinks by more than this factor in a frame, or all weights are
-        /// 0; at least 1. 0 for never.
-        reinitialise: f32 = 1.25, is_factor, "1.25 is usual, 0 for never";
-        /// A ray is re-initialised at this age in frames; 0 for never.
-        max_age: u32 = 0, any, "";
+        /// A ray is re-initialised at this age in frames, and some rays before, so that not all start in one frame; 0 for never.
+        max_age: u32 = 8, any, "8 is usual, 0 for never";
+        /// All rays are re-initialised where more than this share of the light moved since the frame before: half the integral of
+        /// the difference between both maps' luminances, each scaled to an integral of 1. 0 where anything moved, 1 for never.
+        max_change: f32 = 0.2, between(0.0, 1.0), "0.2 is usual, 1 for never";
+        /// *Biased*, for comparison: a ray is also re-initialised where its normaliser grows or shrinks by more than this factor in a
+        /// frame, or all weights are 0; at least 1. 0 for never.
+        reinitialise: f32 = 0.0, is_factor, "0 has no bias, 1.25 is what the preset \"kronander\" takes";
         /// Candidates M of a start.
         candidates: u32 = 64, between(1, 65_536), "64 is usual";
         /// Where those come from; not the environment alone, which misses where the floor is all there is.
@@ -84,9 +89,9 @@ fn covers(source: &CandidateSource) -> Option<String> {
 }
 
 impl Smc {
-    /// What kernels read, under lights of these mean luminances.
+    /// What kernels read, under lights of these mean luminances, of whose light the share `change` moved.
     #[must_use]
-    pub fn params(&self, mean: f32, previous_mean: f32) -> SmcParams {
+    pub fn params(&self, mean: f32, previous_mean: f32, change: f32) -> SmcParams {
         SmcParams {
             intermediate: self.intermediate,
             path: self.path,
@@ -106,9 +111,9 @@ impl Smc {
             max_age: self.max_age,
             candidates: self.candidates,
             source: self.source,
+            changed: u32::from(change > self.max_change),
             unused_a: 0,
             unused_b: 0,
-            unused_c: 0,
         }
     }
 
@@ -125,6 +130,15 @@ impl Smc {
             up: view.up,
             normal_cosine: self.normal_tolerance_deg.to_radians().cos(),
         }
+    }
+
+    /// The counts on a ray, and a bias that comes from the settings, in words.
+    pub(super) fn describe(&self) -> String {
+        let biased = match self.reinitialise > 0.0 {
+            true => " (biased: re-initialised by the normaliser's ratio)",
+            false => "",
+        };
+        format!("N = {}{biased}", self.particles)
     }
 
     /// Bytes of a ray in the larger of the buffers that are kept.
@@ -173,6 +187,8 @@ pub(crate) struct Following<M: Memory> {
     pub(crate) now: Rays<M>,
     /// Light of the frame before.
     light: M::Buffer<Vec4>,
+    /// The same for the host: as long as there is no frame before, of the one that renders.
+    light_before: LightBefore,
     motions: M::Buffer<Mat4>,
     /// What kernels read in this frame.
     params: SmcParams,
@@ -317,7 +333,8 @@ impl<M: Memory> Following<M> {
                         &vec![Mat4::IDENTITY; scene.transforms().len()],
                     )
                     .map_err(failed)?,
-                params: own.params(mean, mean),
+                light_before: LightBefore::new(now.map()),
+                params: own.params(mean, mean, 0.0),
                 settings: *own,
                 view,
                 light_size: now.size,
@@ -327,7 +344,8 @@ impl<M: Memory> Following<M> {
         made.settings = *own;
         match &made.past {
             Some(past) => {
-                made.params = own.params(mean, past.light_mean);
+                let change = made.light_before.change(now.map());
+                made.params = own.params(mean, past.light_mean, change);
                 made.view = past.view;
                 made.light_size = past.light_size;
                 made.light_rotation = past.light_rotation;
@@ -335,7 +353,7 @@ impl<M: Memory> Following<M> {
                 device.put(&mut made.motions, &motions).map_err(failed)?;
             }
             None => {
-                made.params = own.params(mean, mean);
+                made.params = own.params(mean, mean, 0.0);
                 made.view = view;
             }
         }
@@ -395,7 +413,7 @@ impl<M: Memory> Following<M> {
         executor: &mut E,
         frame: &FrameParams,
         rays: Range<usize>,
-        out: M::Chunks<'_, Vec4>,
+        out: M::Chunks<'_, SmcHealth>,
         count: u32,
     ) -> Result<(), E::Error> {
         let pass = DiagnoseSmc {
@@ -412,9 +430,10 @@ impl<M: Memory> Following<M> {
         &mut self.light
     }
 
-    /// This frame becomes the frame before, once its light is in [`Following::light_mut`].
-    pub(crate) fn end(&mut self, past: PastFrame) {
+    /// This frame, lit by `light`, becomes the frame before, once its light is in [`Following::light_mut`].
+    pub(crate) fn end(&mut self, past: PastFrame, light: RadianceMap<'_>) {
         std::mem::swap(&mut self.before, &mut self.now);
+        self.light_before = LightBefore::new(light);
         self.past = Some(past);
     }
 
@@ -457,7 +476,8 @@ impl<M: Memory> Following<M> {
             now: Rays::new(device, &key)?,
             light: device.holding("before.texels", &state.light)?,
             motions: device.holding("past.motions", &state.past.transforms)?,
-            params: Smc::default().params(0.0, 0.0),
+            light_before: LightBefore::new(state.light()),
+            params: Smc::default().params(0.0, 0.0, 0.0),
             settings: Smc::default(),
             view: state.past.view,
             light_size: state.past.light_size,

@@ -4,6 +4,7 @@ mod attributes;
 pub mod bake;
 pub mod env;
 mod geometry;
+pub(crate) mod light_change;
 pub mod light_sh;
 pub(crate) mod light_tables;
 mod materials;

@@ -14,6 +14,7 @@ use crate::kernels::camera::CameraView;
 use crate::kernels::frame::FrameParams;
 pub use crate::kernels::frame::{Background, Filter, Pattern, Shadow, Tonemap};
 use crate::kernels::layers::PixelLayers;
+use crate::kernels::smc::SmcHealth;
 use crate::methods::{Method, MethodMemory, Prt};
 use crate::settings::SettingError;
 
@@ -87,9 +88,8 @@ pub struct FrameImage {
     pub display: Vec<[u8; 4]>,
     /// The layers that it was composited of, not exposed, where they were asked for.
     pub layers: Option<Vec<PixelLayers>>,
-    /// How the particles of [`Method::Smc`] fare, where it was asked for: as
-    /// [`diagnose_smc`](crate::kernels::smc::diagnose_smc) has it.
-    pub diagnostics: Option<Vec<Vec4>>,
+    /// How the particles of [`Method::Smc`] fare in each pixel, where it was asked for.
+    pub diagnostics: Option<Vec<SmcHealth>>,
 }
 
 /// Something that turns scenes into frames: the CPU or a GPU.
