@@ -3,7 +3,7 @@
 //! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 /// SHA-256, in hexadecimal, of the shaders that the pixels of a rendered frame depend on.
-pub const PIXELS: &str = "dce1fdd0c68ab443d9c95e26578c68e36c53a10ae4b42b2f706d01af47c1b591";
+pub const PIXELS: &str = "f38f0de066a6927377f3bdb26e7690b8ac073eb36a8495ad02499d0e9aeb40e6";
 
 /// SHA-256, in hexadecimal, of the shaders that precomputed transfer depend on.
 pub const BAKE: &str = "cc4db5aee828b1dcdc8ea3b6acbd42799bc9ec92ddf22686b61bf49327b4bf04";

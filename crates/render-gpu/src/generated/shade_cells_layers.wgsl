@@ -3835,8 +3835,8 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
             lit = ((_e77 - _e113) + _e116);
         } else {
             // glimt_render_gpu/src/kernels/group_light.rs:275
-            let _e124 = lit;
-            lit = (_e124 + ((_e116 - _e113) * _e31.visibility));
+            let _e127 = lit;
+            lit = (_e127 + ((_e116 - _e113) * _e31.visibility));
         }
     }
     // glimt_render_gpu/src/kernels/group_light.rs:279

@@ -3758,8 +3758,8 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
             lit = ((_e76 - _e112) + _e115);
         } else {
             // glimt_render_gpu/src/kernels/group_light.rs:275
-            let _e123 = lit;
-            lit = (_e123 + ((_e115 - _e112) * _e30.visibility));
+            let _e126 = lit;
+            lit = (_e126 + ((_e115 - _e112) * _e30.visibility));
         }
     }
     // glimt_render_gpu/src/kernels/group_light.rs:279

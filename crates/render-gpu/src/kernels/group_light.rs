@@ -160,8 +160,8 @@ impl GroupLight<'_> {
             }
         }
         if count > 0 {
-            lit = lit / divisor;
-            blocked = blocked / divisor;
+            lit /= divisor;
+            blocked /= divisor;
         }
         if P::CONTROL && is_catcher {
             // Here `lit` is the light without objects.
@@ -272,7 +272,7 @@ impl GroupLight<'_> {
             if proposal.is_catcher {
                 lit = f - control + others;
             } else {
-                lit = lit + (others - control) * at.visibility;
+                lit += (others - control) * at.visibility;
             }
         }
         // The quotient is bounded where the radiance may be huge, so it comes first.

@@ -98,9 +98,9 @@ impl Group {
             exponent += point.exponent;
         }
         let share = 1.0 / self.members as f32;
-        normal = normal * share;
-        diffuse = diffuse * share;
-        specular = specular * share;
+        normal *= share;
+        diffuse *= share;
+        specular *= share;
         let length = normal.length();
         let unit = normal / length.max(1e-6);
         let mut horizon = 0.0_f32;
