@@ -66,8 +66,8 @@ pub fn compensated_weight(weight: f32, mean: f32) -> f32 {
 /// Builds the tables of [`CompensatedCdf`](crate::CompensatedCdf), as [`build_into`] does those of
 /// [`EnvCdf`](crate::EnvCdf). `weights_of_row` gives the plain weights; it is called twice for each row.
 ///
-/// To build in parallel, take each row's [`weight_sum`] first and their [`mean_weight`], then call [`build_row_into`](crate::build_row_into) with each
-/// weight passed through [`compensated_weight`].
+/// To build in parallel, take each row's [`weight_sum`] first and their [`mean_weight`], then call
+/// [`build_row_into`](crate::build_row_into) with each weight passed through [`compensated_weight`].
 ///
 /// # Errors
 /// As [`build_into`].

@@ -302,7 +302,8 @@ fn one_without_noise_is_compared_by_its_bias() {
     let error = cell("prt", "relative_rmse");
     assert!(error > 0.0 && error < 0.05, "{error}");
     assert!((error - cell("prt", "bias").abs()).abs() < 0.01);
-    assert_eq!(cell("prt", "relative_rmse_se"), 0.0);
+    // The mean of equal numbers may differ from them in the last bit.
+    assert!(cell("prt", "relative_rmse_se") < 1e-12 * error);
 
     // Of few directions, beside the first and in its place: it is told apart, and nothing of before stands for it.
     let bake = ["bake", "shot.toml", "--device", "cpu", "--directions", "9"];
