@@ -1,12 +1,13 @@
 //! Host file: the claim that building the table of a 2048×1024 RGB map on 2 threads takes at most 4 times as long as reading the
-//! map; and what the table of compensated weights costs beside it.
+//! map; and what the table of compensated weights, and that of the light's cells, cost beside it.
 
-use glam::UVec2;
+use glam::{UVec2, Vec3, Vec4};
 use glimt_benches::{Contest, claim, inputs::procedural_map};
 use glimt_envmap_cdf::{
     TableLen, build_marginal_into, build_row_into, compensated_weight, luminance_weights,
     mean_weight, required_len, weight_sum,
 };
+use glimt_light_cells::{build_band, required_words, split_bands, store_sums};
 use rayon::prelude::*;
 
 const SIZE: UVec2 = UVec2::new(2048, 1024);
@@ -31,6 +32,9 @@ fn main() {
         });
     };
     let texels = f64::from(SIZE.x * SIZE.y);
+    let texels_of: Vec<Vec4> = map.iter().map(|t| Vec3::from(*t).extend(1.0)).collect();
+    let mut words = vec![0; required_words(SIZE).expect("a size that tables have")];
+    let cells = || pool.install(|| build_cells(&texels_of, &mut words));
     let scores = Contest::new(
         "Table of a 2048×1024 RGB f32 map, 2 threads",
         "texel",
@@ -39,11 +43,29 @@ fn main() {
     .entry("read-only pass (32 accumulators)", read)
     .entry("row and column tables", build)
     .entry("the same of compensated weights", compensate)
+    .entry("cells of the light", cells)
     .run(41);
     claim(
         "the table costs at most 4 read-only passes",
         scores[1].ratio <= 4.0,
     );
+    claim(
+        "cells cost at most 1.3 times the table",
+        scores[3].ratio <= 1.3 * scores[1].ratio,
+    );
+}
+
+/// The cells of a map, their rows on all threads.
+fn build_cells(texels: &[Vec4], words: &mut [u32]) {
+    let (head, bands) = split_bands(SIZE, words).expect("as many words as needed");
+    let row = |y: u32| &texels[(y * SIZE.x) as usize..][..SIZE.x as usize];
+    let bands = bands.into_par_iter().enumerate();
+    let sums: Vec<_> = bands
+        .map(|(i, band)| build_band(SIZE, i as u32, row, band).expect("rows of the right length"))
+        .collect();
+    for (i, sums) in (0..).zip(&sums) {
+        store_sums(SIZE, i, sums, head);
+    }
 }
 
 /// The tables of a map.

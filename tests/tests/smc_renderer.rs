@@ -254,14 +254,14 @@ fn moving(frame: u32, settings: Smc) -> RenderSettings {
     }
 }
 
-/// Of two states after the same frame, the share of particles that are elsewhere, and of rays with another reason to
-/// start or another age.
+/// Of two states after the same frame, the share of particles that are elsewhere, and of rays with another count of accepted
+/// moves or another reason to start.
 fn differences(a: &SmcState, b: &SmcState) -> (f64, f64) {
     let moved = a.particles.iter().zip(&b.particles);
     let moved = moved.filter(|(a, b)| (a.state - b.state).length() > 1e-3);
     let decided = a.rays.iter().zip(&b.rays);
     let decided =
-        decided.filter(|(a, b)| (a.started, a.age, a.lifetime) != (b.started, b.age, b.lifetime));
+        decided.filter(|(a, b)| (a.accepted, a.started, a.age) != (b.accepted, b.started, b.age));
     (
         moved.count() as f64 / a.particles.len() as f64,
         decided.count() as f64 / a.rays.len() as f64,

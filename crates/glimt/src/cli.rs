@@ -227,7 +227,7 @@ pub struct FollowFlags {
 #[derive(Clone, Debug, Default, Args)]
 pub struct CompareFlags {
     /// A built-in contestant: kronander (all three of the paper), kronander-mis, kronander-bis, kronander-smc (biased), stratified,
-    /// owen-sobol, shot (its own settings); repeat for more. Default: kronander, stratified and shot
+    /// owen-sobol, product, cells, shot (its own settings); repeat for more. Default: kronander, stratified and shot
     #[arg(long, value_name = "NAME")]
     pub preset: Vec<String>,
     /// A contestant of one's own: a name, and the keys of the shot that make it (render.* and image.rays_per_pixel); repeat for

@@ -20,7 +20,7 @@ fn shot(t: &Scratch) {
          [[object]]\nmesh = \"sphere\"\nground = true\n\
          material = { diffuse = [0.3, 0.3, 0.3], specular = [0.5, 0.5, 0.5], exponent = 40 }\n\
          [[object]]\nmesh = \"plane\"\nscale = 3\n\
-         [render]\nmethod = \"smc\"\nsmc = { max_age = 3, max_change = 0.9 }\n\
+         [render]\nmethod = \"smc\"\nsmc = { max_age = 6, max_change = 0.9 }\n\
          [output]\npng = false\nvideo = \"\"\naovs = [\"ess\", \"age\", \"z-ratio\", \"started\", \"z-spread\"]\n",
     );
 }
@@ -118,8 +118,12 @@ fn the_seam_of_a_preroll_closes() {
     }
     println!("relative difference from the frame of the whole run, by preroll: {seams:?}");
     let at = |i: usize| seams[i].1;
-    assert!(at(0) > 0.01 && at(4) == 0.0, "{seams:?}");
-    assert!(at(3) < 0.8 * at(0), "{seams:?}");
+    assert!(
+        at(0) > 0.01 && at(2) > 0.0 && at(2) < 0.8 * at(0),
+        "{seams:?}"
+    );
+    // Six frames are enough for each ray to have had its turn.
+    assert!(at(3) == 0.0 && at(4) == 0.0, "{seams:?}");
 }
 
 #[test]

@@ -117,7 +117,6 @@ const PIXELS: &[(&str, &str)] = &[
         "shade_cells_layers",
         "cells::shade_cells::<glimt_render_gpu::kernels::layers::LayerSample>",
     ),
-    ("gather_cells", "cells::gather_cells"),
     ("find_smc", "smc_point::find_smc"),
     ("advance_smc", "smc::advance_smc"),
     ("gather_smc", "smc_gather::gather_smc::<glam::Vec4>"),

@@ -109,9 +109,6 @@ impl Stage<'_> {
                 samples,
             );
         }
-        for (tile, counts) in (0..).zip(counts.chunks_mut(per_tile(COUNT_WORDS))) {
-            cells::gather_cells(tile, &frame, &own, &points, counts);
-        }
 
         let zeros = |name, count: usize| -> GpuBuffer {
             let buffer = self.context.buffer_of(name, &vec![0_u32; count]);
@@ -173,11 +170,6 @@ impl Stage<'_> {
             ("samples", Arg::Chunk(&out.buffer, RAYS)),
         ];
         run("cells::shade_cells::<glam::Vec4>", &more, &out, PIXELS);
-        let more = [
-            ("points", Arg::Buffer(&found.buffer)),
-            ("counts", Arg::Chunk(&gpu_counts, ENTRIES * COUNT_WORDS)),
-        ];
-        run("cells::gather_cells", &more, &out, tiles);
         let kept: Vec<u32> = self
             .context
             .read(&gpu_counts, counts.len())

@@ -18,10 +18,7 @@ use std::fs::File;
 use std::io::{Read, Write};
 use std::path::Path;
 
-const MAGIC: &[u8] = b"glimt sequential sampler 2\n";
-
-/// What states of all versions begin with.
-const KIND: &[u8] = b"glimt sequential sampler ";
+const MAGIC: &[u8] = b"glimt sequential sampler 1\n";
 
 /// Where a state may be written: where nothing is, or another state.
 ///
@@ -30,10 +27,10 @@ const KIND: &[u8] = b"glimt sequential sampler ";
 pub fn target(guard: &Guard, file: &Path) -> Result<Target> {
     let is_there = std::fs::metadata(file).is_ok_and(|data| data.is_file() && data.len() > 0);
     let is_state = || {
-        let mut start = [0; KIND.len()];
+        let mut start = [0; MAGIC.len()];
         let mut reader = File::open(file).ok()?;
         reader.read_exact(&mut start).ok()?;
-        Some(start == KIND)
+        Some(start == MAGIC)
     };
     if is_there && is_state() != Some(true) {
         let what = "it is there already, and it is not a state of the sequential sampler";

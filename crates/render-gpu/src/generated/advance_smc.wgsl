@@ -12,7 +12,7 @@ struct RayState {
     ess: f32,
     log_ratio: f32,
     started: u32,
-    lifetime: u32,
+    accepted: u32,
 }
 
 struct SmcPoint {
@@ -364,25 +364,6 @@ fn luminance(rgb: vec3<f32>) -> f32 {
     return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
 }
 
-// glimt_render_gpu/src/kernels/light_target.rs:41
-fn LightLobe_of_state(state: RayState) -> LightLobe {
-
-    // glimt_render_gpu/src/kernels/light_target.rs:42
-    let _e4 = ShadingFrame_from_normal(state.normal);
-    // glimt_render_gpu/src/kernels/light_target.rs:43
-    let _e7 = ShadingFrame_to_local(_e4, state.wo);
-    return LightLobe(_e4, _e7, BlinnPhong(vec3(state.diffuse), vec3(state.specular), state.exponent));
-}
-
-// glimt_render_gpu/src/kernels/light_target.rs:26
-fn LightLobe_of_point(point: ShadingPoint) -> LightLobe {
-
-    // glimt_render_gpu/src/kernels/light_target.rs:27
-    let _e7 = luminance(point.brdf.diffuse);
-    let _e11 = luminance(point.brdf.specular);
-    return LightLobe(point.frame, point.wo, BlinnPhong(vec3(_e7), vec3(_e11), point.brdf.exponent));
-}
-
 // glimt_sampling/src/hash.rs:15
 fn hash_u32_(n_1: u32) -> u32 {
     var x: u32;
@@ -427,6 +408,41 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
     return _e7;
 }
 
+// glimt_render_gpu/src/kernels/smc.rs:84
+fn SmcParams_is_due(this_5: SmcParams, age: u32, pattern: PixelPattern) -> bool {
+
+    // glimt_render_gpu/src/kernels/smc.rs:85
+    if (this_5.max_age == 0u) {
+        // glimt_render_gpu/src/kernels/smc.rs:86
+        return false;
+    }
+    // glimt_render_gpu/src/kernels/smc.rs:88
+    let _e13 = hash2_(pattern.seed, 15u);
+    let _e16 = hash3_(_e13, pattern.pixel, pattern.ray);
+    let phase = (_e16 % this_5.max_age);
+    // glimt_render_gpu/src/kernels/smc.rs:89
+    return ((age >= this_5.max_age) || (((pattern.frame + phase) % this_5.max_age) == 0u));
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:41
+fn LightLobe_of_state(state: RayState) -> LightLobe {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:42
+    let _e4 = ShadingFrame_from_normal(state.normal);
+    // glimt_render_gpu/src/kernels/light_target.rs:43
+    let _e7 = ShadingFrame_to_local(_e4, state.wo);
+    return LightLobe(_e4, _e7, BlinnPhong(vec3(state.diffuse), vec3(state.specular), state.exponent));
+}
+
+// glimt_render_gpu/src/kernels/light_target.rs:26
+fn LightLobe_of_point(point: ShadingPoint) -> LightLobe {
+
+    // glimt_render_gpu/src/kernels/light_target.rs:27
+    let _e7 = luminance(point.brdf.diffuse);
+    let _e11 = luminance(point.brdf.specular);
+    return LightLobe(point.frame, point.wo, BlinnPhong(vec3(_e7), vec3(_e11), point.brdf.exponent));
+}
+
 // glimt_sampling/src/sobol.rs:171
 fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
 
@@ -437,11 +453,11 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> Owen
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:128
-fn PixelPattern_sobol_point(this_5: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+fn PixelPattern_sobol_point(this_6: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
     // glimt_render_gpu/src/kernels/pattern.rs:129
-    let _e6 = hash2_(this_5.seed, purpose);
-    let _e9 = OwenSobol_new(_e6, this_5.frame, this_5.pixel, index);
+    let _e6 = hash2_(this_6.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_6.frame, this_6.pixel, index);
     return _e9;
 }
 
@@ -556,43 +572,43 @@ fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_1: u32, pixel_2: u32) -> Xoshiro
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:133
-fn PixelPattern_generator(this_6: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
+fn PixelPattern_generator(this_7: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
 
     // glimt_render_gpu/src/kernels/pattern.rs:134
-    let _e6 = hash3_(this_6.seed, purpose_1, index_1);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_6.frame, this_6.pixel);
+    let _e6 = hash3_(this_7.seed, purpose_1, index_1);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_7.frame, this_7.pixel);
     return _e9;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:111
-fn PixelPattern_point(this_7: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
+fn PixelPattern_point(this_8: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:112
-    let _e8 = PixelPattern_sobol_point(this_7, purpose_2, index_2);
-    let _e9 = PixelPattern_generator(this_7, purpose_2, index_2);
-    return PatternSource((this_7.kind == 0u), _e8, _e9);
+    let _e8 = PixelPattern_sobol_point(this_8, purpose_2, index_2);
+    let _e9 = PixelPattern_generator(this_8, purpose_2, index_2);
+    return PatternSource((this_8.kind == 0u), _e8, _e9);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:103
-fn PixelPattern_source(this_8: PixelPattern, purpose_3: u32) -> PatternSource {
+fn PixelPattern_source(this_9: PixelPattern, purpose_3: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:104
-    let _e5 = PixelPattern_point(this_8, purpose_3, this_8.ray);
+    let _e5 = PixelPattern_point(this_9, purpose_3, this_9.ray);
     return _e5;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:92
-fn SmcParams_sampler(this_9: SmcParams) -> Sampler {
+// glimt_render_gpu/src/kernels/smc.rs:95
+fn SmcParams_sampler(this_10: SmcParams) -> Sampler {
 
-    // glimt_render_gpu/src/kernels/smc.rs:93
-    return Sampler(Bridge(this_9.path, this_9.intermediate), this_9.scheme, this_9.ess_threshold);
+    // glimt_render_gpu/src/kernels/smc.rs:96
+    return Sampler(Bridge(this_10.path, this_10.intermediate), this_10.scheme, this_10.ess_threshold);
 }
 
 // glimt_smc/src/bridge.rs:48
-fn Bridge_steps(this_10: Bridge) -> u32 {
+fn Bridge_steps(this_11: Bridge) -> u32 {
 
     // glimt_smc/src/bridge.rs:49
-    return (this_10.intermediate + 1u);
+    return (this_11.intermediate + 1u);
 }
 
 // glimt_brdf/src/lobe.rs:86
@@ -644,15 +660,15 @@ fn cosine_power(cos2_theta: f32, sin2_theta: f32, exponent_1: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_11: HalfVector, exponent_2: f32) -> f32 {
+fn HalfVector_lobe(this_12: HalfVector, exponent_2: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_11.cos2_theta, this_11.sin2_theta, exponent_2);
+    let _e6 = cosine_power(this_12.cos2_theta, this_12.sin2_theta, exponent_2);
     return _e6;
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_12: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_13: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -660,33 +676,33 @@ fn BlinnPhong_eval(this_12: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_12.diffuse * 0.31830987f);
+    let diffuse = (this_13.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_12.specular.x, this_12.specular.y), this_12.specular.z) <= 0f) {
+    if (max(max(this_13.specular.x, this_13.specular.y), this_13.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_12.exponent);
+    let _e31 = normalisation(this_13.exponent);
     let _e32 = HalfVector_new(wo_1, wi_1);
-    let _e34 = HalfVector_lobe(_e32, this_12.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_13.exponent);
     let lobe_3 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_12.specular * lobe_3));
+    return (diffuse + (this_13.specular * lobe_3));
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:57
-fn LightLobe_value(this_13: LightLobe, direction: vec3<f32>) -> f32 {
+fn LightLobe_value(this_14: LightLobe, direction: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:58
-    let _e5 = ShadingFrame_to_local(this_13.frame, direction);
+    let _e5 = ShadingFrame_to_local(this_14.frame, direction);
     // glimt_render_gpu/src/kernels/light_target.rs:59
     if !((_e5.z > 0f)) {
         // glimt_render_gpu/src/kernels/light_target.rs:60
         return 0f;
     }
     // glimt_render_gpu/src/kernels/light_target.rs:62
-    let _e16 = BlinnPhong_eval(this_13.brdf, this_13.wo, _e5);
+    let _e16 = BlinnPhong_eval(this_14.brdf, this_14.wo, _e5);
     return (_e16.x * _e5.z);
 }
 
@@ -824,7 +840,7 @@ fn LightTarget_densities(previous_light_size_2: vec2<u32>, previous_light_rotati
 }
 
 // glimt_smc/src/bridge.rs:65
-fn Bridge_density(this_14: Bridge, k: u32, ends: Endpoints) -> f32 {
+fn Bridge_density(this_15: Bridge, k: u32, ends: Endpoints) -> f32 {
 
     // glimt_smc/src/bridge.rs:66
     if (k == 0u) {
@@ -832,16 +848,16 @@ fn Bridge_density(this_14: Bridge, k: u32, ends: Endpoints) -> f32 {
         return ends.previous;
     }
     // glimt_smc/src/bridge.rs:69
-    let _e10 = Bridge_steps(this_14);
+    let _e10 = Bridge_steps(this_15);
     if (k >= _e10) {
         // glimt_smc/src/bridge.rs:70
         return ends.current;
     }
     // glimt_smc/src/bridge.rs:72
-    let _e16 = Bridge_steps(this_14);
+    let _e16 = Bridge_steps(this_15);
     let beta = (f32(k) / f32(_e16));
     // glimt_smc/src/bridge.rs:73
-    if (this_14.path == 0u) {
+    if (this_15.path == 0u) {
         // glimt_smc/src/bridge.rs:74
         return (((1f - beta) * ends.previous) + (beta * ends.current));
     }
@@ -993,10 +1009,10 @@ fn reweight(k_1: u32, bridge: Bridge, target_previous_light_size: vec2<u32>, tar
 }
 
 // glimt_smc/src/particle.rs:25
-fn Particle_weight(this_15: Particle) -> f32 {
+fn Particle_weight(this_16: Particle) -> f32 {
 
     // glimt_smc/src/particle.rs:26
-    return exp(this_15.log_weight);
+    return exp(this_16.log_weight);
 }
 
 // glimt_smc/src/weights.rs:65
@@ -1278,25 +1294,25 @@ fn owen_sobol(index_8: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_16: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_17: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_3 = (*this_16).dimension;
+    let dimension_3 = (*this_17).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_16).dimension = (dimension_3 + 1u);
+    (*this_17).dimension = (dimension_3 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_16).index;
-    let _e13 = (*this_16).seed;
+    let _e11 = (*this_17).index;
+    let _e13 = (*this_17).seed;
     let _e16 = hash2_(_e13, (dimension_3 >> 2u));
     let _e17 = owen_sobol(_e11, dimension_3, _e16);
     return _e17;
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_17: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_18: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s = (*this_17).state;
+    let s = (*this_18).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s.x + s.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
@@ -1305,34 +1321,34 @@ fn Xoshiro128PlusPlus_next_u32_(this_17: ptr<function, Xoshiro128PlusPlus>) -> u
     // glimt_sampling/src/xoshiro.rs:60
     let w_1 = (s.w ^ s.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_17).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_18).state = vec4<u32>((s.x ^ w_1), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:163
-fn PatternSource_next_u32_(this_18: ptr<function, PatternSource>) -> u32 {
+fn PatternSource_next_u32_(this_19: ptr<function, PatternSource>) -> u32 {
     var chosen_8: u32;
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:164
-    let _e5 = (*this_18).is_sobol;
+    let _e5 = (*this_19).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:165
-        let _e9 = (*this_18).point;
+        let _e9 = (*this_19).point;
         borrowed = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed));
         let _e11 = borrowed;
-        (*this_18).point = _e11;
+        (*this_19).point = _e11;
         chosen_8 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:167
-        let _e15 = (*this_18).generator;
+        let _e15 = (*this_19).generator;
         borrowed_1 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
         let _e17 = borrowed_1;
-        (*this_18).generator = _e17;
+        (*this_19).generator = _e17;
         chosen_8 = _e16;
     }
     let _e18 = chosen_8;
@@ -1347,47 +1363,47 @@ fn unit_f32_(u: u32) -> f32 {
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth(this_19: ptr<function, Comb>, source: ptr<function, PatternSource>) {
+fn Comb_place_tooth(this_20: ptr<function, Comb>, source: ptr<function, PatternSource>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_19).made;
-    let _e7 = (*this_19).teeth;
+    let _e5 = (*this_20).made;
+    let _e7 = (*this_20).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_19).made;
+    let _e12 = (*this_20).made;
     let first_1 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_19).scheme;
+    let _e16 = (*this_20).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_19).state;
-        (*this_19).next = (first_1 + _e21);
+        let _e21 = (*this_20).state;
+        (*this_20).next = (first_1 + _e21);
     } else {
-        let _e25 = (*this_19).scheme;
+        let _e25 = (*this_20).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = PatternSource_next_u32_(source);
             let _e30 = unit_f32_(_e29);
-            (*this_19).next = (first_1 + _e30);
+            (*this_20).next = (first_1 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = PatternSource_next_u32_(source);
             let _e36 = unit_f32_(_e35);
             let v_5 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_19).teeth;
-            let _e42 = (*this_19).made;
+            let _e40 = (*this_20).teeth;
+            let _e42 = (*this_20).made;
             let left_2 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_19).state;
-            (*this_19).state = (_e50 * pow(v_5, (1f / left_2)));
+            let _e50 = (*this_20).state;
+            (*this_20).state = (_e50 * pow(v_5, (1f / left_2)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_19).state;
-            let _e58 = (*this_19).teeth;
-            (*this_19).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_20).state;
+            let _e58 = (*this_20).teeth;
+            (*this_20).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -1414,54 +1430,54 @@ fn Comb_new(scheme_1: u32, picks: u32, sure: u32, source_1: ptr<function, Patter
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take(this_20: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
+fn Comb_take(this_21: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, PatternSource>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_20).scheme;
+    let _e6 = (*this_21).scheme;
     let _e7 = sure_copies(_e6, expected_1);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_20).reach;
-    (*this_20).reach = (_e12 + (expected_1 - f32(_e7)));
+    let _e12 = (*this_21).reach;
+    (*this_21).reach = (_e12 + (expected_1 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before = (*this_20).made;
+    let before = (*this_21).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_20).made;
-        let _e21 = (*this_20).teeth;
-        let _e24 = (*this_20).next;
-        let _e26 = (*this_20).reach;
+        let _e19 = (*this_21).made;
+        let _e21 = (*this_21).teeth;
+        let _e24 = (*this_21).next;
+        let _e26 = (*this_21).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_20).made;
-            (*this_20).made = (_e32 + 1u);
+            let _e32 = (*this_21).made;
+            (*this_21).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth(this_20, source_2);
+            Comb_place_tooth(this_21, source_2);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_20).made;
+    let _e37 = (*this_21).made;
     return (_e7 + (_e37 - before));
 }
 
 // glimt_sampling/src/resample.rs:121
-fn Comb_finish(this_21: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
+fn Comb_finish(this_22: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
     var counter_5: u32;
 
     // glimt_sampling/src/resample.rs:122
-    let _e5 = (*this_21).teeth;
-    let _e7 = (*this_21).made;
+    let _e5 = (*this_22).teeth;
+    let _e7 = (*this_22).made;
     let left_3 = (_e5 - _e7);
     // glimt_sampling/src/resample.rs:123
-    let _e11 = (*this_21).scheme;
+    let _e11 = (*this_22).scheme;
     if (_e11 != 0u) {
         // glimt_sampling/src/resample.rs:125
-        let _e16 = (*this_21).teeth;
-        let _e18 = (*this_21).made;
+        let _e16 = (*this_22).teeth;
+        let _e18 = (*this_22).made;
         let drawn = min(_e16, (_e18 + 1u));
         // glimt_sampling/src/resample.rs:126
-        let _e24 = (*this_21).picks;
+        let _e24 = (*this_22).picks;
         counter_5 = drawn;
         loop {
             let _e26 = counter_5;
@@ -1477,8 +1493,8 @@ fn Comb_finish(this_21: ptr<function, Comb>, source_3: ptr<function, PatternSour
         }
     }
     // glimt_sampling/src/resample.rs:130
-    let _e35 = (*this_21).teeth;
-    (*this_21).made = _e35;
+    let _e35 = (*this_22).teeth;
+    (*this_22).made = _e35;
     // glimt_sampling/src/resample.rs:131
     return left_3;
 }
@@ -1694,18 +1710,18 @@ fn skip(scheme_4: u32, picks_3: u32, source_5: ptr<function, PatternSource>) {
 }
 
 // glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_22: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_23: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_22).dimension;
+    let _e4 = (*this_23).dimension;
     let dimension_4 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:192
-    (*this_22).dimension = (dimension_4 + 2u);
+    (*this_23).dimension = (dimension_4 + 2u);
     // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_22).seed;
+    let _e15 = (*this_23).seed;
     let _e18 = hash2_(_e15, (dimension_4 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_22).index;
+    let _e21 = (*this_23).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
     let _e24 = sobol_reversed(_e22, dimension_4);
@@ -1716,39 +1732,39 @@ fn OwenSobol_next_uvec2_(this_22: ptr<function, OwenSobol>) -> vec2<u32> {
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_24: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_23);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_24);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_23);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_24);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:172
-fn PatternSource_next_uvec2_(this_24: ptr<function, PatternSource>) -> vec2<u32> {
+fn PatternSource_next_uvec2_(this_25: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_10: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:173
-    let _e5 = (*this_24).is_sobol;
+    let _e5 = (*this_25).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:174
-        let _e9 = (*this_24).point;
+        let _e9 = (*this_25).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_24).point = _e11;
+        (*this_25).point = _e11;
         chosen_10 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:176
-        let _e15 = (*this_24).generator;
+        let _e15 = (*this_25).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_24).generator = _e17;
+        (*this_25).generator = _e17;
         chosen_10 = _e16;
     }
     let _e18 = chosen_10;
@@ -1830,18 +1846,18 @@ fn sample_cap(u_2: vec2<f32>, height: f32) -> DirectionSample {
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_25: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_26: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_25.t * v_2.x) + (this_25.b * v_2.y)) + (this_25.n * v_2.z));
+    return (((this_26.t * v_2.x) + (this_26.b * v_2.y)) + (this_26.n * v_2.z));
 }
 
 // glimt_smc/src/proposal.rs:43
-fn CapMove_propose(this_26: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
+fn CapMove_propose(this_27: CapMove, from_: vec3<f32>, u_3: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:44
     let _e6 = unit_vec2_(u_3.xy);
-    let _e8 = sample_cap(_e6, this_26.height);
+    let _e8 = sample_cap(_e6, this_27.height);
     let local = _e8.direction;
     // glimt_smc/src/proposal.rs:45
     let _e11 = ShadingFrame_from_normal(from_);
@@ -2188,13 +2204,13 @@ fn Independent_LightDraw_propose(sampler_light_size: vec2<u32>, sampler_light_ro
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_27: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_28: BlinnPhong) -> f32 {
     var chosen_18: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_27.specular);
+    let _e4 = luminance(this_28.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_27.diffuse);
+    let _e7 = luminance(this_28.diffuse);
     let both_2 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_2 > 0f) {
@@ -2357,15 +2373,15 @@ fn pdf_cosine_hemisphere_sr(direction_9: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_28: HalfVector, exponent_5: f32) -> f32 {
+fn HalfVector_pdf_sr(this_29: HalfVector, exponent_5: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_28, exponent_5);
-    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_28.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_29, exponent_5);
+    return ((((exponent_5 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_29.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_30: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_2.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2375,7 +2391,7 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_2);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_29);
+    let _e17 = BlinnPhong_pmf_specular(this_30);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -2383,21 +2399,21 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_2: vec3<f32>, wi_2: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_2, wi_2);
-    let _e25 = HalfVector_pdf_sr(_e23, this_29.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_30.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_30: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_31: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: vec2<f32>) -> BrdfSample {
     var chosen_21: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_30);
+    let _e8 = BlinnPhong_pmf_specular(this_31);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_14, this_30.exponent);
+        let _e12 = sample_power_cosine(u_14, this_31.exponent);
         let h_1 = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_21 = (((2f * dot(wo_3, h_1)) * h_1) - wo_3);
@@ -2408,37 +2424,37 @@ fn BlinnPhong_sample(this_30: BlinnPhong, wo_3: vec3<f32>, u_lobe: u32, u_14: ve
     }
     let wi_4 = chosen_21;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_30, wo_3, wi_4);
+    let _e25 = BlinnPhong_pdf_sr(this_31, wo_3, wi_4);
     return BrdfSample(wi_4, _e25);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:133
-fn BrdfDraw_sample(this_31: BrdfDraw, u_15: vec3<u32>) -> Sampled {
+fn BrdfDraw_sample(this_32: BrdfDraw, u_15: vec3<u32>) -> Sampled {
 
     // glimt_render_gpu/src/kernels/light_target.rs:134
     let _e8 = unit_vec2_(u_15.xy);
-    let _e9 = BlinnPhong_sample(this_31.brdf, this_31.wo, u_15.z, _e8);
+    let _e9 = BlinnPhong_sample(this_32.brdf, this_32.wo, u_15.z, _e8);
     // glimt_render_gpu/src/kernels/light_target.rs:135
-    let _e13 = ShadingFrame_to_world(this_31.frame, _e9.wi);
+    let _e13 = ShadingFrame_to_world(this_32.frame, _e9.wi);
     return Sampled(_e13, _e9.pdf_sr);
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:142
-fn BrdfDraw_pdf(this_32: BrdfDraw, state_4: vec3<f32>) -> f32 {
+fn BrdfDraw_pdf(this_33: BrdfDraw, state_4: vec3<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/light_target.rs:143
-    let _e7 = ShadingFrame_to_local(this_32.frame, state_4);
-    let _e8 = BlinnPhong_pdf_sr(this_32.brdf, this_32.wo, _e7);
+    let _e7 = ShadingFrame_to_local(this_33.frame, state_4);
+    let _e8 = BlinnPhong_pdf_sr(this_33.brdf, this_33.wo, _e7);
     return _e8;
 }
 
 // glimt_smc/src/proposal.rs:81
-fn Independent_BrdfDraw_propose(this_33: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
+fn Independent_BrdfDraw_propose(this_34: Independent_BrdfDraw, from_2: vec3<f32>, u_16: vec3<u32>) -> Proposed {
 
     // glimt_smc/src/proposal.rs:82
-    let _e6 = BrdfDraw_sample(this_33.sampler, u_16);
+    let _e6 = BrdfDraw_sample(this_34.sampler, u_16);
     // glimt_smc/src/proposal.rs:83
-    let _e11 = BrdfDraw_pdf(this_33.sampler, from_2);
+    let _e11 = BrdfDraw_pdf(this_34.sampler, from_2);
     return Proposed(_e6.state, _e6.pdf, _e11);
 }
 
@@ -2519,7 +2535,7 @@ fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32
 }
 
 // glimt_smc/src/sampler.rs:47
-fn Sampler_step(this_34: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
+fn Sampler_step(this_35: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
     var accepted: u32;
     var counter_11: u32;
     var borrowed_4: Particle;
@@ -2527,18 +2543,18 @@ fn Sampler_step(this_34: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 
     // glimt_smc/src/sampler.rs:55
     // glimt_smc/src/sampler.rs:56
-    let _e23 = reweight(k_3, this_34.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
+    let _e23 = reweight(k_3, this_35.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:57
     let _e25 = ess(particles_start_6, particles_len_6);
     // glimt_smc/src/sampler.rs:58
-    let resampled = ((_e25 < (this_34.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
+    let resampled = ((_e25 < (this_35.ess_threshold * f32(particles_len_6))) && (_e25 > 0f));
     // glimt_smc/src/sampler.rs:59
     if resampled {
         // glimt_smc/src/sampler.rs:60
-        resample(this_34.scheme, particles_start_6, particles_len_6, source_6);
+        resample(this_35.scheme, particles_start_6, particles_len_6, source_6);
     } else {
         // glimt_smc/src/sampler.rs:62
-        skip(this_34.scheme, particles_len_6, source_6);
+        skip(this_35.scheme, particles_len_6, source_6);
     }
     // glimt_smc/src/sampler.rs:64
     accepted = 0u;
@@ -2560,7 +2576,7 @@ fn Sampler_step(this_34: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
         // glimt_smc/src/sampler.rs:70
         let _e63 = particles[(particles_start_6 + i_9)];
         borrowed_4 = _e63;
-        let _e64 = metropolis(k_3, this_34.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_4), u_23);
+        let _e64 = metropolis(k_3, this_35.bridge, target_previous_light_size_2, target_previous_light_rotation_2, target_previous_floor_2, target_previous_lobe_2, target_light_size_2, target_light_rotation_2, target_floor_2, target_lobe_2, proposal_pmf_first_1, proposal_first_1, proposal_second_pmf_first_1, proposal_second_first_sampler_light_size_1, proposal_second_first_sampler_light_rotation_1, proposal_second_second_1, (&borrowed_4), u_23);
         let _e65 = borrowed_4;
         particles[(particles_start_6 + i_9)] = _e65;
         if _e64 {
@@ -2586,7 +2602,7 @@ fn Sampler_step(this_34: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 }
 
 // glimt_smc/src/sampler.rs:85
-fn Sampler_advance(this_35: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
+fn Sampler_advance(this_36: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
     var frame_2: Report;
     var counter_12: u32;
     var chosen_25: f32;
@@ -2595,7 +2611,7 @@ fn Sampler_advance(this_35: Sampler, target_previous_light_size_3: vec2<u32>, ta
     // glimt_smc/src/sampler.rs:92
     frame_2 = Report(0f, f32(particles_len_7), 0u, 0u);
     // glimt_smc/src/sampler.rs:98
-    let _e29 = Bridge_steps(this_35.bridge);
+    let _e29 = Bridge_steps(this_36.bridge);
     counter_12 = 1u;
     loop {
         let k_4 = counter_12;
@@ -2603,7 +2619,7 @@ fn Sampler_advance(this_35: Sampler, target_previous_light_size_3: vec2<u32>, ta
             break;
         }
         // glimt_smc/src/sampler.rs:99
-        let _e36 = Sampler_step(this_35, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
+        let _e36 = Sampler_step(this_36, k_4, target_previous_light_size_3, target_previous_light_rotation_3, target_previous_floor_3, target_previous_lobe_3, target_light_size_3, target_light_rotation_3, target_floor_3, target_lobe_3, proposal_pmf_first_2, proposal_first_2, proposal_second_pmf_first_2, proposal_second_first_sampler_light_size_2, proposal_second_first_sampler_light_rotation_2, proposal_second_second_2, particles_start_7, particles_len_7, source_7);
         // glimt_smc/src/sampler.rs:100
         let _e40 = is_log_zero(_e36.log_ratio);
         either = _e40;
@@ -2643,45 +2659,14 @@ fn Sampler_advance(this_35: Sampler, target_previous_light_size_3: vec2<u32>, ta
     return _e75;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:106
-fn SmcParams_advance(this_36: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_1: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
+// glimt_render_gpu/src/kernels/smc.rs:109
+fn SmcParams_advance(this_37: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_1: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
 
-    // glimt_render_gpu/src/kernels/smc.rs:113
-    // glimt_render_gpu/src/kernels/smc.rs:134
-    let _e25 = SmcParams_sampler(this_36);
-    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_36.cap_share, CapMove(this_36.cap_height), this_36.light_share, target_light_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_1.frame, point_1.wo, point_1.brdf)), particles_start_8, particles_len_8, source_8);
+    // glimt_render_gpu/src/kernels/smc.rs:116
+    // glimt_render_gpu/src/kernels/smc.rs:137
+    let _e25 = SmcParams_sampler(this_37);
+    let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_37.cap_share, CapMove(this_37.cap_height), this_37.light_share, target_light_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_1.frame, point_1.wo, point_1.brdf)), particles_start_8, particles_len_8, source_8);
     return _e26;
-}
-
-// glimt_render_gpu/src/kernels/pattern.rs:138
-fn PixelPattern_key(this_37: PixelPattern, purpose_4: u32) -> u32 {
-
-    // glimt_render_gpu/src/kernels/pattern.rs:139
-    let _e5 = hash2_(this_37.seed, purpose_4);
-    let _e8 = hash3_(_e5, this_37.frame, this_37.pixel);
-    return _e8;
-}
-
-// glimt_render_gpu/src/kernels/pattern.rs:123
-fn PixelPattern_ray_key(this_38: PixelPattern, purpose_5: u32) -> u32 {
-
-    // glimt_render_gpu/src/kernels/pattern.rs:124
-    let _e4 = PixelPattern_key(this_38, purpose_5);
-    let _e6 = hash2_(_e4, this_38.ray);
-    return _e6;
-}
-
-// glimt_render_gpu/src/kernels/smc.rs:82
-fn SmcParams_lifetime(this_39: SmcParams, started: u32, pattern: PixelPattern) -> u32 {
-
-    // glimt_render_gpu/src/kernels/smc.rs:83
-    if ((this_39.max_age == 0u) || (started == 3u)) {
-        // glimt_render_gpu/src/kernels/smc.rs:84
-        return this_39.max_age;
-    }
-    // glimt_render_gpu/src/kernels/smc.rs:86
-    let _e16 = PixelPattern_ray_key(pattern, 15u);
-    return (1u + (_e16 % this_39.max_age));
 }
 
 // glimt_sampling/src/ris.rs:61
@@ -2692,28 +2677,37 @@ fn RisSum_new() -> RisSum {
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:65
-fn Candidates_of_brdf(this_40: Candidates) -> u32 {
+fn Candidates_of_brdf(this_38: Candidates) -> u32 {
     var chosen_26: u32;
     var chosen_27: u32;
 
     // glimt_render_gpu/src/kernels/candidates.rs:66
-    if (this_40.source == 0u) {
+    if (this_38.source == 0u) {
         // glimt_render_gpu/src/kernels/candidates.rs:67
-        chosen_26 = this_40.count;
+        chosen_26 = this_38.count;
     } else {
-        if (this_40.source == 1u) {
+        if (this_38.source == 1u) {
             // glimt_render_gpu/src/kernels/candidates.rs:69
             chosen_27 = 0u;
         } else {
             // glimt_render_gpu/src/kernels/candidates.rs:71
-            let _e18 = (this_40.count / 2u);
-            chosen_27 = select(_e18, (_e18 + 1u), ((this_40.count % 2u) != 0u));
+            let _e18 = (this_38.count / 2u);
+            chosen_27 = select(_e18, (_e18 + 1u), ((this_38.count % 2u) != 0u));
         }
         let _e25 = chosen_27;
         chosen_26 = _e25;
     }
     let _e26 = chosen_26;
     return _e26;
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:138
+fn PixelPattern_key(this_39: PixelPattern, purpose_4: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:139
+    let _e5 = hash2_(this_39.seed, purpose_4);
+    let _e8 = hash3_(_e5, this_39.frame, this_39.pixel);
+    return _e8;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:213
@@ -2815,16 +2809,16 @@ fn jittered(index_11: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:82
-fn PixelPattern_triple(this_41: PixelPattern, purpose_6: u32, sample: u32, samples: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_40: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec3<u32> {
     var point_2: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:83
-    let index_14 = ((this_41.ray * samples) + sample);
+    let index_14 = ((this_40.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:84
-    if (this_41.kind == 0u) {
+    if (this_40.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:85
-        let _e14 = PixelPattern_sobol_point(this_41, purpose_6, index_14);
+        let _e14 = PixelPattern_sobol_point(this_40, purpose_5, index_14);
         point_2 = _e14;
         // glimt_render_gpu/src/kernels/pattern.rs:86
         let _e17 = OwenSobol_next_uvec2_((&point_2));
@@ -2833,20 +2827,20 @@ fn PixelPattern_triple(this_41: PixelPattern, purpose_6: u32, sample: u32, sampl
         return vec3<u32>(_e17, _e19);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:89
-    let _e22 = PixelPattern_generator(this_41, purpose_6, index_14);
+    let _e22 = PixelPattern_generator(this_40, purpose_5, index_14);
     generator = _e22;
     // glimt_render_gpu/src/kernels/pattern.rs:90
     let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:91
     let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
     // glimt_render_gpu/src/kernels/pattern.rs:92
-    if (this_41.kind == 1u) {
+    if (this_40.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:93
         return vec3<u32>(_e25, _e27);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:95
-    let _e37 = PixelPattern_key(this_41, purpose_6);
-    let _e38 = Tuple_u32_u32_((this_41.rays * samples), _e37);
+    let _e37 = PixelPattern_key(this_40, purpose_5);
+    let _e38 = Tuple_u32_u32_((this_40.rays * samples), _e37);
     let count_3 = _e38.fa;
     let key_3 = _e38.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:96
@@ -2856,46 +2850,46 @@ fn PixelPattern_triple(this_41: PixelPattern, purpose_6: u32, sample: u32, sampl
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:67
-fn PixelPattern_pair(this_42: PixelPattern, purpose_7: u32, sample_1: u32, samples_1: u32) -> vec2<u32> {
+fn PixelPattern_pair(this_41: PixelPattern, purpose_6: u32, sample_1: u32, samples_1: u32) -> vec2<u32> {
     var borrowed_5: OwenSobol;
     var borrowed_6: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_15 = ((this_42.ray * samples_1) + sample_1);
+    let index_15 = ((this_41.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:69
-    if (this_42.kind == 0u) {
+    if (this_41.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_42, purpose_7, index_15);
+        let _e14 = PixelPattern_sobol_point(this_41, purpose_6, index_15);
         borrowed_5 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_5));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_42, purpose_7, index_15);
+    let _e18 = PixelPattern_generator(this_41, purpose_6, index_15);
     borrowed_6 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_6));
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    if (this_42.kind == 1u) {
+    if (this_41.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    let _e29 = PixelPattern_key(this_42, purpose_7);
-    let _e30 = jittered_pair(index_15, (this_42.rays * samples_1), _e20, _e29);
+    let _e29 = PixelPattern_key(this_41, purpose_6);
+    let _e30 = jittered_pair(index_15, (this_41.rays * samples_1), _e20, _e29);
     return _e30;
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:78
-fn Candidates_draw(this_43: Candidates, index_12: u32, point_3: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_42: Candidates, index_12: u32, point_3: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density_1: f32;
     var direction_10: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/candidates.rs:85
-    let _e8 = Candidates_of_brdf(this_43);
+    let _e8 = Candidates_of_brdf(this_42);
     // glimt_render_gpu/src/kernels/candidates.rs:86
-    let of_env = (this_43.count - _e8);
+    let of_env = (this_42.count - _e8);
     // glimt_render_gpu/src/kernels/candidates.rs:88
     density_1 = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:92
@@ -2979,41 +2973,41 @@ fn Candidates_draw(this_43: Candidates, index_12: u32, point_3: ShadingPoint, pa
     // glimt_render_gpu/src/kernels/candidates.rs:124
     let _e161 = radiance;
     let _e162 = luminance(_e161);
-    let target_ = ((_e162 + this_43.floor) * reflected);
+    let target_ = ((_e162 + this_42.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:125
     let _e167 = direction_10;
     let _e168 = wi_3;
     let _e169 = radiance;
     let _e172 = density_1;
-    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_43.count) / _e172)));
+    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_42.count) / _e172)));
 }
 
 // glimt_sampling/src/ris.rs:72
-fn RisSum_add(this_44: ptr<function, RisSum>, weight: f32) {
+fn RisSum_add(this_43: ptr<function, RisSum>, weight: f32) {
 
     // glimt_sampling/src/ris.rs:73
-    let _e6 = (*this_44).candidates;
-    (*this_44).candidates = (_e6 + 1u);
+    let _e6 = (*this_43).candidates;
+    (*this_43).candidates = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
         // glimt_sampling/src/ris.rs:75
-        let _e13 = (*this_44).sum;
-        (*this_44).sum = (_e13 + weight);
+        let _e13 = (*this_43).sum;
+        (*this_43).sum = (_e13 + weight);
         // glimt_sampling/src/ris.rs:76
-        let _e17 = (*this_44).candidates;
-        (*this_44).end = _e17;
+        let _e17 = (*this_43).candidates;
+        (*this_43).end = _e17;
     }
     return;
 }
 
 // glimt_sampling/src/ris.rs:83
-fn RisSum_normaliser(this_45: RisSum) -> f32 {
+fn RisSum_normaliser(this_44: RisSum) -> f32 {
     var chosen_28: f32;
 
     // glimt_sampling/src/ris.rs:84
-    if (this_45.candidates > 0u) {
+    if (this_44.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_28 = (this_45.sum / f32(this_45.candidates));
+        chosen_28 = (this_44.sum / f32(this_44.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
         chosen_28 = 0f;
@@ -3023,55 +3017,55 @@ fn RisSum_normaliser(this_45: RisSum) -> f32 {
 }
 
 // glimt_sampling/src/ris.rs:109
-fn Word_next_u32_(this_46: ptr<function, Word>) -> u32 {
+fn Word_next_u32_(this_45: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/ris.rs:110
-    let _e4 = (*this_46).f0_;
+    let _e4 = (*this_45).f0_;
     return _e4;
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth_1(this_47: ptr<function, Comb>, source_9: ptr<function, Word>) {
+fn Comb_place_tooth_1(this_46: ptr<function, Comb>, source_9: ptr<function, Word>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_47).made;
-    let _e7 = (*this_47).teeth;
+    let _e5 = (*this_46).made;
+    let _e7 = (*this_46).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_47).made;
+    let _e12 = (*this_46).made;
     let first_5 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_47).scheme;
+    let _e16 = (*this_46).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_47).state;
-        (*this_47).next = (first_5 + _e21);
+        let _e21 = (*this_46).state;
+        (*this_46).next = (first_5 + _e21);
     } else {
-        let _e25 = (*this_47).scheme;
+        let _e25 = (*this_46).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = Word_next_u32_(source_9);
             let _e30 = unit_f32_(_e29);
-            (*this_47).next = (first_5 + _e30);
+            (*this_46).next = (first_5 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = Word_next_u32_(source_9);
             let _e36 = unit_f32_(_e35);
             let v_6 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_47).teeth;
-            let _e42 = (*this_47).made;
+            let _e40 = (*this_46).teeth;
+            let _e42 = (*this_46).made;
             let left_4 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_47).state;
-            (*this_47).state = (_e50 * pow(v_6, (1f / left_4)));
+            let _e50 = (*this_46).state;
+            (*this_46).state = (_e50 * pow(v_6, (1f / left_4)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_47).state;
-            let _e58 = (*this_47).teeth;
-            (*this_47).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_46).state;
+            let _e58 = (*this_46).teeth;
+            (*this_46).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -3118,82 +3112,82 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take_1(this_48: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
+fn Comb_take_1(this_47: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_48).scheme;
+    let _e6 = (*this_47).scheme;
     let _e7 = sure_copies(_e6, expected_2);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_48).reach;
-    (*this_48).reach = (_e12 + (expected_2 - f32(_e7)));
+    let _e12 = (*this_47).reach;
+    (*this_47).reach = (_e12 + (expected_2 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before_1 = (*this_48).made;
+    let before_1 = (*this_47).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_48).made;
-        let _e21 = (*this_48).teeth;
-        let _e24 = (*this_48).next;
-        let _e26 = (*this_48).reach;
+        let _e19 = (*this_47).made;
+        let _e21 = (*this_47).teeth;
+        let _e24 = (*this_47).next;
+        let _e26 = (*this_47).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_48).made;
-            (*this_48).made = (_e32 + 1u);
+            let _e32 = (*this_47).made;
+            (*this_47).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth_1(this_48, source_11);
+            Comb_place_tooth_1(this_47, source_11);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_48).made;
+    let _e37 = (*this_47).made;
     return (_e7 + (_e37 - before_1));
 }
 
 // glimt_sampling/src/ris.rs:133
-fn RisPicks_take(this_49: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+fn RisPicks_take(this_48: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     var chosen_30: u32;
     var borrowed_8: Comb;
     var borrowed_9: Word;
 
     // glimt_sampling/src/ris.rs:134
-    let _e6 = (*this_49).candidate;
-    (*this_49).candidate = (_e6 + 1u);
+    let _e6 = (*this_48).candidate;
+    (*this_48).candidate = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:135
-    let _e13 = (*this_49).left;
+    let _e13 = (*this_48).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
         // glimt_sampling/src/ris.rs:136
         return 0u;
     }
     // glimt_sampling/src/ris.rs:138
-    let _e22 = (*this_49).candidate;
-    let _e24 = (*this_49).end;
+    let _e22 = (*this_48).candidate;
+    let _e24 = (*this_48).end;
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
-        let _e28 = (*this_49).left;
+        let _e28 = (*this_48).left;
         chosen_30 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
-        let _e32 = (*this_49).comb;
+        let _e32 = (*this_48).comb;
         borrowed_8 = _e32;
-        let _e34 = (*this_49).sum;
-        let _e37 = (*this_49).samples;
+        let _e34 = (*this_48).sum;
+        let _e37 = (*this_48).samples;
         borrowed_9 = Word(0u);
         let _e42 = Comb_take_1((&borrowed_8), ((weight_1 / _e34) * _e37), (&borrowed_9));
         let _e43 = borrowed_8;
-        (*this_49).comb = _e43;
-        let _e45 = (*this_49).left;
+        (*this_48).comb = _e43;
+        let _e45 = (*this_48).left;
         chosen_30 = min(_e42, _e45);
     }
     let picks_6 = chosen_30;
     // glimt_sampling/src/ris.rs:146
-    let _e50 = (*this_49).left;
-    (*this_49).left = (_e50 - picks_6);
+    let _e50 = (*this_48).left;
+    (*this_48).left = (_e50 - picks_6);
     // glimt_sampling/src/ris.rs:147
     return picks_6;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:140
-fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
+// glimt_render_gpu/src/kernels/smc.rs:143
+fn SmcParams_start(this_49: SmcParams, point_4: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
     var counter_14: u32;
     var counter_15: u32;
@@ -3202,20 +3196,20 @@ fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
     var counter_16: u32;
     var counter_17: u32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:147
-    // glimt_render_gpu/src/kernels/smc.rs:148
-    let candidates = Candidates(this_50.candidates, this_50.source, this_50.floor);
-    // glimt_render_gpu/src/kernels/smc.rs:153
+    // glimt_render_gpu/src/kernels/smc.rs:150
+    // glimt_render_gpu/src/kernels/smc.rs:151
+    let candidates = Candidates(this_49.candidates, this_49.source, this_49.floor);
+    // glimt_render_gpu/src/kernels/smc.rs:156
     let _e15 = RisSum_new();
     weights_1 = _e15;
-    // glimt_render_gpu/src/kernels/smc.rs:154
+    // glimt_render_gpu/src/kernels/smc.rs:157
     counter_14 = 0u;
     loop {
         let j = counter_14;
-        if (j >= this_50.candidates) {
+        if (j >= this_49.candidates) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:155
+        // glimt_render_gpu/src/kernels/smc.rs:158
         let _e24 = Candidates_draw(candidates, j, point_4, pattern_2, env_size_1, env_rotation_1);
         RisSum_add((&weights_1), _e24.weight);
         continuing {
@@ -3223,57 +3217,57 @@ fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
             counter_14 = (_e26 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:157
+    // glimt_render_gpu/src/kernels/smc.rs:160
     let _e30 = weights_1;
     let _e31 = RisSum_normaliser(_e30);
-    // glimt_render_gpu/src/kernels/smc.rs:158
+    // glimt_render_gpu/src/kernels/smc.rs:161
     if !((_e31 > 0f)) {
-        // glimt_render_gpu/src/kernels/smc.rs:159
+        // glimt_render_gpu/src/kernels/smc.rs:162
         counter_15 = 0u;
         loop {
             let i_10 = counter_15;
             if (i_10 >= particles_len_9) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:160
+            // glimt_render_gpu/src/kernels/smc.rs:163
             particles[(particles_start_9 + i_10)] = Particle(point_4.frame.n, -1000000000000000000000000000000f);
             continuing {
                 let _e49 = counter_15;
                 counter_15 = (_e49 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/smc.rs:165
+        // glimt_render_gpu/src/kernels/smc.rs:168
         return -1000000000000000000000000000000f;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:167
+    // glimt_render_gpu/src/kernels/smc.rs:170
     let _e55 = weights_1;
     let _e59 = PixelPattern_pair(pattern_2, 6u, 0u, 1u);
     let _e61 = RisPicks_new(_e55, particles_len_9, _e59.x);
     picks_5 = _e61;
-    // glimt_render_gpu/src/kernels/smc.rs:168
+    // glimt_render_gpu/src/kernels/smc.rs:171
     filled = 0u;
-    // glimt_render_gpu/src/kernels/smc.rs:169
+    // glimt_render_gpu/src/kernels/smc.rs:172
     counter_16 = 0u;
     loop {
         let j_1 = counter_16;
-        if (j_1 >= this_50.candidates) {
+        if (j_1 >= this_49.candidates) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:170
+        // glimt_render_gpu/src/kernels/smc.rs:173
         let _e73 = Candidates_draw(candidates, j_1, point_4, pattern_2, env_size_1, env_rotation_1);
-        // glimt_render_gpu/src/kernels/smc.rs:171
+        // glimt_render_gpu/src/kernels/smc.rs:174
         let _e76 = RisPicks_take((&picks_5), _e73.weight);
-        // glimt_render_gpu/src/kernels/smc.rs:172
+        // glimt_render_gpu/src/kernels/smc.rs:175
         counter_17 = 0u;
         loop {
             let _e80 = counter_17;
             if (_e80 >= _e76) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:173
+            // glimt_render_gpu/src/kernels/smc.rs:176
             let _e84 = filled;
             particles[(particles_start_9 + _e84)].state = _e73.direction;
-            // glimt_render_gpu/src/kernels/smc.rs:174
+            // glimt_render_gpu/src/kernels/smc.rs:177
             let _e91 = filled;
             filled = (_e91 + 1u);
             continuing {
@@ -3286,13 +3280,13 @@ fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
             counter_16 = (_e96 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:177
+    // glimt_render_gpu/src/kernels/smc.rs:180
     make_equal(particles_start_9, particles_len_9);
-    // glimt_render_gpu/src/kernels/smc.rs:178
+    // glimt_render_gpu/src/kernels/smc.rs:181
     return log(_e31);
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:185
+// glimt_render_gpu/src/kernels/smc.rs:188
 fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_10: u32, particles_len_10: u32) {
     var now: RayState;
     var chosen_31: u32;
@@ -3302,127 +3296,124 @@ fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: v
     var either_1: bool;
     var chosen_33: f32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:196
+    // glimt_render_gpu/src/kernels/smc.rs:199
     let seen = points[ray_2];
-    // glimt_render_gpu/src/kernels/smc.rs:197
+    // glimt_render_gpu/src/kernels/smc.rs:200
     let _e16 = SmcPoint_is_hit(seen);
     if !(_e16) {
-        // glimt_render_gpu/src/kernels/smc.rs:198
+        // glimt_render_gpu/src/kernels/smc.rs:201
         state_5[(state_start + 0u)] = RayState(vec3(0f), 0f, vec3(0f), 0f, 0f, 0f, 0f, 0u, 0f, 0f, 0u, 0u);
-        // glimt_render_gpu/src/kernels/smc.rs:199
+        // glimt_render_gpu/src/kernels/smc.rs:202
         return;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:201
-    let _e40 = FrameParams_pattern_of(frame_3, ray_2);
-    // glimt_render_gpu/src/kernels/smc.rs:202
-    let _e42 = SmcPoint_shading_point(seen);
-    // glimt_render_gpu/src/kernels/smc.rs:203
     // glimt_render_gpu/src/kernels/smc.rs:204
+    let _e40 = FrameParams_pattern_of(frame_3, ray_2);
+    // glimt_render_gpu/src/kernels/smc.rs:205
+    let _e42 = SmcPoint_shading_point(seen);
+    // glimt_render_gpu/src/kernels/smc.rs:206
+    // glimt_render_gpu/src/kernels/smc.rs:207
     let _e51 = luminance(_e42.brdf.diffuse);
     let _e54 = luminance(_e42.brdf.specular);
     now = RayState(seen.normal, -1000000000000000000000000000000f, seen.wo, seen.depth, _e51, _e54, _e42.brdf.exponent, 0u, f32(particles_len_10), 0f, 1u, 0u);
-    // glimt_render_gpu/src/kernels/smc.rs:218
+    // glimt_render_gpu/src/kernels/smc.rs:221
     if (seen.predecessor != 4294967295u) {
-        // glimt_render_gpu/src/kernels/smc.rs:219
-        let old_1 = seen.before;
-        // glimt_render_gpu/src/kernels/smc.rs:220
-        now.age = (old_1.age + 1u);
-        // glimt_render_gpu/src/kernels/smc.rs:221
-        now.lifetime = old_1.lifetime;
         // glimt_render_gpu/src/kernels/smc.rs:222
+        let old_1 = seen.before;
+        // glimt_render_gpu/src/kernels/smc.rs:223
+        now.age = (old_1.age + 1u);
+        // glimt_render_gpu/src/kernels/smc.rs:224
         if (smc.changed != 0u) {
-            // glimt_render_gpu/src/kernels/smc.rs:223
+            // glimt_render_gpu/src/kernels/smc.rs:225
             chosen_31 = 4u;
         } else {
-            let _e90 = now.age;
-            if ((old_1.lifetime > 0u) && (_e90 >= old_1.lifetime)) {
-                // glimt_render_gpu/src/kernels/smc.rs:225
+            let _e84 = now.age;
+            let _e85 = SmcParams_is_due(smc, _e84, _e40);
+            if _e85 {
+                // glimt_render_gpu/src/kernels/smc.rs:227
                 chosen_32 = 3u;
             } else {
-                // glimt_render_gpu/src/kernels/smc.rs:227
+                // glimt_render_gpu/src/kernels/smc.rs:229
                 chosen_32 = 0u;
             }
-            let _e98 = chosen_32;
-            chosen_31 = _e98;
+            let _e90 = chosen_32;
+            chosen_31 = _e90;
         }
-        let _e99 = chosen_31;
-        now.started = _e99;
+        let _e91 = chosen_31;
+        now.started = _e91;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:230
-    let _e103 = now.started;
-    if (_e103 == 0u) {
-        // glimt_render_gpu/src/kernels/smc.rs:231
-        let old_2 = seen.before;
-        // glimt_render_gpu/src/kernels/smc.rs:232
-        let first_6 = (seen.predecessor * particles_len_10);
+    // glimt_render_gpu/src/kernels/smc.rs:232
+    let _e95 = now.started;
+    if (_e95 == 0u) {
         // glimt_render_gpu/src/kernels/smc.rs:233
+        let old_2 = seen.before;
+        // glimt_render_gpu/src/kernels/smc.rs:234
+        let first_6 = (seen.predecessor * particles_len_10);
+        // glimt_render_gpu/src/kernels/smc.rs:235
         counter_18 = 0u;
         loop {
             let i_11 = counter_18;
             if (i_11 >= particles_len_10) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:234
-            let _e120 = past_particles[(first_6 + i_11)];
-            particles[(particles_start_10 + i_11)] = _e120;
+            // glimt_render_gpu/src/kernels/smc.rs:236
+            let _e112 = past_particles[(first_6 + i_11)];
+            particles[(particles_start_10 + i_11)] = _e112;
             continuing {
-                let _e124 = counter_18;
-                counter_18 = (_e124 + 1u);
+                let _e116 = counter_18;
+                counter_18 = (_e116 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/smc.rs:236
-        let _e129 = LightLobe_of_state(old_2);
-        let _e131 = LightLobe_of_point(_e42);
-        // glimt_render_gpu/src/kernels/smc.rs:244
-        let _e134 = PixelPattern_source(_e40, 7u);
-        source_12 = _e134;
-        // glimt_render_gpu/src/kernels/smc.rs:245
-        let _e137 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e129, env_size_2, env_rotation_2, smc.floor, _e131, _e42, particles_start_10, particles_len_10, (&source_12));
+        // glimt_render_gpu/src/kernels/smc.rs:238
+        let _e121 = LightLobe_of_state(old_2);
+        let _e123 = LightLobe_of_point(_e42);
         // glimt_render_gpu/src/kernels/smc.rs:246
-        let _e140 = is_log_zero(_e137.log_ratio);
-        either_1 = _e140;
-        if _e140 {
+        let _e126 = PixelPattern_source(_e40, 7u);
+        source_12 = _e126;
+        // glimt_render_gpu/src/kernels/smc.rs:247
+        let _e129 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e121, env_size_2, env_rotation_2, smc.floor, _e123, _e42, particles_start_10, particles_len_10, (&source_12));
+        // glimt_render_gpu/src/kernels/smc.rs:248
+        let _e132 = is_log_zero(_e129.log_ratio);
+        either_1 = _e132;
+        if _e132 {
         } else {
-            let _e143 = is_log_zero(old_2.log_normaliser);
-            either_1 = _e143;
+            let _e135 = is_log_zero(old_2.log_normaliser);
+            either_1 = _e135;
         }
         let dead = either_1;
-        // glimt_render_gpu/src/kernels/smc.rs:247
-        now.log_ratio = _e137.log_ratio;
-        // glimt_render_gpu/src/kernels/smc.rs:248
-        now.ess = _e137.ess;
         // glimt_render_gpu/src/kernels/smc.rs:249
-        if ((smc.band > 0f) && (dead || (abs(_e137.log_ratio) > smc.band))) {
-            // glimt_render_gpu/src/kernels/smc.rs:250
+        now.log_ratio = _e129.log_ratio;
+        // glimt_render_gpu/src/kernels/smc.rs:250
+        now.ess = _e129.ess;
+        // glimt_render_gpu/src/kernels/smc.rs:251
+        now.accepted = _e129.accepted;
+        // glimt_render_gpu/src/kernels/smc.rs:252
+        if ((smc.band > 0f) && (dead || (abs(_e129.log_ratio) > smc.band))) {
+            // glimt_render_gpu/src/kernels/smc.rs:253
             now.started = 2u;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:252
+        // glimt_render_gpu/src/kernels/smc.rs:255
         if dead {
-            // glimt_render_gpu/src/kernels/smc.rs:253
+            // glimt_render_gpu/src/kernels/smc.rs:256
             chosen_33 = -1000000000000000000000000000000f;
         } else {
-            // glimt_render_gpu/src/kernels/smc.rs:255
-            chosen_33 = (old_2.log_normaliser + _e137.log_ratio);
+            // glimt_render_gpu/src/kernels/smc.rs:258
+            chosen_33 = (old_2.log_normaliser + _e129.log_ratio);
         }
-        let _e172 = chosen_33;
-        now.log_normaliser = _e172;
+        let _e167 = chosen_33;
+        now.log_normaliser = _e167;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:258
-    let _e176 = now.started;
-    if (_e176 != 0u) {
-        // glimt_render_gpu/src/kernels/smc.rs:259
+    // glimt_render_gpu/src/kernels/smc.rs:261
+    let _e171 = now.started;
+    if (_e171 != 0u) {
+        // glimt_render_gpu/src/kernels/smc.rs:262
         now.age = 0u;
-        // glimt_render_gpu/src/kernels/smc.rs:260
-        let _e184 = now.started;
-        let _e185 = SmcParams_lifetime(smc, _e184, _e40);
-        now.lifetime = _e185;
-        // glimt_render_gpu/src/kernels/smc.rs:261
-        let _e188 = SmcParams_start(smc, _e42, _e40, env_size_2, env_rotation_2, particles_start_10, particles_len_10);
-        now.log_normaliser = _e188;
+        // glimt_render_gpu/src/kernels/smc.rs:263
+        let _e178 = SmcParams_start(smc, _e42, _e40, env_size_2, env_rotation_2, particles_start_10, particles_len_10);
+        now.log_normaliser = _e178;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:263
-    let _e191 = now;
-    state_5[(state_start + 0u)] = _e191;
+    // glimt_render_gpu/src/kernels/smc.rs:265
+    let _e181 = now;
+    state_5[(state_start + 0u)] = _e181;
     return;
 }
 

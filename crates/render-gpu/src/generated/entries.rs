@@ -393,27 +393,6 @@ pub static SHADE_CELLS_LAYERS: Entry = Entry {
     ]),
 };
 
-/// `cells::gather_cells` as a compute entry point.
-pub static GATHER_CELLS: Entry = Entry {
-    name: Borrowed("gather_cells"),
-    kernel: Borrowed("glimt_render_gpu::kernels::cells::gather_cells"),
-    wgsl: Borrowed(include_str!("gather_cells.wgsl")),
-    workgroup_size: 64,
-    params_size: 256,
-    params_space: ParamsSpace::Uniform,
-    params: Borrowed(&[
-        ParamField::new("first", 0, 4),
-        ParamField::new("count", 4, 4),
-        ParamField::new("counts_len", 8, 4),
-        ParamField::new("frame", 16, 208),
-        ParamField::new("cells", 224, 32),
-    ]),
-    buffers: Borrowed(&[
-        BufferSlot::new("points", 1, 112, false),
-        BufferSlot::new("counts", 2, 4, true),
-    ]),
-};
-
 /// `smc_point::find_smc` as a compute entry point.
 pub static FIND_SMC: Entry = Entry {
     name: Borrowed("find_smc"),

@@ -10,7 +10,7 @@ struct TileEntry {
     diffuse: f32,
     specular: f32,
     off_centre: f32,
-    is_known: u32,
+    unused: u32,
 }
 
 struct CellParams {
@@ -45,19 +45,19 @@ var<storage, read_write> visibility_1: array<u32>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/cell_state.rs:89
+// glimt_render_gpu/src/kernels/cell_state.rs:86
 fn bytes_of(word: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:90
+    // glimt_render_gpu/src/kernels/cell_state.rs:87
     return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:137
+// glimt_render_gpu/src/kernels/cell_state.rs:118
 fn pack(visibility: vec4<f32>) -> u32 {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:138
+    // glimt_render_gpu/src/kernels/cell_state.rs:119
     let codes = vec4<u32>(((clamp(visibility, vec4(0f), vec4(1f)) * 255f) + vec4(0.5f)));
-    // glimt_render_gpu/src/kernels/cell_state.rs:139
+    // glimt_render_gpu/src/kernels/cell_state.rs:120
     return (((codes.x | (codes.y << 8u)) | (codes.z << 16u)) | (codes.w << 24u));
 }
 

@@ -35,7 +35,7 @@ struct RayState {
     ess: f32,
     log_ratio: f32,
     started: u32,
-    lifetime: u32,
+    accepted: u32,
 }
 
 struct ColourMatrix {

@@ -60,7 +60,7 @@ const _: () = {
     assert!(offset_of!(crate::kernels::cell_state::TileEntry, diffuse) == 48);
     assert!(offset_of!(crate::kernels::cell_state::TileEntry, specular) == 52);
     assert!(offset_of!(crate::kernels::cell_state::TileEntry, off_centre) == 56);
-    assert!(offset_of!(crate::kernels::cell_state::TileEntry, is_known) == 60);
+    assert!(offset_of!(crate::kernels::cell_state::TileEntry, unused) == 60);
     assert!(size_of::<crate::kernels::composite::PlatePixel>() == 16);
     assert!(offset_of!(crate::kernels::composite::PlatePixel, linear) == 0);
     assert!(offset_of!(crate::kernels::composite::PlatePixel, code) == 12);
@@ -150,7 +150,7 @@ const _: () = {
     assert!(offset_of!(crate::kernels::past::RayState, ess) == 48);
     assert!(offset_of!(crate::kernels::past::RayState, log_ratio) == 52);
     assert!(offset_of!(crate::kernels::past::RayState, started) == 56);
-    assert!(offset_of!(crate::kernels::past::RayState, lifetime) == 60);
+    assert!(offset_of!(crate::kernels::past::RayState, accepted) == 60);
     assert!(size_of::<crate::kernels::product::Product>() == 16);
     assert!(offset_of!(crate::kernels::product::Product, rays) == 0);
     assert!(offset_of!(crate::kernels::product::Product, unused_a) == 4);
@@ -195,9 +195,9 @@ const _: () = {
     assert!(offset_of!(crate::kernels::seen::SeenPoint, diffuse) == 64);
     assert!(offset_of!(crate::kernels::seen::SeenPoint, order) == 76);
     assert!(offset_of!(crate::kernels::seen::SeenPoint, specular) == 80);
-    assert!(offset_of!(crate::kernels::seen::SeenPoint, record) == 92);
+    assert!(offset_of!(crate::kernels::seen::SeenPoint, unused_a) == 92);
     assert!(offset_of!(crate::kernels::seen::SeenPoint, emission) == 96);
-    assert!(offset_of!(crate::kernels::seen::SeenPoint, unused) == 108);
+    assert!(offset_of!(crate::kernels::seen::SeenPoint, unused_b) == 108);
     assert!(size_of::<crate::kernels::sensor::SensorParams>() == 48);
     assert!(offset_of!(crate::kernels::sensor::SensorParams, longest_gain) == 0);
     assert!(offset_of!(crate::kernels::sensor::SensorParams, step) == 4);

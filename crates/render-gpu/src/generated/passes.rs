@@ -1242,61 +1242,6 @@ impl<'a, M: Memory> Pass for ShadeCellsLayers<'a, M> {
     }
 }
 
-/// `cells::gather_cells` with its arguments.
-pub struct GatherCells<'a, M: Memory> {
-    /// The kernel's `frame`.
-    pub frame: &'a crate::kernels::frame::FrameParams,
-    /// The kernel's `cells`.
-    pub cells: &'a crate::kernels::scout::CellParams,
-    /// The kernel's `points`.
-    pub points: M::Slice<'a, crate::kernels::seen::SeenPoint>,
-    /// The kernel's own `counts`.
-    pub counts: M::Chunks<'a, u32>,
-}
-
-impl<'a, M: Memory> Pass for GatherCells<'a, M> {
-    type Memory = M;
-
-    fn entry() -> &'static Entry {
-        &entries::GATHER_CELLS
-    }
-
-    fn bind(&self, binder: &mut impl Binder<M>) {
-        binder.value(3, self.frame);
-        binder.value(4, self.cells);
-        binder.slice(0, self.points);
-        binder.chunks(1, 2, &self.counts);
-    }
-
-    fn elements(&self) -> usize
-    where
-        M: HostMemory,
-    {
-        M::count(&self.counts)
-    }
-
-    fn split_at(self, at: usize) -> (Self, Self)
-    where
-        M: HostMemory,
-    {
-        let (counts, rest_of_counts) = M::split_at(self.counts, at);
-        (
-            Self { frame: self.frame, cells: self.cells, points: self.points, counts },
-            Self { frame: self.frame, cells: self.cells, points: self.points, counts: rest_of_counts },
-        )
-    }
-
-    fn compute(self, first: u32)
-    where
-        M: HostMemory,
-    {
-        let points = M::values(self.points);
-        for (id, counts) in (first..).zip(M::each(self.counts)) {
-            crate::kernels::cells::gather_cells(id, self.frame, self.cells, points, counts);
-        }
-    }
-}
-
 /// `smc_point::find_smc` with its arguments.
 pub struct FindSmc<'a, M: Memory> {
     /// The kernel's `frame`.

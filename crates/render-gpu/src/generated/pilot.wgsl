@@ -33,7 +33,7 @@ struct TileEntry {
     diffuse: f32,
     specular: f32,
     off_centre: f32,
-    is_known: u32,
+    unused: u32,
 }
 
 struct ColourMatrix {
@@ -166,9 +166,9 @@ struct SeenPoint {
     diffuse: vec3<f32>,
     order: u32,
     specular: vec3<f32>,
-    record: u32,
+    unused_a: u32,
     emission: vec3<f32>,
-    unused: u32,
+    unused_b: u32,
 }
 
 struct ShadingFrame {
@@ -2033,66 +2033,66 @@ fn Triangle_object_index(this_23: Triangle) -> u32 {
     return (this_23.object & 536870911u);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:131
+// glimt_render_gpu/src/kernels/seen.rs:124
 fn see_by(pattern_1: PixelPattern, frame_3: FrameParams) -> SeenPoint {
     var chosen_12: u32;
     var chosen_13: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/seen.rs:132
+    // glimt_render_gpu/src/kernels/seen.rs:125
     let _e4 = FrameParams_camera_ray(frame_3, pattern_1);
-    // glimt_render_gpu/src/kernels/seen.rs:133
+    // glimt_render_gpu/src/kernels/seen.rs:126
     let _e6 = Scene_closest_hit(_e4);
     if !(_e6.is_some) {
-        // glimt_render_gpu/src/kernels/seen.rs:134
+        // glimt_render_gpu/src/kernels/seen.rs:127
         return SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
     }
     let hit_1 = _e6.value;
-    // glimt_render_gpu/src/kernels/seen.rs:136
+    // glimt_render_gpu/src/kernels/seen.rs:129
     let _e34 = Scene_shading_point(_e4, hit_1);
-    // glimt_render_gpu/src/kernels/seen.rs:137
+    // glimt_render_gpu/src/kernels/seen.rs:130
     let triangle_7 = scene_triangles[hit_1.triangle];
-    // glimt_render_gpu/src/kernels/seen.rs:138
+    // glimt_render_gpu/src/kernels/seen.rs:131
     let _e41 = Triangle_is_catcher(triangle_7);
-    // glimt_render_gpu/src/kernels/seen.rs:139
+    // glimt_render_gpu/src/kernels/seen.rs:132
     let _e44 = Triangle_object_index(triangle_7);
     if _e41 {
-        // glimt_render_gpu/src/kernels/seen.rs:143
+        // glimt_render_gpu/src/kernels/seen.rs:136
         chosen_12 = 2u;
     } else {
         chosen_12 = 0u;
     }
     let _e52 = chosen_12;
     if _e41 {
-        // glimt_render_gpu/src/kernels/seen.rs:153
+        // glimt_render_gpu/src/kernels/seen.rs:146
         chosen_13 = vec3(0f);
     } else {
-        // glimt_render_gpu/src/kernels/seen.rs:155
+        // glimt_render_gpu/src/kernels/seen.rs:148
         chosen_13 = _e34.emission;
     }
     let _e72 = chosen_13;
     return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_7.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0u);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:74
+// glimt_render_gpu/src/kernels/cell_state.rs:71
 fn slot_of(surface: u32, first_2: u32) -> u32 {
     var slot: u32;
     var counter_2: u32;
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:75
+    // glimt_render_gpu/src/kernels/cell_state.rs:72
     slot = 0u;
-    // glimt_render_gpu/src/kernels/cell_state.rs:76
+    // glimt_render_gpu/src/kernels/cell_state.rs:73
     counter_2 = 0u;
     loop {
         let i_1 = counter_2;
         if (i_1 >= 3u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/cell_state.rs:77
+        // glimt_render_gpu/src/kernels/cell_state.rs:74
         let own = entries[(first_2 + i_1)].surface;
-        // glimt_render_gpu/src/kernels/cell_state.rs:79
+        // glimt_render_gpu/src/kernels/cell_state.rs:76
         let _e19 = slot;
         if ((_e19 == 0u) && ((own == surface) || ((i_1 == (3u - 1u)) && (own != 0u)))) {
-            // glimt_render_gpu/src/kernels/cell_state.rs:80
+            // glimt_render_gpu/src/kernels/cell_state.rs:77
             slot = (i_1 + 1u);
         }
         continuing {
@@ -2100,24 +2100,24 @@ fn slot_of(surface: u32, first_2: u32) -> u32 {
             counter_2 = (_e35 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:83
+    // glimt_render_gpu/src/kernels/cell_state.rs:80
     let _e39 = slot;
     return _e39;
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:84
+// glimt_render_gpu/src/kernels/seen.rs:77
 fn SeenPoint_is_hit(this_24: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:85
+    // glimt_render_gpu/src/kernels/seen.rs:78
     return (this_24.surface != 0u);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:105
+// glimt_render_gpu/src/kernels/seen.rs:98
 fn SeenPoint_shading_point(this_25: SeenPoint) -> ShadingPoint {
 
-    // glimt_render_gpu/src/kernels/seen.rs:106
+    // glimt_render_gpu/src/kernels/seen.rs:99
     let _e4 = ShadingFrame_from_normal(this_25.normal);
-    // glimt_render_gpu/src/kernels/seen.rs:107
+    // glimt_render_gpu/src/kernels/seen.rs:100
     let _e9 = ShadingFrame_to_local(_e4, this_25.wo);
     return ShadingPoint(this_25.origin, this_25.geometric_normal, _e4, _e9, BlinnPhong(this_25.diffuse, this_25.specular, this_25.exponent), this_25.emission);
 }
@@ -2178,10 +2178,10 @@ fn alone(point: SeenPoint, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Repr
     return Representative(_e6, point.diffuse, point.specular, _e20);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:91
+// glimt_render_gpu/src/kernels/seen.rs:84
 fn SeenPoint_is_catcher(this_26: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:92
+    // glimt_render_gpu/src/kernels/seen.rs:85
     return ((this_26.flags & 2u) != 0u);
 }
 
@@ -2313,10 +2313,10 @@ fn LightCells_terms(size_5: vec2<u32>, start_1: u32, surface_1: CellSurface, qua
     return CellTerms(cosine_1, _e45, _e42, lobe, min((slope_1 + near_2), vec4(1f)), cosine_spread);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:185
+// glimt_render_gpu/src/kernels/cell_state.rs:166
 fn Even_quad(this_27: Even, _quad: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:186
+    // glimt_render_gpu/src/kernels/cell_state.rs:167
     return vec4(0.75f);
 }
 
@@ -3278,14 +3278,14 @@ fn Scene_is_lit(point_1: ShadingPoint, direction_3: vec3<f32>, key_4: u32) -> bo
     return !(_e9);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:100
+// glimt_render_gpu/src/kernels/cell_state.rs:97
 fn counted(n_3: u32, s: u32, arrives: u32) -> u32 {
     var chosen_22: u32;
     var chosen_23: u32;
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:101
+    // glimt_render_gpu/src/kernels/cell_state.rs:98
     let is_full = (n_3 >= 255u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:103
+    // glimt_render_gpu/src/kernels/cell_state.rs:100
     if is_full {
         chosen_22 = (n_3 / 2u);
     } else {
@@ -3293,7 +3293,7 @@ fn counted(n_3: u32, s: u32, arrives: u32) -> u32 {
     }
     let _e11 = chosen_22;
     let n_5 = (_e11 + 1u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:104
+    // glimt_render_gpu/src/kernels/cell_state.rs:101
     if is_full {
         chosen_23 = (s / 2u);
     } else {
@@ -3301,19 +3301,19 @@ fn counted(n_3: u32, s: u32, arrives: u32) -> u32 {
     }
     let _e18 = chosen_23;
     let s_5 = (_e18 + arrives);
-    // glimt_render_gpu/src/kernels/cell_state.rs:105
+    // glimt_render_gpu/src/kernels/cell_state.rs:102
     return (n_5 | (s_5 << 8u));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:111
+// glimt_render_gpu/src/kernels/cell_state.rs:108
 fn count_2(word_4: u32, cell_3: u32, arrives_1: bool) -> u32 {
     var chosen_24: u32;
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:112
+    // glimt_render_gpu/src/kernels/cell_state.rs:109
     let shift = (16u * (cell_3 & 1u));
-    // glimt_render_gpu/src/kernels/cell_state.rs:113
+    // glimt_render_gpu/src/kernels/cell_state.rs:110
     let own_1 = ((word_4 >> (shift & 31u)) & 65535u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:114
+    // glimt_render_gpu/src/kernels/cell_state.rs:111
     if arrives_1 {
         chosen_24 = 1u;
     } else {
@@ -3321,153 +3321,118 @@ fn count_2(word_4: u32, cell_3: u32, arrives_1: bool) -> u32 {
     }
     let _e23 = chosen_24;
     let _e24 = counted((own_1 & 255u), (own_1 >> 8u), _e23);
-    // glimt_render_gpu/src/kernels/cell_state.rs:115
+    // glimt_render_gpu/src/kernels/cell_state.rs:112
     return ((word_4 & ~((65535u << (shift & 31u)))) | (_e24 << (shift & 31u)));
 }
 
-// glimt_render_gpu/src/kernels/pilot.rs:44
+// glimt_render_gpu/src/kernels/pilot.rs:43
 fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, counts_start: u32, counts_len: u32) {
-    var wanted: bool;
     var counter_10: u32;
     var counter_11: u32;
-    var counter_12: u32;
-    var both_2: bool;
     var proposal: Proposal;
     var chosen_25: u32;
-    var counter_13: u32;
+    var counter_12: u32;
     var borrowed_4: PatternSource;
 
-    // glimt_render_gpu/src/kernels/pilot.rs:53
+    // glimt_render_gpu/src/kernels/pilot.rs:52
     let _e8 = CellParams_corner(cells, tile_1);
-    // glimt_render_gpu/src/kernels/pilot.rs:54
+    // glimt_render_gpu/src/kernels/pilot.rs:53
     let _e10 = tile_end(_e8, frame_4);
-    // glimt_render_gpu/src/kernels/pilot.rs:55
+    // glimt_render_gpu/src/kernels/pilot.rs:54
     let first_9 = (tile_1 * 3u);
+    // glimt_render_gpu/src/kernels/pilot.rs:55
+    let rays = u32(max(((cells.rays * cells.pilot) * f32((2u * 2u))), 1f));
     // glimt_render_gpu/src/kernels/pilot.rs:56
-    wanted = false;
+    let _e27 = Environment_cells(env_size_1, env_rotation_1);
     // glimt_render_gpu/src/kernels/pilot.rs:57
-    counter_10 = first_9;
+    let _e34 = (_e10.y - _e8.y);
+    let _e36 = (_e34 / 2u);
+    counter_10 = 0u;
     loop {
-        let i_2 = counter_10;
-        if (i_2 >= (first_9 + 3u)) {
+        let row_5 = counter_10;
+        if (row_5 >= select(_e36, (_e36 + 1u), ((_e34 % 2u) != 0u))) {
             break;
         }
         // glimt_render_gpu/src/kernels/pilot.rs:58
-        let entry = entries[i_2];
-        // glimt_render_gpu/src/kernels/pilot.rs:59
-        let _e28 = wanted;
-        wanted = (_e28 || ((entry.surface != 0u) && (entry.is_known == 0u)));
-        continuing {
-            let _e37 = counter_10;
-            counter_10 = (_e37 + 1u);
-        }
-    }
-    // glimt_render_gpu/src/kernels/pilot.rs:61
-    let _e41 = wanted;
-    if !(_e41) {
-        // glimt_render_gpu/src/kernels/pilot.rs:62
-        return;
-    }
-    // glimt_render_gpu/src/kernels/pilot.rs:64
-    let rays = u32(max(((cells.rays * cells.pilot) * f32((2u * 2u))), 1f));
-    // glimt_render_gpu/src/kernels/pilot.rs:65
-    let _e57 = Environment_cells(env_size_1, env_rotation_1);
-    // glimt_render_gpu/src/kernels/pilot.rs:66
-    let _e64 = (_e10.y - _e8.y);
-    let _e66 = (_e64 / 2u);
-    counter_11 = 0u;
-    loop {
-        let row_5 = counter_11;
-        if (row_5 >= select(_e66, (_e66 + 1u), ((_e64 % 2u) != 0u))) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/pilot.rs:67
-        let _e80 = (_e10.x - _e8.x);
-        let _e82 = (_e80 / 2u);
-        counter_12 = 0u;
+        let _e50 = (_e10.x - _e8.x);
+        let _e52 = (_e50 / 2u);
+        counter_11 = 0u;
         loop {
-            let column_3 = counter_12;
-            if (column_3 >= select(_e82, (_e82 + 1u), ((_e80 % 2u) != 0u))) {
+            let column_3 = counter_11;
+            if (column_3 >= select(_e52, (_e52 + 1u), ((_e50 % 2u) != 0u))) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pilot.rs:68
+            // glimt_render_gpu/src/kernels/pilot.rs:59
             let pixel_4 = ((((_e8.y + (2u * row_5)) * frame_4.width) + _e8.x) + (2u * column_3));
-            // glimt_render_gpu/src/kernels/pilot.rs:69
-            let _e106 = FrameParams_pattern_at(frame_4, pixel_4, 0u);
-            // glimt_render_gpu/src/kernels/pilot.rs:70
-            let _e108 = see_by(_e106, frame_4);
-            // glimt_render_gpu/src/kernels/pilot.rs:71
-            let _e111 = slot_of(_e108.surface, first_9);
-            // glimt_render_gpu/src/kernels/pilot.rs:72
-            let _e113 = SeenPoint_is_hit(_e108);
-            let _e116 = (_e113 && (_e111 > 0u));
-            both_2 = _e116;
-            if _e116 {
-                let _e124 = entries[((first_9 + _e111) - 1u)].is_known;
-                both_2 = (_e124 == 0u);
-            }
-            let _e127 = both_2;
-            if _e127 {
-                // glimt_render_gpu/src/kernels/pilot.rs:73
-                let base_2 = ((_e111 - 1u) * 256u);
-                // glimt_render_gpu/src/kernels/pilot.rs:74
-                let _e134 = SeenPoint_shading_point(_e108);
-                // glimt_render_gpu/src/kernels/pilot.rs:75
-                let _e136 = alone(_e108, env_size_1, env_rotation_1);
-                let _e138 = SeenPoint_is_catcher(_e108);
-                let _e139 = Proposal_new(_e136, _e57.value_size, _e57.value_start, Even(), _e138);
-                proposal = _e139;
-                // glimt_render_gpu/src/kernels/pilot.rs:76
-                let _e143 = PixelPattern_ray_key(_e106, 14u);
-                // glimt_render_gpu/src/kernels/pilot.rs:77
-                let _e147 = proposal.total;
-                if (_e147 > 0f) {
+            // glimt_render_gpu/src/kernels/pilot.rs:60
+            let _e76 = FrameParams_pattern_at(frame_4, pixel_4, 0u);
+            // glimt_render_gpu/src/kernels/pilot.rs:61
+            let _e78 = see_by(_e76, frame_4);
+            // glimt_render_gpu/src/kernels/pilot.rs:62
+            let _e81 = slot_of(_e78.surface, first_9);
+            // glimt_render_gpu/src/kernels/pilot.rs:63
+            let _e83 = SeenPoint_is_hit(_e78);
+            if (_e83 && (_e81 > 0u)) {
+                // glimt_render_gpu/src/kernels/pilot.rs:64
+                let base_2 = ((_e81 - 1u) * 256u);
+                // glimt_render_gpu/src/kernels/pilot.rs:65
+                let _e93 = SeenPoint_shading_point(_e78);
+                // glimt_render_gpu/src/kernels/pilot.rs:66
+                let _e95 = alone(_e78, env_size_1, env_rotation_1);
+                let _e97 = SeenPoint_is_catcher(_e78);
+                let _e98 = Proposal_new(_e95, _e27.value_size, _e27.value_start, Even(), _e97);
+                proposal = _e98;
+                // glimt_render_gpu/src/kernels/pilot.rs:67
+                let _e102 = PixelPattern_ray_key(_e76, 14u);
+                // glimt_render_gpu/src/kernels/pilot.rs:68
+                let _e106 = proposal.total;
+                if (_e106 > 0f) {
                     chosen_25 = rays;
                 } else {
                     chosen_25 = 0u;
                 }
                 let own_2 = chosen_25;
-                // glimt_render_gpu/src/kernels/pilot.rs:78
-                counter_13 = 0u;
+                // glimt_render_gpu/src/kernels/pilot.rs:69
+                counter_12 = 0u;
                 loop {
-                    let s_6 = counter_13;
+                    let s_6 = counter_12;
                     if (s_6 >= own_2) {
                         break;
                     }
-                    // glimt_render_gpu/src/kernels/pilot.rs:79
-                    let _e159 = PixelPattern_point(_e106, 13u, s_6);
-                    borrowed_4 = _e159;
-                    let _e161 = PatternSource_next_uvec2_((&borrowed_4));
-                    // glimt_render_gpu/src/kernels/pilot.rs:80
-                    let _e163 = proposal;
-                    let _e165 = Proposal_sample_cells(_e163, _e161, _e57.value_size, _e57.value_start, Even());
-                    // glimt_render_gpu/src/kernels/pilot.rs:81
-                    let _e168 = rotate_z(_e165.direction, env_rotation_1);
-                    // glimt_render_gpu/src/kernels/pilot.rs:82
-                    if ((dot(_e134.frame.n, _e168) > 0f) && (dot(_e134.geometric_normal, _e168) > 0f)) {
-                        // glimt_render_gpu/src/kernels/pilot.rs:85
-                        let _e182 = Scene_is_lit(_e134, _e168, (_e143 + s_6));
-                        // glimt_render_gpu/src/kernels/pilot.rs:86
-                        let at_5 = (base_2 + (_e165.cell / 2u));
-                        // glimt_render_gpu/src/kernels/pilot.rs:87
-                        let _e192 = counts[(counts_start + at_5)];
-                        let _e194 = count_2(_e192, _e165.cell, _e182);
-                        counts[(counts_start + at_5)] = _e194;
+                    // glimt_render_gpu/src/kernels/pilot.rs:70
+                    let _e118 = PixelPattern_point(_e76, 13u, s_6);
+                    borrowed_4 = _e118;
+                    let _e120 = PatternSource_next_uvec2_((&borrowed_4));
+                    // glimt_render_gpu/src/kernels/pilot.rs:71
+                    let _e122 = proposal;
+                    let _e124 = Proposal_sample_cells(_e122, _e120, _e27.value_size, _e27.value_start, Even());
+                    // glimt_render_gpu/src/kernels/pilot.rs:72
+                    let _e127 = rotate_z(_e124.direction, env_rotation_1);
+                    // glimt_render_gpu/src/kernels/pilot.rs:73
+                    if ((dot(_e93.frame.n, _e127) > 0f) && (dot(_e93.geometric_normal, _e127) > 0f)) {
+                        // glimt_render_gpu/src/kernels/pilot.rs:76
+                        let _e141 = Scene_is_lit(_e93, _e127, (_e102 + s_6));
+                        // glimt_render_gpu/src/kernels/pilot.rs:77
+                        let at_5 = (base_2 + (_e124.cell / 2u));
+                        // glimt_render_gpu/src/kernels/pilot.rs:78
+                        let _e151 = counts[(counts_start + at_5)];
+                        let _e153 = count_2(_e151, _e124.cell, _e141);
+                        counts[(counts_start + at_5)] = _e153;
                     }
                     continuing {
-                        let _e198 = counter_13;
-                        counter_13 = (_e198 + 1u);
+                        let _e157 = counter_12;
+                        counter_12 = (_e157 + 1u);
                     }
                 }
             }
             continuing {
-                let _e201 = counter_12;
-                counter_12 = (_e201 + 1u);
+                let _e160 = counter_11;
+                counter_11 = (_e160 + 1u);
             }
         }
         continuing {
-            let _e204 = counter_11;
-            counter_11 = (_e204 + 1u);
+            let _e163 = counter_10;
+            counter_10 = (_e163 + 1u);
         }
     }
     return;

@@ -33,7 +33,7 @@ struct TileEntry {
     diffuse: f32,
     specular: f32,
     off_centre: f32,
-    is_known: u32,
+    unused: u32,
 }
 
 struct ColourMatrix {
@@ -161,9 +161,9 @@ struct SeenPoint {
     diffuse: vec3<f32>,
     order: u32,
     specular: vec3<f32>,
-    record: u32,
+    unused_a: u32,
     emission: vec3<f32>,
-    unused: u32,
+    unused_b: u32,
 }
 
 struct ShadingFrame {
@@ -1923,50 +1923,50 @@ fn Triangle_object_index(this_23: Triangle) -> u32 {
     return (this_23.object & 536870911u);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:131
+// glimt_render_gpu/src/kernels/seen.rs:124
 fn see_by(pattern_1: PixelPattern, frame_3: FrameParams) -> SeenPoint {
     var chosen_12: u32;
     var chosen_13: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/seen.rs:132
+    // glimt_render_gpu/src/kernels/seen.rs:125
     let _e4 = FrameParams_camera_ray(frame_3, pattern_1);
-    // glimt_render_gpu/src/kernels/seen.rs:133
+    // glimt_render_gpu/src/kernels/seen.rs:126
     let _e6 = Scene_closest_hit(_e4);
     if !(_e6.is_some) {
-        // glimt_render_gpu/src/kernels/seen.rs:134
+        // glimt_render_gpu/src/kernels/seen.rs:127
         return SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
     }
     let hit_1 = _e6.value;
-    // glimt_render_gpu/src/kernels/seen.rs:136
+    // glimt_render_gpu/src/kernels/seen.rs:129
     let _e34 = Scene_shading_point(_e4, hit_1);
-    // glimt_render_gpu/src/kernels/seen.rs:137
+    // glimt_render_gpu/src/kernels/seen.rs:130
     let triangle_7 = scene_triangles[hit_1.triangle];
-    // glimt_render_gpu/src/kernels/seen.rs:138
+    // glimt_render_gpu/src/kernels/seen.rs:131
     let _e41 = Triangle_is_catcher(triangle_7);
-    // glimt_render_gpu/src/kernels/seen.rs:139
+    // glimt_render_gpu/src/kernels/seen.rs:132
     let _e44 = Triangle_object_index(triangle_7);
     if _e41 {
-        // glimt_render_gpu/src/kernels/seen.rs:143
+        // glimt_render_gpu/src/kernels/seen.rs:136
         chosen_12 = 2u;
     } else {
         chosen_12 = 0u;
     }
     let _e52 = chosen_12;
     if _e41 {
-        // glimt_render_gpu/src/kernels/seen.rs:153
+        // glimt_render_gpu/src/kernels/seen.rs:146
         chosen_13 = vec3(0f);
     } else {
-        // glimt_render_gpu/src/kernels/seen.rs:155
+        // glimt_render_gpu/src/kernels/seen.rs:148
         chosen_13 = _e34.emission;
     }
     let _e72 = chosen_13;
     return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_7.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0u);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:84
+// glimt_render_gpu/src/kernels/seen.rs:77
 fn SeenPoint_is_hit(this_24: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:85
+    // glimt_render_gpu/src/kernels/seen.rs:78
     return (this_24.surface != 0u);
 }
 

@@ -33,7 +33,7 @@ struct TileEntry {
     diffuse: f32,
     specular: f32,
     off_centre: f32,
-    is_known: u32,
+    unused: u32,
 }
 
 struct ColourMatrix {
@@ -161,9 +161,9 @@ struct SeenPoint {
     diffuse: vec3<f32>,
     order: u32,
     specular: vec3<f32>,
-    record: u32,
+    unused_a: u32,
     emission: vec3<f32>,
-    unused: u32,
+    unused_b: u32,
 }
 
 struct ShadingFrame {
@@ -1918,50 +1918,50 @@ fn Triangle_object_index(this_23: Triangle) -> u32 {
     return (this_23.object & 536870911u);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:131
+// glimt_render_gpu/src/kernels/seen.rs:124
 fn see_by(pattern_1: PixelPattern, frame_2: FrameParams) -> SeenPoint {
     var chosen_12: u32;
     var chosen_13: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/seen.rs:132
+    // glimt_render_gpu/src/kernels/seen.rs:125
     let _e4 = FrameParams_camera_ray(frame_2, pattern_1);
-    // glimt_render_gpu/src/kernels/seen.rs:133
+    // glimt_render_gpu/src/kernels/seen.rs:126
     let _e6 = Scene_closest_hit(_e4);
     if !(_e6.is_some) {
-        // glimt_render_gpu/src/kernels/seen.rs:134
+        // glimt_render_gpu/src/kernels/seen.rs:127
         return SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
     }
     let hit_1 = _e6.value;
-    // glimt_render_gpu/src/kernels/seen.rs:136
+    // glimt_render_gpu/src/kernels/seen.rs:129
     let _e34 = Scene_shading_point(_e4, hit_1);
-    // glimt_render_gpu/src/kernels/seen.rs:137
+    // glimt_render_gpu/src/kernels/seen.rs:130
     let triangle_7 = scene_triangles[hit_1.triangle];
-    // glimt_render_gpu/src/kernels/seen.rs:138
+    // glimt_render_gpu/src/kernels/seen.rs:131
     let _e41 = Triangle_is_catcher(triangle_7);
-    // glimt_render_gpu/src/kernels/seen.rs:139
+    // glimt_render_gpu/src/kernels/seen.rs:132
     let _e44 = Triangle_object_index(triangle_7);
     if _e41 {
-        // glimt_render_gpu/src/kernels/seen.rs:143
+        // glimt_render_gpu/src/kernels/seen.rs:136
         chosen_12 = 2u;
     } else {
         chosen_12 = 0u;
     }
     let _e52 = chosen_12;
     if _e41 {
-        // glimt_render_gpu/src/kernels/seen.rs:153
+        // glimt_render_gpu/src/kernels/seen.rs:146
         chosen_13 = vec3(0f);
     } else {
-        // glimt_render_gpu/src/kernels/seen.rs:155
+        // glimt_render_gpu/src/kernels/seen.rs:148
         chosen_13 = _e34.emission;
     }
     let _e72 = chosen_13;
     return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_7.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0u);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:84
+// glimt_render_gpu/src/kernels/seen.rs:77
 fn SeenPoint_is_hit(this_24: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:85
+    // glimt_render_gpu/src/kernels/seen.rs:78
     return (this_24.surface != 0u);
 }
 
@@ -1976,26 +1976,26 @@ fn CellParams_tile_of(this_25: CellParams, pixel_4: u32, frame_3: FrameParams) -
     return (((y_3 / 8u) * this_25.tiles_across) + (x_9 / 16u));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:74
+// glimt_render_gpu/src/kernels/cell_state.rs:71
 fn slot_of(surface: u32, first_2: u32) -> u32 {
     var slot: u32;
     var counter_2: u32;
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:75
+    // glimt_render_gpu/src/kernels/cell_state.rs:72
     slot = 0u;
-    // glimt_render_gpu/src/kernels/cell_state.rs:76
+    // glimt_render_gpu/src/kernels/cell_state.rs:73
     counter_2 = 0u;
     loop {
         let i_1 = counter_2;
         if (i_1 >= 3u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/cell_state.rs:77
+        // glimt_render_gpu/src/kernels/cell_state.rs:74
         let own = entries[(first_2 + i_1)].surface;
-        // glimt_render_gpu/src/kernels/cell_state.rs:79
+        // glimt_render_gpu/src/kernels/cell_state.rs:76
         let _e19 = slot;
         if ((_e19 == 0u) && ((own == surface) || ((i_1 == (3u - 1u)) && (own != 0u)))) {
-            // glimt_render_gpu/src/kernels/cell_state.rs:80
+            // glimt_render_gpu/src/kernels/cell_state.rs:77
             slot = (i_1 + 1u);
         }
         continuing {
@@ -2003,7 +2003,7 @@ fn slot_of(surface: u32, first_2: u32) -> u32 {
             counter_2 = (_e35 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:83
+    // glimt_render_gpu/src/kernels/cell_state.rs:80
     let _e39 = slot;
     return _e39;
 }

@@ -28,9 +28,9 @@ struct SeenPoint {
     diffuse: vec3<f32>,
     order: u32,
     specular: vec3<f32>,
-    record: u32,
+    unused_a: u32,
     emission: vec3<f32>,
-    unused: u32,
+    unused_b: u32,
 }
 
 struct LayerSample {
@@ -274,11 +274,9 @@ struct CellAt {
     visibility: f32,
 }
 
-struct Sample {
+struct Reflected {
     lit: vec3<f32>,
     blocked: vec3<f32>,
-    is_traced: bool,
-    arrives: bool,
 }
 
 struct Ray {
@@ -308,11 +306,6 @@ struct TextureView {
 struct Tuple_f32_f32_ {
     fa: f32,
     fb: f32,
-}
-
-struct Reflected {
-    lit: vec3<f32>,
-    blocked: vec3<f32>,
 }
 
 struct CameraView {
@@ -425,10 +418,10 @@ fn FrameParams_pattern_of(this_2: FrameParams, ray_1: u32) -> PixelPattern {
     return _e10;
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:84
+// glimt_render_gpu/src/kernels/seen.rs:77
 fn SeenPoint_is_hit(this_3: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:85
+    // glimt_render_gpu/src/kernels/seen.rs:78
     return (this_3.surface != 0u);
 }
 
@@ -690,24 +683,24 @@ fn Group_representative(this_5: Group, points_start_2: u32, points_len_2: u32, e
     return Representative(_e134, _e135, _e136, _e131);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:98
+// glimt_render_gpu/src/kernels/seen.rs:91
 fn SeenPoint_slot(this_6: SeenPoint) -> u32 {
 
-    // glimt_render_gpu/src/kernels/seen.rs:99
+    // glimt_render_gpu/src/kernels/seen.rs:92
     return (this_6.flags >> 2u);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:157
+// glimt_render_gpu/src/kernels/cell_state.rs:138
 fn Expected_at_slot(first_1: u32, slot: u32, slot_1: u32) -> Returned_Expected_at_slot {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:158
+    // glimt_render_gpu/src/kernels/cell_state.rs:139
     return Returned_Expected_at_slot(first_1, slot_1);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:91
+// glimt_render_gpu/src/kernels/seen.rs:84
 fn SeenPoint_is_catcher(this_7: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:92
+    // glimt_render_gpu/src/kernels/seen.rs:85
     return ((this_7.flags & 2u) != 0u);
 }
 
@@ -742,9 +735,9 @@ fn sqrt_(x_1: vec4<f32>) -> vec4<f32> {
 fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:84
-    let s_1 = clamp(sin2_theta, vec4(0f), vec4(1f));
+    let s = clamp(sin2_theta, vec4(0f), vec4(1f));
     // glimt_light_cells/src/surface.rs:85
-    let log_ = ((s_1 * (vec4(6f) - s_1)) / (vec4(12f) - (8f * s_1)));
+    let log_ = ((s * (vec4(6f) - s)) / (vec4(12f) - (8f * s)));
     // glimt_light_cells/src/surface.rs:86
     let t_5 = (min((exponent_3 * log_), vec4(40f)) * (1f / 256f));
     // glimt_light_cells/src/surface.rs:88
@@ -839,26 +832,26 @@ fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near_1), vec4(1f)), cosine_spread);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:89
+// glimt_render_gpu/src/kernels/cell_state.rs:86
 fn bytes_of(word: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:90
+    // glimt_render_gpu/src/kernels/cell_state.rs:87
     return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:162
+// glimt_render_gpu/src/kernels/cell_state.rs:143
 fn Expected_quad(first_2: u32, slot_2: u32, quad_2: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:163
+    // glimt_render_gpu/src/kernels/cell_state.rs:144
     if (slot_2 == 0u) {
-        // glimt_render_gpu/src/kernels/cell_state.rs:164
+        // glimt_render_gpu/src/kernels/cell_state.rs:145
         return vec4(0.75f);
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:166
+    // glimt_render_gpu/src/kernels/cell_state.rs:147
     let entry = ((first_2 + slot_2) - 1u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:167
+    // glimt_render_gpu/src/kernels/cell_state.rs:148
     let word_5 = visibility_3[((entry * 128u) + quad_2)];
-    // glimt_render_gpu/src/kernels/cell_state.rs:168
+    // glimt_render_gpu/src/kernels/cell_state.rs:149
     let _e22 = bytes_of(word_5);
     return (_e22 * (1f / 255f));
 }
@@ -1727,16 +1720,16 @@ fn OwenSobol_next_u32_(this_14: ptr<function, OwenSobol>) -> u32 {
 fn Xoshiro128PlusPlus_next_u32_(this_15: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s_2 = (*this_15).state;
+    let s_1 = (*this_15).state;
     // glimt_sampling/src/xoshiro.rs:58
-    let _e8 = (s_2.x + s_2.w);
-    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_2.x);
+    let _e8 = (s_1.x + s_1.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_1.x);
     // glimt_sampling/src/xoshiro.rs:59
-    let z_1 = (s_2.z ^ s_2.x);
+    let z_1 = (s_1.z ^ s_1.x);
     // glimt_sampling/src/xoshiro.rs:60
-    let w_1 = (s_2.w ^ s_2.y);
+    let w_1 = (s_1.w ^ s_1.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_15).state = vec4<u32>((s_2.x ^ w_1), (s_2.y ^ z_1), (z_1 ^ (s_2.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_15).state = vec4<u32>((s_1.x ^ w_1), (s_1.y ^ z_1), (z_1 ^ (s_1.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
@@ -1877,13 +1870,13 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(_e4, _e6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:180
+// glimt_render_gpu/src/kernels/group_light.rs:157
 fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_5: vec2<u32>, cells_start_5: u32, pattern: PixelPattern, rays: f32, threshold_1: f32, group: Group, word_1: u32, points_start_3: u32, points_len_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:181
+    // glimt_render_gpu/src/kernels/group_light.rs:158
     let _e6 = unit_f32_(word_1);
     let k_3 = u32((_e6 * f32(group.members)));
-    // glimt_render_gpu/src/kernels/group_light.rs:182
+    // glimt_render_gpu/src/kernels/group_light.rs:159
     let _e16 = Group_ray(group, min(k_3, (group.members - 1u)), points_start_3, points_len_3);
     return _e16;
 }
@@ -1908,20 +1901,20 @@ fn ShadingFrame_to_local(this_23: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(dot(v_1, this_23.t), dot(v_1, this_23.b), dot(v_1, this_23.n));
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:105
+// glimt_render_gpu/src/kernels/seen.rs:98
 fn SeenPoint_shading_point(this_24: SeenPoint) -> ShadingPoint {
 
-    // glimt_render_gpu/src/kernels/seen.rs:106
+    // glimt_render_gpu/src/kernels/seen.rs:99
     let _e4 = ShadingFrame_from_normal(this_24.normal);
-    // glimt_render_gpu/src/kernels/seen.rs:107
+    // glimt_render_gpu/src/kernels/seen.rs:100
     let _e9 = ShadingFrame_to_local(_e4, this_24.wo);
     return ShadingPoint(this_24.origin, this_24.geometric_normal, _e4, _e9, BlinnPhong(this_24.diffuse, this_24.specular, this_24.exponent), this_24.emission);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:88
+// glimt_render_gpu/src/kernels/group_light.rs:68
 fn lobe_of(point_1: ShadingPoint) -> BlinnPhong {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:89
+    // glimt_render_gpu/src/kernels/group_light.rs:69
     return BlinnPhong(vec3(0f), point_1.brdf.specular, point_1.brdf.exponent);
 }
 
@@ -2333,30 +2326,30 @@ fn LightCells_cell_of(size_6: vec2<u32>, start_3: u32, texel: vec2<u32>) -> u32 
     return ((row_3 * 32u) + _e14);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:209
+// glimt_render_gpu/src/kernels/group_light.rs:186
 fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_6: vec2<u32>, cells_start_6: u32, pattern_1: PixelPattern, rays_1: f32, threshold_2: f32, group_1: Group, index_9: u32, points_start_4: u32, points_len_4: u32) -> Look {
     var source: PatternSource;
 
-    // glimt_render_gpu/src/kernels/group_light.rs:210
+    // glimt_render_gpu/src/kernels/group_light.rs:187
     let _e14 = PixelPattern_point(pattern_1, 11u, index_9);
     source = _e14;
-    // glimt_render_gpu/src/kernels/group_light.rs:211
+    // glimt_render_gpu/src/kernels/group_light.rs:188
     let _e17 = PatternSource_next_uvec2_((&source));
     let _e18 = unit_vec2_(_e17);
-    // glimt_render_gpu/src/kernels/group_light.rs:212
+    // glimt_render_gpu/src/kernels/group_light.rs:189
     let _e20 = PatternSource_next_u32_((&source));
     let _e21 = GroupLight_member(env_size_2, env_rotation_2, cells_size_6, cells_start_6, pattern_1, rays_1, threshold_2, group_1, _e20, points_start_4, points_len_4);
-    // glimt_render_gpu/src/kernels/group_light.rs:213
+    // glimt_render_gpu/src/kernels/group_light.rs:190
     let _e26 = points[(points_start_4 + _e21)];
     let _e27 = SeenPoint_shading_point(_e26);
-    // glimt_render_gpu/src/kernels/group_light.rs:214
+    // glimt_render_gpu/src/kernels/group_light.rs:191
     let _e29 = lobe_of(_e27);
     let _e32 = BlinnPhong_sample(_e29, _e27.wo, 0u, _e18);
-    // glimt_render_gpu/src/kernels/group_light.rs:215
+    // glimt_render_gpu/src/kernels/group_light.rs:192
     let _e36 = ShadingFrame_to_world(_e27.frame, _e32.wi);
-    // glimt_render_gpu/src/kernels/group_light.rs:216
+    // glimt_render_gpu/src/kernels/group_light.rs:193
     let _e38 = Environment_texel(env_size_2, env_rotation_2, _e36);
-    // glimt_render_gpu/src/kernels/group_light.rs:217
+    // glimt_render_gpu/src/kernels/group_light.rs:194
     let _e40 = Environment_to_map(env_size_2, env_rotation_2, _e36);
     let _e41 = LightCells_cell_of(cells_size_6, cells_start_6, _e38);
     return Look(_e40, _e36, _e38, _e41, _e21, (_e32.pdf_sr > 0f));
@@ -2567,23 +2560,23 @@ fn cos_sin_pi(x_8: f32) -> vec2<f32> {
     // glimt_probe/src/trig.rs:31
     let c_4 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
     // glimt_probe/src/trig.rs:34
-    let s_3 = (y_4 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    let s_2 = (y_4 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
     // glimt_probe/src/trig.rs:37
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_15 = vec2<f32>(c_4, (s_3 + 0f));
+        chosen_15 = vec2<f32>(c_4, (s_2 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_15 = vec2<f32>((0f - s_3), c_4);
+            chosen_15 = vec2<f32>((0f - s_2), c_4);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_15 = vec2<f32>((0f - c_4), (0f - s_3));
+                chosen_15 = vec2<f32>((0f - c_4), (0f - s_2));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_15 = vec2<f32>((s_3 + 0f), (0f - c_4));
+                chosen_15 = vec2<f32>((s_2 + 0f), (0f - c_4));
             }
         }
     }
@@ -2628,16 +2621,16 @@ fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> v
     // glimt_probe/src/latlong.rs:152
     let s_upper = (sin_upper * sin_upper);
     // glimt_probe/src/latlong.rs:153
-    let s_4 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
+    let s_3 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
     // glimt_probe/src/latlong.rs:154
-    let sin_theta_1 = (2f * sqrt(max((s_4 * (1f - s_4)), 0f)));
+    let sin_theta_1 = (2f * sqrt(max((s_3 * (1f - s_3)), 0f)));
     // glimt_probe/src/latlong.rs:155
     if southern {
         // glimt_probe/src/latlong.rs:156
-        chosen_18 = ((2f * s_4) - 1f);
+        chosen_18 = ((2f * s_3) - 1f);
     } else {
         // glimt_probe/src/latlong.rs:158
-        chosen_18 = (1f - (2f * s_4));
+        chosen_18 = (1f - (2f * s_3));
     }
     let cos_theta_1 = chosen_18;
     // glimt_probe/src/latlong.rs:160
@@ -2790,24 +2783,24 @@ fn Proposal_sample_cells(this_33: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u
     return CellDraw(_e183, _e170.texel, _e186);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:186
+// glimt_render_gpu/src/kernels/group_light.rs:163
 fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_8: vec2<u32>, cells_start_8: u32, pattern_2: PixelPattern, rays_2: f32, threshold_3: f32, group_2: Group, proposal: Proposal, expected_first_3: u32, expected_slot_3: u32, index_11: u32, points_start_5: u32, points_len_5: u32) -> Look {
     var proposal_1: Proposal;
     var source_1: PatternSource;
 
     proposal_1 = proposal;
-    // glimt_render_gpu/src/kernels/group_light.rs:194
+    // glimt_render_gpu/src/kernels/group_light.rs:171
     let _e18 = PixelPattern_point(pattern_2, 10u, index_11);
     source_1 = _e18;
-    // glimt_render_gpu/src/kernels/group_light.rs:195
+    // glimt_render_gpu/src/kernels/group_light.rs:172
     let _e21 = PatternSource_next_uvec2_((&source_1));
-    // glimt_render_gpu/src/kernels/group_light.rs:196
+    // glimt_render_gpu/src/kernels/group_light.rs:173
     let _e23 = PatternSource_next_u32_((&source_1));
     let _e24 = GroupLight_member(env_size_3, env_rotation_3, cells_size_8, cells_start_8, pattern_2, rays_2, threshold_3, group_2, _e23, points_start_5, points_len_5);
-    // glimt_render_gpu/src/kernels/group_light.rs:197
+    // glimt_render_gpu/src/kernels/group_light.rs:174
     let _e26 = proposal_1;
     let _e27 = Proposal_sample_cells(_e26, _e21, cells_size_8, cells_start_8, expected_first_3, expected_slot_3);
-    // glimt_render_gpu/src/kernels/group_light.rs:198
+    // glimt_render_gpu/src/kernels/group_light.rs:175
     let _e31 = rotate_z(_e27.direction, env_rotation_3);
     return Look(_e27.direction, _e31, _e27.texel, _e27.cell, _e24, true);
 }
@@ -2929,16 +2922,16 @@ fn BlinnPhong_eval(this_36: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec
     return (diffuse_3 + (this_36.specular * lobe_3));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:97
+// glimt_render_gpu/src/kernels/group_light.rs:77
 fn reflectance(point_2: ShadingPoint, wi_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:98
+    // glimt_render_gpu/src/kernels/group_light.rs:78
     if (wi_3.z > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:99
+        // glimt_render_gpu/src/kernels/group_light.rs:79
         let _e10 = BlinnPhong_eval(point_2.brdf, point_2.wo, wi_3);
         return (_e10 * wi_3.z);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:101
+    // glimt_render_gpu/src/kernels/group_light.rs:81
     return vec3(0f);
 }
 
@@ -3671,7 +3664,7 @@ fn Proposal_open_control(this_45: Proposal, direction_9: vec3<f32>, at_3: CellAt
     return ((kd_2 * cosine_1) + (_e26 * at_3.lobe));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:291
+// glimt_render_gpu/src/kernels/group_light.rs:261
 fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, threshold_4: f32, group_3: Group, proposal_2: Proposal, look: Look, point_4: ShadingPoint, f: vec3<f32>, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
     var proposal_3: Proposal;
     var own: vec3<f32>;
@@ -3679,63 +3672,63 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
     var counter_12: u32;
 
     proposal_3 = proposal_2;
-    // glimt_render_gpu/src/kernels/group_light.rs:300
+    // glimt_render_gpu/src/kernels/group_light.rs:270
     if (group_3.members < 2u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:301
+        // glimt_render_gpu/src/kernels/group_light.rs:271
         return vec3(0f);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:303
+    // glimt_render_gpu/src/kernels/group_light.rs:273
     let _e20 = proposal_3.of_.surface.specular;
     let has_lobe_1 = (_e20 > 0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:304
+    // glimt_render_gpu/src/kernels/group_light.rs:274
     let _e27 = proposal_3.of_.surface.spread;
     if !((has_lobe_1 || (_e27 > 0.035f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:305
+        // glimt_render_gpu/src/kernels/group_light.rs:275
         let _e35 = proposal_3.of_.mean_normal;
         let apart_1 = (dot(_e35, look.of_map) - dot(point_4.frame.n, look.direction));
-        // glimt_render_gpu/src/kernels/group_light.rs:307
+        // glimt_render_gpu/src/kernels/group_light.rs:277
         let _e46 = proposal_3.of_.diffuse;
         return (_e46 * (0.31830987f * apart_1));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:309
+    // glimt_render_gpu/src/kernels/group_light.rs:279
     let _e52 = proposal_3.lobe_share;
     let with_lobes = !((_e52 > 0f));
-    // glimt_render_gpu/src/kernels/group_light.rs:310
+    // glimt_render_gpu/src/kernels/group_light.rs:280
     own = f;
-    // glimt_render_gpu/src/kernels/group_light.rs:311
+    // glimt_render_gpu/src/kernels/group_light.rs:281
     if !(with_lobes) {
-        // glimt_render_gpu/src/kernels/group_light.rs:312
+        // glimt_render_gpu/src/kernels/group_light.rs:282
         let cosine_2 = max(dot(point_4.frame.n, look.direction), 0f);
-        // glimt_render_gpu/src/kernels/group_light.rs:313
+        // glimt_render_gpu/src/kernels/group_light.rs:283
         own = (point_4.brdf.diffuse * (0.31830987f * cosine_2));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:315
+    // glimt_render_gpu/src/kernels/group_light.rs:285
     sum_4 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:316
+    // glimt_render_gpu/src/kernels/group_light.rs:286
     counter_12 = 0u;
     loop {
         let k_4 = counter_12;
         if (k_4 >= group_3.members) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:317
+        // glimt_render_gpu/src/kernels/group_light.rs:287
         let _e84 = Group_ray(group_3, k_4, points_start_6, points_len_6);
-        // glimt_render_gpu/src/kernels/group_light.rs:318
+        // glimt_render_gpu/src/kernels/group_light.rs:288
         if with_lobes {
-            // glimt_render_gpu/src/kernels/group_light.rs:319
+            // glimt_render_gpu/src/kernels/group_light.rs:289
             let _e90 = points[(points_start_6 + _e84)];
             let _e91 = SeenPoint_shading_point(_e90);
-            // glimt_render_gpu/src/kernels/group_light.rs:320
+            // glimt_render_gpu/src/kernels/group_light.rs:290
             let _e95 = ShadingFrame_to_local(_e91.frame, look.direction);
             let _e96 = reflectance(_e91, _e95);
             let _e97 = sum_4;
             sum_4 = (_e97 + _e96);
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:322
+            // glimt_render_gpu/src/kernels/group_light.rs:292
             let other = points[(points_start_6 + _e84)];
-            // glimt_render_gpu/src/kernels/group_light.rs:323
+            // glimt_render_gpu/src/kernels/group_light.rs:293
             let cosine_3 = max(dot(other.normal, look.direction), 0f);
-            // glimt_render_gpu/src/kernels/group_light.rs:324
+            // glimt_render_gpu/src/kernels/group_light.rs:294
             let _e115 = sum_4;
             sum_4 = (_e115 + (other.diffuse * (0.31830987f * cosine_3)));
         }
@@ -3744,14 +3737,14 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
             counter_12 = (_e117 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:327
+    // glimt_render_gpu/src/kernels/group_light.rs:297
     let _e121 = sum_4;
     let _e126 = own;
     return ((_e121 / vec3(f32(group_3.members))) - _e126);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:229
-fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, threshold_5: f32, group_4: Group, proposal_4: Proposal, expected_first_5: u32, expected_slot_5: u32, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Sample {
+// glimt_render_gpu/src/kernels/group_light.rs:206
+fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, threshold_5: f32, group_4: Group, proposal_4: Proposal, expected_first_5: u32, expected_slot_5: u32, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Reflected {
     var proposal_5: Proposal;
     var pdf_sr: f32;
     var both_3: bool;
@@ -3759,284 +3752,250 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     var blocked: vec3<f32>;
 
     proposal_5 = proposal_4;
-    // glimt_render_gpu/src/kernels/group_light.rs:238
+    // glimt_render_gpu/src/kernels/group_light.rs:215
     let _e22 = points[(points_start_7 + look_1.ray)];
     let _e23 = SeenPoint_shading_point(_e22);
-    // glimt_render_gpu/src/kernels/group_light.rs:239
+    // glimt_render_gpu/src/kernels/group_light.rs:216
     let _e27 = ShadingFrame_to_local(_e23.frame, look_1.direction);
-    // glimt_render_gpu/src/kernels/group_light.rs:240
+    // glimt_render_gpu/src/kernels/group_light.rs:217
     let _e29 = proposal_5;
     let _e31 = Proposal_cell(_e29, look_1.cell, cells_size_12, cells_start_12, expected_first_5, expected_slot_5);
-    // glimt_render_gpu/src/kernels/group_light.rs:241
+    // glimt_render_gpu/src/kernels/group_light.rs:218
     let share_2 = proposal_5.lobe_share;
-    // glimt_render_gpu/src/kernels/group_light.rs:242
+    // glimt_render_gpu/src/kernels/group_light.rs:219
     pdf_sr = 0f;
-    // glimt_render_gpu/src/kernels/group_light.rs:243
+    // glimt_render_gpu/src/kernels/group_light.rs:220
     if (share_2 < 1f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:244
+        // glimt_render_gpu/src/kernels/group_light.rs:221
         let _e42 = proposal_5;
         let _e45 = Proposal_cells_pdf_sr(_e42, look_1.texel, look_1.cell, _e31, cells_size_12, cells_start_12);
-        // glimt_render_gpu/src/kernels/group_light.rs:245
+        // glimt_render_gpu/src/kernels/group_light.rs:222
         pdf_sr = ((1f - share_2) * _e45);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:247
+    // glimt_render_gpu/src/kernels/group_light.rs:224
     if (share_2 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:248
+        // glimt_render_gpu/src/kernels/group_light.rs:225
         let _e54 = lobe_of(_e23);
         let _e56 = BlinnPhong_pdf_sr(_e54, _e23.wo, _e27);
         let _e58 = pdf_sr;
         pdf_sr = (_e58 + (share_2 * _e56));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:250
+    // glimt_render_gpu/src/kernels/group_light.rs:227
     let _e61 = pdf_sr;
     if !((_e61 > 0.000000000000000000000000000000000000011754944f)) {
-        // glimt_render_gpu/src/kernels/group_light.rs:251
-        return Sample(vec3(0f), vec3(0f), false, false);
+        // glimt_render_gpu/src/kernels/group_light.rs:228
+        return Reflected(vec3(0f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:258
-    let _e75 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
-    // glimt_render_gpu/src/kernels/group_light.rs:259
-    let _e77 = reflectance(_e23, _e27);
-    // glimt_render_gpu/src/kernels/group_light.rs:260
-    let is_seen = ((max(max(_e77.x, _e77.y), _e77.z) > 0f) && (dot(_e23.geometric_normal, look_1.direction) > 0f));
-    // glimt_render_gpu/src/kernels/group_light.rs:261
+    // glimt_render_gpu/src/kernels/group_light.rs:230
+    let _e73 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
+    // glimt_render_gpu/src/kernels/group_light.rs:231
+    let _e75 = reflectance(_e23, _e27);
+    // glimt_render_gpu/src/kernels/group_light.rs:232
+    let is_seen = ((max(max(_e75.x, _e75.y), _e75.z) > 0f) && (dot(_e23.geometric_normal, look_1.direction) > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:233
     both_3 = is_seen;
     if is_seen {
-        let _e95 = Scene_is_lit(_e23, look_1.direction, key_3);
-        both_3 = _e95;
+        let _e93 = Scene_is_lit(_e23, look_1.direction, key_3);
+        both_3 = _e93;
     }
-    let arrives_1 = both_3;
-    // glimt_render_gpu/src/kernels/group_light.rs:262
+    let arrives = both_3;
+    // glimt_render_gpu/src/kernels/group_light.rs:234
     lit = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:263
+    // glimt_render_gpu/src/kernels/group_light.rs:235
     blocked = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:264
-    if arrives_1 {
-        // glimt_render_gpu/src/kernels/group_light.rs:265
-        lit = _e77;
+    // glimt_render_gpu/src/kernels/group_light.rs:236
+    if arrives {
+        // glimt_render_gpu/src/kernels/group_light.rs:237
+        lit = _e75;
     } else {
         if is_seen {
-            // glimt_render_gpu/src/kernels/group_light.rs:267
-            blocked = _e77;
+            // glimt_render_gpu/src/kernels/group_light.rs:239
+            blocked = _e75;
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:269
+    // glimt_render_gpu/src/kernels/group_light.rs:241
     if true {
-        // glimt_render_gpu/src/kernels/group_light.rs:270
-        let _e111 = proposal_5;
-        let _e113 = Proposal_open_control(_e111, look_1.of_map, _e31);
-        // glimt_render_gpu/src/kernels/group_light.rs:271
-        let _e115 = proposal_5;
-        let _e116 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_5, group_4, _e115, look_1, _e23, _e77, points_start_7, points_len_7);
-        // glimt_render_gpu/src/kernels/group_light.rs:272
-        let _e119 = proposal_5.is_catcher;
-        if _e119 {
-            // glimt_render_gpu/src/kernels/group_light.rs:273
-            lit = ((_e77 - _e113) + _e116);
+        // glimt_render_gpu/src/kernels/group_light.rs:242
+        let _e109 = proposal_5;
+        let _e111 = Proposal_open_control(_e109, look_1.of_map, _e31);
+        // glimt_render_gpu/src/kernels/group_light.rs:243
+        let _e113 = proposal_5;
+        let _e114 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_5, group_4, _e113, look_1, _e23, _e75, points_start_7, points_len_7);
+        // glimt_render_gpu/src/kernels/group_light.rs:244
+        let _e117 = proposal_5.is_catcher;
+        if _e117 {
+            // glimt_render_gpu/src/kernels/group_light.rs:245
+            lit = ((_e75 - _e111) + _e114);
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:275
-            let _e127 = lit;
-            lit = (_e127 + ((_e116 - _e113) * _e31.visibility));
+            // glimt_render_gpu/src/kernels/group_light.rs:247
+            let _e125 = lit;
+            lit = (_e125 + ((_e114 - _e111) * _e31.visibility));
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:279
-    let _e130 = lit;
-    let _e131 = pdf_sr;
-    let _e135 = blocked;
-    let _e136 = pdf_sr;
-    return Sample((_e75 * (_e130 / vec3(_e131))), (_e75 * (_e135 / vec3(_e136))), is_seen, arrives_1);
+    // glimt_render_gpu/src/kernels/group_light.rs:251
+    let _e128 = lit;
+    let _e129 = pdf_sr;
+    let _e133 = blocked;
+    let _e134 = pdf_sr;
+    return Reflected((_e73 * (_e128 / vec3(_e129))), (_e73 * (_e133 / vec3(_e134))));
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:24
-fn record(cell_5: u32, arrives: bool) -> u32 {
-    var chosen_24: u32;
-
-    // glimt_render_gpu/src/kernels/seen.rs:25
-    if arrives {
-        chosen_24 = 16384u;
-    } else {
-        chosen_24 = 0u;
-    }
-    let _e8 = chosen_24;
-    return ((32768u | _e8) | cell_5);
-}
-
-// glimt_render_gpu/src/kernels/group_light.rs:79
-fn note(group_5: Group, s: u32, found: u32, points_start_8: u32, points_len_8: u32) {
-
-    // glimt_render_gpu/src/kernels/group_light.rs:80
-    if (s < (2u * group_5.members)) {
-        // glimt_render_gpu/src/kernels/group_light.rs:81
-        let _e14 = Group_ray(group_5, (s / 2u), points_start_8, points_len_8);
-        // glimt_render_gpu/src/kernels/group_light.rs:82
-        let _e27 = points[(points_start_8 + _e14)].record;
-        points[(points_start_8 + _e14)].record = (_e27 | (found << ((16u * (s & 1u)) & 31u)));
-    }
-    return;
-}
-
-// glimt_render_gpu/src/kernels/group_light.rs:109
-fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_5: PixelPattern, rays_5: f32, threshold_6: f32, group_6: Group, number: u32, expected_first_6: u32, expected_slot_6: u32, points_start_9: u32, points_len_9: u32, drawn: ptr<function, Drawn>) -> Reflected {
+// glimt_render_gpu/src/kernels/group_light.rs:89
+fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_5: PixelPattern, rays_5: f32, threshold_6: f32, group_5: Group, number: u32, expected_first_6: u32, expected_slot_6: u32, points_start_8: u32, points_len_8: u32, drawn: ptr<function, Drawn>) -> Reflected {
     var proposal_6: Proposal;
     var source_2: PatternSource;
     var worth_1: f32;
-    var chosen_25: f32;
+    var chosen_24: f32;
     var lit_1: vec3<f32>;
     var blocked_1: vec3<f32>;
     var counter_13: u32;
-    var chosen_26: Look;
+    var chosen_25: Look;
 
-    // glimt_render_gpu/src/kernels/group_light.rs:117
-    let _e16 = Group_representative(group_6, points_start_9, points_len_9, env_size_6, env_rotation_6);
-    // glimt_render_gpu/src/kernels/group_light.rs:118
-    let _e19 = Group_ray(group_6, 0u, points_start_9, points_len_9);
-    // glimt_render_gpu/src/kernels/group_light.rs:119
-    let leader_3 = points[(points_start_9 + _e19)];
-    // glimt_render_gpu/src/kernels/group_light.rs:120
+    // glimt_render_gpu/src/kernels/group_light.rs:97
+    let _e16 = Group_representative(group_5, points_start_8, points_len_8, env_size_6, env_rotation_6);
+    // glimt_render_gpu/src/kernels/group_light.rs:98
+    let _e19 = Group_ray(group_5, 0u, points_start_8, points_len_8);
+    // glimt_render_gpu/src/kernels/group_light.rs:99
+    let leader_3 = points[(points_start_8 + _e19)];
+    // glimt_render_gpu/src/kernels/group_light.rs:100
     let _e26 = SeenPoint_slot(leader_3);
     let _e27 = Expected_at_slot(expected_first_6, expected_slot_6, _e26);
-    // glimt_render_gpu/src/kernels/group_light.rs:121
+    // glimt_render_gpu/src/kernels/group_light.rs:101
     let _e31 = SeenPoint_is_catcher(leader_3);
-    // glimt_render_gpu/src/kernels/group_light.rs:122
+    // glimt_render_gpu/src/kernels/group_light.rs:102
     let _e33 = Proposal_new(_e16, cells_size_13, cells_start_13, _e27.value_first, _e27.value_slot, _e31);
     proposal_6 = _e33;
-    // glimt_render_gpu/src/kernels/group_light.rs:123
+    // glimt_render_gpu/src/kernels/group_light.rs:103
     let _e37 = PixelPattern_point(pattern_5, 12u, number);
     source_2 = _e37;
-    // glimt_render_gpu/src/kernels/group_light.rs:124
+    // glimt_render_gpu/src/kernels/group_light.rs:104
     let _e40 = PatternSource_next_u32_((&source_2));
     let _e41 = unit_f32_(_e40);
-    // glimt_render_gpu/src/kernels/group_light.rs:125
-    let share_3 = (f32(group_6.members) / f32(pattern_5.rays));
-    // glimt_render_gpu/src/kernels/group_light.rs:126
+    // glimt_render_gpu/src/kernels/group_light.rs:105
+    let share_3 = (f32(group_5.members) / f32(pattern_5.rays));
+    // glimt_render_gpu/src/kernels/group_light.rs:106
     worth_1 = (rays_5 * share_3);
-    // glimt_render_gpu/src/kernels/group_light.rs:127
+    // glimt_render_gpu/src/kernels/group_light.rs:107
     if (threshold_6 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:128
+        // glimt_render_gpu/src/kernels/group_light.rs:108
         let _e56 = proposal_6.total;
         let _e58 = proposal_6.lobe_worth;
         worth_1 = (((_e56 + _e58) * share_3) / threshold_6);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:130
+    // glimt_render_gpu/src/kernels/group_light.rs:110
     let _e63 = proposal_6;
     let _e64 = Proposal_is_sharp(_e63);
     if _e64 {
-        // glimt_render_gpu/src/kernels/group_light.rs:131
+        // glimt_render_gpu/src/kernels/group_light.rs:111
         let _e66 = worth_1;
         worth_1 = max(_e66, ((0.25f * rays_5) * share_3));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:133
+    // glimt_render_gpu/src/kernels/group_light.rs:113
     let _e72 = worth_1;
     worth_1 = clamp(_e72, 0.02f, 256f);
-    // glimt_render_gpu/src/kernels/group_light.rs:134
+    // glimt_render_gpu/src/kernels/group_light.rs:114
     let _e78 = proposal_6.total;
     let _e83 = proposal_6.lobe_share;
     if (!((_e78 > 0f)) && !((_e83 > 0f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:135
+        // glimt_render_gpu/src/kernels/group_light.rs:115
         worth_1 = 0f;
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:137
+    // glimt_render_gpu/src/kernels/group_light.rs:117
     let _e91 = worth_1;
     let _e92 = PatternSource_next_u32_((&source_2));
     let _e93 = unit_f32_(_e92);
     let count_2 = u32((_e91 + _e93));
-    // glimt_render_gpu/src/kernels/group_light.rs:138
+    // glimt_render_gpu/src/kernels/group_light.rs:118
     let _e98 = worth_1;
     if (_e98 < 1f) {
         let _e101 = worth_1;
-        chosen_25 = _e101;
+        chosen_24 = _e101;
     } else {
-        chosen_25 = f32(count_2);
+        chosen_24 = f32(count_2);
     }
-    let divisor = chosen_25;
-    // glimt_render_gpu/src/kernels/group_light.rs:139
+    let divisor = chosen_24;
+    // glimt_render_gpu/src/kernels/group_light.rs:119
     let _e106 = PixelPattern_ray_key(pattern_5, 9u);
     let _e107 = hash2_(_e106, number);
-    // glimt_render_gpu/src/kernels/group_light.rs:140
+    // glimt_render_gpu/src/kernels/group_light.rs:120
     lit_1 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:141
+    // glimt_render_gpu/src/kernels/group_light.rs:121
     blocked_1 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:142
+    // glimt_render_gpu/src/kernels/group_light.rs:122
     counter_13 = 0u;
     loop {
-        let s_5 = counter_13;
-        if (s_5 >= count_2) {
+        let s_4 = counter_13;
+        if (s_4 >= count_2) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:143
+        // glimt_render_gpu/src/kernels/group_light.rs:123
         let _e124 = proposal_6.lobe_share;
-        let before = u32(((f32(s_5) * _e124) + _e41));
-        // glimt_render_gpu/src/kernels/group_light.rs:144
+        let before = u32(((f32(s_4) * _e124) + _e41));
+        // glimt_render_gpu/src/kernels/group_light.rs:124
         let _e133 = proposal_6.lobe_share;
-        let after = u32(((f32((s_5 + 1u)) * _e133) + _e41));
-        // glimt_render_gpu/src/kernels/group_light.rs:145
+        let after = u32(((f32((s_4 + 1u)) * _e133) + _e41));
+        // glimt_render_gpu/src/kernels/group_light.rs:125
         if (after > before) {
-            // glimt_render_gpu/src/kernels/group_light.rs:146
+            // glimt_render_gpu/src/kernels/group_light.rs:126
             let _e143 = (*drawn).lobes;
             (*drawn).lobes = (_e143 + 1u);
-            // glimt_render_gpu/src/kernels/group_light.rs:147
+            // glimt_render_gpu/src/kernels/group_light.rs:127
             let _e147 = (*drawn).lobes;
-            let _e150 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_6, (_e147 - 1u), points_start_9, points_len_9);
-            chosen_26 = _e150;
+            let _e150 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_5, (_e147 - 1u), points_start_8, points_len_8);
+            chosen_25 = _e150;
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:149
+            // glimt_render_gpu/src/kernels/group_light.rs:129
             let _e154 = (*drawn).cells;
             (*drawn).cells = (_e154 + 1u);
-            // glimt_render_gpu/src/kernels/group_light.rs:150
+            // glimt_render_gpu/src/kernels/group_light.rs:130
             let _e157 = proposal_6;
             let _e159 = (*drawn).cells;
-            let _e162 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_6, _e157, _e27.value_first, _e27.value_slot, (_e159 - 1u), points_start_9, points_len_9);
-            chosen_26 = _e162;
+            let _e162 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_5, _e157, _e27.value_first, _e27.value_slot, (_e159 - 1u), points_start_8, points_len_8);
+            chosen_25 = _e162;
         }
-        let look_2 = chosen_26;
-        // glimt_render_gpu/src/kernels/group_light.rs:152
+        let look_2 = chosen_25;
+        // glimt_render_gpu/src/kernels/group_light.rs:132
         if look_2.is_possible {
-            // glimt_render_gpu/src/kernels/group_light.rs:153
-            let own_2 = (_e107 + s_5);
-            // glimt_render_gpu/src/kernels/group_light.rs:154
+            // glimt_render_gpu/src/kernels/group_light.rs:133
+            let own_2 = (_e107 + s_4);
+            // glimt_render_gpu/src/kernels/group_light.rs:134
             let _e169 = proposal_6;
-            let _e170 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_6, _e169, _e27.value_first, _e27.value_slot, look_2, own_2, points_start_9, points_len_9);
-            // glimt_render_gpu/src/kernels/group_light.rs:155
+            let _e170 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_5, _e169, _e27.value_first, _e27.value_slot, look_2, own_2, points_start_8, points_len_8);
+            // glimt_render_gpu/src/kernels/group_light.rs:135
             let _e173 = lit_1;
             lit_1 = (_e173 + _e170.lit);
-            // glimt_render_gpu/src/kernels/group_light.rs:156
+            // glimt_render_gpu/src/kernels/group_light.rs:136
             let _e177 = blocked_1;
             blocked_1 = (_e177 + _e170.blocked);
-            // glimt_render_gpu/src/kernels/group_light.rs:157
-            if (true && _e170.is_traced) {
-                // glimt_render_gpu/src/kernels/group_light.rs:158
-                let _e186 = record(look_2.cell, _e170.arrives);
-                note(group_6, s_5, _e186, points_start_9, points_len_9);
-            }
         }
         continuing {
-            let _e187 = counter_13;
-            counter_13 = (_e187 + 1u);
+            let _e179 = counter_13;
+            counter_13 = (_e179 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:162
+    // glimt_render_gpu/src/kernels/group_light.rs:139
     if (count_2 > 0u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:163
-        let _e194 = lit_1;
-        lit_1 = (_e194 / vec3(divisor));
-        // glimt_render_gpu/src/kernels/group_light.rs:164
-        let _e198 = blocked_1;
-        blocked_1 = (_e198 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:140
+        let _e186 = lit_1;
+        lit_1 = (_e186 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:141
+        let _e190 = blocked_1;
+        blocked_1 = (_e190 / vec3(divisor));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:166
+    // glimt_render_gpu/src/kernels/group_light.rs:143
     if (true && _e31) {
-        // glimt_render_gpu/src/kernels/group_light.rs:168
-        let _e206 = proposal_6.open_integral;
-        let _e207 = lit_1;
-        let _e209 = blocked_1;
-        let _e211 = blocked_1;
-        return Reflected(((_e206 + _e207) - _e209), _e211);
+        // glimt_render_gpu/src/kernels/group_light.rs:145
+        let _e198 = proposal_6.open_integral;
+        let _e199 = lit_1;
+        let _e201 = blocked_1;
+        let _e203 = blocked_1;
+        return Reflected(((_e198 + _e199) - _e201), _e203);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:173
-    let _e215 = proposal_6.integral;
-    let _e216 = lit_1;
-    let _e218 = blocked_1;
-    return Reflected((_e215 + _e216), _e218);
+    // glimt_render_gpu/src/kernels/group_light.rs:150
+    let _e207 = proposal_6.integral;
+    let _e208 = lit_1;
+    let _e210 = blocked_1;
+    return Reflected((_e207 + _e208), _e210);
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:39
@@ -4118,10 +4077,10 @@ fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:204
-fn stratum(cell_6: u32, count: u32, jitter: u32) -> u32 {
+fn stratum(cell_5: u32, count: u32, jitter: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:205
-    return ((cell_6 * (4294967295u / count)) + (jitter / count));
+    return ((cell_5 * (4294967295u / count)) + (jitter / count));
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:184
@@ -4202,21 +4161,21 @@ fn FrameParams_direction(this_48: FrameParams, pixel_4: u32, place_1: vec2<f32>)
 
 // glimt_render_gpu/src/kernels/frame.rs:144
 fn FrameParams_camera_ray(this_49: FrameParams, pattern_6: PixelPattern) -> Ray {
-    var chosen_27: vec2<f32>;
+    var chosen_26: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:145
     let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_49.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
     // glimt_render_gpu/src/kernels/frame.rs:149
     if (this_49.filter_ == 1u) {
         // glimt_render_gpu/src/kernels/frame.rs:150
-        chosen_27 = vec2(0.5f);
+        chosen_26 = vec2(0.5f);
     } else {
         // glimt_render_gpu/src/kernels/frame.rs:152
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
-        chosen_27 = _e24;
+        chosen_26 = _e24;
     }
-    let place_4 = chosen_27;
+    let place_4 = chosen_26;
     // glimt_render_gpu/src/kernels/frame.rs:154
     let _e28 = FrameParams_direction(this_49, pattern_6.pixel, place_4);
     // glimt_render_gpu/src/kernels/frame.rs:155
@@ -4240,12 +4199,12 @@ fn LayerSample_of_background(_ray: Ray, _frame: FrameParams, _map_size: vec2<u32
 }
 
 // glimt_render_gpu/src/kernels/product.rs:55
-fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f32, expected_first_7: u32, expected_slot_7: u32, env_size_7: vec2<u32>, env_rotation_7: vec2<f32>, points_start_10: u32, points_len_10: u32, samples_start: u32, samples_len: u32) {
+fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f32, expected_first_7: u32, expected_slot_7: u32, env_size_7: vec2<u32>, env_rotation_7: vec2<f32>, points_start_9: u32, points_len_9: u32, samples_start: u32, samples_len: u32) {
     var drawn_1: Drawn;
     var leader_2: u32;
     var filled: u32;
     var number_1: u32;
-    var group_7: Group;
+    var group_6: Group;
     var counter_15: u32;
     var counter_16: u32;
 
@@ -4264,20 +4223,20 @@ fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f3
     number_1 = 0u;
     // glimt_render_gpu/src/kernels/product.rs:79
     let _e35 = filled;
-    let _e36 = next_group(points_start_10, points_len_10, (&leader_2), _e35);
-    group_7 = _e36;
+    let _e36 = next_group(points_start_9, points_len_9, (&leader_2), _e35);
+    group_6 = _e36;
     // glimt_render_gpu/src/kernels/product.rs:80
     loop {
-        let _e40 = group_7.members;
+        let _e40 = group_6.members;
         if !((_e40 > 0u)) {
             break;
         }
         // glimt_render_gpu/src/kernels/product.rs:81
-        let _e45 = group_7;
+        let _e45 = group_6;
         let _e46 = number_1;
-        let _e47 = GroupLight_reflected(env_size_7, env_rotation_7, _e16.value_size, _e16.value_start, _e19, rays_6, threshold_7, _e45, _e46, expected_first_7, expected_slot_7, points_start_10, points_len_10, (&drawn_1));
+        let _e47 = GroupLight_reflected(env_size_7, env_rotation_7, _e16.value_size, _e16.value_start, _e19, rays_6, threshold_7, _e45, _e46, expected_first_7, expected_slot_7, points_start_9, points_len_9, (&drawn_1));
         // glimt_render_gpu/src/kernels/product.rs:82
-        let _e51 = group_7.members;
+        let _e51 = group_6.members;
         counter_15 = 0u;
         loop {
             let k_5 = counter_15;
@@ -4285,10 +4244,10 @@ fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f3
                 break;
             }
             // glimt_render_gpu/src/kernels/product.rs:83
-            let _e56 = group_7;
-            let _e57 = Group_ray(_e56, k_5, points_start_10, points_len_10);
+            let _e56 = group_6;
+            let _e57 = Group_ray(_e56, k_5, points_start_9, points_len_9);
             // glimt_render_gpu/src/kernels/product.rs:84
-            let point_7 = points[(points_start_10 + _e57)];
+            let point_7 = points[(points_start_9 + _e57)];
             // glimt_render_gpu/src/kernels/product.rs:85
             let own_3 = Reflected((_e47.lit + point_7.emission), _e47.blocked);
             // glimt_render_gpu/src/kernels/product.rs:89
@@ -4301,7 +4260,7 @@ fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f3
             }
         }
         // glimt_render_gpu/src/kernels/product.rs:91
-        let _e80 = group_7.members;
+        let _e80 = group_6.members;
         let _e81 = filled;
         filled = (_e81 + _e80);
         // glimt_render_gpu/src/kernels/product.rs:92
@@ -4309,8 +4268,8 @@ fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f3
         number_1 = (_e85 + 1u);
         // glimt_render_gpu/src/kernels/product.rs:93
         let _e88 = filled;
-        let _e89 = next_group(points_start_10, points_len_10, (&leader_2), _e88);
-        group_7 = _e89;
+        let _e89 = next_group(points_start_9, points_len_9, (&leader_2), _e88);
+        group_6 = _e89;
     }
     // glimt_render_gpu/src/kernels/product.rs:95
     counter_16 = 0u;
@@ -4320,7 +4279,7 @@ fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f3
             break;
         }
         // glimt_render_gpu/src/kernels/product.rs:96
-        let _e100 = points[(points_start_10 + ray_12)];
+        let _e100 = points[(points_start_9 + ray_12)];
         let _e101 = SeenPoint_is_hit(_e100);
         if !(_e101) {
             // glimt_render_gpu/src/kernels/product.rs:97
@@ -4339,16 +4298,16 @@ fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f3
     return;
 }
 
-// glimt_render_gpu/src/kernels/cells.rs:19
-fn shade_cells(pixel_6: u32, frame_5: FrameParams, cells_1: CellParams, env_size_8: vec2<u32>, env_rotation_8: vec2<f32>, points_start_11: u32, points_len_11: u32, samples_start_1: u32, samples_len_1: u32) {
+// glimt_render_gpu/src/kernels/cells.rs:18
+fn shade_cells(pixel_6: u32, frame_5: FrameParams, cells_1: CellParams, env_size_8: vec2<u32>, env_rotation_8: vec2<f32>, points_start_10: u32, points_len_10: u32, samples_start_1: u32, samples_len_1: u32) {
 
-    // glimt_render_gpu/src/kernels/cells.rs:29
+    // glimt_render_gpu/src/kernels/cells.rs:28
     let _e13 = CellParams_tile_of(cells_1, (frame_5.first_pixel + pixel_6), frame_5);
-    // glimt_render_gpu/src/kernels/cells.rs:30
-    // glimt_render_gpu/src/kernels/cells.rs:35
+    // glimt_render_gpu/src/kernels/cells.rs:29
+    // glimt_render_gpu/src/kernels/cells.rs:34
     let _e20 = threshold(frame_5, cells_1, 64u);
-    // glimt_render_gpu/src/kernels/cells.rs:36
-    shade_groups(pixel_6, frame_5, cells_1.rays, _e20, (_e13 * 3u), 0u, env_size_8, env_rotation_8, points_start_11, points_len_11, samples_start_1, samples_len_1);
+    // glimt_render_gpu/src/kernels/cells.rs:35
+    shade_groups(pixel_6, frame_5, cells_1.rays, _e20, (_e13 * 3u), 0u, env_size_8, env_rotation_8, points_start_10, points_len_10, samples_start_1, samples_len_1);
     return;
 }
 

@@ -28,9 +28,9 @@ struct SeenPoint {
     diffuse: vec3<f32>,
     order: u32,
     specular: vec3<f32>,
-    record: u32,
+    unused_a: u32,
     emission: vec3<f32>,
-    unused: u32,
+    unused_b: u32,
 }
 
 struct LayerSample {
@@ -269,11 +269,9 @@ struct CellAt {
     visibility: f32,
 }
 
-struct Sample {
+struct Reflected {
     lit: vec3<f32>,
     blocked: vec3<f32>,
-    is_traced: bool,
-    arrives: bool,
 }
 
 struct Ray {
@@ -303,11 +301,6 @@ struct TextureView {
 struct Tuple_f32_f32_ {
     fa: f32,
     fb: f32,
-}
-
-struct Reflected {
-    lit: vec3<f32>,
-    blocked: vec3<f32>,
 }
 
 struct CameraView {
@@ -372,10 +365,10 @@ fn FrameParams_pattern_of(this_1: FrameParams, ray_1: u32) -> PixelPattern {
     return _e10;
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:84
+// glimt_render_gpu/src/kernels/seen.rs:77
 fn SeenPoint_is_hit(this_2: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:85
+    // glimt_render_gpu/src/kernels/seen.rs:78
     return (this_2.surface != 0u);
 }
 
@@ -637,10 +630,10 @@ fn Group_representative(this_4: Group, points_start_2: u32, points_len_2: u32, e
     return Representative(_e134, _e135, _e136, _e131);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:98
+// glimt_render_gpu/src/kernels/seen.rs:91
 fn SeenPoint_slot(this_5: SeenPoint) -> u32 {
 
-    // glimt_render_gpu/src/kernels/seen.rs:99
+    // glimt_render_gpu/src/kernels/seen.rs:92
     return (this_5.flags >> 2u);
 }
 
@@ -651,10 +644,10 @@ fn Unknown_at_slot(this_6: Unknown, _slot: u32) -> Unknown {
     return Unknown();
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:91
+// glimt_render_gpu/src/kernels/seen.rs:84
 fn SeenPoint_is_catcher(this_7: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:92
+    // glimt_render_gpu/src/kernels/seen.rs:85
     return ((this_7.flags & 2u) != 0u);
 }
 
@@ -689,9 +682,9 @@ fn sqrt_(x_1: vec4<f32>) -> vec4<f32> {
 fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:84
-    let s_1 = clamp(sin2_theta, vec4(0f), vec4(1f));
+    let s = clamp(sin2_theta, vec4(0f), vec4(1f));
     // glimt_light_cells/src/surface.rs:85
-    let log_ = ((s_1 * (vec4(6f) - s_1)) / (vec4(12f) - (8f * s_1)));
+    let log_ = ((s * (vec4(6f) - s)) / (vec4(12f) - (8f * s)));
     // glimt_light_cells/src/surface.rs:86
     let t_5 = (min((exponent_3 * log_), vec4(40f)) * (1f / 256f));
     // glimt_light_cells/src/surface.rs:88
@@ -1657,16 +1650,16 @@ fn OwenSobol_next_u32_(this_15: ptr<function, OwenSobol>) -> u32 {
 fn Xoshiro128PlusPlus_next_u32_(this_16: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s_2 = (*this_16).state;
+    let s_1 = (*this_16).state;
     // glimt_sampling/src/xoshiro.rs:58
-    let _e8 = (s_2.x + s_2.w);
-    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_2.x);
+    let _e8 = (s_1.x + s_1.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_1.x);
     // glimt_sampling/src/xoshiro.rs:59
-    let z_1 = (s_2.z ^ s_2.x);
+    let z_1 = (s_1.z ^ s_1.x);
     // glimt_sampling/src/xoshiro.rs:60
-    let w_1 = (s_2.w ^ s_2.y);
+    let w_1 = (s_1.w ^ s_1.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_16).state = vec4<u32>((s_2.x ^ w_1), (s_2.y ^ z_1), (z_1 ^ (s_2.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_16).state = vec4<u32>((s_1.x ^ w_1), (s_1.y ^ z_1), (z_1 ^ (s_1.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
@@ -1807,13 +1800,13 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(_e4, _e6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:180
+// glimt_render_gpu/src/kernels/group_light.rs:157
 fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_5: vec2<u32>, cells_start_5: u32, pattern: PixelPattern, rays: f32, threshold: f32, group: Group, word: u32, points_start_3: u32, points_len_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:181
+    // glimt_render_gpu/src/kernels/group_light.rs:158
     let _e6 = unit_f32_(word);
     let k_3 = u32((_e6 * f32(group.members)));
-    // glimt_render_gpu/src/kernels/group_light.rs:182
+    // glimt_render_gpu/src/kernels/group_light.rs:159
     let _e16 = Group_ray(group, min(k_3, (group.members - 1u)), points_start_3, points_len_3);
     return _e16;
 }
@@ -1838,20 +1831,20 @@ fn ShadingFrame_to_local(this_24: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(dot(v_1, this_24.t), dot(v_1, this_24.b), dot(v_1, this_24.n));
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:105
+// glimt_render_gpu/src/kernels/seen.rs:98
 fn SeenPoint_shading_point(this_25: SeenPoint) -> ShadingPoint {
 
-    // glimt_render_gpu/src/kernels/seen.rs:106
+    // glimt_render_gpu/src/kernels/seen.rs:99
     let _e4 = ShadingFrame_from_normal(this_25.normal);
-    // glimt_render_gpu/src/kernels/seen.rs:107
+    // glimt_render_gpu/src/kernels/seen.rs:100
     let _e9 = ShadingFrame_to_local(_e4, this_25.wo);
     return ShadingPoint(this_25.origin, this_25.geometric_normal, _e4, _e9, BlinnPhong(this_25.diffuse, this_25.specular, this_25.exponent), this_25.emission);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:88
+// glimt_render_gpu/src/kernels/group_light.rs:68
 fn lobe_of(point_1: ShadingPoint) -> BlinnPhong {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:89
+    // glimt_render_gpu/src/kernels/group_light.rs:69
     return BlinnPhong(vec3(0f), point_1.brdf.specular, point_1.brdf.exponent);
 }
 
@@ -2263,30 +2256,30 @@ fn LightCells_cell_of(size_6: vec2<u32>, start_3: u32, texel: vec2<u32>) -> u32 
     return ((row_3 * 32u) + _e14);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:209
+// glimt_render_gpu/src/kernels/group_light.rs:186
 fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_6: vec2<u32>, cells_start_6: u32, pattern_1: PixelPattern, rays_1: f32, threshold_1: f32, group_1: Group, index_9: u32, points_start_4: u32, points_len_4: u32) -> Look {
     var source: PatternSource;
 
-    // glimt_render_gpu/src/kernels/group_light.rs:210
+    // glimt_render_gpu/src/kernels/group_light.rs:187
     let _e14 = PixelPattern_point(pattern_1, 11u, index_9);
     source = _e14;
-    // glimt_render_gpu/src/kernels/group_light.rs:211
+    // glimt_render_gpu/src/kernels/group_light.rs:188
     let _e17 = PatternSource_next_uvec2_((&source));
     let _e18 = unit_vec2_(_e17);
-    // glimt_render_gpu/src/kernels/group_light.rs:212
+    // glimt_render_gpu/src/kernels/group_light.rs:189
     let _e20 = PatternSource_next_u32_((&source));
     let _e21 = GroupLight_member(env_size_2, env_rotation_2, cells_size_6, cells_start_6, pattern_1, rays_1, threshold_1, group_1, _e20, points_start_4, points_len_4);
-    // glimt_render_gpu/src/kernels/group_light.rs:213
+    // glimt_render_gpu/src/kernels/group_light.rs:190
     let _e26 = points[(points_start_4 + _e21)];
     let _e27 = SeenPoint_shading_point(_e26);
-    // glimt_render_gpu/src/kernels/group_light.rs:214
+    // glimt_render_gpu/src/kernels/group_light.rs:191
     let _e29 = lobe_of(_e27);
     let _e32 = BlinnPhong_sample(_e29, _e27.wo, 0u, _e18);
-    // glimt_render_gpu/src/kernels/group_light.rs:215
+    // glimt_render_gpu/src/kernels/group_light.rs:192
     let _e36 = ShadingFrame_to_world(_e27.frame, _e32.wi);
-    // glimt_render_gpu/src/kernels/group_light.rs:216
+    // glimt_render_gpu/src/kernels/group_light.rs:193
     let _e38 = Environment_texel(env_size_2, env_rotation_2, _e36);
-    // glimt_render_gpu/src/kernels/group_light.rs:217
+    // glimt_render_gpu/src/kernels/group_light.rs:194
     let _e40 = Environment_to_map(env_size_2, env_rotation_2, _e36);
     let _e41 = LightCells_cell_of(cells_size_6, cells_start_6, _e38);
     return Look(_e40, _e36, _e38, _e41, _e21, (_e32.pdf_sr > 0f));
@@ -2497,23 +2490,23 @@ fn cos_sin_pi(x_8: f32) -> vec2<f32> {
     // glimt_probe/src/trig.rs:31
     let c_4 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
     // glimt_probe/src/trig.rs:34
-    let s_3 = (y_3 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    let s_2 = (y_3 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
     // glimt_probe/src/trig.rs:37
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_15 = vec2<f32>(c_4, (s_3 + 0f));
+        chosen_15 = vec2<f32>(c_4, (s_2 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_15 = vec2<f32>((0f - s_3), c_4);
+            chosen_15 = vec2<f32>((0f - s_2), c_4);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_15 = vec2<f32>((0f - c_4), (0f - s_3));
+                chosen_15 = vec2<f32>((0f - c_4), (0f - s_2));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_15 = vec2<f32>((s_3 + 0f), (0f - c_4));
+                chosen_15 = vec2<f32>((s_2 + 0f), (0f - c_4));
             }
         }
     }
@@ -2558,16 +2551,16 @@ fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> v
     // glimt_probe/src/latlong.rs:152
     let s_upper = (sin_upper * sin_upper);
     // glimt_probe/src/latlong.rs:153
-    let s_4 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
+    let s_3 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
     // glimt_probe/src/latlong.rs:154
-    let sin_theta_1 = (2f * sqrt(max((s_4 * (1f - s_4)), 0f)));
+    let sin_theta_1 = (2f * sqrt(max((s_3 * (1f - s_3)), 0f)));
     // glimt_probe/src/latlong.rs:155
     if southern {
         // glimt_probe/src/latlong.rs:156
-        chosen_18 = ((2f * s_4) - 1f);
+        chosen_18 = ((2f * s_3) - 1f);
     } else {
         // glimt_probe/src/latlong.rs:158
-        chosen_18 = (1f - (2f * s_4));
+        chosen_18 = (1f - (2f * s_3));
     }
     let cos_theta_1 = chosen_18;
     // glimt_probe/src/latlong.rs:160
@@ -2720,24 +2713,24 @@ fn Proposal_sample_cells(this_34: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u
     return CellDraw(_e182, _e169.texel, _e185);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:186
+// glimt_render_gpu/src/kernels/group_light.rs:163
 fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_8: vec2<u32>, cells_start_8: u32, pattern_2: PixelPattern, rays_2: f32, threshold_2: f32, group_2: Group, proposal: Proposal, expected_3: Unknown, index_11: u32, points_start_5: u32, points_len_5: u32) -> Look {
     var proposal_1: Proposal;
     var source_1: PatternSource;
 
     proposal_1 = proposal;
-    // glimt_render_gpu/src/kernels/group_light.rs:194
+    // glimt_render_gpu/src/kernels/group_light.rs:171
     let _e17 = PixelPattern_point(pattern_2, 10u, index_11);
     source_1 = _e17;
-    // glimt_render_gpu/src/kernels/group_light.rs:195
+    // glimt_render_gpu/src/kernels/group_light.rs:172
     let _e20 = PatternSource_next_uvec2_((&source_1));
-    // glimt_render_gpu/src/kernels/group_light.rs:196
+    // glimt_render_gpu/src/kernels/group_light.rs:173
     let _e22 = PatternSource_next_u32_((&source_1));
     let _e23 = GroupLight_member(env_size_3, env_rotation_3, cells_size_8, cells_start_8, pattern_2, rays_2, threshold_2, group_2, _e22, points_start_5, points_len_5);
-    // glimt_render_gpu/src/kernels/group_light.rs:197
+    // glimt_render_gpu/src/kernels/group_light.rs:174
     let _e25 = proposal_1;
     let _e26 = Proposal_sample_cells(_e25, _e20, cells_size_8, cells_start_8, expected_3);
-    // glimt_render_gpu/src/kernels/group_light.rs:198
+    // glimt_render_gpu/src/kernels/group_light.rs:175
     let _e30 = rotate_z(_e26.direction, env_rotation_3);
     return Look(_e26.direction, _e30, _e26.texel, _e26.cell, _e23, true);
 }
@@ -2859,16 +2852,16 @@ fn BlinnPhong_eval(this_37: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec
     return (diffuse_3 + (this_37.specular * lobe_3));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:97
+// glimt_render_gpu/src/kernels/group_light.rs:77
 fn reflectance(point_2: ShadingPoint, wi_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:98
+    // glimt_render_gpu/src/kernels/group_light.rs:78
     if (wi_3.z > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:99
+        // glimt_render_gpu/src/kernels/group_light.rs:79
         let _e10 = BlinnPhong_eval(point_2.brdf, point_2.wo, wi_3);
         return (_e10 * wi_3.z);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:101
+    // glimt_render_gpu/src/kernels/group_light.rs:81
     return vec3(0f);
 }
 
@@ -3601,7 +3594,7 @@ fn Proposal_open_control(this_46: Proposal, direction_9: vec3<f32>, at_3: CellAt
     return ((kd_2 * cosine_1) + (_e26 * at_3.lobe));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:291
+// glimt_render_gpu/src/kernels/group_light.rs:261
 fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, threshold_3: f32, group_3: Group, proposal_2: Proposal, look: Look, point_4: ShadingPoint, f: vec3<f32>, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
     var proposal_3: Proposal;
     var own: vec3<f32>;
@@ -3609,63 +3602,63 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
     var counter_11: u32;
 
     proposal_3 = proposal_2;
-    // glimt_render_gpu/src/kernels/group_light.rs:300
+    // glimt_render_gpu/src/kernels/group_light.rs:270
     if (group_3.members < 2u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:301
+        // glimt_render_gpu/src/kernels/group_light.rs:271
         return vec3(0f);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:303
+    // glimt_render_gpu/src/kernels/group_light.rs:273
     let _e20 = proposal_3.of_.surface.specular;
     let has_lobe_1 = (_e20 > 0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:304
+    // glimt_render_gpu/src/kernels/group_light.rs:274
     let _e27 = proposal_3.of_.surface.spread;
     if !((has_lobe_1 || (_e27 > 0.035f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:305
+        // glimt_render_gpu/src/kernels/group_light.rs:275
         let _e35 = proposal_3.of_.mean_normal;
         let apart_1 = (dot(_e35, look.of_map) - dot(point_4.frame.n, look.direction));
-        // glimt_render_gpu/src/kernels/group_light.rs:307
+        // glimt_render_gpu/src/kernels/group_light.rs:277
         let _e46 = proposal_3.of_.diffuse;
         return (_e46 * (0.31830987f * apart_1));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:309
+    // glimt_render_gpu/src/kernels/group_light.rs:279
     let _e52 = proposal_3.lobe_share;
     let with_lobes = !((_e52 > 0f));
-    // glimt_render_gpu/src/kernels/group_light.rs:310
+    // glimt_render_gpu/src/kernels/group_light.rs:280
     own = f;
-    // glimt_render_gpu/src/kernels/group_light.rs:311
+    // glimt_render_gpu/src/kernels/group_light.rs:281
     if !(with_lobes) {
-        // glimt_render_gpu/src/kernels/group_light.rs:312
+        // glimt_render_gpu/src/kernels/group_light.rs:282
         let cosine_2 = max(dot(point_4.frame.n, look.direction), 0f);
-        // glimt_render_gpu/src/kernels/group_light.rs:313
+        // glimt_render_gpu/src/kernels/group_light.rs:283
         own = (point_4.brdf.diffuse * (0.31830987f * cosine_2));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:315
+    // glimt_render_gpu/src/kernels/group_light.rs:285
     sum_3 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:316
+    // glimt_render_gpu/src/kernels/group_light.rs:286
     counter_11 = 0u;
     loop {
         let k_4 = counter_11;
         if (k_4 >= group_3.members) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:317
+        // glimt_render_gpu/src/kernels/group_light.rs:287
         let _e84 = Group_ray(group_3, k_4, points_start_6, points_len_6);
-        // glimt_render_gpu/src/kernels/group_light.rs:318
+        // glimt_render_gpu/src/kernels/group_light.rs:288
         if with_lobes {
-            // glimt_render_gpu/src/kernels/group_light.rs:319
+            // glimt_render_gpu/src/kernels/group_light.rs:289
             let _e90 = points[(points_start_6 + _e84)];
             let _e91 = SeenPoint_shading_point(_e90);
-            // glimt_render_gpu/src/kernels/group_light.rs:320
+            // glimt_render_gpu/src/kernels/group_light.rs:290
             let _e95 = ShadingFrame_to_local(_e91.frame, look.direction);
             let _e96 = reflectance(_e91, _e95);
             let _e97 = sum_3;
             sum_3 = (_e97 + _e96);
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:322
+            // glimt_render_gpu/src/kernels/group_light.rs:292
             let other = points[(points_start_6 + _e84)];
-            // glimt_render_gpu/src/kernels/group_light.rs:323
+            // glimt_render_gpu/src/kernels/group_light.rs:293
             let cosine_3 = max(dot(other.normal, look.direction), 0f);
-            // glimt_render_gpu/src/kernels/group_light.rs:324
+            // glimt_render_gpu/src/kernels/group_light.rs:294
             let _e115 = sum_3;
             sum_3 = (_e115 + (other.diffuse * (0.31830987f * cosine_3)));
         }
@@ -3674,14 +3667,14 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
             counter_11 = (_e117 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:327
+    // glimt_render_gpu/src/kernels/group_light.rs:297
     let _e121 = sum_3;
     let _e126 = own;
     return ((_e121 / vec3(f32(group_3.members))) - _e126);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:229
-fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, threshold_4: f32, group_4: Group, proposal_4: Proposal, expected_5: Unknown, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Sample {
+// glimt_render_gpu/src/kernels/group_light.rs:206
+fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, threshold_4: f32, group_4: Group, proposal_4: Proposal, expected_5: Unknown, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Reflected {
     var proposal_5: Proposal;
     var pdf_sr: f32;
     var both_3: bool;
@@ -3689,284 +3682,250 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     var blocked: vec3<f32>;
 
     proposal_5 = proposal_4;
-    // glimt_render_gpu/src/kernels/group_light.rs:238
+    // glimt_render_gpu/src/kernels/group_light.rs:215
     let _e21 = points[(points_start_7 + look_1.ray)];
     let _e22 = SeenPoint_shading_point(_e21);
-    // glimt_render_gpu/src/kernels/group_light.rs:239
+    // glimt_render_gpu/src/kernels/group_light.rs:216
     let _e26 = ShadingFrame_to_local(_e22.frame, look_1.direction);
-    // glimt_render_gpu/src/kernels/group_light.rs:240
+    // glimt_render_gpu/src/kernels/group_light.rs:217
     let _e28 = proposal_5;
     let _e30 = Proposal_cell(_e28, look_1.cell, cells_size_12, cells_start_12, expected_5);
-    // glimt_render_gpu/src/kernels/group_light.rs:241
+    // glimt_render_gpu/src/kernels/group_light.rs:218
     let share_2 = proposal_5.lobe_share;
-    // glimt_render_gpu/src/kernels/group_light.rs:242
+    // glimt_render_gpu/src/kernels/group_light.rs:219
     pdf_sr = 0f;
-    // glimt_render_gpu/src/kernels/group_light.rs:243
+    // glimt_render_gpu/src/kernels/group_light.rs:220
     if (share_2 < 1f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:244
+        // glimt_render_gpu/src/kernels/group_light.rs:221
         let _e41 = proposal_5;
         let _e44 = Proposal_cells_pdf_sr(_e41, look_1.texel, look_1.cell, _e30, cells_size_12, cells_start_12);
-        // glimt_render_gpu/src/kernels/group_light.rs:245
+        // glimt_render_gpu/src/kernels/group_light.rs:222
         pdf_sr = ((1f - share_2) * _e44);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:247
+    // glimt_render_gpu/src/kernels/group_light.rs:224
     if (share_2 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:248
+        // glimt_render_gpu/src/kernels/group_light.rs:225
         let _e53 = lobe_of(_e22);
         let _e55 = BlinnPhong_pdf_sr(_e53, _e22.wo, _e26);
         let _e57 = pdf_sr;
         pdf_sr = (_e57 + (share_2 * _e55));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:250
+    // glimt_render_gpu/src/kernels/group_light.rs:227
     let _e60 = pdf_sr;
     if !((_e60 > 0.000000000000000000000000000000000000011754944f)) {
-        // glimt_render_gpu/src/kernels/group_light.rs:251
-        return Sample(vec3(0f), vec3(0f), false, false);
+        // glimt_render_gpu/src/kernels/group_light.rs:228
+        return Reflected(vec3(0f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:258
-    let _e74 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
-    // glimt_render_gpu/src/kernels/group_light.rs:259
-    let _e76 = reflectance(_e22, _e26);
-    // glimt_render_gpu/src/kernels/group_light.rs:260
-    let is_seen = ((max(max(_e76.x, _e76.y), _e76.z) > 0f) && (dot(_e22.geometric_normal, look_1.direction) > 0f));
-    // glimt_render_gpu/src/kernels/group_light.rs:261
+    // glimt_render_gpu/src/kernels/group_light.rs:230
+    let _e72 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
+    // glimt_render_gpu/src/kernels/group_light.rs:231
+    let _e74 = reflectance(_e22, _e26);
+    // glimt_render_gpu/src/kernels/group_light.rs:232
+    let is_seen = ((max(max(_e74.x, _e74.y), _e74.z) > 0f) && (dot(_e22.geometric_normal, look_1.direction) > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:233
     both_3 = is_seen;
     if is_seen {
-        let _e94 = Scene_is_lit(_e22, look_1.direction, key_3);
-        both_3 = _e94;
+        let _e92 = Scene_is_lit(_e22, look_1.direction, key_3);
+        both_3 = _e92;
     }
-    let arrives_1 = both_3;
-    // glimt_render_gpu/src/kernels/group_light.rs:262
+    let arrives = both_3;
+    // glimt_render_gpu/src/kernels/group_light.rs:234
     lit = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:263
+    // glimt_render_gpu/src/kernels/group_light.rs:235
     blocked = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:264
-    if arrives_1 {
-        // glimt_render_gpu/src/kernels/group_light.rs:265
-        lit = _e76;
+    // glimt_render_gpu/src/kernels/group_light.rs:236
+    if arrives {
+        // glimt_render_gpu/src/kernels/group_light.rs:237
+        lit = _e74;
     } else {
         if is_seen {
-            // glimt_render_gpu/src/kernels/group_light.rs:267
-            blocked = _e76;
+            // glimt_render_gpu/src/kernels/group_light.rs:239
+            blocked = _e74;
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:269
+    // glimt_render_gpu/src/kernels/group_light.rs:241
     if false {
-        // glimt_render_gpu/src/kernels/group_light.rs:270
-        let _e110 = proposal_5;
-        let _e112 = Proposal_open_control(_e110, look_1.of_map, _e30);
-        // glimt_render_gpu/src/kernels/group_light.rs:271
-        let _e114 = proposal_5;
-        let _e115 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_4, group_4, _e114, look_1, _e22, _e76, points_start_7, points_len_7);
-        // glimt_render_gpu/src/kernels/group_light.rs:272
-        let _e118 = proposal_5.is_catcher;
-        if _e118 {
-            // glimt_render_gpu/src/kernels/group_light.rs:273
-            lit = ((_e76 - _e112) + _e115);
+        // glimt_render_gpu/src/kernels/group_light.rs:242
+        let _e108 = proposal_5;
+        let _e110 = Proposal_open_control(_e108, look_1.of_map, _e30);
+        // glimt_render_gpu/src/kernels/group_light.rs:243
+        let _e112 = proposal_5;
+        let _e113 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_4, group_4, _e112, look_1, _e22, _e74, points_start_7, points_len_7);
+        // glimt_render_gpu/src/kernels/group_light.rs:244
+        let _e116 = proposal_5.is_catcher;
+        if _e116 {
+            // glimt_render_gpu/src/kernels/group_light.rs:245
+            lit = ((_e74 - _e110) + _e113);
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:275
-            let _e126 = lit;
-            lit = (_e126 + ((_e115 - _e112) * _e30.visibility));
+            // glimt_render_gpu/src/kernels/group_light.rs:247
+            let _e124 = lit;
+            lit = (_e124 + ((_e113 - _e110) * _e30.visibility));
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:279
-    let _e129 = lit;
-    let _e130 = pdf_sr;
-    let _e134 = blocked;
-    let _e135 = pdf_sr;
-    return Sample((_e74 * (_e129 / vec3(_e130))), (_e74 * (_e134 / vec3(_e135))), is_seen, arrives_1);
+    // glimt_render_gpu/src/kernels/group_light.rs:251
+    let _e127 = lit;
+    let _e128 = pdf_sr;
+    let _e132 = blocked;
+    let _e133 = pdf_sr;
+    return Reflected((_e72 * (_e127 / vec3(_e128))), (_e72 * (_e132 / vec3(_e133))));
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:24
-fn record(cell_5: u32, arrives: bool) -> u32 {
-    var chosen_24: u32;
-
-    // glimt_render_gpu/src/kernels/seen.rs:25
-    if arrives {
-        chosen_24 = 16384u;
-    } else {
-        chosen_24 = 0u;
-    }
-    let _e8 = chosen_24;
-    return ((32768u | _e8) | cell_5);
-}
-
-// glimt_render_gpu/src/kernels/group_light.rs:79
-fn note(group_5: Group, s: u32, found: u32, points_start_8: u32, points_len_8: u32) {
-
-    // glimt_render_gpu/src/kernels/group_light.rs:80
-    if (s < (2u * group_5.members)) {
-        // glimt_render_gpu/src/kernels/group_light.rs:81
-        let _e14 = Group_ray(group_5, (s / 2u), points_start_8, points_len_8);
-        // glimt_render_gpu/src/kernels/group_light.rs:82
-        let _e27 = points[(points_start_8 + _e14)].record;
-        points[(points_start_8 + _e14)].record = (_e27 | (found << ((16u * (s & 1u)) & 31u)));
-    }
-    return;
-}
-
-// glimt_render_gpu/src/kernels/group_light.rs:109
-fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_5: PixelPattern, rays_5: f32, threshold_5: f32, group_6: Group, number: u32, expected_6: Unknown, points_start_9: u32, points_len_9: u32, drawn: ptr<function, Drawn>) -> Reflected {
+// glimt_render_gpu/src/kernels/group_light.rs:89
+fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_5: PixelPattern, rays_5: f32, threshold_5: f32, group_5: Group, number: u32, expected_6: Unknown, points_start_8: u32, points_len_8: u32, drawn: ptr<function, Drawn>) -> Reflected {
     var proposal_6: Proposal;
     var source_2: PatternSource;
     var worth_1: f32;
-    var chosen_25: f32;
+    var chosen_24: f32;
     var lit_1: vec3<f32>;
     var blocked_1: vec3<f32>;
     var counter_12: u32;
-    var chosen_26: Look;
+    var chosen_25: Look;
 
-    // glimt_render_gpu/src/kernels/group_light.rs:117
-    let _e15 = Group_representative(group_6, points_start_9, points_len_9, env_size_6, env_rotation_6);
-    // glimt_render_gpu/src/kernels/group_light.rs:118
-    let _e18 = Group_ray(group_6, 0u, points_start_9, points_len_9);
-    // glimt_render_gpu/src/kernels/group_light.rs:119
-    let leader_3 = points[(points_start_9 + _e18)];
-    // glimt_render_gpu/src/kernels/group_light.rs:120
+    // glimt_render_gpu/src/kernels/group_light.rs:97
+    let _e15 = Group_representative(group_5, points_start_8, points_len_8, env_size_6, env_rotation_6);
+    // glimt_render_gpu/src/kernels/group_light.rs:98
+    let _e18 = Group_ray(group_5, 0u, points_start_8, points_len_8);
+    // glimt_render_gpu/src/kernels/group_light.rs:99
+    let leader_3 = points[(points_start_8 + _e18)];
+    // glimt_render_gpu/src/kernels/group_light.rs:100
     let _e25 = SeenPoint_slot(leader_3);
     let _e26 = Unknown_at_slot(expected_6, _e25);
-    // glimt_render_gpu/src/kernels/group_light.rs:121
+    // glimt_render_gpu/src/kernels/group_light.rs:101
     let _e28 = SeenPoint_is_catcher(leader_3);
-    // glimt_render_gpu/src/kernels/group_light.rs:122
+    // glimt_render_gpu/src/kernels/group_light.rs:102
     let _e30 = Proposal_new(_e15, cells_size_13, cells_start_13, _e26, _e28);
     proposal_6 = _e30;
-    // glimt_render_gpu/src/kernels/group_light.rs:123
+    // glimt_render_gpu/src/kernels/group_light.rs:103
     let _e34 = PixelPattern_point(pattern_5, 12u, number);
     source_2 = _e34;
-    // glimt_render_gpu/src/kernels/group_light.rs:124
+    // glimt_render_gpu/src/kernels/group_light.rs:104
     let _e37 = PatternSource_next_u32_((&source_2));
     let _e38 = unit_f32_(_e37);
-    // glimt_render_gpu/src/kernels/group_light.rs:125
-    let share_3 = (f32(group_6.members) / f32(pattern_5.rays));
-    // glimt_render_gpu/src/kernels/group_light.rs:126
+    // glimt_render_gpu/src/kernels/group_light.rs:105
+    let share_3 = (f32(group_5.members) / f32(pattern_5.rays));
+    // glimt_render_gpu/src/kernels/group_light.rs:106
     worth_1 = (rays_5 * share_3);
-    // glimt_render_gpu/src/kernels/group_light.rs:127
+    // glimt_render_gpu/src/kernels/group_light.rs:107
     if (threshold_5 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:128
+        // glimt_render_gpu/src/kernels/group_light.rs:108
         let _e53 = proposal_6.total;
         let _e55 = proposal_6.lobe_worth;
         worth_1 = (((_e53 + _e55) * share_3) / threshold_5);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:130
+    // glimt_render_gpu/src/kernels/group_light.rs:110
     let _e60 = proposal_6;
     let _e61 = Proposal_is_sharp(_e60);
     if _e61 {
-        // glimt_render_gpu/src/kernels/group_light.rs:131
+        // glimt_render_gpu/src/kernels/group_light.rs:111
         let _e63 = worth_1;
         worth_1 = max(_e63, ((0.25f * rays_5) * share_3));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:133
+    // glimt_render_gpu/src/kernels/group_light.rs:113
     let _e69 = worth_1;
     worth_1 = clamp(_e69, 0.02f, 256f);
-    // glimt_render_gpu/src/kernels/group_light.rs:134
+    // glimt_render_gpu/src/kernels/group_light.rs:114
     let _e75 = proposal_6.total;
     let _e80 = proposal_6.lobe_share;
     if (!((_e75 > 0f)) && !((_e80 > 0f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:135
+        // glimt_render_gpu/src/kernels/group_light.rs:115
         worth_1 = 0f;
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:137
+    // glimt_render_gpu/src/kernels/group_light.rs:117
     let _e88 = worth_1;
     let _e89 = PatternSource_next_u32_((&source_2));
     let _e90 = unit_f32_(_e89);
     let count_2 = u32((_e88 + _e90));
-    // glimt_render_gpu/src/kernels/group_light.rs:138
+    // glimt_render_gpu/src/kernels/group_light.rs:118
     let _e95 = worth_1;
     if (_e95 < 1f) {
         let _e98 = worth_1;
-        chosen_25 = _e98;
+        chosen_24 = _e98;
     } else {
-        chosen_25 = f32(count_2);
+        chosen_24 = f32(count_2);
     }
-    let divisor = chosen_25;
-    // glimt_render_gpu/src/kernels/group_light.rs:139
+    let divisor = chosen_24;
+    // glimt_render_gpu/src/kernels/group_light.rs:119
     let _e103 = PixelPattern_ray_key(pattern_5, 9u);
     let _e104 = hash2_(_e103, number);
-    // glimt_render_gpu/src/kernels/group_light.rs:140
+    // glimt_render_gpu/src/kernels/group_light.rs:120
     lit_1 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:141
+    // glimt_render_gpu/src/kernels/group_light.rs:121
     blocked_1 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:142
+    // glimt_render_gpu/src/kernels/group_light.rs:122
     counter_12 = 0u;
     loop {
-        let s_5 = counter_12;
-        if (s_5 >= count_2) {
+        let s_4 = counter_12;
+        if (s_4 >= count_2) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:143
+        // glimt_render_gpu/src/kernels/group_light.rs:123
         let _e121 = proposal_6.lobe_share;
-        let before = u32(((f32(s_5) * _e121) + _e38));
-        // glimt_render_gpu/src/kernels/group_light.rs:144
+        let before = u32(((f32(s_4) * _e121) + _e38));
+        // glimt_render_gpu/src/kernels/group_light.rs:124
         let _e130 = proposal_6.lobe_share;
-        let after = u32(((f32((s_5 + 1u)) * _e130) + _e38));
-        // glimt_render_gpu/src/kernels/group_light.rs:145
+        let after = u32(((f32((s_4 + 1u)) * _e130) + _e38));
+        // glimt_render_gpu/src/kernels/group_light.rs:125
         if (after > before) {
-            // glimt_render_gpu/src/kernels/group_light.rs:146
+            // glimt_render_gpu/src/kernels/group_light.rs:126
             let _e140 = (*drawn).lobes;
             (*drawn).lobes = (_e140 + 1u);
-            // glimt_render_gpu/src/kernels/group_light.rs:147
+            // glimt_render_gpu/src/kernels/group_light.rs:127
             let _e144 = (*drawn).lobes;
-            let _e147 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_6, (_e144 - 1u), points_start_9, points_len_9);
-            chosen_26 = _e147;
+            let _e147 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, (_e144 - 1u), points_start_8, points_len_8);
+            chosen_25 = _e147;
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:149
+            // glimt_render_gpu/src/kernels/group_light.rs:129
             let _e151 = (*drawn).cells;
             (*drawn).cells = (_e151 + 1u);
-            // glimt_render_gpu/src/kernels/group_light.rs:150
+            // glimt_render_gpu/src/kernels/group_light.rs:130
             let _e154 = proposal_6;
             let _e156 = (*drawn).cells;
-            let _e159 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_6, _e154, _e26, (_e156 - 1u), points_start_9, points_len_9);
-            chosen_26 = _e159;
+            let _e159 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e154, _e26, (_e156 - 1u), points_start_8, points_len_8);
+            chosen_25 = _e159;
         }
-        let look_2 = chosen_26;
-        // glimt_render_gpu/src/kernels/group_light.rs:152
+        let look_2 = chosen_25;
+        // glimt_render_gpu/src/kernels/group_light.rs:132
         if look_2.is_possible {
-            // glimt_render_gpu/src/kernels/group_light.rs:153
-            let own_2 = (_e104 + s_5);
-            // glimt_render_gpu/src/kernels/group_light.rs:154
+            // glimt_render_gpu/src/kernels/group_light.rs:133
+            let own_2 = (_e104 + s_4);
+            // glimt_render_gpu/src/kernels/group_light.rs:134
             let _e166 = proposal_6;
-            let _e167 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_6, _e166, _e26, look_2, own_2, points_start_9, points_len_9);
-            // glimt_render_gpu/src/kernels/group_light.rs:155
+            let _e167 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e166, _e26, look_2, own_2, points_start_8, points_len_8);
+            // glimt_render_gpu/src/kernels/group_light.rs:135
             let _e170 = lit_1;
             lit_1 = (_e170 + _e167.lit);
-            // glimt_render_gpu/src/kernels/group_light.rs:156
+            // glimt_render_gpu/src/kernels/group_light.rs:136
             let _e174 = blocked_1;
             blocked_1 = (_e174 + _e167.blocked);
-            // glimt_render_gpu/src/kernels/group_light.rs:157
-            if (false && _e167.is_traced) {
-                // glimt_render_gpu/src/kernels/group_light.rs:158
-                let _e183 = record(look_2.cell, _e167.arrives);
-                note(group_6, s_5, _e183, points_start_9, points_len_9);
-            }
         }
         continuing {
-            let _e184 = counter_12;
-            counter_12 = (_e184 + 1u);
+            let _e176 = counter_12;
+            counter_12 = (_e176 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:162
+    // glimt_render_gpu/src/kernels/group_light.rs:139
     if (count_2 > 0u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:163
-        let _e191 = lit_1;
-        lit_1 = (_e191 / vec3(divisor));
-        // glimt_render_gpu/src/kernels/group_light.rs:164
-        let _e195 = blocked_1;
-        blocked_1 = (_e195 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:140
+        let _e183 = lit_1;
+        lit_1 = (_e183 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:141
+        let _e187 = blocked_1;
+        blocked_1 = (_e187 / vec3(divisor));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:166
+    // glimt_render_gpu/src/kernels/group_light.rs:143
     if (false && _e28) {
-        // glimt_render_gpu/src/kernels/group_light.rs:168
-        let _e203 = proposal_6.open_integral;
-        let _e204 = lit_1;
-        let _e206 = blocked_1;
-        let _e208 = blocked_1;
-        return Reflected(((_e203 + _e204) - _e206), _e208);
+        // glimt_render_gpu/src/kernels/group_light.rs:145
+        let _e195 = proposal_6.open_integral;
+        let _e196 = lit_1;
+        let _e198 = blocked_1;
+        let _e200 = blocked_1;
+        return Reflected(((_e195 + _e196) - _e198), _e200);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:173
-    let _e212 = proposal_6.integral;
-    let _e213 = lit_1;
-    let _e215 = blocked_1;
-    return Reflected((_e212 + _e213), _e215);
+    // glimt_render_gpu/src/kernels/group_light.rs:150
+    let _e204 = proposal_6.integral;
+    let _e205 = lit_1;
+    let _e207 = blocked_1;
+    return Reflected((_e204 + _e205), _e207);
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:39
@@ -4048,10 +4007,10 @@ fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:204
-fn stratum(cell_6: u32, count: u32, jitter: u32) -> u32 {
+fn stratum(cell_5: u32, count: u32, jitter: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:205
-    return ((cell_6 * (4294967295u / count)) + (jitter / count));
+    return ((cell_5 * (4294967295u / count)) + (jitter / count));
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:184
@@ -4132,21 +4091,21 @@ fn FrameParams_direction(this_49: FrameParams, pixel_3: u32, place_1: vec2<f32>)
 
 // glimt_render_gpu/src/kernels/frame.rs:144
 fn FrameParams_camera_ray(this_50: FrameParams, pattern_6: PixelPattern) -> Ray {
-    var chosen_27: vec2<f32>;
+    var chosen_26: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:145
     let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_50.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
     // glimt_render_gpu/src/kernels/frame.rs:149
     if (this_50.filter_ == 1u) {
         // glimt_render_gpu/src/kernels/frame.rs:150
-        chosen_27 = vec2(0.5f);
+        chosen_26 = vec2(0.5f);
     } else {
         // glimt_render_gpu/src/kernels/frame.rs:152
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
-        chosen_27 = _e24;
+        chosen_26 = _e24;
     }
-    let place_4 = chosen_27;
+    let place_4 = chosen_26;
     // glimt_render_gpu/src/kernels/frame.rs:154
     let _e28 = FrameParams_direction(this_50, pattern_6.pixel, place_4);
     // glimt_render_gpu/src/kernels/frame.rs:155
@@ -4170,12 +4129,12 @@ fn LayerSample_of_background(_ray: Ray, _frame: FrameParams, _map_size: vec2<u32
 }
 
 // glimt_render_gpu/src/kernels/product.rs:55
-fn shade_groups(pixel_4: u32, frame_2: FrameParams, rays_6: f32, threshold_6: f32, expected_7: Unknown, env_size_7: vec2<u32>, env_rotation_7: vec2<f32>, points_start_10: u32, points_len_10: u32, samples_start: u32, samples_len: u32) {
+fn shade_groups(pixel_4: u32, frame_2: FrameParams, rays_6: f32, threshold_6: f32, expected_7: Unknown, env_size_7: vec2<u32>, env_rotation_7: vec2<f32>, points_start_9: u32, points_len_9: u32, samples_start: u32, samples_len: u32) {
     var drawn_1: Drawn;
     var leader_2: u32;
     var filled: u32;
     var number_1: u32;
-    var group_7: Group;
+    var group_6: Group;
     var counter_14: u32;
     var counter_15: u32;
 
@@ -4194,20 +4153,20 @@ fn shade_groups(pixel_4: u32, frame_2: FrameParams, rays_6: f32, threshold_6: f3
     number_1 = 0u;
     // glimt_render_gpu/src/kernels/product.rs:79
     let _e34 = filled;
-    let _e35 = next_group(points_start_10, points_len_10, (&leader_2), _e34);
-    group_7 = _e35;
+    let _e35 = next_group(points_start_9, points_len_9, (&leader_2), _e34);
+    group_6 = _e35;
     // glimt_render_gpu/src/kernels/product.rs:80
     loop {
-        let _e39 = group_7.members;
+        let _e39 = group_6.members;
         if !((_e39 > 0u)) {
             break;
         }
         // glimt_render_gpu/src/kernels/product.rs:81
-        let _e44 = group_7;
+        let _e44 = group_6;
         let _e45 = number_1;
-        let _e46 = GroupLight_reflected(env_size_7, env_rotation_7, _e15.value_size, _e15.value_start, _e18, rays_6, threshold_6, _e44, _e45, expected_7, points_start_10, points_len_10, (&drawn_1));
+        let _e46 = GroupLight_reflected(env_size_7, env_rotation_7, _e15.value_size, _e15.value_start, _e18, rays_6, threshold_6, _e44, _e45, expected_7, points_start_9, points_len_9, (&drawn_1));
         // glimt_render_gpu/src/kernels/product.rs:82
-        let _e50 = group_7.members;
+        let _e50 = group_6.members;
         counter_14 = 0u;
         loop {
             let k_5 = counter_14;
@@ -4215,10 +4174,10 @@ fn shade_groups(pixel_4: u32, frame_2: FrameParams, rays_6: f32, threshold_6: f3
                 break;
             }
             // glimt_render_gpu/src/kernels/product.rs:83
-            let _e55 = group_7;
-            let _e56 = Group_ray(_e55, k_5, points_start_10, points_len_10);
+            let _e55 = group_6;
+            let _e56 = Group_ray(_e55, k_5, points_start_9, points_len_9);
             // glimt_render_gpu/src/kernels/product.rs:84
-            let point_7 = points[(points_start_10 + _e56)];
+            let point_7 = points[(points_start_9 + _e56)];
             // glimt_render_gpu/src/kernels/product.rs:85
             let own_3 = Reflected((_e46.lit + point_7.emission), _e46.blocked);
             // glimt_render_gpu/src/kernels/product.rs:89
@@ -4231,7 +4190,7 @@ fn shade_groups(pixel_4: u32, frame_2: FrameParams, rays_6: f32, threshold_6: f3
             }
         }
         // glimt_render_gpu/src/kernels/product.rs:91
-        let _e79 = group_7.members;
+        let _e79 = group_6.members;
         let _e80 = filled;
         filled = (_e80 + _e79);
         // glimt_render_gpu/src/kernels/product.rs:92
@@ -4239,8 +4198,8 @@ fn shade_groups(pixel_4: u32, frame_2: FrameParams, rays_6: f32, threshold_6: f3
         number_1 = (_e84 + 1u);
         // glimt_render_gpu/src/kernels/product.rs:93
         let _e87 = filled;
-        let _e88 = next_group(points_start_10, points_len_10, (&leader_2), _e87);
-        group_7 = _e88;
+        let _e88 = next_group(points_start_9, points_len_9, (&leader_2), _e87);
+        group_6 = _e88;
     }
     // glimt_render_gpu/src/kernels/product.rs:95
     counter_15 = 0u;
@@ -4250,7 +4209,7 @@ fn shade_groups(pixel_4: u32, frame_2: FrameParams, rays_6: f32, threshold_6: f3
             break;
         }
         // glimt_render_gpu/src/kernels/product.rs:96
-        let _e99 = points[(points_start_10 + ray_12)];
+        let _e99 = points[(points_start_9 + ray_12)];
         let _e100 = SeenPoint_is_hit(_e99);
         if !(_e100) {
             // glimt_render_gpu/src/kernels/product.rs:97
@@ -4270,10 +4229,10 @@ fn shade_groups(pixel_4: u32, frame_2: FrameParams, rays_6: f32, threshold_6: f3
 }
 
 // glimt_render_gpu/src/kernels/product.rs:31
-fn shade_product(pixel_5: u32, frame_3: FrameParams, product: Product, env_size_8: vec2<u32>, env_rotation_8: vec2<f32>, points_start_11: u32, points_len_11: u32, samples_start_1: u32, samples_len_1: u32) {
+fn shade_product(pixel_5: u32, frame_3: FrameParams, product: Product, env_size_8: vec2<u32>, env_rotation_8: vec2<f32>, points_start_10: u32, points_len_10: u32, samples_start_1: u32, samples_len_1: u32) {
 
     // glimt_render_gpu/src/kernels/product.rs:40
-    shade_groups(pixel_5, frame_3, product.rays, 0f, Unknown(), env_size_8, env_rotation_8, points_start_11, points_len_11, samples_start_1, samples_len_1);
+    shade_groups(pixel_5, frame_3, product.rays, 0f, Unknown(), env_size_8, env_rotation_8, points_start_10, points_len_10, samples_start_1, samples_len_1);
     return;
 }
 

@@ -10,7 +10,7 @@ struct TileEntry {
     diffuse: f32,
     specular: f32,
     off_centre: f32,
-    is_known: u32,
+    unused: u32,
 }
 
 struct Returned_Environment_cells {
@@ -274,26 +274,26 @@ fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near), vec4(1f)), cosine_spread);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:89
+// glimt_render_gpu/src/kernels/cell_state.rs:86
 fn bytes_of(word: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:90
+    // glimt_render_gpu/src/kernels/cell_state.rs:87
     return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:162
+// glimt_render_gpu/src/kernels/cell_state.rs:143
 fn Expected_quad(first: u32, slot: u32, quad_2: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:163
+    // glimt_render_gpu/src/kernels/cell_state.rs:144
     if (slot == 0u) {
-        // glimt_render_gpu/src/kernels/cell_state.rs:164
+        // glimt_render_gpu/src/kernels/cell_state.rs:145
         return vec4(0.75f);
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:166
+    // glimt_render_gpu/src/kernels/cell_state.rs:147
     let entry_1 = ((first + slot) - 1u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:167
+    // glimt_render_gpu/src/kernels/cell_state.rs:148
     let word_1 = visibility_3[((entry_1 * 128u) + quad_2)];
-    // glimt_render_gpu/src/kernels/cell_state.rs:168
+    // glimt_render_gpu/src/kernels/cell_state.rs:149
     let _e22 = bytes_of(word_1);
     return (_e22 * (1f / 255f));
 }

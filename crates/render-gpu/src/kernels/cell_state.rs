@@ -19,9 +19,6 @@ pub const VISIBILITY_WORDS: u32 = CELLS / 4;
 /// Values behind those of all entries: parts of the sum of what rays are worth, f32.
 pub const WORTHS: u32 = 64;
 
-/// The most rays that a cell's counts remember.
-pub const MOST_COUNTED: u32 = 64;
-
 /// The share that is taken to arrive where no ray has been.
 pub const NOTHING_KNOWN: f32 = 0.75;
 
@@ -48,8 +45,8 @@ pub struct TileEntry {
     pub specular: f32,
     /// Square of its distance from the tile's centre, in pixels.
     pub off_centre: f32,
-    /// 1 where the counts of earlier frames serve, else 0.
-    pub is_known: u32,
+    /// Fills 16 bytes.
+    pub unused: u32,
 }
 
 impl TileEntry {
@@ -64,7 +61,7 @@ impl TileEntry {
         diffuse: 0.0,
         specular: 0.0,
         off_centre: 0.0,
-        is_known: 0,
+        unused: 0,
     };
 }
 
@@ -113,22 +110,6 @@ pub fn count(word: u32, cell: u32, arrives: bool) -> u32 {
     let own = word >> shift & 0xffff;
     let more = counted(own & 0xff, own >> 8, if arrives { 1 } else { 0 });
     word & !(0xffff << shift) | more << shift
-}
-
-/// N and S of one cell, scaled down to [`MOST_COUNTED`] rays.
-#[inline]
-fn capped(n: u32, s: u32) -> u32 {
-    if n <= MOST_COUNTED {
-        return n | s << 8;
-    }
-    MOST_COUNTED | ((2 * s * MOST_COUNTED + n) / (2 * n)) << 8
-}
-
-/// A word of counts, both cells scaled down to [`MOST_COUNTED`] rays.
-#[inline]
-#[must_use]
-pub fn cap(word: u32) -> u32 {
-    capped(word & 0xff, word >> 8 & 0xff) | capped(word >> 16 & 0xff, word >> 24) << 16
 }
 
 /// Visibilities of four cells as a word.
@@ -208,10 +189,6 @@ mod tests {
         }
         let all = bytes_of(word);
         assert!(all.x <= 255.0 && (all.y / all.x - 0.75).abs() < 0.03 && all.w == 0.0);
-        let kept = bytes_of(cap(word));
-        assert_eq!((kept.x, kept.z, kept.w), (64.0, 64.0, 0.0));
-        assert!((kept.y / kept.x - all.y / all.x).abs() < 0.01);
-        assert_eq!(cap(0x0102_0304), 0x0102_0304);
     }
 
     #[test]

@@ -13,7 +13,7 @@ use super::groups::Group;
 use super::pattern::{CELLS, COUNT, LIT_THROUGH, LOBE, PixelPattern};
 use super::proposal::{Expectation, Proposal};
 use super::scene::{Scene, ShadingPoint};
-use super::seen::{SeenPoint, record};
+use super::seen::SeenPoint;
 
 /// The fewest and the most rays that a group is worth, on average.
 const FEWEST: f32 = 0.02;
@@ -61,26 +61,6 @@ struct Look {
     ray: u32,
     /// Whether there is such a direction: a lobe may reflect below the horizon.
     is_possible: bool,
-}
-
-/// What a direction contributes, and what was found there.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Sample {
-    lit: Vec3,
-    blocked: Vec3,
-    /// Whether a ray was sent out.
-    is_traced: bool,
-    /// Whether light arrived along it.
-    arrives: bool,
-}
-
-/// Notes what sample `s` of a group found, as far as its members have room: two a member.
-#[inline]
-fn note(group: &Group, s: u32, found: u32, points: &mut [SeenPoint]) {
-    if s < 2 * group.members {
-        let ray = group.ray(s / 2, points) as usize;
-        points[ray].record |= found << (16 * (s & 1));
-    }
 }
 
 /// The member's lobe alone.
@@ -154,9 +134,6 @@ impl GroupLight<'_> {
                 let light = self.sample(group, &proposal, expected, &look, own, points);
                 lit += light.lit;
                 blocked += light.blocked;
-                if P::CONTROL && light.is_traced {
-                    note(group, s, record(look.cell, light.arrives), points);
-                }
             }
         }
         if count > 0 {
@@ -234,7 +211,7 @@ impl GroupLight<'_> {
         look: &Look,
         key: u32,
         points: &mut [SeenPoint],
-    ) -> Sample {
+    ) -> Reflected {
         let point = points[look.ray as usize].shading_point();
         let wi = point.frame.to_local(look.direction);
         let at = proposal.cell(look.cell, &self.cells, expected);
@@ -248,12 +225,7 @@ impl GroupLight<'_> {
             pdf_sr += share * lobe_of(&point).pdf_sr(point.wo, wi);
         }
         if !(pdf_sr > f32::MIN_POSITIVE) {
-            return Sample {
-                lit: Vec3::ZERO,
-                blocked: Vec3::ZERO,
-                is_traced: false,
-                arrives: false,
-            };
+            return Reflected::NONE;
         }
         let radiance = self.env.radiance(look.texel);
         let f = reflectance(&point, wi);
@@ -276,11 +248,9 @@ impl GroupLight<'_> {
             }
         }
         // The quotient is bounded where the radiance may be huge, so it comes first.
-        Sample {
+        Reflected {
             lit: radiance * (lit / pdf_sr),
             blocked: radiance * (blocked / pdf_sr),
-            is_traced: is_seen,
-            arrives,
         }
     }
 

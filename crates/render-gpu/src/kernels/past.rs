@@ -33,8 +33,8 @@ pub struct RayState {
     pub log_ratio: f32,
     /// One of the `STARTED_…` constants.
     pub started: u32,
-    /// The age at which the set is re-initialised; 0 for never.
-    pub lifetime: u32,
+    /// Accepted moves, of N (K + 1); 0 where no set was led into this frame.
+    pub accepted: u32,
 }
 
 /// [`RayState::started`]: not in this frame.
@@ -43,7 +43,7 @@ pub const STARTED_NOT: u32 = 0;
 pub const STARTED_WITHOUT_PAST: u32 = 1;
 /// [`RayState::started`]: as the normaliser jumped, or all weights were 0. Only where the rule that is biased is asked for.
 pub const STARTED_BY_RATIO: u32 = 2;
-/// [`RayState::started`]: as the set had reached its greatest age.
+/// [`RayState::started`]: as it was the ray's turn, or the set had reached its greatest age.
 pub const STARTED_BY_AGE: u32 = 3;
 /// [`RayState::started`]: as the light map had changed too much.
 pub const STARTED_BY_CHANGE: u32 = 4;
@@ -62,7 +62,7 @@ impl RayState {
         ess: 0.0,
         log_ratio: 0.0,
         started: STARTED_NOT,
-        lifetime: 0,
+        accepted: 0,
     };
 }
 

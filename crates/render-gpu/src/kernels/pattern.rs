@@ -37,8 +37,8 @@ pub const COUNT: u32 = 12;
 pub const PILOT: u32 = 13;
 /// What uniforms are for: the way of pilot rays through surfaces that let light pass.
 pub const PILOT_THROUGH: u32 = 14;
-/// What uniforms are for: how long a set of particles lives.
-pub const LIFETIME: u32 = 15;
+/// What uniforms are for: the frames in which it is a ray's turn to start particles.
+pub const TURN: u32 = 15;
 
 /// The pattern of one pixel, as one of its rays sees it.
 ///

@@ -37,8 +37,7 @@ fn alone(point: &SeenPoint, env: Environment<'_>) -> Representative {
     }
 }
 
-/// Sends out the pilot rays of tile `tile` of the image, which begins at pixel 0, and adds them to the counts of its entries, as far as
-/// those are not known.
+/// Sends out the pilot rays of tile `tile` of the image, which begins at pixel 0, and adds them to the counts of its entries.
 ///
 /// The estimate may look at these counts, as their random words have a key of their own, and no pilot ray is shown.
 pub fn pilot(
@@ -53,14 +52,6 @@ pub fn pilot(
     let corner = cells.corner(tile);
     let end = tile_end(corner, frame);
     let first = tile * ENTRIES;
-    let mut wanted = false;
-    for i in first..first + ENTRIES {
-        let entry = entries[i as usize];
-        wanted = wanted || (entry.surface != 0 && entry.is_known == 0);
-    }
-    if !wanted {
-        return;
-    }
     let rays = (cells.rays * cells.pilot * (STEP * STEP) as f32).max(1.0) as u32;
     let light = env.cells();
     for row in 0..(end.y - corner.y).div_ceil(STEP) {
@@ -69,7 +60,7 @@ pub fn pilot(
             let pattern = frame.pattern_at(pixel, 0);
             let seen = see_by(&pattern, frame, scene);
             let slot = slot_of(seen.surface, entries, first);
-            if seen.is_hit() && slot > 0 && entries[(first + slot - 1) as usize].is_known == 0 {
+            if seen.is_hit() && slot > 0 {
                 let base = (slot - 1) * COUNT_WORDS;
                 let point = seen.shading_point();
                 let proposal = Proposal::new(&alone(&seen, env), &light, &Even, seen.is_catcher());

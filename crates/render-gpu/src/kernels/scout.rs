@@ -110,7 +110,7 @@ fn enter(point: &SeenPoint, off_centre: f32, entries: &mut [TileEntry]) {
             diffuse: luminance(point.diffuse),
             specular: luminance(point.specular),
             off_centre,
-            is_known: 0,
+            unused: 0,
         };
     } else {
         entries[at as usize].hits = hits;

@@ -18,13 +18,6 @@ pub const CATCHER: u32 = 2;
 /// The lowest bit of [`SeenPoint::flags`] that tells the slot.
 pub const SLOT_SHIFT: u32 = 2;
 
-/// Half of a [`SeenPoint::record`]: a cell, and whether its light arrived.
-#[inline]
-#[must_use]
-pub fn record(cell: u32, arrives: bool) -> u32 {
-    0x8000 | (if arrives { 0x4000 } else { 0 }) | cell
-}
-
 /// What a ray hits, and its place among the groups of its pixel. 112 bytes; all 0 for a ray that hits nothing.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
@@ -51,12 +44,12 @@ pub struct SeenPoint {
     pub order: u32,
     /// [`BlinnPhong::specular`].
     pub specular: Vec3,
-    /// Two cells of the light in which its pixel has looked, and what was found there: see [`record`].
-    pub record: u32,
+    /// Fills 16 bytes.
+    pub unused_a: u32,
     /// [`ShadingPoint::emission`]; 0 on a catcher.
     pub emission: Vec3,
     /// Fills 16 bytes.
-    pub unused: u32,
+    pub unused_b: u32,
 }
 
 impl SeenPoint {
@@ -73,9 +66,9 @@ impl SeenPoint {
         diffuse: Vec3::ZERO,
         order: 0,
         specular: Vec3::ZERO,
-        record: 0,
+        unused_a: 0,
         emission: Vec3::ZERO,
-        unused: 0,
+        unused_b: 0,
     };
 
     /// Whether the ray hits something.
@@ -148,13 +141,13 @@ pub fn see_by(pattern: &PixelPattern, frame: &FrameParams, scene: Scene<'_>) -> 
         diffuse: point.brdf.diffuse,
         order: 0,
         specular: point.brdf.specular,
-        record: 0,
+        unused_a: 0,
         emission: if is_catcher {
             Vec3::ZERO
         } else {
             point.emission
         },
-        unused: 0,
+        unused_b: 0,
     }
 }
 

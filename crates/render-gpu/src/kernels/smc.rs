@@ -6,11 +6,11 @@
 //! to them. None of them needs more buffers than WebGPU promises.
 //!
 //! A set that is led from frame to frame has a mean without bias, whenever it was started: so has any choice between such sets that
-//! does not look at them. A set is therefore started where its ray has no past, at an age that was drawn when it was started, and
-//! where the light map has changed much. It is not started because its own estimate moved, nor because all its weights are 0: such
+//! does not look at them. A set is therefore started where its ray has no past, at an age, and where the light map has changed much. It is not started because its own estimate moved, nor because all its weights are 0: such
 //! a set stays dark until one of these comes, as dark sets belong to the mean. The rule by the ratio of normalisers, which
 //! looks at the estimate and so is biased, is there to compare with ([`SmcParams::band`]).
 
+use glimt_sampling::hash::{hash2, hash3};
 use glimt_sampling::resample::Scheme;
 use glimt_sampling::ris::{RisPicks, RisSum};
 use glimt_smc::weights::make_equal;
@@ -29,7 +29,7 @@ use super::past::{
     RayState, STARTED_BY_AGE, STARTED_BY_CHANGE, STARTED_BY_RATIO, STARTED_NOT,
     STARTED_WITHOUT_PAST,
 };
-use super::pattern::{LIFETIME, PARTICLES, PatternSource, PixelPattern, RESAMPLE};
+use super::pattern::{PARTICLES, PatternSource, PixelPattern, RESAMPLE, TURN};
 use super::scene::ShadingPoint;
 use super::smc_point::{NO_PREDECESSOR, SmcPoint};
 
@@ -57,7 +57,7 @@ pub struct SmcParams {
     pub light_share: f32,
     /// A set is re-initialised where `|ln Z_t/Z_{t−1}|` exceeds this, or all weights are 0, which is biased. 0 for never.
     pub band: f32,
-    /// The age at which a set is re-initialised that followed another of that age; 0 for never.
+    /// The age at which a set is re-initialised at the latest ([`SmcParams::is_due`]); 0 for never.
     pub max_age: u32,
     /// M, candidates of a start.
     pub candidates: u32,
@@ -72,18 +72,21 @@ pub struct SmcParams {
 }
 
 impl SmcParams {
-    /// The age at which a set is re-initialised that is started for the reason `started`; 0 for never.
+    /// Whether a set is re-initialised for its age in a frame of this pattern: at [`SmcParams::max_age`], or before, where it is the
+    /// ray's turn.
     ///
-    /// All rays of an image start in its first frame, and after a cut. Were their sets as long-lived, all would start together again
-    /// and again. So these live for 1 to [`SmcParams::max_age`] frames, each as likely, by a hash of seed, frame, pixel and ray; then a
-    /// like share of the rays starts in each frame that follows.
+    /// Each ray has its turn in every `max_age`-th frame, by a phase from seed, pixel and ray: all rays start in the first frame and
+    /// after a cut, and would otherwise start together again and again. The frame's own number decides, so a still ray that is
+    /// followed for `max_age` frames has the state that it has in any longer run. Particles that pass from ray to ray may
+    /// miss their turns: then the age itself ends them.
     #[inline]
     #[must_use]
-    pub fn lifetime(&self, started: u32, pattern: &PixelPattern) -> u32 {
-        if self.max_age == 0 || started == STARTED_BY_AGE {
-            return self.max_age;
+    pub fn is_due(&self, age: u32, pattern: &PixelPattern) -> bool {
+        if self.max_age == 0 {
+            return false;
         }
-        1 + pattern.ray_key(LIFETIME) % self.max_age
+        let phase = hash3(hash2(pattern.seed, TURN), pattern.pixel, pattern.ray) % self.max_age;
+        age >= self.max_age || pattern.frame.wrapping_add(phase) % self.max_age == 0
     }
 
     /// The sampler that they describe.
@@ -213,15 +216,14 @@ pub fn advance_smc(
         ess: n as f32,
         log_ratio: 0.0,
         started: STARTED_WITHOUT_PAST,
-        lifetime: 0,
+        accepted: 0,
     };
     if seen.predecessor != NO_PREDECESSOR {
         let old = seen.before;
         now.age = old.age + 1;
-        now.lifetime = old.lifetime;
         now.started = if smc.changed != 0 {
             STARTED_BY_CHANGE
-        } else if old.lifetime > 0 && now.age >= old.lifetime {
+        } else if smc.is_due(now.age, &pattern) {
             STARTED_BY_AGE
         } else {
             STARTED_NOT
@@ -246,6 +248,7 @@ pub fn advance_smc(
         let dead = is_log_zero(report.log_ratio) || is_log_zero(old.log_normaliser);
         now.log_ratio = report.log_ratio;
         now.ess = report.ess;
+        now.accepted = report.accepted;
         if smc.band > 0.0 && (dead || report.log_ratio.abs() > smc.band) {
             now.started = STARTED_BY_RATIO;
         }
@@ -257,7 +260,6 @@ pub fn advance_smc(
     }
     if now.started != STARTED_NOT {
         now.age = 0;
-        now.lifetime = smc.lifetime(now.started, &pattern);
         now.log_normaliser = smc.start(&point, &pattern, env, particles);
     }
     state[0] = now;

@@ -51,7 +51,8 @@ settings! {
         cap_share: f32 = 0.5, between(0.0, 1.0), "0.5 is usual";
         /// Of the independent draws, the share that comes from the light and not from the BRDF.
         light_share: f32 = 0.5, between(0.0, 1.0), "0.5 is usual";
-        /// A ray is re-initialised at this age in frames, and some rays before, so that not all start in one frame; 0 for never.
+        /// A ray is re-initialised every so many frames, rays in turns, and particles that pass from ray to ray at this age at the
+        /// latest; 0 for never.
         max_age: u32 = 8, any, "8 is usual, 0 for never";
         /// All rays are re-initialised where more than this share of the light moved since the frame before: half the integral of
         /// the difference between both maps' luminances, each scaled to an integral of 1. 0 where anything moved, 1 for never.
