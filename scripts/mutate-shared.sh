@@ -41,7 +41,7 @@ git ls-files -z --cached --others --exclude-standard | while IFS= read -r -d '' 
     # With the time of now: cargo would take a file older than the last change's build for unchanged.
     [ ! -f "$file" ] || cp --parents "$file" "$copy"
 done
-for package in glimt-probe glimt-sampling glimt-envmap-cdf glimt-brdf glimt-light-cells glimt-smc glimt-sh glimt-render-gpu glimt-tests; do
+for package in glimt-probe glimt-sampling glimt-envmap-cdf glimt-brdf glimt-light-cells glimt-smc glimt-sh glimt-render-gpu glimt glimt-generate glimt-tests; do
     printf '\n[profile.release.package.%s]\nopt-level = 0\n' "$package" >>"$copy/Cargo.toml"
 done
 
