@@ -169,7 +169,7 @@ impl GpuEnv {
     ///
     /// # Errors
     ///
-    /// [`SettingsError::Tables`] where it was prepared for another one; [`GpuError::Limit`] where it is larger than a binding may be,
+    /// [`SettingsError::Tables`](crate::prepare::render::SettingsError::Tables) where it was prepared for another one; [`GpuError::Limit`] where it is larger than a binding may be,
     /// and [`GpuError::OutOfMemory`].
     pub fn new(
         context: &GpuContext,
