@@ -19,6 +19,9 @@ const BEYOND_POINTS: f64 = 2e-3;
 /// The most texel rows of a row of cells: those at the poles have 16 % of the map's.
 const MOST_ROWS: usize = MAX_SIZE as usize / 6;
 
+/// The most texel columns of a column of cells.
+const MOST_COLUMNS: usize = (MAX_SIZE / COLUMNS) as usize;
+
 /// Why no table was built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -130,6 +133,7 @@ pub fn build_band<'t>(
     let (top, bottom) = (first_row(row, size.y), first_row(row + 1, size.y));
     let mut cells = [Sums::default(); COLUMNS as usize];
     let turns = Turns::new(size.x);
+    let mut weights = [0.0_f32; MOST_COLUMNS];
     let height = (bottom - top) as usize;
     let BandWords { rows, columns } = words;
     // The fluxes of a cell's texel rows wait in the words of its edges.
@@ -150,9 +154,13 @@ pub fn build_band<'t>(
             let left = first_column(column, size.x);
             let own = &texels[left as usize..first_column(column + 1, size.x) as usize];
             let column = column as usize;
-            let flux = cell.add(own, &ring, turns.first[column], turns.step);
+            let weights = &mut weights[..own.len()];
+            for (weight, texel) in weights.iter_mut().zip(own) {
+                *weight = luminance(texel.truncate());
+            }
+            let flux = cell.add(own, weights, &ring, &turns, column);
             rows[column * (height + 1) + 1 + line] = flux.to_bits();
-            column_edges(own, left, edges);
+            column_edges(weights, left, edges);
         }
     }
     for column in 0..COLUMNS as usize {
@@ -227,8 +235,9 @@ struct Ring {
 struct Turns {
     /// At the centre of each cell's first texel.
     first: [[f32; 2]; COLUMNS as usize],
-    /// Of a step to the next texel.
+    /// Of a step to the next texel, and of four steps.
     step: [f32; 2],
+    four_steps: [f32; 2],
 }
 
 impl Turns {
@@ -240,6 +249,7 @@ impl Turns {
         Turns {
             first: core::array::from_fn(|column| cos_sin(first(column))),
             step: cos_sin(-turn),
+            four_steps: cos_sin(-4.0 * turn),
         }
     }
 }
@@ -277,24 +287,42 @@ struct Sums {
     moments: [DVec3; 3],
 }
 
+/// A cosine and a sine, after a turn by another angle's.
+#[inline]
+fn turned([cos, sin]: [f32; 2], by: [f32; 2]) -> [f32; 2] {
+    [cos * by[0] - sin * by[1], sin * by[0] + cos * by[1]]
+}
+
 impl Sums {
-    /// Adds the cell's part of a row of texels. `at` is the cosine and sine of φ at the first of them, `step` those of a step.
-    /// Returns its flux in luminance.
-    fn add(&mut self, texels: &[Vec4], ring: &Ring, mut at: [f32; 2], step: [f32; 2]) -> f32 {
+    /// Adds the cell's part of a row of texels, whose luminances are `weights`, from the first of column `column` of cells on. Returns
+    /// its flux in luminance.
+    fn add(
+        &mut self,
+        texels: &[Vec4],
+        weights: &[f32],
+        ring: &Ring,
+        turns: &Turns,
+        column: usize,
+    ) -> f32 {
         // Within a row f32 will do: a cell's row has a few hundred texels at most.
         let (mut sum, mut x, mut y) = (Vec4::ZERO, Vec4::ZERO, Vec4::ZERO);
         let mut square = 0.0;
-        for texel in texels {
-            let own = luminance(texel.truncate());
-            let texel = texel.truncate().extend(own);
-            square += own * own;
-            sum += texel;
-            x += texel * at[0];
-            y += texel * at[1];
-            at = [
-                at[0] * step[0] - at[1] * step[1],
-                at[1] * step[0] + at[0] * step[1],
-            ];
+        // Four angles turn side by side, as each waits for its own multiplication.
+        let (mut cos, mut sin) = ([turns.first[column][0]; 4], [turns.first[column][1]; 4]);
+        for lane in 1..4 {
+            [cos[lane], sin[lane]] = turned([cos[lane - 1], sin[lane - 1]], turns.step);
+        }
+        for (texels, weights) in texels.chunks(4).zip(weights.chunks(4)) {
+            for (lane, (texel, own)) in texels.iter().zip(weights).enumerate() {
+                let texel = texel.truncate().extend(*own);
+                square += own * own;
+                sum += texel;
+                x += texel * cos[lane];
+                y += texel * sin[lane];
+            }
+            for lane in 0..4 {
+                [cos[lane], sin[lane]] = turned([cos[lane], sin[lane]], turns.four_steps);
+            }
         }
         let flux = f64::from(sum.w) * ring.area;
         self.flux += flux;
@@ -428,17 +456,15 @@ fn row_edges(edges: &mut [u32]) -> Result<(), BuildError> {
     })
 }
 
-/// Writes the edges of a cell's texels in one row, from column `left` on, into the row's words, which are 0.
+/// Writes the edges of a cell's texels in one row, of these luminances, from column `left` on, into the row's words, which are 0.
 ///
 /// Each texel with light has a unit of its own; the others are shared out by luminance. So no texel is lost, and the density is that of
 /// the luminance mixed with an even one, of a thousandth for 32 texels.
-fn column_edges(texels: &[Vec4], left: u32, words: &mut [u32]) {
-    let weight = |texel: &Vec4| luminance(texel.truncate());
+fn column_edges(weights: &[f32], left: u32, words: &mut [u32]) {
     let (mut total, mut lights) = (0.0_f32, 0);
-    for texel in texels {
-        let own = weight(texel);
+    for own in weights {
         total += own;
-        lights += u32::from(own > 0.0);
+        lights += u32::from(*own > 0.0);
     }
     if lights == 0 {
         return;
@@ -446,10 +472,9 @@ fn column_edges(texels: &[Vec4], left: u32, words: &mut [u32]) {
     let shared = COLUMN_UNITS - lights;
     let scale = shared as f32 / total;
     let (mut sum, mut lit) = (0.0_f32, 0);
-    for (x, texel) in (left..).zip(texels) {
-        let own = weight(texel);
+    for (x, own) in (left..).zip(weights) {
         sum += own;
-        lit += u32::from(own > 0.0);
+        lit += u32::from(*own > 0.0);
         // The last texel with light has all that is left, whatever rounding says.
         let edge = match lit == lights {
             true => COLUMN_UNITS,
