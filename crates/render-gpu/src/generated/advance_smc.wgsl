@@ -421,7 +421,9 @@ fn SmcParams_is_due(this_5: SmcParams, age: u32, pattern: PixelPattern) -> bool 
     let _e16 = hash3_(_e13, pattern.pixel, pattern.ray);
     let phase = (_e16 % this_5.max_age);
     // glimt_render_gpu/src/kernels/smc.rs:89
-    return ((age >= this_5.max_age) || (((pattern.frame + phase) % this_5.max_age) == 0u));
+    let turn = ((pattern.frame + phase) % this_5.max_age);
+    // glimt_render_gpu/src/kernels/smc.rs:90
+    return ((age >= this_5.max_age) || (turn == 0u));
 }
 
 // glimt_render_gpu/src/kernels/light_target.rs:41
@@ -597,10 +599,10 @@ fn PixelPattern_source(this_9: PixelPattern, purpose_3: u32) -> PatternSource {
     return _e5;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:95
+// glimt_render_gpu/src/kernels/smc.rs:96
 fn SmcParams_sampler(this_10: SmcParams) -> Sampler {
 
-    // glimt_render_gpu/src/kernels/smc.rs:96
+    // glimt_render_gpu/src/kernels/smc.rs:97
     return Sampler(Bridge(this_10.path, this_10.intermediate), this_10.scheme, this_10.ess_threshold);
 }
 
@@ -2659,11 +2661,11 @@ fn Sampler_advance(this_36: Sampler, target_previous_light_size_3: vec2<u32>, ta
     return _e75;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:109
+// glimt_render_gpu/src/kernels/smc.rs:110
 fn SmcParams_advance(this_37: SmcParams, target_previous_light_size_4: vec2<u32>, target_previous_light_rotation_4: vec2<f32>, target_previous_floor_4: f32, target_previous_lobe_4: LightLobe, target_light_size_4: vec2<u32>, target_light_rotation_4: vec2<f32>, target_floor_4: f32, target_lobe_4: LightLobe, point_1: ShadingPoint, particles_start_8: u32, particles_len_8: u32, source_8: ptr<function, PatternSource>) -> Report {
 
-    // glimt_render_gpu/src/kernels/smc.rs:116
-    // glimt_render_gpu/src/kernels/smc.rs:137
+    // glimt_render_gpu/src/kernels/smc.rs:117
+    // glimt_render_gpu/src/kernels/smc.rs:138
     let _e25 = SmcParams_sampler(this_37);
     let _e26 = Sampler_advance(_e25, target_previous_light_size_4, target_previous_light_rotation_4, target_previous_floor_4, target_previous_lobe_4, target_light_size_4, target_light_rotation_4, target_floor_4, target_lobe_4, this_37.cap_share, CapMove(this_37.cap_height), this_37.light_share, target_light_size_4, target_light_rotation_4, Independent_BrdfDraw(BrdfDraw(point_1.frame, point_1.wo, point_1.brdf)), particles_start_8, particles_len_8, source_8);
     return _e26;
@@ -3186,7 +3188,7 @@ fn RisPicks_take(this_48: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     return picks_6;
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:143
+// glimt_render_gpu/src/kernels/smc.rs:144
 fn SmcParams_start(this_49: SmcParams, point_4: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
     var counter_14: u32;
@@ -3196,20 +3198,20 @@ fn SmcParams_start(this_49: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
     var counter_16: u32;
     var counter_17: u32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:150
     // glimt_render_gpu/src/kernels/smc.rs:151
+    // glimt_render_gpu/src/kernels/smc.rs:152
     let candidates = Candidates(this_49.candidates, this_49.source, this_49.floor);
-    // glimt_render_gpu/src/kernels/smc.rs:156
+    // glimt_render_gpu/src/kernels/smc.rs:157
     let _e15 = RisSum_new();
     weights_1 = _e15;
-    // glimt_render_gpu/src/kernels/smc.rs:157
+    // glimt_render_gpu/src/kernels/smc.rs:158
     counter_14 = 0u;
     loop {
         let j = counter_14;
         if (j >= this_49.candidates) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:158
+        // glimt_render_gpu/src/kernels/smc.rs:159
         let _e24 = Candidates_draw(candidates, j, point_4, pattern_2, env_size_1, env_rotation_1);
         RisSum_add((&weights_1), _e24.weight);
         continuing {
@@ -3217,57 +3219,57 @@ fn SmcParams_start(this_49: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
             counter_14 = (_e26 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:160
+    // glimt_render_gpu/src/kernels/smc.rs:161
     let _e30 = weights_1;
     let _e31 = RisSum_normaliser(_e30);
-    // glimt_render_gpu/src/kernels/smc.rs:161
+    // glimt_render_gpu/src/kernels/smc.rs:162
     if !((_e31 > 0f)) {
-        // glimt_render_gpu/src/kernels/smc.rs:162
+        // glimt_render_gpu/src/kernels/smc.rs:163
         counter_15 = 0u;
         loop {
             let i_10 = counter_15;
             if (i_10 >= particles_len_9) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:163
+            // glimt_render_gpu/src/kernels/smc.rs:164
             particles[(particles_start_9 + i_10)] = Particle(point_4.frame.n, -1000000000000000000000000000000f);
             continuing {
                 let _e49 = counter_15;
                 counter_15 = (_e49 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/smc.rs:168
+        // glimt_render_gpu/src/kernels/smc.rs:169
         return -1000000000000000000000000000000f;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:170
+    // glimt_render_gpu/src/kernels/smc.rs:171
     let _e55 = weights_1;
     let _e59 = PixelPattern_pair(pattern_2, 6u, 0u, 1u);
     let _e61 = RisPicks_new(_e55, particles_len_9, _e59.x);
     picks_5 = _e61;
-    // glimt_render_gpu/src/kernels/smc.rs:171
-    filled = 0u;
     // glimt_render_gpu/src/kernels/smc.rs:172
+    filled = 0u;
+    // glimt_render_gpu/src/kernels/smc.rs:173
     counter_16 = 0u;
     loop {
         let j_1 = counter_16;
         if (j_1 >= this_49.candidates) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:173
-        let _e73 = Candidates_draw(candidates, j_1, point_4, pattern_2, env_size_1, env_rotation_1);
         // glimt_render_gpu/src/kernels/smc.rs:174
-        let _e76 = RisPicks_take((&picks_5), _e73.weight);
+        let _e73 = Candidates_draw(candidates, j_1, point_4, pattern_2, env_size_1, env_rotation_1);
         // glimt_render_gpu/src/kernels/smc.rs:175
+        let _e76 = RisPicks_take((&picks_5), _e73.weight);
+        // glimt_render_gpu/src/kernels/smc.rs:176
         counter_17 = 0u;
         loop {
             let _e80 = counter_17;
             if (_e80 >= _e76) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:176
+            // glimt_render_gpu/src/kernels/smc.rs:177
             let _e84 = filled;
             particles[(particles_start_9 + _e84)].state = _e73.direction;
-            // glimt_render_gpu/src/kernels/smc.rs:177
+            // glimt_render_gpu/src/kernels/smc.rs:178
             let _e91 = filled;
             filled = (_e91 + 1u);
             continuing {
@@ -3280,13 +3282,13 @@ fn SmcParams_start(this_49: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
             counter_16 = (_e96 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:180
-    make_equal(particles_start_9, particles_len_9);
     // glimt_render_gpu/src/kernels/smc.rs:181
+    make_equal(particles_start_9, particles_len_9);
+    // glimt_render_gpu/src/kernels/smc.rs:182
     return log(_e31);
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:188
+// glimt_render_gpu/src/kernels/smc.rs:189
 fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, before_size: vec2<u32>, before_rotation: vec2<f32>, state_start: u32, state_len: u32, particles_start_10: u32, particles_len_10: u32) {
     var now: RayState;
     var chosen_31: u32;
@@ -3296,43 +3298,43 @@ fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: v
     var either_1: bool;
     var chosen_33: f32;
 
-    // glimt_render_gpu/src/kernels/smc.rs:199
-    let seen = points[ray_2];
     // glimt_render_gpu/src/kernels/smc.rs:200
+    let seen = points[ray_2];
+    // glimt_render_gpu/src/kernels/smc.rs:201
     let _e16 = SmcPoint_is_hit(seen);
     if !(_e16) {
-        // glimt_render_gpu/src/kernels/smc.rs:201
-        state_5[(state_start + 0u)] = RayState(vec3(0f), 0f, vec3(0f), 0f, 0f, 0f, 0f, 0u, 0f, 0f, 0u, 0u);
         // glimt_render_gpu/src/kernels/smc.rs:202
+        state_5[(state_start + 0u)] = RayState(vec3(0f), 0f, vec3(0f), 0f, 0f, 0f, 0f, 0u, 0f, 0f, 0u, 0u);
+        // glimt_render_gpu/src/kernels/smc.rs:203
         return;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:204
-    let _e40 = FrameParams_pattern_of(frame_3, ray_2);
     // glimt_render_gpu/src/kernels/smc.rs:205
-    let _e42 = SmcPoint_shading_point(seen);
+    let _e40 = FrameParams_pattern_of(frame_3, ray_2);
     // glimt_render_gpu/src/kernels/smc.rs:206
+    let _e42 = SmcPoint_shading_point(seen);
     // glimt_render_gpu/src/kernels/smc.rs:207
+    // glimt_render_gpu/src/kernels/smc.rs:208
     let _e51 = luminance(_e42.brdf.diffuse);
     let _e54 = luminance(_e42.brdf.specular);
     now = RayState(seen.normal, -1000000000000000000000000000000f, seen.wo, seen.depth, _e51, _e54, _e42.brdf.exponent, 0u, f32(particles_len_10), 0f, 1u, 0u);
-    // glimt_render_gpu/src/kernels/smc.rs:221
+    // glimt_render_gpu/src/kernels/smc.rs:222
     if (seen.predecessor != 4294967295u) {
-        // glimt_render_gpu/src/kernels/smc.rs:222
-        let old_1 = seen.before;
         // glimt_render_gpu/src/kernels/smc.rs:223
-        now.age = (old_1.age + 1u);
+        let old_1 = seen.before;
         // glimt_render_gpu/src/kernels/smc.rs:224
+        now.age = (old_1.age + 1u);
+        // glimt_render_gpu/src/kernels/smc.rs:225
         if (smc.changed != 0u) {
-            // glimt_render_gpu/src/kernels/smc.rs:225
+            // glimt_render_gpu/src/kernels/smc.rs:226
             chosen_31 = 4u;
         } else {
             let _e84 = now.age;
             let _e85 = SmcParams_is_due(smc, _e84, _e40);
             if _e85 {
-                // glimt_render_gpu/src/kernels/smc.rs:227
+                // glimt_render_gpu/src/kernels/smc.rs:228
                 chosen_32 = 3u;
             } else {
-                // glimt_render_gpu/src/kernels/smc.rs:229
+                // glimt_render_gpu/src/kernels/smc.rs:230
                 chosen_32 = 0u;
             }
             let _e90 = chosen_32;
@@ -3341,21 +3343,21 @@ fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: v
         let _e91 = chosen_31;
         now.started = _e91;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:232
+    // glimt_render_gpu/src/kernels/smc.rs:233
     let _e95 = now.started;
     if (_e95 == 0u) {
-        // glimt_render_gpu/src/kernels/smc.rs:233
-        let old_2 = seen.before;
         // glimt_render_gpu/src/kernels/smc.rs:234
-        let first_6 = (seen.predecessor * particles_len_10);
+        let old_2 = seen.before;
         // glimt_render_gpu/src/kernels/smc.rs:235
+        let first_6 = (seen.predecessor * particles_len_10);
+        // glimt_render_gpu/src/kernels/smc.rs:236
         counter_18 = 0u;
         loop {
             let i_11 = counter_18;
             if (i_11 >= particles_len_10) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:236
+            // glimt_render_gpu/src/kernels/smc.rs:237
             let _e112 = past_particles[(first_6 + i_11)];
             particles[(particles_start_10 + i_11)] = _e112;
             continuing {
@@ -3363,15 +3365,15 @@ fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: v
                 counter_18 = (_e116 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/smc.rs:238
+        // glimt_render_gpu/src/kernels/smc.rs:239
         let _e121 = LightLobe_of_state(old_2);
         let _e123 = LightLobe_of_point(_e42);
-        // glimt_render_gpu/src/kernels/smc.rs:246
+        // glimt_render_gpu/src/kernels/smc.rs:247
         let _e126 = PixelPattern_source(_e40, 7u);
         source_12 = _e126;
-        // glimt_render_gpu/src/kernels/smc.rs:247
-        let _e129 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e121, env_size_2, env_rotation_2, smc.floor, _e123, _e42, particles_start_10, particles_len_10, (&source_12));
         // glimt_render_gpu/src/kernels/smc.rs:248
+        let _e129 = SmcParams_advance(smc, before_size, before_rotation, smc.previous_floor, _e121, env_size_2, env_rotation_2, smc.floor, _e123, _e42, particles_start_10, particles_len_10, (&source_12));
+        // glimt_render_gpu/src/kernels/smc.rs:249
         let _e132 = is_log_zero(_e129.log_ratio);
         either_1 = _e132;
         if _e132 {
@@ -3380,38 +3382,38 @@ fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: v
             either_1 = _e135;
         }
         let dead = either_1;
-        // glimt_render_gpu/src/kernels/smc.rs:249
-        now.log_ratio = _e129.log_ratio;
         // glimt_render_gpu/src/kernels/smc.rs:250
-        now.ess = _e129.ess;
+        now.log_ratio = _e129.log_ratio;
         // glimt_render_gpu/src/kernels/smc.rs:251
-        now.accepted = _e129.accepted;
+        now.ess = _e129.ess;
         // glimt_render_gpu/src/kernels/smc.rs:252
+        now.accepted = _e129.accepted;
+        // glimt_render_gpu/src/kernels/smc.rs:253
         if ((smc.band > 0f) && (dead || (abs(_e129.log_ratio) > smc.band))) {
-            // glimt_render_gpu/src/kernels/smc.rs:253
+            // glimt_render_gpu/src/kernels/smc.rs:254
             now.started = 2u;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:255
+        // glimt_render_gpu/src/kernels/smc.rs:256
         if dead {
-            // glimt_render_gpu/src/kernels/smc.rs:256
+            // glimt_render_gpu/src/kernels/smc.rs:257
             chosen_33 = -1000000000000000000000000000000f;
         } else {
-            // glimt_render_gpu/src/kernels/smc.rs:258
+            // glimt_render_gpu/src/kernels/smc.rs:259
             chosen_33 = (old_2.log_normaliser + _e129.log_ratio);
         }
         let _e167 = chosen_33;
         now.log_normaliser = _e167;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:261
+    // glimt_render_gpu/src/kernels/smc.rs:262
     let _e171 = now.started;
     if (_e171 != 0u) {
-        // glimt_render_gpu/src/kernels/smc.rs:262
-        now.age = 0u;
         // glimt_render_gpu/src/kernels/smc.rs:263
+        now.age = 0u;
+        // glimt_render_gpu/src/kernels/smc.rs:264
         let _e178 = SmcParams_start(smc, _e42, _e40, env_size_2, env_rotation_2, particles_start_10, particles_len_10);
         now.log_normaliser = _e178;
     }
-    // glimt_render_gpu/src/kernels/smc.rs:265
+    // glimt_render_gpu/src/kernels/smc.rs:266
     let _e181 = now;
     state_5[(state_start + 0u)] = _e181;
     return;

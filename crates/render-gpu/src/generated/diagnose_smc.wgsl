@@ -75,7 +75,7 @@ fn is_log_zero(log_weight: f32) -> bool {
     return !((log_weight > (0.5f * -1000000000000000000000000000000f)));
 }
 
-// glimt_render_gpu/src/kernels/smc.rs:287
+// glimt_render_gpu/src/kernels/smc.rs:288
 fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> SmcHealth {
     var sum: vec4<f32>;
     var hits: f32;
@@ -89,45 +89,45 @@ fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> Smc
     var counter_1: u32;
     var both_1: bool;
 
-    // glimt_render_gpu/src/kernels/smc.rs:293
-    let first = (pixel * frame.rays_per_pixel);
     // glimt_render_gpu/src/kernels/smc.rs:294
-    let end = (first + frame.rays_per_pixel);
+    let first = (pixel * frame.rays_per_pixel);
     // glimt_render_gpu/src/kernels/smc.rs:295
-    sum = vec4(0f);
+    let end = (first + frame.rays_per_pixel);
     // glimt_render_gpu/src/kernels/smc.rs:296
-    hits = 0f;
+    sum = vec4(0f);
     // glimt_render_gpu/src/kernels/smc.rs:297
-    largest = -1000000000000000000000000000000f;
+    hits = 0f;
     // glimt_render_gpu/src/kernels/smc.rs:298
+    largest = -1000000000000000000000000000000f;
+    // glimt_render_gpu/src/kernels/smc.rs:299
     counter = first;
     loop {
         let ray = counter;
         if (ray >= end) {
             break;
         }
-        // glimt_render_gpu/src/kernels/smc.rs:299
-        let state = states[ray];
         // glimt_render_gpu/src/kernels/smc.rs:300
+        let state = states[ray];
+        // glimt_render_gpu/src/kernels/smc.rs:301
         if (state.depth > 0f) {
-            // glimt_render_gpu/src/kernels/smc.rs:301
+            // glimt_render_gpu/src/kernels/smc.rs:302
             if (state.started == 0u) {
-                // glimt_render_gpu/src/kernels/smc.rs:302
+                // glimt_render_gpu/src/kernels/smc.rs:303
                 chosen = 0f;
             } else {
-                // glimt_render_gpu/src/kernels/smc.rs:304
+                // glimt_render_gpu/src/kernels/smc.rs:305
                 chosen = 1f;
             }
             let started = chosen;
-            // glimt_render_gpu/src/kernels/smc.rs:307
-            let ratio = clamp(state.log_ratio, -100f, 100f);
             // glimt_render_gpu/src/kernels/smc.rs:308
+            let ratio = clamp(state.log_ratio, -100f, 100f);
+            // glimt_render_gpu/src/kernels/smc.rs:309
             let _e52 = sum;
             sum = (_e52 + vec4<f32>(state.ess, ratio, f32(state.age), started));
-            // glimt_render_gpu/src/kernels/smc.rs:309
+            // glimt_render_gpu/src/kernels/smc.rs:310
             let _e56 = hits;
             hits = (_e56 + 1f);
-            // glimt_render_gpu/src/kernels/smc.rs:310
+            // glimt_render_gpu/src/kernels/smc.rs:311
             let _e59 = largest;
             largest = max(_e59, state.log_normaliser);
         }
@@ -136,13 +136,13 @@ fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> Smc
             counter = (_e62 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/smc.rs:313
+    // glimt_render_gpu/src/kernels/smc.rs:314
     let _e66 = sum;
     let _e67 = hits;
     let mean = (_e66 / vec4(max(_e67, 1f)));
-    // glimt_render_gpu/src/kernels/smc.rs:314
-    spread = 0f;
     // glimt_render_gpu/src/kernels/smc.rs:315
+    spread = 0f;
+    // glimt_render_gpu/src/kernels/smc.rs:316
     let _e76 = hits;
     let _e78 = (_e76 > 1f);
     both = _e78;
@@ -153,20 +153,20 @@ fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> Smc
     }
     let _e83 = both;
     if _e83 {
-        // glimt_render_gpu/src/kernels/smc.rs:317
-        total = 0f;
         // glimt_render_gpu/src/kernels/smc.rs:318
-        squares = 0f;
+        total = 0f;
         // glimt_render_gpu/src/kernels/smc.rs:319
+        squares = 0f;
+        // glimt_render_gpu/src/kernels/smc.rs:320
         counter_1 = first;
         loop {
             let ray_1 = counter_1;
             if (ray_1 >= end) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/smc.rs:320
-            let state_1 = states[ray_1];
             // glimt_render_gpu/src/kernels/smc.rs:321
+            let state_1 = states[ray_1];
+            // glimt_render_gpu/src/kernels/smc.rs:322
             let _e101 = (state_1.depth > 0f);
             both_1 = _e101;
             if _e101 {
@@ -175,13 +175,13 @@ fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> Smc
             }
             let _e106 = both_1;
             if _e106 {
-                // glimt_render_gpu/src/kernels/smc.rs:322
+                // glimt_render_gpu/src/kernels/smc.rs:323
                 let _e109 = largest;
                 let z = exp((state_1.log_normaliser - _e109));
-                // glimt_render_gpu/src/kernels/smc.rs:323
+                // glimt_render_gpu/src/kernels/smc.rs:324
                 let _e113 = total;
                 total = (_e113 + z);
-                // glimt_render_gpu/src/kernels/smc.rs:324
+                // glimt_render_gpu/src/kernels/smc.rs:325
                 let _e117 = squares;
                 squares = (_e117 + (z * z));
             }
@@ -190,19 +190,19 @@ fn diagnose_smc_1(pixel: u32, frame: FrameParams, particles_per_ray: u32) -> Smc
                 counter_1 = (_e119 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/smc.rs:327
+        // glimt_render_gpu/src/kernels/smc.rs:328
         let _e123 = squares;
         let _e124 = total;
         let _e125 = total;
         let _e127 = hits;
         let _e130 = hits;
         let variance = ((_e123 - ((_e124 * _e125) / _e127)) / (_e130 - 1f));
-        // glimt_render_gpu/src/kernels/smc.rs:328
+        // glimt_render_gpu/src/kernels/smc.rs:329
         let _e138 = hits;
         let _e140 = total;
         spread = ((sqrt(max(variance, 0f)) * _e138) / _e140);
     }
-    // glimt_render_gpu/src/kernels/smc.rs:330
+    // glimt_render_gpu/src/kernels/smc.rs:331
     let _e149 = spread;
     return SmcHealth((mean.x / f32(particles_per_ray)), mean.y, mean.z, mean.w, _e149);
 }

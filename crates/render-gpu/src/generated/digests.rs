@@ -3,7 +3,7 @@
 //! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 /// SHA-256, in hexadecimal, of the shaders that the pixels of a rendered frame depend on.
-pub const PIXELS: &str = "7cde2c4d85f0d7d7bf970893999cb2a2330e77496dcb3a54abce2d8aa677c88e";
+pub const PIXELS: &str = "3b8b4c35c654b5092d38ef5fe69278677688e14a9a23468477efdc68bdbfb2e7";
 
 /// SHA-256, in hexadecimal, of the shaders that precomputed transfer depend on.
 pub const BAKE: &str = "cc4db5aee828b1dcdc8ea3b6acbd42799bc9ec92ddf22686b61bf49327b4bf04";

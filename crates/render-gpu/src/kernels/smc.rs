@@ -86,7 +86,8 @@ impl SmcParams {
             return false;
         }
         let phase = hash3(hash2(pattern.seed, TURN), pattern.pixel, pattern.ray) % self.max_age;
-        age >= self.max_age || pattern.frame.wrapping_add(phase) % self.max_age == 0
+        let turn = pattern.frame.wrapping_add(phase) % self.max_age;
+        age >= self.max_age || turn == 0
     }
 
     /// The sampler that they describe.
