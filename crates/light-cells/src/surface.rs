@@ -142,10 +142,27 @@ impl CellSurface {
     pub fn residual_weights(&self, terms: &CellTerms, flux: Vec4, visibility: Vec4) -> Vec4 {
         let reflected = terms.cosine * self.diffuse + terms.lobe * self.specular;
         let by_visibility = visibility * (Vec4::ONE - visibility) + Vec4::splat(UNKNOWN_VISIBILITY);
+        let by_shape = self.shape_variance(terms) * visibility.max(Vec4::splat(0.02));
+        flux * terms.live * sqrt(reflected * reflected * by_visibility + by_shape)
+    }
+
+    /// As [`CellSurface::residual_weights`], where the light that is blocked is estimated without a control variate: as of surfaces that
+    /// must stay as they are where nothing is blocked.
+    #[inline]
+    #[must_use]
+    pub fn blocked_weights(&self, terms: &CellTerms, flux: Vec4, visibility: Vec4) -> Vec4 {
+        let reflected = terms.cosine * self.diffuse + terms.lobe * self.specular;
+        let blocked = Vec4::ONE - visibility * visibility + Vec4::splat(UNKNOWN_VISIBILITY);
+        let by_shape = self.shape_variance(terms);
+        flux * terms.live * sqrt(reflected * reflected * blocked + by_shape)
+    }
+
+    /// The variance over a cell of what the surface reflects of it.
+    #[inline]
+    fn shape_variance(&self, terms: &CellTerms) -> Vec4 {
         let diffuse = terms.cosine_spread * self.diffuse;
         let lobe = terms.lobe * terms.lobe_spread * self.specular;
-        let by_shape = (diffuse * diffuse + lobe * lobe) * visibility.max(Vec4::splat(0.02));
-        flux * terms.live * sqrt(reflected * reflected * by_visibility + by_shape)
+        diffuse * diffuse + lobe * lobe
     }
 }
 
@@ -203,21 +220,6 @@ impl LightCells<'_> {
             lobe_spread: (slope + near).min(Vec4::ONE),
             cosine_spread,
         }
-    }
-}
-
-impl CellSurface {
-    /// As [`CellSurface::residual_weights`], where the light that is blocked is estimated without a control variate: as of surfaces that
-    /// must stay as they are where nothing is blocked.
-    #[inline]
-    #[must_use]
-    pub fn blocked_weights(&self, terms: &CellTerms, flux: Vec4, visibility: Vec4) -> Vec4 {
-        let reflected = terms.cosine * self.diffuse + terms.lobe * self.specular;
-        let blocked = Vec4::ONE - visibility * visibility + Vec4::splat(UNKNOWN_VISIBILITY);
-        let diffuse = terms.cosine_spread * self.diffuse;
-        let lobe = terms.lobe * terms.lobe_spread * self.specular;
-        let by_shape = diffuse * diffuse + lobe * lobe;
-        flux * terms.live * sqrt(reflected * reflected * blocked + by_shape)
     }
 }
 

@@ -341,75 +341,75 @@ fn cosine_power4_(sin2_theta: vec4<f32>, exponent_2: vec4<f32>) -> vec4<f32> {
     return (x128_ * x128_);
 }
 
-// glimt_light_cells/src/surface.rs:156
+// glimt_light_cells/src/surface.rs:173
 fn cell_terms(size_9: vec2<u32>, start_9: u32, surface: CellSurface, quad_1: u32) -> CellTerms {
 
-    // glimt_light_cells/src/surface.rs:157
+    // glimt_light_cells/src/surface.rs:174
     let _e7 = cell_quad(size_9, start_9, 15u, quad_1);
-    // glimt_light_cells/src/surface.rs:158
+    // glimt_light_cells/src/surface.rs:175
     let _e12 = cell_quad(size_9, start_9, (15u + 1u), quad_1);
-    // glimt_light_cells/src/surface.rs:159
+    // glimt_light_cells/src/surface.rs:176
     let _e17 = cell_quad(size_9, start_9, (15u + 2u), quad_1);
-    // glimt_light_cells/src/surface.rs:160
+    // glimt_light_cells/src/surface.rs:177
     let _e20 = cell_quad(size_9, start_9, 18u, quad_1);
-    // glimt_light_cells/src/surface.rs:161
+    // glimt_light_cells/src/surface.rs:178
     let n = surface.normal;
-    // glimt_light_cells/src/surface.rs:162
+    // glimt_light_cells/src/surface.rs:179
     let c = (((_e7 * n.x) + (_e12 * n.y)) + (_e17 * n.z));
-    // glimt_light_cells/src/surface.rs:163
+    // glimt_light_cells/src/surface.rs:180
     let reach = (_e20 + vec4(surface.horizon));
-    // glimt_light_cells/src/surface.rs:164
+    // glimt_light_cells/src/surface.rs:181
     let up = max((c + reach), vec4(0f));
-    // glimt_light_cells/src/surface.rs:165
+    // glimt_light_cells/src/surface.rs:182
     let _e42 = step_(up);
-    // glimt_light_cells/src/surface.rs:166
+    // glimt_light_cells/src/surface.rs:183
     let _e45 = step_((c - reach));
-    // glimt_light_cells/src/surface.rs:167
+    // glimt_light_cells/src/surface.rs:184
     let cosine = max(c, vec4(0f));
-    // glimt_light_cells/src/surface.rs:168
+    // glimt_light_cells/src/surface.rs:185
     let half_spread = vec4((0.5f * surface.spread));
-    // glimt_light_cells/src/surface.rs:169
+    // glimt_light_cells/src/surface.rs:186
     let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
-    // glimt_light_cells/src/surface.rs:170
+    // glimt_light_cells/src/surface.rs:187
     if !((surface.specular > 0f)) {
-        // glimt_light_cells/src/surface.rs:171
+        // glimt_light_cells/src/surface.rs:188
         return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
     }
-    // glimt_light_cells/src/surface.rs:181
+    // glimt_light_cells/src/surface.rs:198
     let lifted = max(c, (0.25f * up));
-    // glimt_light_cells/src/surface.rs:182
+    // glimt_light_cells/src/surface.rs:199
     let v = surface.wo;
-    // glimt_light_cells/src/surface.rs:183
+    // glimt_light_cells/src/surface.rs:200
     let nv = dot(n, v);
-    // glimt_light_cells/src/surface.rs:184
+    // glimt_light_cells/src/surface.rs:201
     let dv = ((((_e7 * v.x) + (_e12 * v.y)) + (_e17 * v.z)) + ((lifted - c) * nv));
-    // glimt_light_cells/src/surface.rs:185
+    // glimt_light_cells/src/surface.rs:202
     let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c * c)), vec4(0.000001f)));
-    // glimt_light_cells/src/surface.rs:186
+    // glimt_light_cells/src/surface.rs:203
     let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
-    // glimt_light_cells/src/surface.rs:187
+    // glimt_light_cells/src/surface.rs:204
     let _e123 = sqrt_(half2_);
     let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
-    // glimt_light_cells/src/surface.rs:188
+    // glimt_light_cells/src/surface.rs:205
     let cos2_ = min((nh * nh), vec4(1f));
-    // glimt_light_cells/src/surface.rs:189
+    // glimt_light_cells/src/surface.rs:206
     let sin2_ = (vec4(1f) - cos2_);
-    // glimt_light_cells/src/surface.rs:190
+    // glimt_light_cells/src/surface.rs:207
     let r2_ = (_e20 * _e20);
-    // glimt_light_cells/src/surface.rs:191
+    // glimt_light_cells/src/surface.rs:208
     let e = max(surface.exponent, 0.001f);
-    // glimt_light_cells/src/surface.rs:192
+    // glimt_light_cells/src/surface.rs:209
     let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
-    // glimt_light_cells/src/surface.rs:193
+    // glimt_light_cells/src/surface.rs:210
     let _e151 = cosine_power4_(sin2_, seen);
     let lobe = (((_e151 * seen) * (lifted * _e42)) * ((surface.share * surface.peak) / e));
-    // glimt_light_cells/src/surface.rs:195
+    // glimt_light_cells/src/surface.rs:212
     let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
-    // glimt_light_cells/src/surface.rs:196
+    // glimt_light_cells/src/surface.rs:213
     let near = (vec4((((0.1f * e) * surface.spread) * surface.spread)) + ((0.06f * e) * r2_));
-    // glimt_light_cells/src/surface.rs:197
+    // glimt_light_cells/src/surface.rs:214
     let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
-    // glimt_light_cells/src/surface.rs:198
+    // glimt_light_cells/src/surface.rs:215
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near), vec4(1f)), cosine_spread);
 }
 
@@ -422,21 +422,29 @@ fn cell_product_weights(this_: CellSurface, terms: CellTerms, flux: vec4<f32>) -
     return ((flux * terms.live) * (reflected + (terms.cosine_spread * this_.diffuse)));
 }
 
+// glimt_light_cells/src/surface.rs:162
+fn CellSurface_shape_variance(this_1: CellSurface, terms_1: CellTerms) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:163
+    let diffuse = (terms_1.cosine_spread * this_1.diffuse);
+    // glimt_light_cells/src/surface.rs:164
+    let lobe_1 = ((terms_1.lobe * terms_1.lobe_spread) * this_1.specular);
+    // glimt_light_cells/src/surface.rs:165
+    return ((diffuse * diffuse) + (lobe_1 * lobe_1));
+}
+
 // glimt_light_cells/src/surface.rs:142
-fn cell_residual_weights(this_1: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+fn cell_residual_weights(this_2: CellSurface, terms_2: CellTerms, flux_1: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:143
-    let reflected_1 = ((terms_1.cosine * this_1.diffuse) + (terms_1.lobe * this_1.specular));
+    let reflected_1 = ((terms_2.cosine * this_2.diffuse) + (terms_2.lobe * this_2.specular));
     // glimt_light_cells/src/surface.rs:144
     let by_visibility = ((visibility * (vec4(1f) - visibility)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:145
-    let diffuse = (terms_1.cosine_spread * this_1.diffuse);
+    let _e22 = CellSurface_shape_variance(this_2, terms_2);
+    let by_shape = (_e22 * max(visibility, vec4(0.02f)));
     // glimt_light_cells/src/surface.rs:146
-    let lobe_1 = ((terms_1.lobe * terms_1.lobe_spread) * this_1.specular);
-    // glimt_light_cells/src/surface.rs:147
-    let by_shape = (((diffuse * diffuse) + (lobe_1 * lobe_1)) * max(visibility, vec4(0.02f)));
-    // glimt_light_cells/src/surface.rs:148
-    let _e45 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape));
-    return ((flux_1 * terms_1.live) * _e45);
+    let _e33 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape));
+    return ((flux_1 * terms_2.live) * _e33);
 }
 

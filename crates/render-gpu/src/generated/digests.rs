@@ -3,7 +3,7 @@
 //! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 /// SHA-256, in hexadecimal, of the shaders that the pixels of a rendered frame depend on.
-pub const PIXELS: &str = "3b8b4c35c654b5092d38ef5fe69278677688e14a9a23468477efdc68bdbfb2e7";
+pub const PIXELS: &str = "e71811b6e961941d66b2fdcd615fcf22a49d58d5b0c69a3617ae6868c47bfe8c";
 
 /// SHA-256, in hexadecimal, of the shaders that precomputed transfer depend on.
 pub const BAKE: &str = "cc4db5aee828b1dcdc8ea3b6acbd42799bc9ec92ddf22686b61bf49327b4bf04";

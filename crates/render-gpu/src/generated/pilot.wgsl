@@ -2241,75 +2241,75 @@ fn cosine_power4_(sin2_theta: vec4<f32>, exponent_2: vec4<f32>) -> vec4<f32> {
     return (x128_ * x128_);
 }
 
-// glimt_light_cells/src/surface.rs:156
+// glimt_light_cells/src/surface.rs:173
 fn LightCells_terms(size_5: vec2<u32>, start_1: u32, surface_1: CellSurface, quad_1: u32) -> CellTerms {
 
-    // glimt_light_cells/src/surface.rs:157
+    // glimt_light_cells/src/surface.rs:174
     let _e7 = LightCells_quad(size_5, start_1, 15u, quad_1);
-    // glimt_light_cells/src/surface.rs:158
+    // glimt_light_cells/src/surface.rs:175
     let _e12 = LightCells_quad(size_5, start_1, (15u + 1u), quad_1);
-    // glimt_light_cells/src/surface.rs:159
+    // glimt_light_cells/src/surface.rs:176
     let _e17 = LightCells_quad(size_5, start_1, (15u + 2u), quad_1);
-    // glimt_light_cells/src/surface.rs:160
+    // glimt_light_cells/src/surface.rs:177
     let _e20 = LightCells_quad(size_5, start_1, 18u, quad_1);
-    // glimt_light_cells/src/surface.rs:161
+    // glimt_light_cells/src/surface.rs:178
     let n_4 = surface_1.normal;
-    // glimt_light_cells/src/surface.rs:162
+    // glimt_light_cells/src/surface.rs:179
     let c_5 = (((_e7 * n_4.x) + (_e12 * n_4.y)) + (_e17 * n_4.z));
-    // glimt_light_cells/src/surface.rs:163
+    // glimt_light_cells/src/surface.rs:180
     let reach_2 = (_e20 + vec4(surface_1.horizon));
-    // glimt_light_cells/src/surface.rs:164
+    // glimt_light_cells/src/surface.rs:181
     let up = max((c_5 + reach_2), vec4(0f));
-    // glimt_light_cells/src/surface.rs:165
+    // glimt_light_cells/src/surface.rs:182
     let _e42 = step_(up);
-    // glimt_light_cells/src/surface.rs:166
+    // glimt_light_cells/src/surface.rs:183
     let _e45 = step_((c_5 - reach_2));
-    // glimt_light_cells/src/surface.rs:167
+    // glimt_light_cells/src/surface.rs:184
     let cosine_1 = max(c_5, vec4(0f));
-    // glimt_light_cells/src/surface.rs:168
+    // glimt_light_cells/src/surface.rs:185
     let half_spread = vec4((0.5f * surface_1.spread));
-    // glimt_light_cells/src/surface.rs:169
+    // glimt_light_cells/src/surface.rs:186
     let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
-    // glimt_light_cells/src/surface.rs:170
+    // glimt_light_cells/src/surface.rs:187
     if !((surface_1.specular > 0f)) {
-        // glimt_light_cells/src/surface.rs:171
+        // glimt_light_cells/src/surface.rs:188
         return CellTerms(cosine_1, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
     }
-    // glimt_light_cells/src/surface.rs:181
+    // glimt_light_cells/src/surface.rs:198
     let lifted = max(c_5, (0.25f * up));
-    // glimt_light_cells/src/surface.rs:182
+    // glimt_light_cells/src/surface.rs:199
     let v_6 = surface_1.wo;
-    // glimt_light_cells/src/surface.rs:183
+    // glimt_light_cells/src/surface.rs:200
     let nv = dot(n_4, v_6);
-    // glimt_light_cells/src/surface.rs:184
+    // glimt_light_cells/src/surface.rs:201
     let dv = ((((_e7 * v_6.x) + (_e12 * v_6.y)) + (_e17 * v_6.z)) + ((lifted - c_5) * nv));
-    // glimt_light_cells/src/surface.rs:185
+    // glimt_light_cells/src/surface.rs:202
     let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_5 * c_5)), vec4(0.000001f)));
-    // glimt_light_cells/src/surface.rs:186
+    // glimt_light_cells/src/surface.rs:203
     let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
-    // glimt_light_cells/src/surface.rs:187
+    // glimt_light_cells/src/surface.rs:204
     let _e123 = sqrt_(half2_);
     let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
-    // glimt_light_cells/src/surface.rs:188
+    // glimt_light_cells/src/surface.rs:205
     let cos2_ = min((nh * nh), vec4(1f));
-    // glimt_light_cells/src/surface.rs:189
+    // glimt_light_cells/src/surface.rs:206
     let sin2_ = (vec4(1f) - cos2_);
-    // glimt_light_cells/src/surface.rs:190
+    // glimt_light_cells/src/surface.rs:207
     let r2_ = (_e20 * _e20);
-    // glimt_light_cells/src/surface.rs:191
+    // glimt_light_cells/src/surface.rs:208
     let e = max(surface_1.exponent, 0.001f);
-    // glimt_light_cells/src/surface.rs:192
+    // glimt_light_cells/src/surface.rs:209
     let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
-    // glimt_light_cells/src/surface.rs:193
+    // glimt_light_cells/src/surface.rs:210
     let _e151 = cosine_power4_(sin2_, seen);
     let lobe = (((_e151 * seen) * (lifted * _e42)) * ((surface_1.share * surface_1.peak) / e));
-    // glimt_light_cells/src/surface.rs:195
+    // glimt_light_cells/src/surface.rs:212
     let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
-    // glimt_light_cells/src/surface.rs:196
+    // glimt_light_cells/src/surface.rs:213
     let near_2 = (vec4((((0.1f * e) * surface_1.spread) * surface_1.spread)) + ((0.06f * e) * r2_));
-    // glimt_light_cells/src/surface.rs:197
+    // glimt_light_cells/src/surface.rs:214
     let slope_1 = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
-    // glimt_light_cells/src/surface.rs:198
+    // glimt_light_cells/src/surface.rs:215
     return CellTerms(cosine_1, _e45, _e42, lobe, min((slope_1 + near_2), vec4(1f)), cosine_spread);
 }
 
@@ -2320,69 +2320,73 @@ fn Even_quad(this_27: Even, _quad: u32) -> vec4<f32> {
     return vec4(0.75f);
 }
 
-// glimt_light_cells/src/surface.rs:214
-fn CellSurface_blocked_weights(this_28: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+// glimt_light_cells/src/surface.rs:162
+fn CellSurface_shape_variance(this_28: CellSurface, terms: CellTerms) -> vec4<f32> {
 
-    // glimt_light_cells/src/surface.rs:215
-    let reflected = ((terms.cosine * this_28.diffuse) + (terms.lobe * this_28.specular));
-    // glimt_light_cells/src/surface.rs:216
-    let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
-    // glimt_light_cells/src/surface.rs:217
+    // glimt_light_cells/src/surface.rs:163
     let diffuse = (terms.cosine_spread * this_28.diffuse);
-    // glimt_light_cells/src/surface.rs:218
+    // glimt_light_cells/src/surface.rs:164
     let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_28.specular);
-    // glimt_light_cells/src/surface.rs:219
-    let by_shape = ((diffuse * diffuse) + (lobe_1 * lobe_1));
-    // glimt_light_cells/src/surface.rs:220
-    let _e41 = sqrt_((((reflected * reflected) * blocked) + by_shape));
-    return ((flux * terms.live) * _e41);
+    // glimt_light_cells/src/surface.rs:165
+    return ((diffuse * diffuse) + (lobe_1 * lobe_1));
+}
+
+// glimt_light_cells/src/surface.rs:153
+fn CellSurface_blocked_weights(this_29: CellSurface, terms_1: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:154
+    let reflected = ((terms_1.cosine * this_29.diffuse) + (terms_1.lobe * this_29.specular));
+    // glimt_light_cells/src/surface.rs:155
+    let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
+    // glimt_light_cells/src/surface.rs:156
+    let _e22 = CellSurface_shape_variance(this_29, terms_1);
+    // glimt_light_cells/src/surface.rs:157
+    let _e29 = sqrt_((((reflected * reflected) * blocked) + _e22));
+    return ((flux * terms_1.live) * _e29);
 }
 
 // glimt_light_cells/src/surface.rs:142
-fn CellSurface_residual_weights(this_29: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+fn CellSurface_residual_weights(this_30: CellSurface, terms_2: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:143
-    let reflected_1 = ((terms_1.cosine * this_29.diffuse) + (terms_1.lobe * this_29.specular));
+    let reflected_1 = ((terms_2.cosine * this_30.diffuse) + (terms_2.lobe * this_30.specular));
     // glimt_light_cells/src/surface.rs:144
     let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:145
-    let diffuse_1 = (terms_1.cosine_spread * this_29.diffuse);
+    let _e22 = CellSurface_shape_variance(this_30, terms_2);
+    let by_shape = (_e22 * max(visibility_1, vec4(0.02f)));
     // glimt_light_cells/src/surface.rs:146
-    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_29.specular);
-    // glimt_light_cells/src/surface.rs:147
-    let by_shape_1 = (((diffuse_1 * diffuse_1) + (lobe_2 * lobe_2)) * max(visibility_1, vec4(0.02f)));
-    // glimt_light_cells/src/surface.rs:148
-    let _e45 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape_1));
-    return ((flux_1 * terms_1.live) * _e45);
+    let _e33 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape));
+    return ((flux_1 * terms_2.live) * _e33);
 }
 
 // glimt_light_cells/src/surface.rs:133
-fn CellSurface_product_weights(this_30: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
+fn CellSurface_product_weights(this_31: CellSurface, terms_3: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:134
-    let reflected_2 = ((terms_2.cosine * this_30.diffuse) + (terms_2.lobe * this_30.specular));
+    let reflected_2 = ((terms_3.cosine * this_31.diffuse) + (terms_3.lobe * this_31.specular));
     // glimt_light_cells/src/surface.rs:135
-    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_30.diffuse)));
+    return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_31.diffuse)));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:238
-fn weights(surface_2: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
+fn weights(surface_2: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen_14: vec4<f32>;
     var chosen_15: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/proposal.rs:245
     if (true && is_catcher) {
         // glimt_render_gpu/src/kernels/proposal.rs:246
-        let _e11 = CellSurface_blocked_weights(surface_2, terms_3, flux_3, visibility_2);
+        let _e11 = CellSurface_blocked_weights(surface_2, terms_4, flux_3, visibility_2);
         chosen_14 = _e11;
     } else {
         if true {
             // glimt_render_gpu/src/kernels/proposal.rs:248
-            let _e15 = CellSurface_residual_weights(surface_2, terms_3, flux_3, visibility_2);
+            let _e15 = CellSurface_residual_weights(surface_2, terms_4, flux_3, visibility_2);
             chosen_15 = _e15;
         } else {
             // glimt_render_gpu/src/kernels/proposal.rs:250
-            let _e17 = CellSurface_product_weights(surface_2, terms_3, flux_3);
+            let _e17 = CellSurface_product_weights(surface_2, terms_4, flux_3);
             chosen_15 = _e17;
         }
         let _e18 = chosen_15;
@@ -2752,37 +2756,37 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:111
-fn PixelPattern_point(this_31: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
+fn PixelPattern_point(this_32: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:112
-    let _e8 = PixelPattern_sobol_point(this_31, purpose_5, index_15);
-    let _e9 = PixelPattern_generator(this_31, purpose_5, index_15);
-    return PatternSource((this_31.kind == 0u), _e8, _e9);
+    let _e8 = PixelPattern_sobol_point(this_32, purpose_5, index_15);
+    let _e9 = PixelPattern_generator(this_32, purpose_5, index_15);
+    return PatternSource((this_32.kind == 0u), _e8, _e9);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:172
-fn PatternSource_next_uvec2_(this_32: ptr<function, PatternSource>) -> vec2<u32> {
+fn PatternSource_next_uvec2_(this_33: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_16: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:173
-    let _e5 = (*this_32).is_sobol;
+    let _e5 = (*this_33).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:174
-        let _e9 = (*this_32).point;
+        let _e9 = (*this_33).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_32).point = _e11;
+        (*this_33).point = _e11;
         chosen_16 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:176
-        let _e15 = (*this_32).generator;
+        let _e15 = (*this_33).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_32).generator = _e17;
+        (*this_33).generator = _e17;
         chosen_16 = _e16;
     }
     let _e18 = chosen_16;
@@ -2797,39 +2801,39 @@ fn Place_new(target_: f32) -> Place {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:481
-fn Place_offer(this_33: ptr<function, Place>, index_16: u32, width: f32) {
+fn Place_offer(this_34: ptr<function, Place>, index_16: u32, width: f32) {
 
     // glimt_render_gpu/src/kernels/proposal.rs:482
-    let _e8 = (*this_33).is_found;
+    let _e8 = (*this_34).is_found;
     if ((width > 0f) && !(_e8)) {
         // glimt_render_gpu/src/kernels/proposal.rs:483
-        (*this_33).index = index_16;
+        (*this_34).index = index_16;
         // glimt_render_gpu/src/kernels/proposal.rs:484
-        let _e15 = (*this_33).sum;
-        (*this_33).first = _e15;
+        let _e15 = (*this_34).sum;
+        (*this_34).first = _e15;
         // glimt_render_gpu/src/kernels/proposal.rs:485
-        (*this_33).width = width;
+        (*this_34).width = width;
     }
     // glimt_render_gpu/src/kernels/proposal.rs:487
-    let _e21 = (*this_33).sum;
-    (*this_33).sum = (_e21 + width);
+    let _e21 = (*this_34).sum;
+    (*this_34).sum = (_e21 + width);
     // glimt_render_gpu/src/kernels/proposal.rs:488
-    let _e25 = (*this_33).is_found;
-    let _e27 = (*this_33).sum;
-    let _e29 = (*this_33).target_;
-    (*this_33).is_found = (_e25 || (_e27 > _e29));
+    let _e25 = (*this_34).is_found;
+    let _e27 = (*this_34).sum;
+    let _e29 = (*this_34).target_;
+    (*this_34).is_found = (_e25 || (_e27 > _e29));
     return;
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:494
-fn Place_word(this_34: Place, whole: f32, fraction: u32) -> u32 {
+fn Place_word(this_35: Place, whole: f32, fraction: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:495
     let unit = (whole * (1f / 16777216f));
     // glimt_render_gpu/src/kernels/proposal.rs:496
-    let fine = ((this_34.target_ - this_34.first) + (unit * (f32(fraction) * (1f / 65536f))));
+    let fine = ((this_35.target_ - this_35.first) + (unit * (f32(fraction) * (1f / 65536f))));
     // glimt_render_gpu/src/kernels/proposal.rs:497
-    let place_3 = clamp((fine / max(this_34.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    let place_3 = clamp((fine / max(this_35.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
     // glimt_render_gpu/src/kernels/proposal.rs:498
     return ((u32((place_3 * 16777216f)) << 8u) | (fraction & 255u));
 }
@@ -3114,7 +3118,7 @@ fn direction_in_texel(texel_1: vec2<u32>, size_12: vec2<u32>, r: vec2<f32>) -> v
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:398
-fn Proposal_sample_cells(this_35: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_2: Even) -> CellDraw {
+fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_2: Even) -> CellDraw {
     var self_: Proposal;
     var row_place: Place;
     var counter_6: u32;
@@ -3125,7 +3129,7 @@ fn Proposal_sample_cells(this_35: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     var cell_place: Place;
     var counter_9: u32;
 
-    self_ = this_35;
+    self_ = this_36;
     // glimt_render_gpu/src/kernels/proposal.rs:404
     let per_row = (64u / 16u);
     // glimt_render_gpu/src/kernels/proposal.rs:406

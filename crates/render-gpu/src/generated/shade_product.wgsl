@@ -700,75 +700,75 @@ fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
     return (x128_ * x128_);
 }
 
-// glimt_light_cells/src/surface.rs:156
+// glimt_light_cells/src/surface.rs:173
 fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_1: u32) -> CellTerms {
 
-    // glimt_light_cells/src/surface.rs:157
+    // glimt_light_cells/src/surface.rs:174
     let _e7 = LightCells_quad(size_3, start_1, 15u, quad_1);
-    // glimt_light_cells/src/surface.rs:158
+    // glimt_light_cells/src/surface.rs:175
     let _e12 = LightCells_quad(size_3, start_1, (15u + 1u), quad_1);
-    // glimt_light_cells/src/surface.rs:159
+    // glimt_light_cells/src/surface.rs:176
     let _e17 = LightCells_quad(size_3, start_1, (15u + 2u), quad_1);
-    // glimt_light_cells/src/surface.rs:160
+    // glimt_light_cells/src/surface.rs:177
     let _e20 = LightCells_quad(size_3, start_1, 18u, quad_1);
-    // glimt_light_cells/src/surface.rs:161
+    // glimt_light_cells/src/surface.rs:178
     let n_3 = surface.normal;
-    // glimt_light_cells/src/surface.rs:162
+    // glimt_light_cells/src/surface.rs:179
     let c_2 = (((_e7 * n_3.x) + (_e12 * n_3.y)) + (_e17 * n_3.z));
-    // glimt_light_cells/src/surface.rs:163
+    // glimt_light_cells/src/surface.rs:180
     let reach_2 = (_e20 + vec4(surface.horizon));
-    // glimt_light_cells/src/surface.rs:164
+    // glimt_light_cells/src/surface.rs:181
     let up = max((c_2 + reach_2), vec4(0f));
-    // glimt_light_cells/src/surface.rs:165
+    // glimt_light_cells/src/surface.rs:182
     let _e42 = step_(up);
-    // glimt_light_cells/src/surface.rs:166
+    // glimt_light_cells/src/surface.rs:183
     let _e45 = step_((c_2 - reach_2));
-    // glimt_light_cells/src/surface.rs:167
+    // glimt_light_cells/src/surface.rs:184
     let cosine = max(c_2, vec4(0f));
-    // glimt_light_cells/src/surface.rs:168
+    // glimt_light_cells/src/surface.rs:185
     let half_spread = vec4((0.5f * surface.spread));
-    // glimt_light_cells/src/surface.rs:169
+    // glimt_light_cells/src/surface.rs:186
     let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
-    // glimt_light_cells/src/surface.rs:170
+    // glimt_light_cells/src/surface.rs:187
     if !((surface.specular > 0f)) {
-        // glimt_light_cells/src/surface.rs:171
+        // glimt_light_cells/src/surface.rs:188
         return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
     }
-    // glimt_light_cells/src/surface.rs:181
+    // glimt_light_cells/src/surface.rs:198
     let lifted = max(c_2, (0.25f * up));
-    // glimt_light_cells/src/surface.rs:182
+    // glimt_light_cells/src/surface.rs:199
     let v_5 = surface.wo;
-    // glimt_light_cells/src/surface.rs:183
+    // glimt_light_cells/src/surface.rs:200
     let nv = dot(n_3, v_5);
-    // glimt_light_cells/src/surface.rs:184
+    // glimt_light_cells/src/surface.rs:201
     let dv = ((((_e7 * v_5.x) + (_e12 * v_5.y)) + (_e17 * v_5.z)) + ((lifted - c_2) * nv));
-    // glimt_light_cells/src/surface.rs:185
+    // glimt_light_cells/src/surface.rs:202
     let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_2 * c_2)), vec4(0.000001f)));
-    // glimt_light_cells/src/surface.rs:186
+    // glimt_light_cells/src/surface.rs:203
     let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
-    // glimt_light_cells/src/surface.rs:187
+    // glimt_light_cells/src/surface.rs:204
     let _e123 = sqrt_(half2_);
     let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
-    // glimt_light_cells/src/surface.rs:188
+    // glimt_light_cells/src/surface.rs:205
     let cos2_ = min((nh * nh), vec4(1f));
-    // glimt_light_cells/src/surface.rs:189
+    // glimt_light_cells/src/surface.rs:206
     let sin2_ = (vec4(1f) - cos2_);
-    // glimt_light_cells/src/surface.rs:190
+    // glimt_light_cells/src/surface.rs:207
     let r2_ = (_e20 * _e20);
-    // glimt_light_cells/src/surface.rs:191
+    // glimt_light_cells/src/surface.rs:208
     let e = max(surface.exponent, 0.001f);
-    // glimt_light_cells/src/surface.rs:192
+    // glimt_light_cells/src/surface.rs:209
     let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
-    // glimt_light_cells/src/surface.rs:193
+    // glimt_light_cells/src/surface.rs:210
     let _e151 = cosine_power4_(sin2_, seen);
     let lobe = (((_e151 * seen) * (lifted * _e42)) * ((surface.share * surface.peak) / e));
-    // glimt_light_cells/src/surface.rs:195
+    // glimt_light_cells/src/surface.rs:212
     let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
-    // glimt_light_cells/src/surface.rs:196
+    // glimt_light_cells/src/surface.rs:213
     let near_1 = (vec4((((0.1f * e) * surface.spread) * surface.spread)) + ((0.06f * e) * r2_));
-    // glimt_light_cells/src/surface.rs:197
+    // glimt_light_cells/src/surface.rs:214
     let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
-    // glimt_light_cells/src/surface.rs:198
+    // glimt_light_cells/src/surface.rs:215
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near_1), vec4(1f)), cosine_spread);
 }
 
@@ -779,69 +779,73 @@ fn Unknown_quad(this_8: Unknown, _quad: u32) -> vec4<f32> {
     return vec4(0f);
 }
 
-// glimt_light_cells/src/surface.rs:214
-fn CellSurface_blocked_weights(this_9: CellSurface, terms: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+// glimt_light_cells/src/surface.rs:162
+fn CellSurface_shape_variance(this_9: CellSurface, terms: CellTerms) -> vec4<f32> {
 
-    // glimt_light_cells/src/surface.rs:215
-    let reflected = ((terms.cosine * this_9.diffuse) + (terms.lobe * this_9.specular));
-    // glimt_light_cells/src/surface.rs:216
-    let blocked_2 = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
-    // glimt_light_cells/src/surface.rs:217
+    // glimt_light_cells/src/surface.rs:163
     let diffuse_1 = (terms.cosine_spread * this_9.diffuse);
-    // glimt_light_cells/src/surface.rs:218
+    // glimt_light_cells/src/surface.rs:164
     let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_9.specular);
-    // glimt_light_cells/src/surface.rs:219
-    let by_shape = ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
-    // glimt_light_cells/src/surface.rs:220
-    let _e41 = sqrt_((((reflected * reflected) * blocked_2) + by_shape));
-    return ((flux * terms.live) * _e41);
+    // glimt_light_cells/src/surface.rs:165
+    return ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
+}
+
+// glimt_light_cells/src/surface.rs:153
+fn CellSurface_blocked_weights(this_10: CellSurface, terms_1: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+
+    // glimt_light_cells/src/surface.rs:154
+    let reflected = ((terms_1.cosine * this_10.diffuse) + (terms_1.lobe * this_10.specular));
+    // glimt_light_cells/src/surface.rs:155
+    let blocked_2 = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
+    // glimt_light_cells/src/surface.rs:156
+    let _e22 = CellSurface_shape_variance(this_10, terms_1);
+    // glimt_light_cells/src/surface.rs:157
+    let _e29 = sqrt_((((reflected * reflected) * blocked_2) + _e22));
+    return ((flux * terms_1.live) * _e29);
 }
 
 // glimt_light_cells/src/surface.rs:142
-fn CellSurface_residual_weights(this_10: CellSurface, terms_1: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+fn CellSurface_residual_weights(this_11: CellSurface, terms_2: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:143
-    let reflected_1 = ((terms_1.cosine * this_10.diffuse) + (terms_1.lobe * this_10.specular));
+    let reflected_1 = ((terms_2.cosine * this_11.diffuse) + (terms_2.lobe * this_11.specular));
     // glimt_light_cells/src/surface.rs:144
     let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:145
-    let diffuse_2 = (terms_1.cosine_spread * this_10.diffuse);
+    let _e22 = CellSurface_shape_variance(this_11, terms_2);
+    let by_shape = (_e22 * max(visibility_1, vec4(0.02f)));
     // glimt_light_cells/src/surface.rs:146
-    let lobe_2 = ((terms_1.lobe * terms_1.lobe_spread) * this_10.specular);
-    // glimt_light_cells/src/surface.rs:147
-    let by_shape_1 = (((diffuse_2 * diffuse_2) + (lobe_2 * lobe_2)) * max(visibility_1, vec4(0.02f)));
-    // glimt_light_cells/src/surface.rs:148
-    let _e45 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape_1));
-    return ((flux_1 * terms_1.live) * _e45);
+    let _e33 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape));
+    return ((flux_1 * terms_2.live) * _e33);
 }
 
 // glimt_light_cells/src/surface.rs:133
-fn CellSurface_product_weights(this_11: CellSurface, terms_2: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
+fn CellSurface_product_weights(this_12: CellSurface, terms_3: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:134
-    let reflected_2 = ((terms_2.cosine * this_11.diffuse) + (terms_2.lobe * this_11.specular));
+    let reflected_2 = ((terms_3.cosine * this_12.diffuse) + (terms_3.lobe * this_12.specular));
     // glimt_light_cells/src/surface.rs:135
-    return ((flux_2 * terms_2.live) * (reflected_2 + (terms_2.cosine_spread * this_11.diffuse)));
+    return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_12.diffuse)));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:238
-fn weights(surface_1: CellSurface, terms_3: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
+fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen: vec4<f32>;
     var chosen_1: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/proposal.rs:245
     if (false && is_catcher) {
         // glimt_render_gpu/src/kernels/proposal.rs:246
-        let _e11 = CellSurface_blocked_weights(surface_1, terms_3, flux_3, visibility_2);
+        let _e11 = CellSurface_blocked_weights(surface_1, terms_4, flux_3, visibility_2);
         chosen = _e11;
     } else {
         if false {
             // glimt_render_gpu/src/kernels/proposal.rs:248
-            let _e15 = CellSurface_residual_weights(surface_1, terms_3, flux_3, visibility_2);
+            let _e15 = CellSurface_residual_weights(surface_1, terms_4, flux_3, visibility_2);
             chosen_1 = _e15;
         } else {
             // glimt_render_gpu/src/kernels/proposal.rs:250
-            let _e17 = CellSurface_product_weights(surface_1, terms_3, flux_3);
+            let _e17 = CellSurface_product_weights(surface_1, terms_4, flux_3);
             chosen_1 = _e17;
         }
         let _e18 = chosen_1;
@@ -1264,11 +1268,11 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> Owen
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:128
-fn PixelPattern_sobol_point(this_12: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+fn PixelPattern_sobol_point(this_13: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
     // glimt_render_gpu/src/kernels/pattern.rs:129
-    let _e6 = hash2_(this_12.seed, purpose);
-    let _e9 = OwenSobol_new(_e6, this_12.frame, this_12.pixel, index);
+    let _e6 = hash2_(this_13.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_13.frame, this_13.pixel, index);
     return _e9;
 }
 
@@ -1383,21 +1387,21 @@ fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_1: u32, pixel_2: u32) -> Xoshiro
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:133
-fn PixelPattern_generator(this_13: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
+fn PixelPattern_generator(this_14: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
 
     // glimt_render_gpu/src/kernels/pattern.rs:134
-    let _e6 = hash3_(this_13.seed, purpose_1, index_1);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_13.frame, this_13.pixel);
+    let _e6 = hash3_(this_14.seed, purpose_1, index_1);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_14.frame, this_14.pixel);
     return _e9;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:111
-fn PixelPattern_point(this_14: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
+fn PixelPattern_point(this_15: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:112
-    let _e8 = PixelPattern_sobol_point(this_14, purpose_2, index_2);
-    let _e9 = PixelPattern_generator(this_14, purpose_2, index_2);
-    return PatternSource((this_14.kind == 0u), _e8, _e9);
+    let _e8 = PixelPattern_sobol_point(this_15, purpose_2, index_2);
+    let _e9 = PixelPattern_generator(this_15, purpose_2, index_2);
+    return PatternSource((this_15.kind == 0u), _e8, _e9);
 }
 
 // glimt_sampling/src/sobol.rs:21
@@ -1625,25 +1629,25 @@ fn owen_sobol(index_8: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_15: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_16: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_3 = (*this_15).dimension;
+    let dimension_3 = (*this_16).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_15).dimension = (dimension_3 + 1u);
+    (*this_16).dimension = (dimension_3 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_15).index;
-    let _e13 = (*this_15).seed;
+    let _e11 = (*this_16).index;
+    let _e13 = (*this_16).seed;
     let _e16 = hash2_(_e13, (dimension_3 >> 2u));
     let _e17 = owen_sobol(_e11, dimension_3, _e16);
     return _e17;
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_16: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_17: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s_1 = (*this_16).state;
+    let s_1 = (*this_17).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s_1.x + s_1.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_1.x);
@@ -1652,34 +1656,34 @@ fn Xoshiro128PlusPlus_next_u32_(this_16: ptr<function, Xoshiro128PlusPlus>) -> u
     // glimt_sampling/src/xoshiro.rs:60
     let w_1 = (s_1.w ^ s_1.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_16).state = vec4<u32>((s_1.x ^ w_1), (s_1.y ^ z_1), (z_1 ^ (s_1.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_17).state = vec4<u32>((s_1.x ^ w_1), (s_1.y ^ z_1), (z_1 ^ (s_1.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:163
-fn PatternSource_next_u32_(this_17: ptr<function, PatternSource>) -> u32 {
+fn PatternSource_next_u32_(this_18: ptr<function, PatternSource>) -> u32 {
     var chosen_4: u32;
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:164
-    let _e5 = (*this_17).is_sobol;
+    let _e5 = (*this_18).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:165
-        let _e9 = (*this_17).point;
+        let _e9 = (*this_18).point;
         borrowed = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed));
         let _e11 = borrowed;
-        (*this_17).point = _e11;
+        (*this_18).point = _e11;
         chosen_4 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:167
-        let _e15 = (*this_17).generator;
+        let _e15 = (*this_18).generator;
         borrowed_1 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
         let _e17 = borrowed_1;
-        (*this_17).generator = _e17;
+        (*this_18).generator = _e17;
         chosen_4 = _e16;
     }
     let _e18 = chosen_4;
@@ -1694,10 +1698,10 @@ fn unit_f32_(u: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:339
-fn Proposal_is_sharp(this_18: Proposal) -> bool {
+fn Proposal_is_sharp(this_19: Proposal) -> bool {
     var self_: Proposal;
 
-    self_ = this_18;
+    self_ = this_19;
     // glimt_render_gpu/src/kernels/proposal.rs:340
     let surface_3 = self_.of_.surface;
     // glimt_render_gpu/src/kernels/proposal.rs:341
@@ -1705,36 +1709,36 @@ fn Proposal_is_sharp(this_18: Proposal) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:138
-fn PixelPattern_key(this_19: PixelPattern, purpose_3: u32) -> u32 {
+fn PixelPattern_key(this_20: PixelPattern, purpose_3: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:139
-    let _e5 = hash2_(this_19.seed, purpose_3);
-    let _e8 = hash3_(_e5, this_19.frame, this_19.pixel);
+    let _e5 = hash2_(this_20.seed, purpose_3);
+    let _e8 = hash3_(_e5, this_20.frame, this_20.pixel);
     return _e8;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:123
-fn PixelPattern_ray_key(this_20: PixelPattern, purpose_4: u32) -> u32 {
+fn PixelPattern_ray_key(this_21: PixelPattern, purpose_4: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:124
-    let _e4 = PixelPattern_key(this_20, purpose_4);
-    let _e6 = hash2_(_e4, this_20.ray);
+    let _e4 = PixelPattern_key(this_21, purpose_4);
+    let _e6 = hash2_(_e4, this_21.ray);
     return _e6;
 }
 
 // glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_22: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_21).dimension;
+    let _e4 = (*this_22).dimension;
     let dimension_4 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:192
-    (*this_21).dimension = (dimension_4 + 2u);
+    (*this_22).dimension = (dimension_4 + 2u);
     // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_21).seed;
+    let _e15 = (*this_22).seed;
     let _e18 = hash2_(_e15, (dimension_4 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_21).index;
+    let _e21 = (*this_22).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
     let _e24 = sobol_reversed(_e22, dimension_4);
@@ -1745,39 +1749,39 @@ fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_22: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_22);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_23);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_22);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_23);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:172
-fn PatternSource_next_uvec2_(this_23: ptr<function, PatternSource>) -> vec2<u32> {
+fn PatternSource_next_uvec2_(this_24: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_5: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:173
-    let _e5 = (*this_23).is_sobol;
+    let _e5 = (*this_24).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:174
-        let _e9 = (*this_23).point;
+        let _e9 = (*this_24).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_23).point = _e11;
+        (*this_24).point = _e11;
         chosen_5 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:176
-        let _e15 = (*this_23).generator;
+        let _e15 = (*this_24).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_23).generator = _e17;
+        (*this_24).generator = _e17;
         chosen_5 = _e16;
     }
     let _e18 = chosen_5;
@@ -1818,20 +1822,20 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_24: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_25: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_1, this_24.t), dot(v_1, this_24.b), dot(v_1, this_24.n));
+    return vec3<f32>(dot(v_1, this_25.t), dot(v_1, this_25.b), dot(v_1, this_25.n));
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:98
-fn SeenPoint_shading_point(this_25: SeenPoint) -> ShadingPoint {
+fn SeenPoint_shading_point(this_26: SeenPoint) -> ShadingPoint {
 
     // glimt_render_gpu/src/kernels/seen.rs:99
-    let _e4 = ShadingFrame_from_normal(this_25.normal);
+    let _e4 = ShadingFrame_from_normal(this_26.normal);
     // glimt_render_gpu/src/kernels/seen.rs:100
-    let _e9 = ShadingFrame_to_local(_e4, this_25.wo);
-    return ShadingPoint(this_25.origin, this_25.geometric_normal, _e4, _e9, BlinnPhong(this_25.diffuse, this_25.specular, this_25.exponent), this_25.emission);
+    let _e9 = ShadingFrame_to_local(_e4, this_26.wo);
+    return ShadingPoint(this_26.origin, this_26.geometric_normal, _e4, _e9, BlinnPhong(this_26.diffuse, this_26.specular, this_26.exponent), this_26.emission);
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:68
@@ -1842,13 +1846,13 @@ fn lobe_of(point_1: ShadingPoint) -> BlinnPhong {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_26: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_27: BlinnPhong) -> f32 {
     var chosen_6: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_26.specular);
+    let _e4 = luminance(this_27.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_26.diffuse);
+    let _e7 = luminance(this_27.diffuse);
     let both_4 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_4 > 0f) {
@@ -2067,23 +2071,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_2: f32, exponent_6: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_27: HalfVector, exponent_7: f32) -> f32 {
+fn HalfVector_lobe(this_28: HalfVector, exponent_7: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_27.cos2_theta, this_27.sin2_theta, exponent_7);
+    let _e6 = cosine_power(this_28.cos2_theta, this_28.sin2_theta, exponent_7);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_28: HalfVector, exponent_8: f32) -> f32 {
+fn HalfVector_pdf_sr(this_29: HalfVector, exponent_8: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_28, exponent_8);
-    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_28.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_29, exponent_8);
+    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_29.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_30: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_3.z <= 0f) || (wi_1.z <= 0f)) {
@@ -2093,7 +2097,7 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_29);
+    let _e17 = BlinnPhong_pmf_specular(this_30);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -2101,21 +2105,21 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_3, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_29.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_30.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_30: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_31: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_11: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_30);
+    let _e8 = BlinnPhong_pmf_specular(this_31);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_30.exponent);
+        let _e12 = sample_power_cosine(u_5, this_31.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_11 = (((2f * dot(wo_4, h)) * h) - wo_4);
@@ -2126,15 +2130,15 @@ fn BlinnPhong_sample(this_30: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec
     }
     let wi_4 = chosen_11;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_30, wo_4, wi_4);
+    let _e25 = BlinnPhong_pdf_sr(this_31, wo_4, wi_4);
     return BrdfSample(wi_4, _e25);
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_31: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_32: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_31.t * v_2.x) + (this_31.b * v_2.y)) + (this_31.n * v_2.z));
+    return (((this_32.t * v_2.x) + (this_32.b * v_2.y)) + (this_32.n * v_2.z));
 }
 
 // glimt_probe/src/latlong.rs:45
@@ -2286,39 +2290,39 @@ fn Place_new(target_: f32) -> Place {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:481
-fn Place_offer(this_32: ptr<function, Place>, index_10: u32, width_1: f32) {
+fn Place_offer(this_33: ptr<function, Place>, index_10: u32, width_1: f32) {
 
     // glimt_render_gpu/src/kernels/proposal.rs:482
-    let _e8 = (*this_32).is_found;
+    let _e8 = (*this_33).is_found;
     if ((width_1 > 0f) && !(_e8)) {
         // glimt_render_gpu/src/kernels/proposal.rs:483
-        (*this_32).index = index_10;
+        (*this_33).index = index_10;
         // glimt_render_gpu/src/kernels/proposal.rs:484
-        let _e15 = (*this_32).sum;
-        (*this_32).first = _e15;
+        let _e15 = (*this_33).sum;
+        (*this_33).first = _e15;
         // glimt_render_gpu/src/kernels/proposal.rs:485
-        (*this_32).width = width_1;
+        (*this_33).width = width_1;
     }
     // glimt_render_gpu/src/kernels/proposal.rs:487
-    let _e21 = (*this_32).sum;
-    (*this_32).sum = (_e21 + width_1);
+    let _e21 = (*this_33).sum;
+    (*this_33).sum = (_e21 + width_1);
     // glimt_render_gpu/src/kernels/proposal.rs:488
-    let _e25 = (*this_32).is_found;
-    let _e27 = (*this_32).sum;
-    let _e29 = (*this_32).target_;
-    (*this_32).is_found = (_e25 || (_e27 > _e29));
+    let _e25 = (*this_33).is_found;
+    let _e27 = (*this_33).sum;
+    let _e29 = (*this_33).target_;
+    (*this_33).is_found = (_e25 || (_e27 > _e29));
     return;
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:494
-fn Place_word(this_33: Place, whole: f32, fraction: u32) -> u32 {
+fn Place_word(this_34: Place, whole: f32, fraction: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:495
     let unit_1 = (whole * (1f / 16777216f));
     // glimt_render_gpu/src/kernels/proposal.rs:496
-    let fine = ((this_33.target_ - this_33.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
+    let fine = ((this_34.target_ - this_34.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
     // glimt_render_gpu/src/kernels/proposal.rs:497
-    let place_2 = clamp((fine / max(this_33.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    let place_2 = clamp((fine / max(this_34.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
     // glimt_render_gpu/src/kernels/proposal.rs:498
     return ((u32((place_2 * 16777216f)) << 8u) | (fraction & 255u));
 }
@@ -2563,7 +2567,7 @@ fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> v
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:398
-fn Proposal_sample_cells(this_34: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u32>, cells_start_7: u32, expected_2: Unknown) -> CellDraw {
+fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u32>, cells_start_7: u32, expected_2: Unknown) -> CellDraw {
     var self_1: Proposal;
     var row_place: Place;
     var counter_6: u32;
@@ -2574,7 +2578,7 @@ fn Proposal_sample_cells(this_34: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u
     var cell_place: Place;
     var counter_9: u32;
 
-    self_1 = this_34;
+    self_1 = this_35;
     // glimt_render_gpu/src/kernels/proposal.rs:404
     let per_row = (64u / 16u);
     // glimt_render_gpu/src/kernels/proposal.rs:406
@@ -2729,10 +2733,10 @@ fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, ce
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:347
-fn Proposal_cell(this_35: Proposal, cell_2: u32, cells_size_9: vec2<u32>, cells_start_9: u32, expected_4: Unknown) -> CellAt {
+fn Proposal_cell(this_36: Proposal, cell_2: u32, cells_size_9: vec2<u32>, cells_start_9: u32, expected_4: Unknown) -> CellAt {
     var self_2: Proposal;
 
-    self_2 = this_35;
+    self_2 = this_36;
     // glimt_render_gpu/src/kernels/proposal.rs:348
     let _e12 = Tuple_u32_usize((cell_2 / 4u), (cell_2 % 4u));
     let quad_7 = _e12.fa;
@@ -2791,10 +2795,10 @@ fn texel_solid_angle_sr(row_2: u32, size_15: vec2<u32>) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:366
-fn Proposal_cells_pdf_sr(this_36: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_10: vec2<u32>, cells_start_10: u32) -> f32 {
+fn Proposal_cells_pdf_sr(this_37: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_10: vec2<u32>, cells_start_10: u32) -> f32 {
     var self_3: Proposal;
 
-    self_3 = this_36;
+    self_3 = this_37;
     // glimt_render_gpu/src/kernels/proposal.rs:373
     let _e10 = self_3.total;
     if !((_e10 > 0f)) {
@@ -2822,7 +2826,7 @@ fn Environment_radiance(size_16: vec2<u32>, rotation_3: vec2<f32>, texel_5: vec2
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_37: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_38: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_5.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2830,19 +2834,19 @@ fn BlinnPhong_eval(this_37: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse_3 = (this_37.diffuse * 0.31830987f);
+    let diffuse_2 = (this_38.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_37.specular.x, this_37.specular.y), this_37.specular.z) <= 0f) {
+    if (max(max(this_38.specular.x, this_38.specular.y), this_38.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
-        return diffuse_3;
+        return diffuse_2;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_37.exponent);
+    let _e31 = normalisation(this_38.exponent);
     let _e32 = HalfVector_new(wo_5, wi_2);
-    let _e34 = HalfVector_lobe(_e32, this_37.exponent);
-    let lobe_3 = (_e31 * _e34);
+    let _e34 = HalfVector_lobe(_e32, this_38.exponent);
+    let lobe_2 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse_3 + (this_37.specular * lobe_3));
+    return (diffuse_2 + (this_38.specular * lobe_2));
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:77
@@ -2947,10 +2951,10 @@ fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:59
-fn Triangle_is_see_through(this_38: Triangle) -> bool {
+fn Triangle_is_see_through(this_39: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:60
-    return ((this_38.object & 1073741824u) != 0u);
+    return ((this_39.object & 1073741824u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:144
@@ -3030,10 +3034,10 @@ fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_2: u32) -> Te
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_39: TextureView) -> bool {
+fn TextureView_exists(this_40: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_39.width > 0u);
+    return (this_40.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -3078,11 +3082,11 @@ fn neighbour(index_13: i32, size_17: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_40: TextureView, index_14: u32) -> vec4<f32> {
+fn TextureView_texel(this_41: TextureView, index_14: u32) -> vec4<f32> {
     var chosen_21: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_4 = scene_surface[(this_40.first + index_14)];
+    let word_4 = scene_surface[(this_41.first + index_14)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r_3 = (word_4 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -3092,7 +3096,7 @@ fn TextureView_texel(this_40: TextureView, index_14: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_40.flags & 1u) != 0u) {
+    if ((this_41.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r_3];
         let _e42 = scene_surface[g];
@@ -3107,40 +3111,40 @@ fn TextureView_texel(this_40: TextureView, index_14: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_41: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_42: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_41.flags >> 1u) & 3u);
+    let wrap_u = ((this_42.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_41.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_42.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_13 = ((_e21 * f32(this_41.width)) - 0.5f);
+    let x_13 = ((_e21 * f32(this_42.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_4 = ((_e29 * f32(this_41.height)) - 0.5f);
+    let y_4 = ((_e29 * f32(this_42.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e38 = Tuple_f32_f32_(floor(x_13), floor(y_4));
     let left_2 = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left_2), this_41.width, wrap_u);
+    let _e44 = neighbour(i32(left_2), this_42.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left_2) + 1i), this_41.width, wrap_u);
+    let _e50 = neighbour((i32(left_2) + 1i), this_42.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e54 = neighbour(i32(top), this_41.height, wrap_v);
-    let row0_ = (_e54 * this_41.width);
+    let _e54 = neighbour(i32(top), this_42.height, wrap_v);
+    let row0_ = (_e54 * this_42.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e62 = neighbour((i32(top) + 1i), this_41.height, wrap_v);
-    let row1_ = (_e62 * this_41.width);
+    let _e62 = neighbour((i32(top) + 1i), this_42.height, wrap_v);
+    let row1_ = (_e62 * this_42.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e67 = TextureView_texel(this_41, (row0_ + _e44));
-    let _e69 = TextureView_texel(this_41, (row0_ + _e50));
+    let _e67 = TextureView_texel(this_42, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_42, (row0_ + _e50));
     let _e70 = (x_13 - left_2);
     let upper_1 = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e78 = TextureView_texel(this_41, (row1_ + _e44));
-    let _e80 = TextureView_texel(this_41, (row1_ + _e50));
+    let _e78 = TextureView_texel(this_42, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_42, (row1_ + _e50));
     let _e81 = (x_13 - left_2);
     let lower_2 = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -3244,37 +3248,37 @@ fn is_passed(index_16: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
-fn Triangle_is_catcher(this_42: Triangle) -> bool {
+fn Triangle_is_catcher(this_43: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:46
-    return ((this_42.object & 2147483648u) != 0u);
+    return ((this_43.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_43: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_44: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_43.v1_ - this_43.v0_), (this_43.v2_ - this_43.v0_));
+    return cross((this_44.v1_ - this_44.v0_), (this_44.v2_ - this_44.v0_));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_44: Triangle) -> f32 {
+fn Triangle_ray_offset(this_45: Triangle) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_44.v0_), abs(this_44.v1_)), abs(this_44.v2_));
+    let extent = max(max(abs(this_45.v0_), abs(this_45.v1_)), abs(this_45.v2_));
     // glimt_render_gpu/src/kernels/triangle.rs:68
     return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_45: Triangle, ray_6: Ray, t_1: f32) -> f32 {
+fn Triangle_setback(this_46: Triangle, ray_6: Ray, t_1: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_45);
+    let _e5 = Triangle_area_normal(this_46);
     // glimt_render_gpu/src/kernels/triangle.rs:76
     let across = abs(dot(_e5, ray_6.direction));
     // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_45);
+    let _e12 = Triangle_ray_offset(this_46);
     let apart = (2f * max(_e12, ((0.0000038146973f * t_1) * sqrt(dot(ray_6.direction, ray_6.direction)))));
     // glimt_render_gpu/src/kernels/triangle.rs:82
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t_1);
@@ -3564,11 +3568,11 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_8: vec3<f32>, key_2: u32) -> bo
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:384
-fn Proposal_open_control(this_46: Proposal, direction_9: vec3<f32>, at_3: CellAt) -> vec3<f32> {
+fn Proposal_open_control(this_47: Proposal, direction_9: vec3<f32>, at_3: CellAt) -> vec3<f32> {
     var self_4: Proposal;
     var chosen_23: f32;
 
-    self_4 = this_46;
+    self_4 = this_47;
     // glimt_render_gpu/src/kernels/proposal.rs:385
     if at_3.is_full {
         // glimt_render_gpu/src/kernels/proposal.rs:386
@@ -4017,66 +4021,66 @@ fn jittered_pair(index_19: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:67
-fn PixelPattern_pair(this_47: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec2<u32> {
+fn PixelPattern_pair(this_48: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed_4: OwenSobol;
     var borrowed_5: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_21 = ((this_47.ray * samples) + sample);
+    let index_21 = ((this_48.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:69
-    if (this_47.kind == 0u) {
+    if (this_48.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_47, purpose_5, index_21);
+        let _e14 = PixelPattern_sobol_point(this_48, purpose_5, index_21);
         borrowed_4 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_4));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_47, purpose_5, index_21);
+    let _e18 = PixelPattern_generator(this_48, purpose_5, index_21);
     borrowed_5 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    if (this_47.kind == 1u) {
+    if (this_48.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    let _e29 = PixelPattern_key(this_47, purpose_5);
-    let _e30 = jittered_pair(index_21, (this_47.rays * samples), _e20, _e29);
+    let _e29 = PixelPattern_key(this_48, purpose_5);
+    let _e30 = jittered_pair(index_21, (this_48.rays * samples), _e20, _e29);
     return _e30;
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_48: CameraView, p: vec2<f32>, size_18: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_49: CameraView, p: vec2<f32>, size_18: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
     let x_14 = (((2f * p.x) / f32(size_18.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
     let y_5 = (((2f * p.y) / f32(size_18.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_48.forward + (this_48.right * x_14)) - (this_48.up * y_5)));
+    return normalize(((this_49.forward + (this_49.right * x_14)) - (this_49.up * y_5)));
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:161
-fn FrameParams_direction(this_49: FrameParams, pixel_3: u32, place_1: vec2<f32>) -> vec3<f32> {
+fn FrameParams_direction(this_50: FrameParams, pixel_3: u32, place_1: vec2<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/frame.rs:162
-    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_49.width), (pixel_3 / this_49.width)));
+    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_50.width), (pixel_3 / this_50.width)));
     // glimt_render_gpu/src/kernels/frame.rs:163
-    let view = CameraView(this_49.eye, this_49.forward, this_49.right, this_49.up);
+    let view = CameraView(this_50.eye, this_50.forward, this_50.right, this_50.up);
     // glimt_render_gpu/src/kernels/frame.rs:169
-    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_49.width, this_49.height));
+    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_50.width, this_50.height));
     return _e22;
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:144
-fn FrameParams_camera_ray(this_50: FrameParams, pattern_6: PixelPattern) -> Ray {
+fn FrameParams_camera_ray(this_51: FrameParams, pattern_6: PixelPattern) -> Ray {
     var chosen_26: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:145
-    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_50.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
+    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_51.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
     // glimt_render_gpu/src/kernels/frame.rs:149
-    if (this_50.filter_ == 1u) {
+    if (this_51.filter_ == 1u) {
         // glimt_render_gpu/src/kernels/frame.rs:150
         chosen_26 = vec2(0.5f);
     } else {
@@ -4087,10 +4091,10 @@ fn FrameParams_camera_ray(this_50: FrameParams, pattern_6: PixelPattern) -> Ray 
     }
     let place_4 = chosen_26;
     // glimt_render_gpu/src/kernels/frame.rs:154
-    let _e28 = FrameParams_direction(this_50, pattern_6.pixel, place_4);
+    let _e28 = FrameParams_direction(this_51, pattern_6.pixel, place_4);
     // glimt_render_gpu/src/kernels/frame.rs:155
     let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_50.eye, _e28, _e32);
+    let _e33 = Ray_keyed(this_51.eye, _e28, _e32);
     return _e33;
 }
 

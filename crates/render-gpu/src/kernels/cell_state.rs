@@ -125,7 +125,7 @@ pub fn pack(visibility: Vec4) -> u32 {
 pub struct Expected<'a> {
     /// Words of all entries, [`VISIBILITY_WORDS`] each.
     pub words: &'a [u32],
-    /// The entry before the first of the pixel's tile has, counted from 1, slot 0.
+    /// Index of the first entry of the pixel's tile.
     pub first: u32,
     /// The slot; 0 where nothing is known.
     pub slot: u32,

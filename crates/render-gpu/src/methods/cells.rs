@@ -31,7 +31,7 @@ settings! {
 }
 
 impl Cells {
-    /// What kernels read, for an image of so many pixels.
+    /// What kernels read for an image of this size.
     #[must_use]
     pub fn params(&self, size: UVec2) -> CellParams {
         let tiles = tiles(size);
@@ -91,7 +91,7 @@ impl<M: Memory> std::fmt::Debug for Known<M> {
 }
 
 impl<M: Memory> Known<M> {
-    /// Room for an image; that of `old` where it fits.
+    /// Room for an image.
     fn room<D: Device<Memory = M>>(
         device: &D,
         settings: &RenderSettings,
@@ -197,7 +197,7 @@ impl<M: Memory> Clone for Reading<'_, M> {
 impl<M: Memory> Copy for Reading<'_, M> {}
 
 impl<M: Memory> Reading<'_, M> {
-    /// The passes of a tile of so many rays, whose hits are to be `points`.
+    /// Runs the passes of a tile of `rays` rays. `points` takes their hits.
     pub(super) fn shade<E: Executor<Memory = M>>(
         self,
         executor: &mut E,

@@ -142,7 +142,7 @@ impl<M: Memory> Before<M> {
 }
 
 impl<M: Memory> Points<M> {
-    /// Room for so many rays.
+    /// Room for `rays` rays.
     pub(crate) fn new<D: Device<Memory = M>>(
         device: &D,
         method: &Method,
@@ -293,7 +293,7 @@ fn see<M: Memory, E: Executor<Memory = M>>(
     executor.run(See { frame, scene, out }, 0..rays)
 }
 
-/// Rays of a pixel, and pixels of so many rays.
+/// How many rays a pixel has, and how many pixels have `rays` rays.
 fn per_pixel(frame: &FrameParams, rays: u32) -> (usize, u32) {
     let per_pixel = frame.rays_per_pixel;
     (per_pixel as usize, rays / per_pixel)
