@@ -118,7 +118,9 @@ pub fn reflect(
     };
     let surface = CellSurface::new(Vec3::Z, params.wo, 0.4, 0.5, params.exponent, 1.0, 0.0);
     let flux = cells.quad(field::FLUX, 0);
-    let weight = surface.product_weights(&cells.terms(&surface, 0), flux).element_sum();
+    let weight = surface
+        .product_weights(&cells.terms(&surface, 0), flux)
+        .element_sum();
     let drawn = cells.sample(0, UVec2::new(element, params.seed));
 
     let mut smooth = Vec3::splat(weight * drawn.pmf);
