@@ -1,5 +1,7 @@
 //! Host file: GPU tests: an adapter or a visible skip.
 
+use std::time::Duration;
+
 use glimt_render_gpu::gpu::{AdapterPreference, GpuContext, GpuError, GpuOptions};
 
 /// The machine's fastest adapter, or `None` after a line on standard error where there is none.
@@ -9,7 +11,12 @@ use glimt_render_gpu::gpu::{AdapterPreference, GpuContext, GpuError, GpuOptions}
 /// Where there is none and the environment has `REQUIRE_GPU=1`; and where there is one that does not open.
 #[must_use]
 pub fn adapter_or_skip(test: &str) -> Option<GpuContext> {
-    adapter_or_skip_with(test, GpuOptions::default())
+    // A software adapter compiles a shader in its first launch, on processors that tests share.
+    let options = GpuOptions {
+        time_out: Duration::from_secs(240),
+        ..GpuOptions::default()
+    };
+    adapter_or_skip_with(test, options)
 }
 
 /// As [`adapter_or_skip`], with options.

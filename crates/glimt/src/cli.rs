@@ -183,15 +183,15 @@ pub struct RenderFlags {
     /// What may be written.
     #[command(flatten)]
     pub write: WriteFlags,
-    /// What the sequential sampler continues from: flags of `glimt render` alone.
+    /// What the first frame continues from: flags of `glimt render` alone.
     #[arg(skip)]
     pub past: PastFlags,
 }
 
-/// Flags of the method "smc", whose frames continue from one another.
+/// Flags of methods whose frames continue from one another.
 #[derive(Clone, Debug, Default, Args)]
 pub struct PastFlags {
-    /// With the method smc, or prt with `render.prt.temporal`: render so many frames before the first, without writing them
+    /// With the methods cells and smc, or prt with `render.prt.temporal`: render so many frames before the first, without writing them
     #[arg(
         long,
         value_name = "W",
@@ -199,10 +199,10 @@ pub struct PastFlags {
         conflicts_with = "state_in"
     )]
     pub preroll: u32,
-    /// With the method smc: continue from a state that --state-out saved
+    /// With the methods cells and smc: continue from a state that --state-out saved
     #[arg(long, value_name = "FILE", conflicts_with = "follow")]
     pub state_in: Option<PathBuf>,
-    /// With the method smc: save what the next frame would continue from
+    /// With the methods cells and smc: save what the next frame would continue from
     #[arg(long, value_name = "FILE", conflicts_with = "follow")]
     pub state_out: Option<PathBuf>,
 }
@@ -538,9 +538,9 @@ Examples:
   glimt render shot.toml --frames 1-96x8                # every eighth frame; -5--1 are the frames before 0
   glimt render shot.toml --device gpu --seed 7 --json
   glimt render shot.toml --follow --wait 30             # frames as they are filmed, until none comes for 30 s
-  glimt render shot.toml --method smc --frames 1-48 --state-out half.state
-  glimt render shot.toml --method smc --frames 49-96 --state-in half.state     # as if in one run
-  glimt render shot.toml --method smc --frames 60-72 --preroll 10
+  glimt render shot.toml --method cells --frames 1-48 --state-out half.state
+  glimt render shot.toml --method cells --frames 49-96 --state-in half.state     # as if in one run
+  glimt render shot.toml --method cells --frames 60-72 --preroll 10
   glimt render shot.toml --method prt --set render.prt.temporal=0.5            # after glimt bake shot.toml
   glimt render shot.toml --set object.0.material.diffuse=[0.8,0.2,0.1] --set render.preset=kronander
 

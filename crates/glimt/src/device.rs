@@ -9,10 +9,8 @@ use glimt_render_gpu::cpu::{CpuDrawing, CpuRenderer};
 use glimt_render_gpu::gpu::{
     self, AdapterPreference, GpuContext, GpuDrawing, GpuError, GpuRenderer,
 };
-use glimt_render_gpu::kernels::past::RayState;
 use glimt_render_gpu::methods::Method;
 use glimt_render_gpu::prepare::render::{RenderError, Renderer};
-use glimt_smc::Particle;
 use std::sync::Arc;
 
 /// What runs the kernels.
@@ -68,40 +66,38 @@ impl Renderers {
     /// Sees that what a shot's method keeps from frame to frame has room.
     ///
     /// # Errors
-    /// It has not; the error says how many rays would.
+    /// It has not; the error says what would.
     pub fn require_memory(&self, shot: &Shot) -> Result<()> {
-        let Some(Method::Smc(smc)) = shot.render.estimator() else {
+        let Some(method) = shot.render.estimator() else {
             return Ok(());
         };
-        let [width, height] = shot.image.size.map(u64::from);
-        let pixels = width * height;
-        let particles = u64::from(smc.particles) * size_of::<Particle>() as u64;
-        let state = size_of::<RayState>() as u64;
-        // Of this frame and of the one before.
-        let of_ray = 2 * (particles + state);
-        let rays = pixels * u64::from(shot.image.rays_per_pixel);
-        let needed = rays * of_ray;
-        let (most, whose) = match &self.processor {
-            Processor::Cpu => (
-                memory::available().unwrap_or(u64::MAX) / of_ray,
-                "of memory",
-            ),
+        let rays_per_pixel = shot.image.rays_per_pixel;
+        let kept = |rays| method.kept_bytes(shot.image.size.into(), rays);
+        let (whose, fits): (_, Box<dyn Fn(u32) -> bool>) = match &self.processor {
+            Processor::Cpu => {
+                let there = memory::available().unwrap_or(u64::MAX);
+                let fits = move |rays| 2 * kept(rays).all <= there;
+                ("of memory", Box::new(fits))
+            }
             Processor::Gpu(gpu) => {
-                let buffer = gpu.limits().max_buffer_size;
-                (buffer / particles.max(state), "on this GPU")
+                let most = gpu.limits().max_buffer_size;
+                let fits = move |rays| kept(rays).largest <= most;
+                ("on this GPU", Box::new(fits))
             }
         };
-        if rays <= most {
+        if fits(rays_per_pixel) {
             return Ok(());
         }
+        let needed = memory::in_words(2 * kept(rays_per_pixel).all);
+        let word = method.word();
         let text = format!(
-            "what the sequential sampler keeps of {} rays a pixel takes {} {whose}, and that has no room",
-            shot.image.rays_per_pixel,
-            memory::in_words(needed)
+            "what the method \"{word}\" keeps from frame to frame takes {needed} {whose}, and that has no room"
         );
-        Err(Error::device(text).fix(match most / pixels.max(1) {
-            0 => "lower image.size, or render.smc.particles".to_owned(),
-            fits => format!("--set image.rays_per_pixel={fits} fits"),
+        let fewer = (1..rays_per_pixel).rev().find(|rays| fits(*rays));
+        Err(Error::device(text).fix(match (fewer, method) {
+            (Some(fewer), _) => format!("--set image.rays_per_pixel={fewer} fits"),
+            (None, Method::Cells(_)) => "--set render.cells.memory=false keeps nothing".to_owned(),
+            (None, _) => "lower image.size, or render.smc.particles".to_owned(),
         }))
     }
 

@@ -28,7 +28,7 @@ pub struct Job {
     pub frames: Vec<i32>,
     /// Whether each of them is written; the others only lead up to these.
     pub written: Vec<bool>,
-    /// What the sequential sampler continues from.
+    /// What the first frame continues from.
     pub state_in: Option<Saved>,
     /// Where what comes after the last frame continues from is saved.
     pub state_out: Option<PathBuf>,
@@ -119,16 +119,15 @@ impl Job {
         self.written.iter().filter(|written| **written).count()
     }
 
-    /// The most bytes that a state of the sequential sampler has.
+    /// The most bytes that a state of the method has.
     pub fn state_bytes(&self) -> u64 {
         let (setup, render) = (&self.setup, &self.setup.shot.render);
-        let pixels = u64::from(setup.shot.image.size[0]) * u64::from(setup.shot.image.size[1]);
-        let rays = pixels * u64::from(setup.shot.image.rays_per_pixel);
         let map = self.probe.map_size();
         let texels = u64::from(map.x) * u64::from(map.y);
-        let particles = render.estimator().map_or(0, |method| method.count());
         let objects = setup.scene.objects.len() as u64;
-        state::bytes(texels, rays, u64::from(particles), objects)
+        let rays_per_pixel = setup.shot.image.rays_per_pixel;
+        let bytes = |method| state::bytes(&method, texels, setup.size(), rays_per_pixel, objects);
+        render.estimator().map_or(0, bytes)
     }
 
     /// Whether every frame has the same light.
@@ -199,11 +198,11 @@ impl Job {
         }
     }
 
-    /// The identity of each frame, in the order of [`Job::frames`], and the hash of all that the last one came from.
+    /// The identity of each frame, in the order of [`Job::frames`], and the hash of all that it came from.
     ///
     /// # Errors
     /// A file of the light or the footage cannot be read.
-    pub fn identities(&self) -> Result<(Vec<String>, Hash)> {
+    pub fn identities(&self) -> Result<Vec<(String, Hash)>> {
         let mut inputs = self.probe.digests(&self.frames)?;
         if let Some(footage) = &self.footage {
             let plates = footage.digests(&self.frames)?;
@@ -213,9 +212,11 @@ impl Job {
         }
         let mut chain = self.chain();
         let pairs = inputs.iter().zip(&self.frames);
-        let identities = pairs.map(|(input, &frame)| chain.next(&self.setup.digest, input, frame));
-        let identities = identities.collect();
-        Ok((identities, chain.hash))
+        let identities = pairs.map(|(input, &frame)| {
+            let identity = chain.next(&self.setup.digest, input, frame);
+            (identity, chain.hash)
+        });
+        Ok(identities.collect())
     }
 }
 
@@ -238,7 +239,7 @@ impl Chain {
     }
 }
 
-/// Few methods continue from frame to frame, and only one has a state that takes long to come by.
+/// Not all methods continue from frame to frame, and not all of those have a state that takes long to come by.
 fn check_past(flags: &PastFlags, render: &Render) -> Result<()> {
     let given = [
         ("--state-in", flags.state_in.is_some()),
@@ -250,16 +251,16 @@ fn check_past(flags: &PastFlags, render: &Render) -> Result<()> {
             let prt = render.method == Method::Prt && *flag == "--preroll";
             let fix = match prt {
                 true => "leave it out, or set render.prt.temporal above 0",
-                false => "leave it out, or add --method smc",
+                false => "leave it out, or add --method cells",
             };
             Err(Error::usage(format!(
                 "{flag} is for methods that continue from frame to frame: here each stands alone"
             ))
             .fix(fix))
         }
-        Some((flag, _)) if *flag != "--preroll" && render.method != Method::Smc => {
+        Some((flag, _)) if *flag != "--preroll" && render.method == Method::Prt => {
             Err(Error::usage(format!(
-                "{flag} is for the method \"smc\" alone: what \"prt\" keeps of earlier frames fades fast"
+                "{flag} is not for the method \"prt\": what it keeps of earlier frames fades fast"
             ))
             .fix("lead up to the first frame with --preroll 10"))
         }
@@ -310,14 +311,13 @@ fn with_past(
 /// A saved state, checked to be of this shot.
 fn read_state(file: &Path, setup: &Setup, first: i32, notes: &mut Notes) -> Result<Saved> {
     let saved = state::read(file)?;
-    let past = &saved.state.past;
     if saved.setup != setup.digest {
         return Err(
             Error::input(file, "the state is of another shot, or of other settings")
                 .fix("save one with --state-out from this shot, with the same keys and seed"),
         );
     }
-    let before = past.frame.cast_signed();
+    let before = saved.frame();
     if before.checked_add(1) != Some(first) {
         let text = format!("the state is of frame {before}, and frame {first} continues from it");
         notes.note(file, text);

@@ -1,6 +1,7 @@
 //! Host file: the pipeline. While a frame renders, the light of the next one is read, and the one before is written.
 
 use crate::bake;
+use crate::checkpoint::Checkpoint;
 use crate::cli::Device;
 use crate::colour::primaries::Primaries;
 use crate::device::{self, Renderers};
@@ -17,7 +18,6 @@ use crate::output::{Stamp, rgb_over_black};
 use crate::printable::path_in_line;
 use crate::report::{FrameStatus, Reporter, count, shown};
 use crate::shot::digest::{self, Hash};
-use glimt_render_gpu::methods::MethodMemory;
 use glimt_render_gpu::prepare::env::PreparedEnv;
 use glimt_render_gpu::prepare::plate::Plate;
 use glimt_render_gpu::prepare::render::FrameImage;
@@ -52,6 +52,9 @@ struct Plan<'a> {
     state: Option<Target>,
     /// The video, where one is to be made.
     video: Option<VideoPlan>,
+    /// Where states are saved on the way, and the one that the run continues from.
+    checkpoint: Option<Checkpoint>,
+    resumed: Option<Saved>,
 }
 
 /// A video that is to be made.
@@ -75,7 +78,7 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
     let mut state = plan.begin_state()?;
     check_current(&plan, &mut notes, reporter)?;
     let mut ready = match plan.computed.contains(&true) {
-        true => Some(SceneRenderer::open(&job, device, reporter)?),
+        true => Some(SceneRenderer::open(&plan, device, reporter)?),
         false => None,
     };
     tracing::info!("scene and device are ready after {:.2?}", began.elapsed());
@@ -103,6 +106,9 @@ pub fn render(job: Job, device: Device, mut notes: Notes, reporter: &Reporter) -
         ready.save(&plan, chain.hash, state)?;
     }
 
+    if let Some(checkpoint) = &plan.checkpoint {
+        checkpoint.remove();
+    }
     let seconds = began.elapsed().as_secs_f64();
     let skipped = asked - rendered;
     let video = plan.video.as_ref().map(|video| video.file.path());
@@ -127,7 +133,8 @@ struct SceneRenderer {
 }
 
 impl SceneRenderer {
-    fn open(job: &Job, device: Device, reporter: &Reporter) -> Result<Self> {
+    fn open(plan: &Plan<'_>, device: Device, reporter: &Reporter) -> Result<Self> {
+        let job = plan.job;
         reporter.busy("building the tree of the triangles");
         let mut opened = Self {
             scene: job.setup.build_scene()?,
@@ -135,9 +142,9 @@ impl SceneRenderer {
         };
         opened.renderers.require_memory(&job.setup.shot)?;
         bake::set_transfer(&job.setup, &job.setup.shot, &mut opened.scene)?;
-        if let Some(saved) = &job.state_in {
-            let memory = MethodMemory::Smc(saved.state.clone());
+        if let Some(saved) = plan.resumed.as_ref().or(job.state_in.as_ref()) {
             let renderer = opened.renderers.of(&job.setup.shot)?;
+            let memory = saved.memory.clone();
             renderer.set_memory(memory).map_err(device::failure)?;
         }
         Ok(opened)
@@ -145,22 +152,28 @@ impl SceneRenderer {
 
     /// Saves what the next frame would continue from.
     fn save(&mut self, plan: &Plan<'_>, chain: Hash, file: &mut Pending) -> Result<()> {
-        let renderer = self.renderers.of(&plan.job.setup.shot)?;
-        if let Some(MethodMemory::Smc(state)) = renderer.memory().map_err(device::failure)? {
-            let saved = Saved {
-                state,
-                chain,
-                setup: plan.job.setup.digest,
-            };
-            state::write(file, &saved)?;
+        match self.state(plan, chain)? {
+            Some(saved) => state::write(file, &saved),
+            None => Ok(()),
         }
-        Ok(())
+    }
+
+    /// What the next frame would continue from.
+    fn state(&mut self, plan: &Plan<'_>, chain: Hash) -> Result<Option<Saved>> {
+        let renderer = self.renderers.of(&plan.job.setup.shot)?;
+        let memory = renderer.memory().map_err(device::failure)?;
+        Ok(memory.map(|memory| Saved {
+            memory,
+            chain,
+            setup: plan.job.setup.digest,
+        }))
     }
 }
 
 impl<'a> Plan<'a> {
     fn new(job: &'a Job, reporter: &Reporter) -> Result<Self> {
-        let (identities, chain) = job.identities()?;
+        let (identities, chains): (Vec<String>, Vec<Hash>) = job.identities()?.into_iter().unzip();
+        let chain = chains.last().copied().unwrap_or(job.chain().hash);
         let stamps: Vec<Stamp> = identities
             .into_iter()
             .zip(&job.frames)
@@ -191,6 +204,8 @@ impl<'a> Plan<'a> {
             computed: Vec::new(),
             state,
             video: None,
+            checkpoint: None,
+            resumed: None,
         };
         plan.plan_video(reporter)?;
         plan.computed = plan.current.iter().map(|current| !current).collect();
@@ -200,6 +215,7 @@ impl<'a> Plan<'a> {
                 None => plan.computed.iter().rposition(|c| *c).map_or(0, |i| i + 1),
             };
             plan.computed[..needed].fill(true);
+            plan.plan_checkpoint(&chains, needed, reporter);
         }
         Ok(plan)
     }
@@ -240,6 +256,26 @@ impl<'a> Plan<'a> {
             encoder,
         });
         Ok(())
+    }
+
+    /// Where states are saved on the way to the first `needed` frames, and from which one the run continues.
+    fn plan_checkpoint(&mut self, chains: &[Hash], needed: usize, reporter: &Reporter) {
+        if needed == 0 || Checkpoint::is_too_large(self.job, needed, reporter) {
+            return;
+        }
+        let missing = self.current[..needed].iter().position(|current| !current);
+        // The last is computed in any case: a state may be wanted after it.
+        let missing = missing.unwrap_or(needed).min(needed - 1);
+        self.checkpoint = Checkpoint::of(self.job);
+        let checkpoint = self.checkpoint.as_ref();
+        if let Some((index, saved)) = checkpoint.and_then(|c| c.find(self.job, chains, missing)) {
+            let frame = self.stamps[index].frame;
+            reporter.remark(&format!(
+                "the run continues from the state that one before it saved after frame {frame}"
+            ));
+            self.computed[..=index].fill(false);
+            self.resumed = Some(saved);
+        }
     }
 
     /// Begins the file of the state, and takes room for it: what cannot be saved is said before anything is rendered.
@@ -348,6 +384,11 @@ fn render_frames(
 ) -> Result<(usize, Chain)> {
     let mut rendered = 0;
     let mut chain = plan.job.chain();
+    if let Some(saved) = &plan.resumed {
+        chain.hash = saved.chain;
+    }
+    let mut checkpoint = plan.checkpoint.clone();
+    let last = plan.computed.iter().rposition(|computed| *computed);
     let mut done = 0;
     for (index, planned) in plan.stamps.iter().enumerate() {
         interrupt::check(|| format!("{done} of {} frames are there", plan.job.count()))?;
@@ -385,6 +426,13 @@ fn render_frames(
                 let image = renderer
                     .render_over(&ready.scene, &light, plate.as_deref(), &settings, &part)
                     .map_err(device::failure)?;
+                if let Some(checkpoint) = &mut checkpoint
+                    && checkpoint.is_due()
+                    && last != Some(index)
+                    && let Some(saved) = ready.state(plan, chain.hash)?
+                {
+                    checkpoint.save(plan.job, &saved, reporter);
+                }
                 match plan.current[index] {
                     // A later frame continues from it, no more.
                     true => Finished::Skipped(planned.frame),

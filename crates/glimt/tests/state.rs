@@ -1,11 +1,14 @@
-//! Host file: frames of the sequential sampler in one run and in several.
+//! Host file: frames that continue from one another, in one run and in several: of the sequential sampler and of light cells.
 
 mod common;
 
 use common::{Scratch, read_exr};
 
+const SMC: &str = "method = \"smc\"\nsmc = { max_age = 6, max_change = 0.9 }\n";
+const CELLS: &str = "method = \"cells\"\ncells.rays = 8\n";
+
 /// A lamp that goes around a glossy ball on a ground.
-fn shot(t: &Scratch) {
+fn shot(t: &Scratch, method: &str) {
     for frame in 1..=12u16 {
         let azimuth = 10.0 + f32::from(frame);
         t.exr(&format!("light.{frame:04}.exr"), 32, 16, |x, y, _| {
@@ -13,16 +16,20 @@ fn shot(t: &Scratch) {
             0.3 + 6.0 * (-0.15 * (dx * dx + dy * dy)).exp()
         });
     }
-    t.put(
-        "shot.toml",
+    let aovs = match method == SMC {
+        true => "\"ess\", \"age\", \"z-ratio\", \"started\", \"z-spread\"",
+        false => "",
+    };
+    let text = format!(
         "[image]\nsize = [40, 24]\nrays_per_pixel = 2\n\
          [probe]\nframes = \"light.####.exr\"\n\
          [[object]]\nmesh = \"sphere\"\nground = true\n\
-         material = { diffuse = [0.3, 0.3, 0.3], specular = [0.5, 0.5, 0.5], exponent = 40 }\n\
+         material = {{ diffuse = [0.3, 0.3, 0.3], specular = [0.5, 0.5, 0.5], exponent = 40 }}\n\
          [[object]]\nmesh = \"plane\"\nscale = 3\n\
-         [render]\nmethod = \"smc\"\nsmc = { max_age = 6, max_change = 0.9 }\n\
-         [output]\npng = false\nvideo = \"\"\naovs = [\"ess\", \"age\", \"z-ratio\", \"started\", \"z-spread\"]\n",
+         [render]\n{method}\
+         [output]\npng = false\nvideo = \"\"\naovs = [{aovs}]\n"
     );
+    t.put("shot.toml", &text);
 }
 
 fn render(t: &Scratch, out: &str, flags: &[&str]) {
@@ -42,22 +49,28 @@ fn same(t: &Scratch, a: &str, b: &str, frame: u32) -> bool {
 }
 
 #[test]
-fn a_saved_state_goes_on_bit_for_bit_and_is_known_again() {
-    let t = Scratch::new("state");
-    shot(&t);
-    render(&t, "whole", &["--frames", "1-8"]);
+fn a_saved_state_continues_bit_for_bit_and_is_known_again() {
+    for (name, method) in [("smc", SMC), ("cells", CELLS)] {
+        let t = Scratch::new(&format!("state-{name}"));
+        shot(&t, method);
+        a_saved_state_continues(&t);
+    }
+}
+
+fn a_saved_state_continues(t: &Scratch) {
+    render(t, "whole", &["--frames", "1-8"]);
     render(
-        &t,
+        t,
         "parts",
         &["--frames", "1-3", "--state-out", "three.state"],
     );
     render(
-        &t,
+        t,
         "parts",
         &["--frames", "4-8", "--state-in", "three.state"],
     );
     for frame in 1..=8 {
-        assert!(same(&t, "whole", "parts", frame), "frame {frame}");
+        assert!(same(t, "whole", "parts", frame), "frame {frame}");
     }
     // All of it is there, whichever way it came about; and a state that is there is not made again.
     t.run(&["render", "shot.toml", "--frames", "1-8", "--out", "parts"])
@@ -89,16 +102,69 @@ fn a_saved_state_goes_on_bit_for_bit_and_is_known_again() {
     ])
     .ok()
     .says(&["1 frame rendered", "7 there already"]);
-    assert!(same(&t, "whole", "parts", 6));
+    assert!(same(t, "whole", "parts", 6));
     // Another start is another frame.
-    render(&t, "other", &["--frames", "5-8"]);
-    assert!(!same(&t, "whole", "other", 6));
+    render(t, "other", &["--frames", "5-8"]);
+    assert!(!same(t, "whole", "other", 6));
+}
+
+/// A run that ends early continues from the state that it saved on its way.
+#[test]
+fn a_run_that_was_stopped_continues_from_its_own_state() {
+    for (name, method) in [("smc", SMC), ("cells", CELLS)] {
+        let t = Scratch::new(&format!("stopped-{name}"));
+        shot(&t, method);
+        for frame in 13..=40 {
+            let light = format!("light.{:04}.exr", (frame - 1) % 12 + 1);
+            std::fs::copy(t.file(&light), t.file(&format!("light.{frame:04}.exr")))
+                .expect("a light");
+        }
+        render(&t, "whole", &["--frames", "1-40"]);
+        let broken = t.file("light.0036.exr");
+        let good = std::fs::read(&broken).expect("a light");
+        std::fs::write(&broken, &good[..good.len() / 2]).expect("a light");
+        let run = ["render", "shot.toml", "--device", "cpu", "--out", "out"];
+        t.run(&[&run[..], &["--frames", "1-40"]].concat())
+            .fails(3, &["light.0036.exr"]);
+        let state = t.file("out/.glimt.state");
+        let saved = std::fs::read(&state).expect("a state");
+        std::fs::write(&broken, &good).expect("a light");
+        // Of other settings, and of a light that has changed since, it is not taken.
+        t.run(&[&run[..], &["--frames", "1-3", "--seed", "9"]].concat())
+            .ok()
+            .says(&["3 frames rendered"]);
+        assert!(!state.exists());
+        std::fs::write(&state, &saved).expect("a state");
+        for frame in 1..=3 {
+            let file = format!("frame.{frame:04}.exr");
+            std::fs::copy(
+                t.file(&format!("whole/{file}")),
+                t.file(&format!("out/{file}")),
+            )
+            .expect("a frame");
+        }
+        t.run(&[&run[..], &["--frames", "1-40"]].concat())
+            .ok()
+            .says(&["continues from the state", "after frame 32"])
+            .says(&["5 frames rendered"]);
+        for frame in 1..=40 {
+            assert!(same(&t, "whole", "out", frame), "{name}, frame {frame}");
+        }
+        assert!(!state.exists());
+        // What is damaged is as good as none.
+        std::fs::remove_file(t.file("out/frame.0034.exr")).expect("a frame");
+        std::fs::write(&state, &saved[..saved.len() / 2]).expect("a state");
+        t.run(&[&run[..], &["--frames", "1-40"]].concat())
+            .ok()
+            .says(&["1 frame rendered"]);
+        assert!(same(&t, "whole", "out", 34));
+    }
 }
 
 #[test]
 fn the_seam_of_a_preroll_closes() {
     let t = Scratch::new("preroll");
-    shot(&t);
+    shot(&t, SMC);
     render(&t, "whole", &["--frames", "1-12"]);
     // The diagnostics come first in the alphabet; the image's green is all that is looked at.
     let green = |folder: &str| {
@@ -129,7 +195,7 @@ fn the_seam_of_a_preroll_closes() {
 #[test]
 fn states_that_do_not_fit_are_refused() {
     let t = Scratch::new("state-bad");
-    shot(&t);
+    shot(&t, SMC);
     render(&t, "out", &["--frames", "1-2", "--state-out", "two.state"]);
     let refused = |flags: &[&str], status: i32, words: &[&str]| {
         let all = [&["render", "shot.toml", "--out", "other"], flags].concat();
@@ -144,12 +210,21 @@ fn states_that_do_not_fit_are_refused() {
     refused(
         &[&state[..], &["--method", "bis", "--set", "output.aovs=[]"]].concat(),
         2,
-        &["--state-in", "smc"],
+        &["--state-in", "--method cells"],
     );
     refused(
         &["--frames", "3-4", "--state-in", "none.state"],
         3,
         &["none.state"],
+    );
+    refused(
+        &[
+            &state[..],
+            &["--method", "cells", "--set", "output.aovs=[]"],
+        ]
+        .concat(),
+        3,
+        &["two.state", "another shot"],
     );
     let bytes = std::fs::read(t.file("two.state")).expect("a state");
     t.put("cut.state", &bytes[..bytes.len() / 2]);
@@ -172,7 +247,7 @@ fn states_that_do_not_fit_are_refused() {
 #[test]
 fn frames_that_stand_alone_are_the_same_in_parts() {
     let t = Scratch::new("parts");
-    shot(&t);
+    shot(&t, SMC);
     for method in ["mis", "bis"] {
         let flags = ["--method", method, "--set", "output.aovs=[]"];
         let (whole, parts) = (format!("{method}-whole"), format!("{method}-parts"));

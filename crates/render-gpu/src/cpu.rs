@@ -6,13 +6,14 @@ mod tiles;
 use glimt_executor::{Chunks, Cpu, Host, Rayon, Serial};
 
 use crate::kernels::smc::SmcHealth;
-use crate::methods::smc::{Following, Own};
-use crate::methods::{Before, Inputs, Method, MethodMemory, Points, Work};
+use crate::methods::cells::Reading;
+use crate::methods::smc::Own;
+use crate::methods::{Inputs, Kept, MethodMemory, Points, Work};
 use crate::prepare::env::PreparedEnv;
+use crate::prepare::past_frame::PastFrame;
 use crate::prepare::plate::Plate;
 use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer};
 use crate::prepare::scene_build::SceneBuffers;
-use crate::prepare::smc_state::PastFrame;
 
 pub use drawing::CpuDrawing;
 use tiles::{Image, Job};
@@ -22,8 +23,8 @@ use tiles::{Image, Job};
 pub struct CpuRenderer {
     /// Pixels in a tile, a run of the image's pixels. It changes no bit of the image, only how work is shared out.
     pub tile_pixels: usize,
-    /// What the sequential sampler continues from.
-    following: Option<Following<Host>>,
+    /// What the next frame continues from.
+    kept: Kept<Host>,
 }
 
 impl Default for CpuRenderer {
@@ -38,24 +39,8 @@ impl CpuRenderer {
     pub fn with_tiles(tile_pixels: usize) -> Self {
         Self {
             tile_pixels,
-            following: None,
+            kept: Kept::Nothing,
         }
-    }
-
-    /// The rays of the frame that is to come, by a method that keeps them.
-    fn begin(
-        &mut self,
-        scene: &SceneBuffers,
-        env: &PreparedEnv,
-        settings: &RenderSettings,
-    ) -> Result<Option<Following<Host>>, RenderError> {
-        let Method::Smc(smc) = &settings.method else {
-            return Ok(None);
-        };
-        let known = self.following.take();
-        let mut begun = Following::begin(known, &Cpu, scene, env, settings, smc)?;
-        begun.clear(&Cpu).map_err(RenderError::device)?;
-        Ok(Some(begun))
     }
 }
 
@@ -74,29 +59,35 @@ impl Renderer for CpuRenderer {
     ) -> Result<FrameImage, RenderError> {
         let whole = settings.frame_params_over(plate)?;
         let light = env.view_for(&settings.method)?;
-        let mut following = self.begin(scene, env, settings)?;
-        let view = following.as_ref().map(|f| f.window(u64::MAX, 0, 0));
+        let known = std::mem::replace(&mut self.kept, Kept::Nothing);
+        let mut kept = known.begin(&Cpu, scene, Some(env), settings)?;
         let job = Job::new(whole, light, scene, plate, settings);
         let inputs = Inputs {
             frame: &whole,
             env: job.env.shorten(),
             scene: job.scene.shorten(),
         };
-        let before = Before::find(&Cpu, &mut Rayon::default(), inputs, settings);
-        let before = before.map_err(RenderError::device)?;
         let mut image = Image::new(settings).map_err(RenderError::device)?;
-        let (own, reading) = match &mut following {
-            Some(following) => {
+        let (mut own, mut view, mut reading, mut counted) = (None, None, None, None);
+        match &mut kept {
+            Kept::Nothing => {}
+            Kept::Cells(counting) => {
+                let found = counting.find(&mut Rayon::default(), inputs);
+                found.map_err(RenderError::device)?;
+                counted = Some(counting.reading());
+            }
+            Kept::Smc(following) => {
+                following.clear(&Cpu).map_err(RenderError::device)?;
+                view = Some(following.window(u64::MAX, 0, 0));
                 let particles = following.particles() as usize;
-                let (now, reading) = following.parts();
-                let own = Own::<Host> {
+                let (now, past) = following.parts();
+                own = Some(Own::<Host> {
                     states: Chunks::new(&mut now.states, 1),
                     particles: Chunks::new(&mut now.particles, particles),
-                };
-                (Some(own), Some(reading))
+                });
+                reading = Some(past);
             }
-            None => (None, None),
-        };
+        }
         let done = job.render(
             self.tile_pixels,
             own,
@@ -109,7 +100,7 @@ impl Renderer for CpuRenderer {
                         let points = Chunks::new(points, 1);
                         Work::Smc(reading.tile(view, tile.pixels, points, own.shorten()))
                     }
-                    (_, _, _, points) => points.work(&before, rays),
+                    (_, _, _, points) => points.work(counted.map(Reading::shorten), rays),
                 };
                 let (env, scene) = (job.env.shorten(), job.scene.shorten());
                 let inputs = Inputs { frame, env, scene };
@@ -119,41 +110,41 @@ impl Renderer for CpuRenderer {
         );
         done.map_err(RenderError::device)?;
         let mut diagnostics = None;
-        if let (Some(mut following), Method::Smc(smc)) = (following, &settings.method) {
-            if settings.diagnostics {
-                let pixels = whole.width * whole.height;
-                let rays = pixels as usize * whole.rays_per_pixel as usize;
-                let mut list = vec![SmcHealth::default(); pixels as usize];
-                let out = Chunks::new(&mut list, 1);
-                following
-                    .diagnose(&mut Rayon::default(), &whole, 0..rays, out, pixels)
-                    .map_err(RenderError::device)?;
-                diagnostics = Some(list);
+        let past = || PastFrame::new(settings, scene, env);
+        match &mut kept {
+            Kept::Cells(counting) if settings.method.has_memory() => {
+                counting.end(&Cpu, past()?).map_err(RenderError::device)?;
             }
-            *following.light_mut() = env.view().texels.to_vec();
-            let past = PastFrame::new(settings, smc, scene, env)?;
-            following.end(past, env.view().map());
-            self.following = Some(following);
+            Kept::Nothing | Kept::Cells(_) => {}
+            Kept::Smc(following) => {
+                if settings.diagnostics {
+                    let pixels = whole.width * whole.height;
+                    let rays = pixels as usize * whole.rays_per_pixel as usize;
+                    let mut list = vec![SmcHealth::default(); pixels as usize];
+                    let out = Chunks::new(&mut list, 1);
+                    following
+                        .diagnose(&mut Rayon::default(), &whole, 0..rays, out, pixels)
+                        .map_err(RenderError::device)?;
+                    diagnostics = Some(list);
+                }
+                *following.light_mut() = env.view().texels.to_vec();
+                following.end(past()?, env.view().map());
+            }
         }
+        self.kept = kept;
         Ok(image.finish(settings, diagnostics))
     }
 
     fn memory(&mut self) -> Result<Option<MethodMemory>, RenderError> {
-        let Some(following) = &self.following else {
-            return Ok(None);
-        };
-        let state = following.read(&Cpu).map_err(RenderError::device)?;
-        Ok(state.map(MethodMemory::Smc))
+        self.kept.read(&Cpu).map_err(RenderError::device)
     }
 
     fn set_memory(&mut self, memory: MethodMemory) -> Result<(), RenderError> {
-        let MethodMemory::Smc(state) = memory;
-        let following = Following::resume(&Cpu, state);
-        self.following = Some(following.map_err(RenderError::device)?);
+        self.kept = Kept::resume(&Cpu, memory).map_err(RenderError::device)?;
         Ok(())
     }
 
     fn forget(&mut self) {
-        self.following = None;
+        self.kept = Kept::Nothing;
     }
 }

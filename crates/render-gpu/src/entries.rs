@@ -108,6 +108,7 @@ const PIXELS: &[(&str, &str)] = &[
     ("see", "seen::see"),
     ("scout", "scout::scout"),
     ("see_in_tile", "scout::see_in_tile"),
+    ("carry", "carry::carry"),
     ("pilot", "pilot::pilot"),
     ("expect", "expect::expect"),
     ("worth", "expect::worth"),

@@ -1,13 +1,15 @@
 //! Host file: frames by groups of a pixel's hits: samples of the product, and a control variate over cells.
 
-use glam::Vec4;
+use glam::{Mat4, Vec3, Vec4};
 use glimt_executor::gpu::GpuBuffer;
 use glimt_render_gpu::gpu::Arg;
 use glimt_render_gpu::kernels::cell_state::{
     COUNT_WORDS, ENTRIES, TileEntry, VISIBILITY_WORDS, WORTHS,
 };
+use glimt_render_gpu::kernels::past::PastView;
+use glimt_render_gpu::kernels::scout::CellParams;
 use glimt_render_gpu::kernels::seen::{self, SeenPoint};
-use glimt_render_gpu::kernels::{cells, expect, pilot, product, scout};
+use glimt_render_gpu::kernels::{carry, cells, expect, pilot, product, scout};
 use glimt_render_gpu::methods::{Cells, Product};
 use glimt_render_gpu::prepare::render::{Pattern, Tonemap};
 
@@ -64,29 +66,55 @@ impl Stage<'_> {
             pilot: 0.5,
             ..Cells::default()
         };
-        let own = of_cells.params(SIZE);
+        let first = of_cells.params(SIZE);
         let method = of_cells.into();
         let env = self.env.view_for(&method).expect("all tables");
         let (scene, rays) = (self.scene.view(), PIXELS * RAYS);
-        let tiles = own.tiles;
+        let tiles = first.tiles;
         let all = (tiles * ENTRIES) as usize;
-        let mut entries = vec![TileEntry::NONE; all];
-        let mut counts = vec![0_u32; all * COUNT_WORDS as usize];
         let words_of_all = all * VISIBILITY_WORDS as usize;
         let mut visibility = vec![0_u32; words_of_all + WORTHS as usize];
         let per_tile = |words: u32| (ENTRIES * words) as usize;
-        for (tile, entries) in (0..).zip(entries.chunks_mut(per_tile(1))) {
-            scout::scout(tile, &frame, &own, scene, entries);
-        }
-        for (tile, counts) in (0..).zip(counts.chunks_mut(per_tile(COUNT_WORDS))) {
-            pilot::pilot(tile, &frame, &own, env, scene, &entries, counts);
-        }
+        // A frame before, which was seen from another place.
+        let camera = settings(Pattern::OwenSobol, Tonemap::Srgb).view();
+        let mut view = PastView::of(&camera.expect("a camera"));
+        view.eye += 0.05 * view.right;
+        let motions = vec![Mat4::from_translation(0.03 * Vec3::X); self.scene.transforms().len()];
+        let count = |own: &CellParams, past_entries: &[TileEntry], past_counts: &[u32]| {
+            let mut entries = vec![TileEntry::NONE; all];
+            let mut counts = vec![0_u32; all * COUNT_WORDS as usize];
+            for (tile, entries) in (0..).zip(entries.chunks_mut(per_tile(1))) {
+                scout::scout(tile, &frame, own, scene, entries);
+                carry::carry(
+                    tile,
+                    &frame,
+                    own,
+                    &view,
+                    env,
+                    &motions,
+                    past_entries,
+                    past_counts,
+                    entries,
+                );
+            }
+            for (tile, counts) in (0..).zip(counts.chunks_mut(per_tile(COUNT_WORDS))) {
+                pilot::pilot(tile, &frame, own, env, scene, &entries, past_counts, counts);
+            }
+            (entries, counts)
+        };
+        let (past_entries, past_counts) = count(&first, &[], &[]);
+        let own = CellParams {
+            has_past: 1,
+            turned: 1,
+            ..first
+        };
+        let (entries, counts) = count(&own, &past_entries, &past_counts);
         let own_words = visibility[..words_of_all].chunks_mut(per_tile(VISIBILITY_WORDS));
         for (tile, words) in (0..).zip(own_words) {
             expect::expect(tile, &own, &entries, &counts, words);
         }
         let worths: Vec<f32> = (0..tiles)
-            .map(|tile| expect::worth(tile, env, &entries, &visibility))
+            .map(|tile| expect::worth(tile, &frame, env, &entries, &visibility))
             .collect();
         for part in 0..WORTHS {
             visibility[words_of_all + part as usize] =
@@ -122,6 +150,19 @@ impl Stage<'_> {
         let out = Output::new::<Vec4>(self.context, rays);
         let parts = WORTHS;
         let params = [("cells", value(&own)), ("parts", value(&parts))];
+        let held = |words: &[u32]| -> GpuBuffer {
+            let buffer = self.context.buffer_of("past", words);
+            buffer.expect("a small buffer")
+        };
+        let gpu_past_entries = held(bytemuck::cast_slice(&past_entries));
+        let gpu_past_counts = held(&past_counts);
+        let gpu_motions = held(bytemuck::cast_slice(&motions));
+        let past = [
+            ("view", value(&view)),
+            ("motions", Arg::Buffer(&gpu_motions)),
+            ("past_entries", Arg::Buffer(&gpu_past_entries)),
+            ("past_counts", Arg::Buffer(&gpu_past_counts)),
+        ];
         let entries = [("entries", Arg::Buffer(&gpu_entries))];
         let run = |kernel: &str, more: &[(&str, Arg<'_>)], out: &Output, count: u32| {
             let more = [&params[..], more].concat();
@@ -129,10 +170,11 @@ impl Stage<'_> {
         };
         let written = [("entries", Arg::Chunk(&gpu_entries, ENTRIES))];
         run("scout::scout", &written, &out, tiles);
+        run("carry::carry", &[&past[..], &written].concat(), &out, tiles);
         let written = [("counts", Arg::Chunk(&gpu_counts, ENTRIES * COUNT_WORDS))];
         run(
             "pilot::pilot",
-            &[&entries[..], &written].concat(),
+            &[&entries[..], &past[3..], &written].concat(),
             &out,
             tiles,
         );

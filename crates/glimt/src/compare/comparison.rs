@@ -57,7 +57,7 @@ impl<'a> Comparison<'a> {
                 .frames
                 .iter()
                 .copied()
-                .zip(job.identities()?.0)
+                .zip(job.identities()?.into_iter().map(|(identity, _)| identity))
                 .collect(),
             seeds: flags.seeds,
             folder: kept.to_owned(),

@@ -7,11 +7,13 @@ use crate::cli::RenderFlags;
 use crate::error::{Error, Kind, Result};
 use crate::input::footage;
 use crate::job::probe_files;
+use crate::memory;
 use crate::notes::Notes;
 use crate::report::Reporter;
 use crate::setup::Setup;
 use crate::shot::parse::Source;
 use crate::shot::{Shot, check, parse, range};
+use glam::UVec2;
 use glimt_render_gpu::gpu;
 use serde_json::json;
 use std::path::Path;
@@ -50,10 +52,22 @@ fn shot(file: &Path, set: &[String], notes: &mut Notes) -> Result<(serde_json::V
     let value = serde_json::to_value(&shot).map_err(|e| fail(&e))?;
     // By way of JSON floats would turn into doubles with all their digits; TOML takes the shot itself.
     let mut text = toml::to_string(&shot).map_err(|e| fail(&e))?;
+    text.extend(kept(&shot).map(|line| format!("# {line}\n")));
     for line in motion(shot, source, notes)? {
         text.push_str(&format!("# {line}\n"));
     }
     Ok((value, text))
+}
+
+/// What the shot's method keeps from frame to frame, if it keeps anything.
+fn kept(shot: &Shot) -> Option<String> {
+    let (method, size) = (shot.render.estimator()?, UVec2::from(shot.image.size));
+    let all = method.kept_bytes(size, shot.image.rays_per_pixel).all;
+    let of_pixel = all as f64 / f64::from(size.x) / f64::from(size.y);
+    let (word, twice) = (method.word(), memory::in_words(2 * all));
+    (all > 0).then(|| {
+        format!("the method \"{word}\" keeps {of_pixel:.1} bytes of a pixel from frame to frame; two sets take {twice}")
+    })
 }
 
 /// What moves in a shot: objects, and the camera at its keys or at both ends. A shot whose meshes are not all there says nothing.

@@ -1,7 +1,7 @@
-//! Host file: what the sequential sampler continues from, saved between runs: `--state-out` and `--state-in`.
+//! Host file: what a method continues from, saved between runs: `--state-out` and `--state-in`.
 //!
-//! A line of text that names the format, the length of a header, the header in JSON, then light map, rays and particles as they
-//! lie in memory (little-endian), and the SHA-256 of all of it.
+//! A line of text that names the format, the length of a header, the header in JSON, then arrays as they lie in memory (little-endian),
+//! and the SHA-256 of all of it. The arrays of `cells` are entries and counts; those of `smc` light map, rays and particles.
 
 use super::atomic::{Pending, prepare_folder_of};
 use super::target::{Guard, Target};
@@ -9,8 +9,14 @@ use crate::error::{Error, Result};
 use crate::shot::digest::Hash;
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
 use glimt_render_gpu::kernels::camera::CameraView;
+use glimt_render_gpu::kernels::cell_state::{
+    COUNT_WORDS, ENTRIES, TILE_HEIGHT, TILE_WIDTH, TileEntry,
+};
 use glimt_render_gpu::kernels::past::RayState;
-use glimt_render_gpu::prepare::smc_state::{PastFrame, SmcKey, SmcState};
+use glimt_render_gpu::methods::{Method, MethodMemory};
+use glimt_render_gpu::prepare::cells_state::{CellsKey, CellsState};
+use glimt_render_gpu::prepare::past_frame::PastFrame;
+use glimt_render_gpu::prepare::smc_state::{SmcKey, SmcState};
 use glimt_smc::Particle;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -18,7 +24,7 @@ use std::fs::File;
 use std::io::{Read, Write};
 use std::path::Path;
 
-const MAGIC: &[u8] = b"glimt sequential sampler 1\n";
+const MAGIC: &[u8] = b"glimt state of a method 2\n";
 
 /// Where a state may be written: where nothing is, or another state.
 ///
@@ -33,7 +39,7 @@ pub fn target(guard: &Guard, file: &Path) -> Result<Target> {
         Some(start == MAGIC)
     };
     if is_there && is_state() != Some(true) {
-        let what = "it is there already, and it is not a state of the sequential sampler";
+        let what = "it is there already, and it is not a state of this version";
         return Err(Error::usage(what)
             .file(file)
             .fix("name another with --state-out"));
@@ -43,23 +49,41 @@ pub fn target(guard: &Guard, file: &Path) -> Result<Target> {
     Ok(target)
 }
 
-/// The most bytes of a state: of a light of `texels` texels, of `rays` rays with `particles` particles each, and of `objects` objects.
+/// The most bytes of a state by a method: of a light of `texels` texels, of an image of a size with `rays_per_pixel` rays a pixel, and of
+/// `objects` objects.
 #[must_use]
-pub fn bytes(texels: u64, rays: u64, particles: u64, objects: u64) -> u64 {
+pub fn bytes(method: &Method, texels: u64, size: UVec2, rays_per_pixel: u32, objects: u64) -> u64 {
     let header = 4096 + 32 * 16 * objects;
-    let set = size_of::<RayState>() as u64 + particles * size_of::<Particle>() as u64;
-    header + texels * size_of::<Vec4>() as u64 + rays * set
+    let light = match method {
+        Method::Smc(_) => texels * size_of::<Vec4>() as u64,
+        _ => 0,
+    };
+    header + light + method.kept_bytes(size, rays_per_pixel).all
+}
+
+/// Entries of the tiles of an image.
+fn entries(size: UVec2) -> usize {
+    let (across, down) = (size.x.div_ceil(TILE_WIDTH), size.y.div_ceil(TILE_HEIGHT));
+    across as usize * down as usize * ENTRIES as usize
 }
 
 /// A saved state.
 #[derive(Clone, Debug)]
 pub struct Saved {
     /// The state.
-    pub state: SmcState,
+    pub memory: MethodMemory,
     /// Hash of everything that it came from: shot, lights, frames.
     pub chain: Hash,
     /// Hash of the shot and its meshes.
     pub setup: Hash,
+}
+
+impl Saved {
+    /// The number of the frame that it is of.
+    #[must_use]
+    pub fn frame(&self) -> i32 {
+        past_of(&self.memory).map_or(0, |past| past.frame.cast_signed())
+    }
 }
 
 /// What stands before the arrays.
@@ -67,11 +91,8 @@ pub struct Saved {
 struct Header {
     chain: Hash,
     setup: Hash,
+    key: Key,
     frame: i32,
-    size: [u32; 2],
-    rays_per_pixel: u32,
-    particles: u32,
-    seed: u32,
     /// Eye, forward, right, up.
     view: [[f32; 3]; 4],
     transforms: Vec<[f32; 16]>,
@@ -80,27 +101,79 @@ struct Header {
     light_mean: f32,
 }
 
+/// The method, and what frames must have in common.
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
+#[serde(tag = "method", rename_all = "lowercase")]
+enum Key {
+    Cells {
+        size: [u32; 2],
+        seed: u32,
+    },
+    Smc {
+        size: [u32; 2],
+        rays_per_pixel: u32,
+        particles: u32,
+        seed: u32,
+    },
+}
+
+impl Key {
+    fn of(memory: &MethodMemory) -> Option<Self> {
+        match memory {
+            MethodMemory::Cells(state) => Some(Self::Cells {
+                size: state.key.size.to_array(),
+                seed: state.key.seed,
+            }),
+            MethodMemory::Smc(state) => Some(Self::Smc {
+                size: state.key.size.to_array(),
+                rays_per_pixel: state.key.rays_per_pixel,
+                particles: state.key.particles,
+                seed: state.key.seed,
+            }),
+            _ => None,
+        }
+    }
+}
+
+fn past_of(memory: &MethodMemory) -> Option<&PastFrame> {
+    match memory {
+        MethodMemory::Cells(state) => Some(&state.past),
+        MethodMemory::Smc(state) => Some(&state.past),
+        _ => None,
+    }
+}
+
+fn arrays_of(memory: &MethodMemory) -> Vec<&[u8]> {
+    match memory {
+        MethodMemory::Cells(state) => vec![
+            bytemuck::cast_slice(&state.entries),
+            bytemuck::cast_slice(&state.counts),
+        ],
+        MethodMemory::Smc(state) => vec![
+            bytemuck::cast_slice(&state.light),
+            bytemuck::cast_slice(&state.rays),
+            bytemuck::cast_slice(&state.particles),
+        ],
+        _ => Vec::new(),
+    }
+}
+
 /// Writes a state, and gives its file the name.
 ///
 /// # Errors
 /// The file cannot be written.
 pub fn write(pending: &mut Pending, saved: &Saved) -> Result<()> {
-    let past = &saved.state.past;
+    let pair = Key::of(&saved.memory).zip(past_of(&saved.memory));
+    let (key, past) = pair.ok_or_else(|| {
+        Error::usage("this version has no file for what the method keeps").file(pending.target())
+    })?;
+    let view = &past.view;
     let header = Header {
         chain: saved.chain,
         setup: saved.setup,
+        key,
         frame: past.frame.cast_signed(),
-        size: past.key.size.to_array(),
-        rays_per_pixel: past.key.rays_per_pixel,
-        particles: past.key.particles,
-        seed: past.key.seed,
-        view: [
-            past.view.eye,
-            past.view.forward,
-            past.view.right,
-            past.view.up,
-        ]
-        .map(|v| v.to_array()),
+        view: [view.eye, view.forward, view.right, view.up].map(|v| v.to_array()),
         transforms: past.transforms.iter().map(Mat4::to_cols_array).collect(),
         light_size: past.light_size.to_array(),
         light_rotation: past.light_rotation.to_array(),
@@ -108,16 +181,9 @@ pub fn write(pending: &mut Pending, saved: &Saved) -> Result<()> {
     };
     let header = serde_json::to_vec(&header).expect("a header is plain data");
     let length = (header.len() as u32).to_le_bytes();
-    let parts: [&[u8]; 6] = [
-        MAGIC,
-        &length,
-        &header,
-        bytemuck::cast_slice(&saved.state.light),
-        bytemuck::cast_slice(&saved.state.rays),
-        bytemuck::cast_slice(&saved.state.particles),
-    ];
+    let before: [&[u8]; 3] = [MAGIC, &length, &header];
     let mut hasher = Sha256::new();
-    for part in parts {
+    for part in before.into_iter().chain(arrays_of(&saved.memory)) {
         hasher.update(part);
         pending.write_all(part).map_err(|e| pending.error(&e))?;
     }
@@ -157,11 +223,8 @@ fn header(bytes: &[u8]) -> Option<(Header, &[u8])> {
 pub fn read(file: &Path) -> Result<Saved> {
     let bytes = std::fs::read(file).map_err(|e| Error::reading(file, &e))?;
     let none_of_ours = || {
-        Error::input(
-            file,
-            "it is not a state of the sequential sampler that this version knows",
-        )
-        .fix("write it again with --state-out")
+        Error::input(file, "it is not a state that this version knows")
+            .fix("write it again with --state-out")
     };
     let broken = || {
         Error::input(file, "the state is damaged or cut short")
@@ -175,50 +238,78 @@ pub fn read(file: &Path) -> Result<Saved> {
         return Err(broken());
     }
     let (header, arrays) = header(whole).ok_or_else(none_of_ours)?;
-    let pixels = header.size.iter().map(|n| *n as usize).product::<usize>();
-    let rays = pixels * header.rays_per_pixel as usize;
-    let texels = header.light_size.iter().map(|n| *n as usize).product();
-    let (light, arrays) = take::<Vec4>(arrays, texels).ok_or_else(broken)?;
-    let (states, arrays) = take::<RayState>(arrays, rays).ok_or_else(broken)?;
-    let sets = rays * header.particles as usize;
-    let (particles, arrays) = take::<Particle>(arrays, sets).ok_or_else(broken)?;
-    if !arrays.is_empty() {
-        return Err(broken());
-    }
     let [eye, forward, right, up] = header.view.map(Vec3::from);
+    let transforms = header.transforms.iter().map(Mat4::from_cols_array);
+    let past = PastFrame {
+        frame: header.frame.cast_unsigned(),
+        view: CameraView {
+            eye,
+            forward,
+            right,
+            up,
+        },
+        transforms: transforms.collect(),
+        light_size: UVec2::from(header.light_size),
+        light_rotation: Vec2::from(header.light_rotation),
+        light_mean: header.light_mean,
+    };
     Ok(Saved {
         chain: header.chain,
         setup: header.setup,
-        state: SmcState {
-            past: PastFrame {
-                key: SmcKey {
-                    size: UVec2::from(header.size),
-                    rays_per_pixel: header.rays_per_pixel,
-                    particles: header.particles,
-                    seed: header.seed,
-                    objects: header.transforms.len() as u32,
-                },
-                frame: header.frame.cast_unsigned(),
-                view: CameraView {
-                    eye,
-                    forward,
-                    right,
-                    up,
-                },
-                transforms: header
-                    .transforms
-                    .iter()
-                    .map(Mat4::from_cols_array)
-                    .collect(),
-                light_size: UVec2::from(header.light_size),
-                light_rotation: Vec2::from(header.light_rotation),
-                light_mean: header.light_mean,
-            },
-            light,
-            rays: states,
-            particles,
-        },
+        memory: memory(header.key, past, arrays).ok_or_else(broken)?,
     })
+}
+
+/// What the arrays hold; `None` where they are of another length.
+fn memory(key: Key, past: PastFrame, arrays: &[u8]) -> Option<MethodMemory> {
+    let objects = past.transforms.len() as u32;
+    let (memory, rest) = match key {
+        Key::Cells { size, seed } => {
+            let size = UVec2::from(size);
+            let count = entries(size);
+            let (entries, arrays) = take::<TileEntry>(arrays, count)?;
+            let (counts, rest) = take::<u32>(arrays, count * COUNT_WORDS as usize)?;
+            let state = CellsState {
+                key: CellsKey {
+                    size,
+                    seed,
+                    objects,
+                },
+                past,
+                entries,
+                counts,
+            };
+            (MethodMemory::Cells(state), rest)
+        }
+        Key::Smc {
+            size,
+            rays_per_pixel,
+            particles,
+            seed,
+        } => {
+            let pixels = size.iter().map(|n| *n as usize).product::<usize>();
+            let count = pixels * rays_per_pixel as usize;
+            let texels = past.light_size.x as usize * past.light_size.y as usize;
+            let (light, arrays) = take::<Vec4>(arrays, texels)?;
+            let (rays, arrays) = take::<RayState>(arrays, count)?;
+            let (sets, rest) = take::<Particle>(arrays, count * particles as usize)?;
+            let state = SmcState {
+                key: SmcKey {
+                    size: UVec2::from(size),
+                    rays_per_pixel,
+                    particles,
+                    seed,
+                    objects,
+                },
+                past,
+                light,
+                rays,
+                particles: sets,
+            };
+            (MethodMemory::Smc(state), rest)
+        }
+    };
+    rest.is_empty().then_some(memory)
 }
 
 /// The first `count` values of some bytes, and the bytes after them.

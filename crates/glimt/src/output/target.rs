@@ -189,6 +189,7 @@ fn has_stamp(bytes: &[u8]) -> bool {
         _ => [
             COMMENT,
             "# glimt ",
+            "glimt state of a method ",
             "glimt sequential sampler ",
             "glimtMO",
             "[\"glimt ",

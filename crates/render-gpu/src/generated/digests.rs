@@ -3,7 +3,7 @@
 //! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 /// SHA-256, in hexadecimal, of the shaders that the pixels of a rendered frame depend on.
-pub const PIXELS: &str = "e71811b6e961941d66b2fdcd615fcf22a49d58d5b0c69a3617ae6868c47bfe8c";
+pub const PIXELS: &str = "3b76432ebf4580b7b55fa9b47474beb2f408c25355df302b73d2bd1d955789df";
 
 /// SHA-256, in hexadecimal, of the shaders that precomputed transfer depend on.
 pub const BAKE: &str = "cc4db5aee828b1dcdc8ea3b6acbd42799bc9ec92ddf22686b61bf49327b4bf04";

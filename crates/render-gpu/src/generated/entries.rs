@@ -242,6 +242,33 @@ pub static SEE_IN_TILE: Entry = Entry {
     ]),
 };
 
+/// `carry::carry` as a compute entry point.
+pub static CARRY: Entry = Entry {
+    name: Borrowed("carry"),
+    kernel: Borrowed("glimt_render_gpu::kernels::carry::carry"),
+    wgsl: Borrowed(include_str!("carry.wgsl")),
+    workgroup_size: 64,
+    params_size: 336,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("entries_len", 8, 4),
+        ParamField::new("frame", 16, 208),
+        ParamField::new("cells", 224, 32),
+        ParamField::new("view", 256, 64),
+        ParamField::new("env.size", 320, 8),
+        ParamField::new("env.rotation", 328, 8),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("env.tables", 1, 4, false),
+        BufferSlot::new("motions", 2, 64, false),
+        BufferSlot::new("past_entries", 3, 64, false),
+        BufferSlot::new("past_counts", 4, 4, false),
+        BufferSlot::new("entries", 5, 64, true),
+    ]),
+};
+
 /// `pilot::pilot` as a compute entry point.
 pub static PILOT: Entry = Entry {
     name: Borrowed("pilot"),
@@ -266,7 +293,8 @@ pub static PILOT: Entry = Entry {
         BufferSlot::new("scene.corners", 4, 32, false),
         BufferSlot::new("scene.surface", 5, 4, false),
         BufferSlot::new("entries", 6, 64, false),
-        BufferSlot::new("counts", 7, 4, true),
+        BufferSlot::new("past_counts", 7, 4, false),
+        BufferSlot::new("counts", 8, 4, true),
     ]),
 };
 
@@ -297,13 +325,14 @@ pub static WORTH: Entry = Entry {
     kernel: Borrowed("glimt_render_gpu::kernels::expect::worth"),
     wgsl: Borrowed(include_str!("worth.wgsl")),
     workgroup_size: 64,
-    params_size: 32,
+    params_size: 240,
     params_space: ParamsSpace::Uniform,
     params: Borrowed(&[
         ParamField::new("first", 0, 4),
         ParamField::new("count", 4, 4),
-        ParamField::new("env.size", 8, 8),
-        ParamField::new("env.rotation", 16, 8),
+        ParamField::new("frame", 16, 208),
+        ParamField::new("env.size", 224, 8),
+        ParamField::new("env.rotation", 232, 8),
     ]),
     buffers: Borrowed(&[
         BufferSlot::new("env.tables", 1, 4, false),

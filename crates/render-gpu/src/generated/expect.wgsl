@@ -5,23 +5,25 @@ struct TileEntry {
     surface: u32,
     normal: vec3<f32>,
     exponent: f32,
-    wo: vec3<f32>,
-    hits: u32,
     diffuse: f32,
     specular: f32,
+    hits: u32,
     off_centre: f32,
-    unused: u32,
+    from_: u32,
+    pilots: u32,
+    unused_a: u32,
+    unused_b: u32,
 }
 
 struct CellParams {
     rays: f32,
     pilot: f32,
+    upkeep: f32,
     tiles_across: u32,
     tiles: u32,
     is_adaptive: u32,
-    unused_a: u32,
-    unused_b: u32,
-    unused_c: u32,
+    has_past: u32,
+    turned: u32,
 }
 
 struct Tuple_u32_u32_ {
@@ -45,19 +47,19 @@ var<storage, read_write> visibility_1: array<u32>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/cell_state.rs:86
+// glimt_render_gpu/src/kernels/cell_state.rs:98
 fn bytes_of(word: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:87
+    // glimt_render_gpu/src/kernels/cell_state.rs:99
     return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:118
+// glimt_render_gpu/src/kernels/cell_state.rs:200
 fn pack(visibility: vec4<f32>) -> u32 {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:119
+    // glimt_render_gpu/src/kernels/cell_state.rs:201
     let codes = vec4<u32>(((clamp(visibility, vec4(0f), vec4(1f)) * 255f) + vec4(0.5f)));
-    // glimt_render_gpu/src/kernels/cell_state.rs:120
+    // glimt_render_gpu/src/kernels/cell_state.rs:202
     return (((codes.x | (codes.y << 8u)) | (codes.z << 16u)) | (codes.w << 24u));
 }
 

@@ -1933,46 +1933,46 @@ fn Triangle_object_index(this_23: Triangle) -> u32 {
     return (this_23.object & 536870911u);
 }
 
-// glimt_render_gpu/src/kernels/past.rs:109
+// glimt_render_gpu/src/kernels/past.rs:125
 fn PastView_project(this_24: PastView, was_at: vec3<f32>, size_2: vec2<f32>) -> Option_Vec3_ {
 
-    // glimt_render_gpu/src/kernels/past.rs:110
+    // glimt_render_gpu/src/kernels/past.rs:126
     let v_6 = (was_at - this_24.eye);
-    // glimt_render_gpu/src/kernels/past.rs:111
+    // glimt_render_gpu/src/kernels/past.rs:127
     let along = dot(v_6, this_24.forward);
-    // glimt_render_gpu/src/kernels/past.rs:112
+    // glimt_render_gpu/src/kernels/past.rs:128
     if !((along > 0f)) {
-        // glimt_render_gpu/src/kernels/past.rs:113
+        // glimt_render_gpu/src/kernels/past.rs:129
         return Option_Vec3_();
     }
-    // glimt_render_gpu/src/kernels/past.rs:115
+    // glimt_render_gpu/src/kernels/past.rs:131
     let x_9 = (dot(v_6, this_24.right) / (along * dot(this_24.right, this_24.right)));
-    // glimt_render_gpu/src/kernels/past.rs:116
+    // glimt_render_gpu/src/kernels/past.rs:132
     let y_3 = (dot(v_6, this_24.up) / (along * dot(this_24.up, this_24.up)));
-    // glimt_render_gpu/src/kernels/past.rs:117
+    // glimt_render_gpu/src/kernels/past.rs:133
     let place_3 = (vec2<f32>((0.5f + (0.5f * x_9)), (0.5f - (0.5f * y_3))) * size_2);
-    // glimt_render_gpu/src/kernels/past.rs:118
+    // glimt_render_gpu/src/kernels/past.rs:134
     return Option_Vec3_(true, vec3<f32>(place_3, length(v_6)));
 }
 
-// glimt_render_gpu/src/kernels/past.rs:126
+// glimt_render_gpu/src/kernels/past.rs:142
 fn PastView_predecessor(this_25: PastView, point: ShadingPoint, object: u32, frame_2: FrameParams, pattern_1: PixelPattern) -> Option_u32_ {
     var chosen_12: vec3<f32>;
     var chosen_13: u32;
     var chosen_14: Option_u32_;
 
-    // glimt_render_gpu/src/kernels/past.rs:134
+    // glimt_render_gpu/src/kernels/past.rs:150
     if (this_25.pixels == 0u) {
-        // glimt_render_gpu/src/kernels/past.rs:135
+        // glimt_render_gpu/src/kernels/past.rs:151
         return Option_u32_();
     }
-    // glimt_render_gpu/src/kernels/past.rs:137
+    // glimt_render_gpu/src/kernels/past.rs:153
     let motion = past_motions[object];
-    // glimt_render_gpu/src/kernels/past.rs:138
+    // glimt_render_gpu/src/kernels/past.rs:154
     let was_at_1 = (motion * vec4<f32>(point.origin, 1f)).xyz;
-    // glimt_render_gpu/src/kernels/past.rs:139
+    // glimt_render_gpu/src/kernels/past.rs:155
     let size_3 = vec2<f32>(f32(frame_2.width), f32(frame_2.height));
-    // glimt_render_gpu/src/kernels/past.rs:140
+    // glimt_render_gpu/src/kernels/past.rs:156
     let _e29 = PastView_project(this_25, was_at_1, size_3);
     let value = _e29.value;
     if _e29.is_some {
@@ -1981,51 +1981,51 @@ fn PastView_predecessor(this_25: PastView, point: ShadingPoint, object: u32, fra
         return Option_u32_();
     }
     let seen = chosen_12;
-    // glimt_render_gpu/src/kernels/past.rs:141
+    // glimt_render_gpu/src/kernels/past.rs:157
     let own = vec2<f32>(f32((pattern_1.pixel % frame_2.width)), f32((pattern_1.pixel / frame_2.width)));
-    // glimt_render_gpu/src/kernels/past.rs:145
+    // glimt_render_gpu/src/kernels/past.rs:161
     let off = (seen.xy - own);
-    // glimt_render_gpu/src/kernels/past.rs:146
+    // glimt_render_gpu/src/kernels/past.rs:162
     let still = ((min(off.x, off.y) > -0.015625f) && (max(off.x, off.y) < (1f + 0.015625f)));
-    // glimt_render_gpu/src/kernels/past.rs:147
+    // glimt_render_gpu/src/kernels/past.rs:163
     let in_image = ((((seen.x >= 0f) && (seen.y >= 0f)) && (seen.x < size_3.x)) && (seen.y < size_3.y));
-    // glimt_render_gpu/src/kernels/past.rs:148
+    // glimt_render_gpu/src/kernels/past.rs:164
     if (!(still) && !(in_image)) {
-        // glimt_render_gpu/src/kernels/past.rs:149
+        // glimt_render_gpu/src/kernels/past.rs:165
         return Option_u32_();
     }
-    // glimt_render_gpu/src/kernels/past.rs:151
+    // glimt_render_gpu/src/kernels/past.rs:167
     if still {
-        // glimt_render_gpu/src/kernels/past.rs:152
+        // glimt_render_gpu/src/kernels/past.rs:168
         chosen_13 = pattern_1.pixel;
     } else {
-        // glimt_render_gpu/src/kernels/past.rs:154
+        // glimt_render_gpu/src/kernels/past.rs:170
         chosen_13 = ((u32(seen.y) * frame_2.width) + u32(seen.x));
     }
     let pixel_4 = chosen_13;
-    // glimt_render_gpu/src/kernels/past.rs:156
+    // glimt_render_gpu/src/kernels/past.rs:172
     if ((pixel_4 < this_25.first_pixel) || ((pixel_4 - this_25.first_pixel) >= this_25.pixels)) {
-        // glimt_render_gpu/src/kernels/past.rs:157
+        // glimt_render_gpu/src/kernels/past.rs:173
         return Option_u32_();
     }
-    // glimt_render_gpu/src/kernels/past.rs:159
+    // glimt_render_gpu/src/kernels/past.rs:175
     let ray_14 = (((pixel_4 - this_25.first_pixel) * pattern_1.rays) + pattern_1.ray);
-    // glimt_render_gpu/src/kernels/past.rs:160
+    // glimt_render_gpu/src/kernels/past.rs:176
     let state_1 = past_states[ray_14];
-    // glimt_render_gpu/src/kernels/past.rs:161
+    // glimt_render_gpu/src/kernels/past.rs:177
     let turned = normalize((motion * vec4<f32>(point.frame.n, 0f)).xyz);
-    // glimt_render_gpu/src/kernels/past.rs:163
+    // glimt_render_gpu/src/kernels/past.rs:179
     let saw = (this_25.eye - (state_1.wo * state_1.depth));
-    // glimt_render_gpu/src/kernels/past.rs:164
+    // glimt_render_gpu/src/kernels/past.rs:180
     let off_plane = abs(dot((was_at_1 - saw), state_1.normal));
-    // glimt_render_gpu/src/kernels/past.rs:165
+    // glimt_render_gpu/src/kernels/past.rs:181
     let same_plane = (off_plane <= (this_25.depth_tolerance * seen.z));
-    // glimt_render_gpu/src/kernels/past.rs:166
+    // glimt_render_gpu/src/kernels/past.rs:182
     if (((state_1.depth > 0f) && same_plane) && (dot(turned, state_1.normal) >= this_25.normal_cosine)) {
-        // glimt_render_gpu/src/kernels/past.rs:167
+        // glimt_render_gpu/src/kernels/past.rs:183
         chosen_14 = Option_u32_(true, ray_14);
     } else {
-        // glimt_render_gpu/src/kernels/past.rs:169
+        // glimt_render_gpu/src/kernels/past.rs:185
         chosen_14 = Option_u32_();
     }
     let _e158 = chosen_14;

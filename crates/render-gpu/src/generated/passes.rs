@@ -860,6 +860,78 @@ impl<'a, M: Memory> Pass for SeeInTile<'a, M> {
     }
 }
 
+/// `carry::carry` with its arguments.
+pub struct Carry<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `cells`.
+    pub cells: &'a crate::kernels::scout::CellParams,
+    /// The kernel's `view`.
+    pub view: &'a crate::kernels::past::PastView,
+    /// The kernel's `env`.
+    pub env: EnvironmentArg<'a, M>,
+    /// The kernel's `motions`.
+    pub motions: M::Slice<'a, glam::Mat4>,
+    /// The kernel's `past_entries`.
+    pub past_entries: M::Slice<'a, crate::kernels::cell_state::TileEntry>,
+    /// The kernel's `past_counts`.
+    pub past_counts: M::Slice<'a, u32>,
+    /// The kernel's own `entries`.
+    pub entries: M::Chunks<'a, crate::kernels::cell_state::TileEntry>,
+}
+
+impl<'a, M: Memory> Pass for Carry<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::CARRY
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(3, self.frame);
+        binder.value(4, self.cells);
+        binder.value(5, self.view);
+        binder.value(6, &self.env.size);
+        binder.value(7, &self.env.rotation);
+        binder.slice(0, self.env.tables);
+        binder.slice(1, self.motions);
+        binder.slice(2, self.past_entries);
+        binder.slice(3, self.past_counts);
+        binder.chunks(4, 2, &self.entries);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.entries)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (entries, rest_of_entries) = M::split_at(self.entries, at);
+        (
+            Self { frame: self.frame, cells: self.cells, view: self.view, env: self.env, motions: self.motions, past_entries: self.past_entries, past_counts: self.past_counts, entries },
+            Self { frame: self.frame, cells: self.cells, view: self.view, env: self.env, motions: self.motions, past_entries: self.past_entries, past_counts: self.past_counts, entries: rest_of_entries },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let env = self.env.view();
+        let motions = M::values(self.motions);
+        let past_entries = M::values(self.past_entries);
+        let past_counts = M::values(self.past_counts);
+        for (id, entries) in (first..).zip(M::each(self.entries)) {
+            crate::kernels::carry::carry(id, self.frame, self.cells, self.view, env, motions, past_entries, past_counts, entries);
+        }
+    }
+}
+
 /// `pilot::pilot` with its arguments.
 pub struct Pilot<'a, M: Memory> {
     /// The kernel's `frame`.
@@ -872,6 +944,8 @@ pub struct Pilot<'a, M: Memory> {
     pub scene: SceneArg<'a, M>,
     /// The kernel's `entries`.
     pub entries: M::Slice<'a, crate::kernels::cell_state::TileEntry>,
+    /// The kernel's `past_counts`.
+    pub past_counts: M::Slice<'a, u32>,
     /// The kernel's own `counts`.
     pub counts: M::Chunks<'a, u32>,
 }
@@ -894,7 +968,8 @@ impl<'a, M: Memory> Pass for Pilot<'a, M> {
         binder.slice(3, self.scene.corners);
         binder.slice(4, self.scene.surface);
         binder.slice(5, self.entries);
-        binder.chunks(6, 2, &self.counts);
+        binder.slice(6, self.past_counts);
+        binder.chunks(7, 2, &self.counts);
     }
 
     fn elements(&self) -> usize
@@ -910,8 +985,8 @@ impl<'a, M: Memory> Pass for Pilot<'a, M> {
     {
         let (counts, rest_of_counts) = M::split_at(self.counts, at);
         (
-            Self { frame: self.frame, cells: self.cells, env: self.env, scene: self.scene, entries: self.entries, counts },
-            Self { frame: self.frame, cells: self.cells, env: self.env, scene: self.scene, entries: self.entries, counts: rest_of_counts },
+            Self { frame: self.frame, cells: self.cells, env: self.env, scene: self.scene, entries: self.entries, past_counts: self.past_counts, counts },
+            Self { frame: self.frame, cells: self.cells, env: self.env, scene: self.scene, entries: self.entries, past_counts: self.past_counts, counts: rest_of_counts },
         )
     }
 
@@ -922,8 +997,9 @@ impl<'a, M: Memory> Pass for Pilot<'a, M> {
         let env = self.env.view();
         let scene = self.scene.view();
         let entries = M::values(self.entries);
+        let past_counts = M::values(self.past_counts);
         for (id, counts) in (first..).zip(M::each(self.counts)) {
-            crate::kernels::pilot::pilot(id, self.frame, self.cells, env, scene, entries, counts);
+            crate::kernels::pilot::pilot(id, self.frame, self.cells, env, scene, entries, past_counts, counts);
         }
     }
 }
@@ -986,6 +1062,8 @@ impl<'a, M: Memory> Pass for Expect<'a, M> {
 
 /// `expect::worth` with its arguments.
 pub struct Worth<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
     /// The kernel's `env`.
     pub env: EnvironmentArg<'a, M>,
     /// The kernel's `entries`.
@@ -1004,8 +1082,9 @@ impl<'a, M: Memory> Pass for Worth<'a, M> {
     }
 
     fn bind(&self, binder: &mut impl Binder<M>) {
-        binder.value(2, &self.env.size);
-        binder.value(3, &self.env.rotation);
+        binder.value(2, self.frame);
+        binder.value(3, &self.env.size);
+        binder.value(4, &self.env.rotation);
         binder.slice(0, self.env.tables);
         binder.slice(1, self.entries);
         binder.slice(2, self.visibility);
@@ -1025,8 +1104,8 @@ impl<'a, M: Memory> Pass for Worth<'a, M> {
     {
         let (out, rest_of_out) = M::split_at(self.out, at);
         (
-            Self { env: self.env, entries: self.entries, visibility: self.visibility, out },
-            Self { env: self.env, entries: self.entries, visibility: self.visibility, out: rest_of_out },
+            Self { frame: self.frame, env: self.env, entries: self.entries, visibility: self.visibility, out },
+            Self { frame: self.frame, env: self.env, entries: self.entries, visibility: self.visibility, out: rest_of_out },
         )
     }
 
@@ -1038,7 +1117,7 @@ impl<'a, M: Memory> Pass for Worth<'a, M> {
         let entries = M::values(self.entries);
         let visibility = M::values(self.visibility);
         for (id, out) in (first..).zip(M::each(self.out)) {
-            out[0] = crate::kernels::expect::worth(id, env, entries, visibility);
+            out[0] = crate::kernels::expect::worth(id, self.frame, env, entries, visibility);
         }
     }
 }

@@ -28,12 +28,14 @@ struct TileEntry {
     surface: u32,
     normal: vec3<f32>,
     exponent: f32,
-    wo: vec3<f32>,
-    hits: u32,
     diffuse: f32,
     specular: f32,
+    hits: u32,
     off_centre: f32,
-    unused: u32,
+    from_: u32,
+    pilots: u32,
+    unused_a: u32,
+    unused_b: u32,
 }
 
 struct ColourMatrix {
@@ -70,12 +72,12 @@ struct FrameParams {
 struct CellParams {
     rays: f32,
     pilot: f32,
+    upkeep: f32,
     tiles_across: u32,
     tiles: u32,
     is_adaptive: u32,
-    unused_a: u32,
-    unused_b: u32,
-    unused_c: u32,
+    has_past: u32,
+    turned: u32,
 }
 
 struct Returned_Environment_cells {
@@ -90,6 +92,23 @@ struct PixelPattern {
     pixel: u32,
     ray: u32,
     rays: u32,
+}
+
+struct SeenPoint {
+    origin: vec3<f32>,
+    surface: u32,
+    geometric_normal: vec3<f32>,
+    flags: u32,
+    normal: vec3<f32>,
+    exponent: f32,
+    wo: vec3<f32>,
+    material: u32,
+    diffuse: vec3<f32>,
+    order: u32,
+    specular: vec3<f32>,
+    unused_a: u32,
+    emission: vec3<f32>,
+    unused_b: u32,
 }
 
 struct OwenSobol {
@@ -154,23 +173,6 @@ struct Option_Hit {
     value: Hit,
 }
 
-struct SeenPoint {
-    origin: vec3<f32>,
-    surface: u32,
-    geometric_normal: vec3<f32>,
-    flags: u32,
-    normal: vec3<f32>,
-    exponent: f32,
-    wo: vec3<f32>,
-    material: u32,
-    diffuse: vec3<f32>,
-    order: u32,
-    specular: vec3<f32>,
-    unused_a: u32,
-    emission: vec3<f32>,
-    unused_b: u32,
-}
-
 struct ShadingFrame {
     t: vec3<f32>,
     b: vec3<f32>,
@@ -209,10 +211,6 @@ struct Representative {
     diffuse: vec3<f32>,
     specular: vec3<f32>,
     surface: CellSurface,
-}
-
-struct Even {
-    empty: u32,
 }
 
 struct Totals {
@@ -307,22 +305,66 @@ var<storage> scene_surface: array<u32>;
 @group(0) @binding(6) 
 var<storage> entries: array<TileEntry>;
 @group(0) @binding(7) 
+var<storage> past_counts: array<u32>;
+@group(0) @binding(8) 
 var<storage, read_write> counts: array<u32>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
+
+// glimt_render_gpu/src/kernels/cell_state.rs:129
+fn remembered(n: u32, s: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:130
+    if (n <= 64u) {
+        // glimt_render_gpu/src/kernels/cell_state.rs:131
+        return (n | (s << 8u));
+    }
+    // glimt_render_gpu/src/kernels/cell_state.rs:133
+    return (64u | (((((2u * s) * 64u) + n) / (2u * n)) << 8u));
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:150
+fn Remembered_cell(from_: u32, turned: u32, cell: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:151
+    let column_1 = ((((cell % 32u) + 32u) - turned) % 32u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:152
+    let was = (((cell / 32u) * 32u) + column_1);
+    // glimt_render_gpu/src/kernels/cell_state.rs:153
+    let word_7 = past_counts[(((from_ - 1u) * 256u) + (was / 2u))];
+    // glimt_render_gpu/src/kernels/cell_state.rs:154
+    let own = ((word_7 >> ((16u * (was & 1u)) & 31u)) & 65535u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:155
+    let _e44 = remembered((own & 255u), (own >> 8u));
+    return _e44;
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:161
+fn Remembered_word(from_1: u32, turned_1: u32, word: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:162
+    if (from_1 == 0u) {
+        // glimt_render_gpu/src/kernels/cell_state.rs:163
+        return 0u;
+    }
+    // glimt_render_gpu/src/kernels/cell_state.rs:165
+    let _e12 = Remembered_cell(from_1, turned_1, (2u * word));
+    let _e17 = Remembered_cell(from_1, turned_1, ((2u * word) + 1u));
+    return (_e12 | (_e17 << 16u));
+}
 
 // glimt_render_gpu/src/kernels/scout.rs:37
 fn CellParams_corner(this_: CellParams, tile: u32) -> vec2<u32> {
 
     // glimt_render_gpu/src/kernels/scout.rs:38
-    return vec2<u32>(((tile % this_.tiles_across) * 16u), ((tile / this_.tiles_across) * 8u));
+    return vec2<u32>(((tile % this_.tiles_across) * 16u), ((tile / this_.tiles_across) * 10u));
 }
 
 // glimt_render_gpu/src/kernels/scout.rs:56
 fn tile_end(corner: vec2<u32>, frame: FrameParams) -> vec2<u32> {
 
     // glimt_render_gpu/src/kernels/scout.rs:57
-    return vec2<u32>(min((corner.x + 16u), frame.width), min((corner.y + 8u), frame.height));
+    return vec2<u32>(min((corner.x + 16u), frame.width), min((corner.y + 10u), frame.height));
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:78
@@ -340,11 +382,11 @@ fn FrameParams_pattern_at(this_1: FrameParams, pixel: u32, ray: u32) -> PixelPat
 }
 
 // glimt_sampling/src/hash.rs:15
-fn hash_u32_(n: u32) -> u32 {
+fn hash_u32_(n_1: u32) -> u32 {
     var x: u32;
 
     // glimt_sampling/src/hash.rs:16
-    x = (n ^ 3875421163u);
+    x = (n_1 ^ 3875421163u);
     // glimt_sampling/src/hash.rs:17
     let _e7 = x;
     let _e10 = x;
@@ -402,11 +444,11 @@ fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> O
 }
 
 // glimt_sampling/src/sobol.rs:21
-fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
+fn owen_scramble_reversed(n_2: u32, scramble: u32) -> u32 {
     var x_1: u32;
 
     // glimt_sampling/src/sobol.rs:22
-    x_1 = (n_1 ^ (n_1 * 1025551850u));
+    x_1 = (n_2 ^ (n_2 * 1025551850u));
     // glimt_sampling/src/sobol.rs:23
     let _e9 = x_1;
     x_1 = (_e9 + scramble);
@@ -760,16 +802,16 @@ fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) ->
 fn Xoshiro128PlusPlus_next_u32_(this_5: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s_1 = (*this_5).state;
+    let s_2 = (*this_5).state;
     // glimt_sampling/src/xoshiro.rs:58
-    let _e8 = (s_1.x + s_1.w);
-    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_1.x);
+    let _e8 = (s_2.x + s_2.w);
+    let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_2.x);
     // glimt_sampling/src/xoshiro.rs:59
-    let z_1 = (s_1.z ^ s_1.x);
+    let z_1 = (s_2.z ^ s_2.x);
     // glimt_sampling/src/xoshiro.rs:60
-    let w_1 = (s_1.w ^ s_1.y);
+    let w_1 = (s_2.w ^ s_2.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_5).state = vec4<u32>((s_1.x ^ w_1), (s_1.y ^ z_1), (z_1 ^ (s_1.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_5).state = vec4<u32>((s_2.x ^ w_1), (s_2.y ^ z_1), (z_1 ^ (s_2.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
@@ -853,10 +895,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:204
-fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
+fn stratum(cell_1: u32, count: u32, jitter: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:205
-    return ((cell * (4294967295u / count)) + (jitter / count));
+    return ((cell_1 * (4294967295u / count)) + (jitter / count));
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:184
@@ -1138,21 +1180,21 @@ fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:181
-fn MaterialView_number(words_start: u32, words_len: u32, word: u32) -> f32 {
+fn MaterialView_number(words_start: u32, words_len: u32, word_1: u32) -> f32 {
 
     // glimt_render_gpu/src/kernels/material.rs:182
-    let _e7 = scene_surface[(words_start + word)];
+    let _e7 = scene_surface[(words_start + word_1)];
     return bitcast<f32>(_e7);
 }
 
 // glimt_render_gpu/src/kernels/material.rs:195
-fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_1: u32) -> TextureView {
+fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_2: u32) -> TextureView {
 
     // glimt_render_gpu/src/kernels/material.rs:196
-    let _e7 = scene_surface[(words_start_1 + word_1)];
-    let _e13 = scene_surface[(words_start_1 + (word_1 + 1u))];
-    let _e19 = scene_surface[(words_start_1 + (word_1 + 2u))];
-    let _e25 = scene_surface[(words_start_1 + (word_1 + 3u))];
+    let _e7 = scene_surface[(words_start_1 + word_2)];
+    let _e13 = scene_surface[(words_start_1 + (word_2 + 1u))];
+    let _e19 = scene_surface[(words_start_1 + (word_2 + 2u))];
+    let _e25 = scene_surface[(words_start_1 + (word_2 + 3u))];
     return TextureView(_e7, _e13, _e19, _e25);
 }
 
@@ -1209,15 +1251,15 @@ fn TextureView_texel(this_15: TextureView, index_11: u32) -> vec4<f32> {
     var chosen_5: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_5 = scene_surface[(this_15.first + index_11)];
+    let word_8 = scene_surface[(this_15.first + index_11)];
     // glimt_render_gpu/src/kernels/texture.rs:71
-    let r_1 = (word_5 & 255u);
+    let r_1 = (word_8 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
-    let g = ((word_5 >> 8u) & 255u);
+    let g = ((word_8 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_4 = ((word_5 >> 16u) & 255u);
+    let b_4 = ((word_8 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
-    let alpha_2 = (f32((word_5 >> 24u)) / 255f);
+    let alpha_2 = (f32((word_8 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
     if ((this_15.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
@@ -1276,7 +1318,7 @@ fn TextureView_sample(this_16: TextureView, uv: vec2<f32>) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:206
-fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, texture: TextureView, uv_1: vec2<f32>) -> vec4<f32> {
+fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_3: u32, texture: TextureView, uv_1: vec2<f32>) -> vec4<f32> {
     var place_1: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/material.rs:207
@@ -1284,7 +1326,7 @@ fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, textur
     // glimt_render_gpu/src/kernels/material.rs:208
     if ((texture.flags & 65536u) != 0u) {
         // glimt_render_gpu/src/kernels/material.rs:209
-        let t_7 = (word_2 + 4u);
+        let t_7 = (word_3 + 4u);
         // glimt_render_gpu/src/kernels/material.rs:210
         let _e18 = MaterialView_number(words_start_2, words_len_2, t_7);
         let _e21 = MaterialView_number(words_start_2, words_len_2, (t_7 + 1u));
@@ -1787,16 +1829,16 @@ fn bent_towards(normal_1: vec3<f32>, to_eye: vec3<f32>, geometric_normal: vec3<f
 }
 
 // glimt_sampling/src/math.rs:45
-fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
+fn ShadingFrame_from_normal(n_3: vec3<f32>) -> ShadingFrame {
 
     // glimt_sampling/src/math.rs:46
-    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
+    let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_3.z) & 2147483648u)));
     // glimt_sampling/src/math.rs:47
-    let a_5 = (-1f / (sign_ + n_2.z));
+    let a_5 = (-1f / (sign_ + n_3.z));
     // glimt_sampling/src/math.rs:48
-    let c_3 = ((n_2.x * n_2.y) * a_5);
+    let c_3 = ((n_3.x * n_3.y) * a_5);
     // glimt_sampling/src/math.rs:49
-    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_5)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_5)), -(n_2.y)), n_2);
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_3.x) * n_3.x) * a_5)), (sign_ * c_3), (-(sign_) * n_3.x)), vec3<f32>(c_3, (sign_ + ((n_3.y * n_3.y) * a_5)), -(n_3.y)), n_3);
 }
 
 // glimt_sampling/src/math.rs:66
@@ -1807,12 +1849,12 @@ fn ShadingFrame_to_local(this_22: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:186
-fn MaterialView_vector(words_start_5: u32, words_len_5: u32, word_3: u32) -> vec3<f32> {
+fn MaterialView_vector(words_start_5: u32, words_len_5: u32, word_4: u32) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/material.rs:187
-    let _e5 = MaterialView_number(words_start_5, words_len_5, word_3);
-    let _e8 = MaterialView_number(words_start_5, words_len_5, (word_3 + 1u));
-    let _e11 = MaterialView_number(words_start_5, words_len_5, (word_3 + 2u));
+    let _e5 = MaterialView_number(words_start_5, words_len_5, word_4);
+    let _e8 = MaterialView_number(words_start_5, words_len_5, (word_4 + 1u));
+    let _e11 = MaterialView_number(words_start_5, words_len_5, (word_4 + 2u));
     return vec3<f32>(_e5, _e8, _e11);
 }
 
@@ -2073,26 +2115,26 @@ fn see_by(pattern_1: PixelPattern, frame_3: FrameParams) -> SeenPoint {
     return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_7.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0u);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:71
+// glimt_render_gpu/src/kernels/cell_state.rs:83
 fn slot_of(surface: u32, first_2: u32) -> u32 {
     var slot: u32;
     var counter_2: u32;
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:72
+    // glimt_render_gpu/src/kernels/cell_state.rs:84
     slot = 0u;
-    // glimt_render_gpu/src/kernels/cell_state.rs:73
+    // glimt_render_gpu/src/kernels/cell_state.rs:85
     counter_2 = 0u;
     loop {
         let i_1 = counter_2;
         if (i_1 >= 3u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/cell_state.rs:74
-        let own = entries[(first_2 + i_1)].surface;
-        // glimt_render_gpu/src/kernels/cell_state.rs:76
+        // glimt_render_gpu/src/kernels/cell_state.rs:86
+        let own_1 = entries[(first_2 + i_1)].surface;
+        // glimt_render_gpu/src/kernels/cell_state.rs:88
         let _e19 = slot;
-        if ((_e19 == 0u) && ((own == surface) || ((i_1 == (3u - 1u)) && (own != 0u)))) {
-            // glimt_render_gpu/src/kernels/cell_state.rs:77
+        if ((_e19 == 0u) && ((own_1 == surface) || ((i_1 == (3u - 1u)) && (own_1 != 0u)))) {
+            // glimt_render_gpu/src/kernels/cell_state.rs:89
             slot = (i_1 + 1u);
         }
         continuing {
@@ -2100,7 +2142,7 @@ fn slot_of(surface: u32, first_2: u32) -> u32 {
             counter_2 = (_e35 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:80
+    // glimt_render_gpu/src/kernels/cell_state.rs:92
     let _e39 = slot;
     return _e39;
 }
@@ -2165,10 +2207,10 @@ fn CellSurface_new(normal_2: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponen
     return CellSurface(normal_2, wo, (kd * 0.31830987f), ks, widened, _e22, sqrt((2f * (1f - r_2))), horizon, 1f);
 }
 
-// glimt_render_gpu/src/kernels/pilot.rs:23
+// glimt_render_gpu/src/kernels/pilot.rs:27
 fn alone(point: SeenPoint, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
 
-    // glimt_render_gpu/src/kernels/pilot.rs:24
+    // glimt_render_gpu/src/kernels/pilot.rs:28
     let _e6 = Environment_to_map(env_size, env_rotation, point.normal);
     let _e10 = Environment_to_map(env_size, env_rotation, point.normal);
     let _e12 = Environment_to_map(env_size, env_rotation, point.wo);
@@ -2216,9 +2258,9 @@ fn sqrt_(x_8: vec4<f32>) -> vec4<f32> {
 fn cosine_power4_(sin2_theta: vec4<f32>, exponent_2: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:84
-    let s_2 = clamp(sin2_theta, vec4(0f), vec4(1f));
+    let s_3 = clamp(sin2_theta, vec4(0f), vec4(1f));
     // glimt_light_cells/src/surface.rs:85
-    let log_ = ((s_2 * (vec4(6f) - s_2)) / (vec4(12f) - (8f * s_2)));
+    let log_ = ((s_3 * (vec4(6f) - s_3)) / (vec4(12f) - (8f * s_3)));
     // glimt_light_cells/src/surface.rs:86
     let t_10 = (min((exponent_2 * log_), vec4(40f)) * (1f / 256f));
     // glimt_light_cells/src/surface.rs:88
@@ -2253,9 +2295,9 @@ fn LightCells_terms(size_5: vec2<u32>, start_1: u32, surface_1: CellSurface, qua
     // glimt_light_cells/src/surface.rs:177
     let _e20 = LightCells_quad(size_5, start_1, 18u, quad_1);
     // glimt_light_cells/src/surface.rs:178
-    let n_4 = surface_1.normal;
+    let n_5 = surface_1.normal;
     // glimt_light_cells/src/surface.rs:179
-    let c_5 = (((_e7 * n_4.x) + (_e12 * n_4.y)) + (_e17 * n_4.z));
+    let c_5 = (((_e7 * n_5.x) + (_e12 * n_5.y)) + (_e17 * n_5.z));
     // glimt_light_cells/src/surface.rs:180
     let reach_2 = (_e20 + vec4(surface_1.horizon));
     // glimt_light_cells/src/surface.rs:181
@@ -2280,7 +2322,7 @@ fn LightCells_terms(size_5: vec2<u32>, start_1: u32, surface_1: CellSurface, qua
     // glimt_light_cells/src/surface.rs:199
     let v_6 = surface_1.wo;
     // glimt_light_cells/src/surface.rs:200
-    let nv = dot(n_4, v_6);
+    let nv = dot(n_5, v_6);
     // glimt_light_cells/src/surface.rs:201
     let dv = ((((_e7 * v_6.x) + (_e12 * v_6.y)) + (_e17 * v_6.z)) + ((lifted - c_5) * nv));
     // glimt_light_cells/src/surface.rs:202
@@ -2299,10 +2341,10 @@ fn LightCells_terms(size_5: vec2<u32>, start_1: u32, surface_1: CellSurface, qua
     // glimt_light_cells/src/surface.rs:208
     let e = max(surface_1.exponent, 0.001f);
     // glimt_light_cells/src/surface.rs:209
-    let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    let seen_1 = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
     // glimt_light_cells/src/surface.rs:210
-    let _e151 = cosine_power4_(sin2_, seen);
-    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((surface_1.share * surface_1.peak) / e));
+    let _e151 = cosine_power4_(sin2_, seen_1);
+    let lobe = (((_e151 * seen_1) * (lifted * _e42)) * ((surface_1.share * surface_1.peak) / e));
     // glimt_light_cells/src/surface.rs:212
     let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
     // glimt_light_cells/src/surface.rs:213
@@ -2313,47 +2355,64 @@ fn LightCells_terms(size_5: vec2<u32>, start_1: u32, surface_1: CellSurface, qua
     return CellTerms(cosine_1, _e45, _e42, lobe, min((slope_1 + near_2), vec4(1f)), cosine_spread);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:166
-fn Even_quad(this_27: Even, _quad: u32) -> vec4<f32> {
+// glimt_render_gpu/src/kernels/cell_state.rs:98
+fn bytes_of(word_5: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:167
-    return vec4(0.75f);
+    // glimt_render_gpu/src/kernels/cell_state.rs:99
+    return vec4<f32>(f32((word_5 & 255u)), f32(((word_5 >> 8u) & 255u)), f32(((word_5 >> 16u) & 255u)), f32((word_5 >> 24u)));
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:188
+fn Remembered_quad(from_2: u32, turned_2: u32, quad_2: u32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:189
+    let _e7 = Remembered_word(from_2, turned_2, (2u * quad_2));
+    let _e8 = bytes_of(_e7);
+    // glimt_render_gpu/src/kernels/cell_state.rs:190
+    let _e14 = Remembered_word(from_2, turned_2, ((2u * quad_2) + 1u));
+    let _e15 = bytes_of(_e14);
+    // glimt_render_gpu/src/kernels/cell_state.rs:191
+    let n_6 = vec4<f32>(_e8.x, _e8.z, _e15.x, _e15.z);
+    // glimt_render_gpu/src/kernels/cell_state.rs:192
+    let s_4 = vec4<f32>(_e8.y, _e8.w, _e15.y, _e15.w);
+    // glimt_render_gpu/src/kernels/cell_state.rs:193
+    return ((s_4 + vec4((4f * 0.75f))) / (n_6 + vec4(4f)));
 }
 
 // glimt_light_cells/src/surface.rs:162
-fn CellSurface_shape_variance(this_28: CellSurface, terms: CellTerms) -> vec4<f32> {
+fn CellSurface_shape_variance(this_27: CellSurface, terms: CellTerms) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:163
-    let diffuse = (terms.cosine_spread * this_28.diffuse);
+    let diffuse = (terms.cosine_spread * this_27.diffuse);
     // glimt_light_cells/src/surface.rs:164
-    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_28.specular);
+    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_27.specular);
     // glimt_light_cells/src/surface.rs:165
     return ((diffuse * diffuse) + (lobe_1 * lobe_1));
 }
 
 // glimt_light_cells/src/surface.rs:153
-fn CellSurface_blocked_weights(this_29: CellSurface, terms_1: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+fn CellSurface_blocked_weights(this_28: CellSurface, terms_1: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:154
-    let reflected = ((terms_1.cosine * this_29.diffuse) + (terms_1.lobe * this_29.specular));
+    let reflected = ((terms_1.cosine * this_28.diffuse) + (terms_1.lobe * this_28.specular));
     // glimt_light_cells/src/surface.rs:155
     let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:156
-    let _e22 = CellSurface_shape_variance(this_29, terms_1);
+    let _e22 = CellSurface_shape_variance(this_28, terms_1);
     // glimt_light_cells/src/surface.rs:157
     let _e29 = sqrt_((((reflected * reflected) * blocked) + _e22));
     return ((flux * terms_1.live) * _e29);
 }
 
 // glimt_light_cells/src/surface.rs:142
-fn CellSurface_residual_weights(this_30: CellSurface, terms_2: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+fn CellSurface_residual_weights(this_29: CellSurface, terms_2: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:143
-    let reflected_1 = ((terms_2.cosine * this_30.diffuse) + (terms_2.lobe * this_30.specular));
+    let reflected_1 = ((terms_2.cosine * this_29.diffuse) + (terms_2.lobe * this_29.specular));
     // glimt_light_cells/src/surface.rs:144
     let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:145
-    let _e22 = CellSurface_shape_variance(this_30, terms_2);
+    let _e22 = CellSurface_shape_variance(this_29, terms_2);
     let by_shape = (_e22 * max(visibility_1, vec4(0.02f)));
     // glimt_light_cells/src/surface.rs:146
     let _e33 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape));
@@ -2361,12 +2420,12 @@ fn CellSurface_residual_weights(this_30: CellSurface, terms_2: CellTerms, flux_1
 }
 
 // glimt_light_cells/src/surface.rs:133
-fn CellSurface_product_weights(this_31: CellSurface, terms_3: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
+fn CellSurface_product_weights(this_30: CellSurface, terms_3: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:134
-    let reflected_2 = ((terms_3.cosine * this_31.diffuse) + (terms_3.lobe * this_31.specular));
+    let reflected_2 = ((terms_3.cosine * this_30.diffuse) + (terms_3.lobe * this_30.specular));
     // glimt_light_cells/src/surface.rs:135
-    return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_31.diffuse)));
+    return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_30.diffuse)));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:238
@@ -2397,47 +2456,47 @@ fn weights(surface_2: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibi
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:129
-fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_2: u32, channel: u32, normal_3: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
+fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_3: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:137
     let list_1 = (4u + (3u * channel));
     // glimt_render_gpu/src/kernels/proposal.rs:138
-    let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_2);
-    let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_2);
-    let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_2);
+    let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_3);
+    let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_3);
+    let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_3);
     let moment = (((_e14 * normal_3.x) + (_e19 * normal_3.y)) + (_e25 * normal_3.z));
     // glimt_render_gpu/src/kernels/proposal.rs:141
-    let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_2);
+    let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_3);
     // glimt_render_gpu/src/kernels/proposal.rs:142
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:147
-fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_3: u32, normal_4: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
+fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_4: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:148
-    let _e9 = channel_sum(cells_size_1, cells_start_1, quad_3, 0u, normal_4, full_1, cut_1);
-    let _e11 = channel_sum(cells_size_1, cells_start_1, quad_3, 1u, normal_4, full_1, cut_1);
-    let _e13 = channel_sum(cells_size_1, cells_start_1, quad_3, 2u, normal_4, full_1, cut_1);
+    let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_4, full_1, cut_1);
+    let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_4, full_1, cut_1);
+    let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_4, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:157
-fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_4: u32, factors: vec4<f32>) -> vec3<f32> {
+fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:158
-    let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_4);
+    let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_5);
     let _e8 = (_e7 * factors);
-    let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_4);
+    let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_5);
     let _e20 = (_e19 * factors);
-    let _e31 = LightCells_quad(cells_size_2, cells_start_2, (1u + 2u), quad_4);
+    let _e31 = LightCells_quad(cells_size_2, cells_start_2, (1u + 2u), quad_5);
     let _e32 = (_e31 * factors);
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:166
-fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected: Even, is_catcher_1: bool) -> Totals {
+fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected_from: u32, expected_turned: u32, is_catcher_1: bool) -> Totals {
     var t_4: Totals;
     var counter_3: u32;
     var weight: f32;
@@ -2469,113 +2528,113 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
                 break;
             }
             // glimt_render_gpu/src/kernels/proposal.rs:193
-            let quad_5 = ((2u * block) + half);
+            let quad_6 = ((2u * block) + half);
             // glimt_render_gpu/src/kernels/proposal.rs:194
-            let _e58 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_5);
+            let _e59 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_6);
             // glimt_render_gpu/src/kernels/proposal.rs:195
-            let _e60 = LightCells_terms(cells_size_3, cells_start_3, surface_3, quad_5);
+            let _e61 = LightCells_terms(cells_size_3, cells_start_3, surface_3, quad_6);
             // glimt_render_gpu/src/kernels/proposal.rs:196
-            let _e63 = (_e58 * _e60.live);
-            let seen_1 = (((_e63.x + _e63.y) + _e63.z) + _e63.w);
+            let _e64 = (_e59 * _e61.live);
+            let seen_2 = (((_e64.x + _e64.y) + _e64.z) + _e64.w);
             // glimt_render_gpu/src/kernels/proposal.rs:198
-            if (seen_1 > 0f) {
+            if (seen_2 > 0f) {
                 // glimt_render_gpu/src/kernels/proposal.rs:199
-                let _e75 = live;
-                live = (_e75 + seen_1);
+                let _e76 = live;
+                live = (_e76 + seen_2);
                 // glimt_render_gpu/src/kernels/proposal.rs:200
-                let _e78 = Even_quad(expected, quad_5);
+                let _e79 = Remembered_quad(expected_from, expected_turned, quad_6);
                 // glimt_render_gpu/src/kernels/proposal.rs:201
-                let _e80 = weights(surface_3, _e60, _e58, _e78, is_catcher_1);
+                let _e81 = weights(surface_3, _e61, _e59, _e79, is_catcher_1);
                 // glimt_render_gpu/src/kernels/proposal.rs:202
-                let _e89 = weight;
-                weight = (_e89 + (((_e80.x + _e80.y) + _e80.z) + _e80.w));
+                let _e90 = weight;
+                weight = (_e90 + (((_e81.x + _e81.y) + _e81.z) + _e81.w));
                 // glimt_render_gpu/src/kernels/proposal.rs:203
                 if true {
                     // glimt_render_gpu/src/kernels/proposal.rs:204
-                    let full_2 = (_e60.full * _e78);
+                    let full_2 = (_e61.full * _e79);
                     // glimt_render_gpu/src/kernels/proposal.rs:205
-                    let cut_2 = ((_e78 - full_2) * _e60.cosine);
+                    let cut_2 = ((_e79 - full_2) * _e61.cosine);
                     // glimt_render_gpu/src/kernels/proposal.rs:206
-                    let _e103 = diffuse_sum(cells_size_3, cells_start_3, quad_5, of_.mean_normal, full_2, cut_2);
-                    let _e104 = t_4.diffuse;
-                    t_4.diffuse = (_e104 + _e103);
+                    let _e104 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, full_2, cut_2);
+                    let _e105 = t_4.diffuse;
+                    t_4.diffuse = (_e105 + _e104);
                     // glimt_render_gpu/src/kernels/proposal.rs:207
                     if is_catcher_1 {
                         // glimt_render_gpu/src/kernels/proposal.rs:208
-                        let cut_3 = ((vec4(1f) - _e60.full) * _e60.cosine);
+                        let cut_3 = ((vec4(1f) - _e61.full) * _e61.cosine);
                         // glimt_render_gpu/src/kernels/proposal.rs:209
-                        let _e117 = diffuse_sum(cells_size_3, cells_start_3, quad_5, of_.mean_normal, _e60.full, cut_3);
+                        let _e118 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, _e61.full, cut_3);
                         // glimt_render_gpu/src/kernels/proposal.rs:210
-                        let _e120 = t_4.open_diffuse;
-                        t_4.open_diffuse = (_e120 + _e117);
+                        let _e121 = t_4.open_diffuse;
+                        t_4.open_diffuse = (_e121 + _e118);
                         // glimt_render_gpu/src/kernels/proposal.rs:211
-                        let _e125 = radiance_sum(cells_size_3, cells_start_3, quad_5, _e60.lobe);
-                        let _e126 = t_4.open_specular;
-                        t_4.open_specular = (_e126 + _e125);
+                        let _e126 = radiance_sum(cells_size_3, cells_start_3, quad_6, _e61.lobe);
+                        let _e127 = t_4.open_specular;
+                        t_4.open_specular = (_e127 + _e126);
                     }
                 }
                 // glimt_render_gpu/src/kernels/proposal.rs:214
                 if has_lobe {
                     // glimt_render_gpu/src/kernels/proposal.rs:215
-                    let a_7 = (_e60.lobe * _e58);
+                    let a_7 = (_e61.lobe * _e59);
                     // glimt_render_gpu/src/kernels/proposal.rs:216
-                    let spread = ((a_7 * _e60.lobe_spread) * _e60.lobe_spread);
+                    let spread = ((a_7 * _e61.lobe_spread) * _e61.lobe_spread);
                     // glimt_render_gpu/src/kernels/proposal.rs:217
-                    let _e146 = t_4.lobe;
-                    t_4.lobe = (_e146 + (((a_7.x + a_7.y) + a_7.z) + a_7.w));
+                    let _e147 = t_4.lobe;
+                    t_4.lobe = (_e147 + (((a_7.x + a_7.y) + a_7.z) + a_7.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:218
-                    let _e157 = t_4.lobe_spread;
-                    t_4.lobe_spread = (_e157 + (((spread.x + spread.y) + spread.z) + spread.w));
+                    let _e158 = t_4.lobe_spread;
+                    t_4.lobe_spread = (_e158 + (((spread.x + spread.y) + spread.z) + spread.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:219
-                    let _e160 = (a_7 * _e78);
-                    let _e169 = t_4.lobe_visible;
-                    t_4.lobe_visible = (_e169 + (((_e160.x + _e160.y) + _e160.z) + _e160.w));
+                    let _e161 = (a_7 * _e79);
+                    let _e170 = t_4.lobe_visible;
+                    t_4.lobe_visible = (_e170 + (((_e161.x + _e161.y) + _e161.z) + _e161.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:220
-                    let _e174 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_5);
-                    let _e175 = (_e60.lobe * _e174);
-                    let _e184 = t_4.lobe_square;
-                    t_4.lobe_square = (_e184 + (((_e175.x + _e175.y) + _e175.z) + _e175.w));
+                    let _e175 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_6);
+                    let _e176 = (_e61.lobe * _e175);
+                    let _e185 = t_4.lobe_square;
+                    t_4.lobe_square = (_e185 + (((_e176.x + _e176.y) + _e176.z) + _e176.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:221
-                    let _e189 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_5);
-                    let _e190 = (_e60.lobe * _e189);
-                    let _e199 = t_4.lobe_area;
-                    t_4.lobe_area = (_e199 + (((_e190.x + _e190.y) + _e190.z) + _e190.w));
+                    let _e190 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_6);
+                    let _e191 = (_e61.lobe * _e190);
+                    let _e200 = t_4.lobe_area;
+                    t_4.lobe_area = (_e200 + (((_e191.x + _e191.y) + _e191.z) + _e191.w));
                     // glimt_render_gpu/src/kernels/proposal.rs:223
                     if true {
                         // glimt_render_gpu/src/kernels/proposal.rs:224
-                        let _e207 = radiance_sum(cells_size_3, cells_start_3, quad_5, (_e60.lobe * _e78));
-                        let _e208 = t_4.specular;
-                        t_4.specular = (_e208 + _e207);
+                        let _e208 = radiance_sum(cells_size_3, cells_start_3, quad_6, (_e61.lobe * _e79));
+                        let _e209 = t_4.specular;
+                        t_4.specular = (_e209 + _e208);
                     }
                 }
             }
             continuing {
-                let _e210 = counter_4;
-                counter_4 = (_e210 + 1u);
+                let _e211 = counter_4;
+                counter_4 = (_e211 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/proposal.rs:229
-        let _e214 = weight;
-        t_4.blocks[block] = _e214;
+        let _e215 = weight;
+        t_4.blocks[block] = _e215;
         // glimt_render_gpu/src/kernels/proposal.rs:230
-        let _e218 = live;
-        t_4.lives[block] = _e218;
+        let _e219 = live;
+        t_4.lives[block] = _e219;
         // glimt_render_gpu/src/kernels/proposal.rs:231
-        let _e222 = weight;
-        let _e224 = t_4.weight;
-        t_4.weight = (_e224 + _e222);
+        let _e223 = weight;
+        let _e225 = t_4.weight;
+        t_4.weight = (_e225 + _e223);
         // glimt_render_gpu/src/kernels/proposal.rs:232
-        let _e227 = live;
-        let _e229 = t_4.live;
-        t_4.live = (_e229 + _e227);
+        let _e228 = live;
+        let _e230 = t_4.live;
+        t_4.live = (_e230 + _e228);
         continuing {
-            let _e231 = counter_3;
-            counter_3 = (_e231 + 1u);
+            let _e232 = counter_3;
+            counter_3 = (_e232 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:234
-    let _e235 = t_4;
-    return _e235;
+    let _e236 = t_4;
+    return _e236;
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:257
@@ -2591,7 +2650,7 @@ fn worth(a_3: f32, visible: f32, variance: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:269
-fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_1: Even, is_catcher_2: bool) -> Proposal {
+fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_from_1: u32, expected_turned_1: u32, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
     var first_3: Totals;
@@ -2607,12 +2666,12 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     // glimt_render_gpu/src/kernels/proposal.rs:275
     of_2 = of_1;
     // glimt_render_gpu/src/kernels/proposal.rs:276
-    let _e9 = of_2;
-    let _e10 = weigh(_e9, cells_size_4, cells_start_4, expected_1, is_catcher_2);
-    sums = _e10;
+    let _e10 = of_2;
+    let _e11 = weigh(_e10, cells_size_4, cells_start_4, expected_from_1, expected_turned_1, is_catcher_2);
+    sums = _e11;
     // glimt_render_gpu/src/kernels/proposal.rs:277
-    let _e13 = sums;
-    first_3 = _e13;
+    let _e14 = sums;
+    first_3 = _e14;
     // glimt_render_gpu/src/kernels/proposal.rs:278
     lobe_worth = 0f;
     // glimt_render_gpu/src/kernels/proposal.rs:279
@@ -2620,74 +2679,74 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     // glimt_render_gpu/src/kernels/proposal.rs:280
     share = 1f;
     // glimt_render_gpu/src/kernels/proposal.rs:281
-    let _e27 = of_2.surface.specular;
-    let _e31 = sums.lobe;
-    if ((_e27 > 0f) && (_e31 > 0f)) {
+    let _e28 = of_2.surface.specular;
+    let _e32 = sums.lobe;
+    if ((_e28 > 0f) && (_e32 > 0f)) {
         // glimt_render_gpu/src/kernels/proposal.rs:283
-        let _e37 = sums.lobe_spread;
-        let _e39 = sums.lobe;
-        let by_cells = (_e37 / _e39);
+        let _e38 = sums.lobe_spread;
+        let _e40 = sums.lobe;
+        let by_cells = (_e38 / _e40);
         // glimt_render_gpu/src/kernels/proposal.rs:284
-        let _e43 = sums.lobe_square;
-        let _e45 = sums.lobe;
-        let _e48 = sums.lobe_area;
-        let _e50 = sums.lobe;
-        let by_lobe = clamp((((_e43 / _e45) * (_e48 / _e50)) - 1f), 0.0001f, 1000000f);
+        let _e44 = sums.lobe_square;
+        let _e46 = sums.lobe;
+        let _e49 = sums.lobe_area;
+        let _e51 = sums.lobe;
+        let by_lobe = clamp((((_e44 / _e46) * (_e49 / _e51)) - 1f), 0.0001f, 1000000f);
         // glimt_render_gpu/src/kernels/proposal.rs:286
         share = (by_lobe / (by_lobe + by_cells));
         // glimt_render_gpu/src/kernels/proposal.rs:287
-        let _e62 = share;
-        if (_e62 > 0.9f) {
+        let _e63 = share;
+        if (_e63 > 0.9f) {
             // glimt_render_gpu/src/kernels/proposal.rs:288
             share = 1f;
         } else {
-            let _e67 = share;
-            if (_e67 < 0.1f) {
+            let _e68 = share;
+            if (_e68 < 0.1f) {
                 // glimt_render_gpu/src/kernels/proposal.rs:290
                 share = 0f;
             }
         }
         // glimt_render_gpu/src/kernels/proposal.rs:292
-        let _e74 = sums.lobe;
-        let _e77 = of_2.surface.specular;
-        let a_8 = (_e74 * _e77);
+        let _e75 = sums.lobe;
+        let _e78 = of_2.surface.specular;
+        let a_8 = (_e75 * _e78);
         // glimt_render_gpu/src/kernels/proposal.rs:293
-        let _e81 = sums.lobe_visible;
-        let _e83 = sums.lobe;
-        let visible_1 = min((_e81 / _e83), 1f);
+        let _e82 = sums.lobe_visible;
+        let _e84 = sums.lobe;
+        let visible_1 = min((_e82 / _e84), 1f);
         // glimt_render_gpu/src/kernels/proposal.rs:294
-        let _e88 = share;
-        if (_e88 < 1f) {
+        let _e89 = share;
+        if (_e89 < 1f) {
             // glimt_render_gpu/src/kernels/proposal.rs:295
-            let _e93 = share;
-            let _e95 = worth(a_8, visible_1, by_lobe);
-            lobe_worth = ((1f - _e93) * _e95);
+            let _e94 = share;
+            let _e96 = worth(a_8, visible_1, by_lobe);
+            lobe_worth = ((1f - _e94) * _e96);
             // glimt_render_gpu/src/kernels/proposal.rs:296
-            let _e98 = share;
-            of_2.surface.share = _e98;
+            let _e99 = share;
+            of_2.surface.share = _e99;
             // glimt_render_gpu/src/kernels/proposal.rs:297
-            let _e102 = of_2;
-            let _e103 = weigh(_e102, cells_size_4, cells_start_4, expected_1, is_catcher_2);
-            sums = _e103;
+            let _e103 = of_2;
+            let _e104 = weigh(_e103, cells_size_4, cells_start_4, expected_from_1, expected_turned_1, is_catcher_2);
+            sums = _e104;
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:300
-    let _e107 = of_2.surface.specular;
-    let _e112 = of_2.surface.normal;
-    let _e115 = of_2.surface.wo;
-    if ((_e107 > 0f) && (dot(_e112, _e115) < 0.3f)) {
+    let _e108 = of_2.surface.specular;
+    let _e113 = of_2.surface.normal;
+    let _e116 = of_2.surface.wo;
+    if ((_e108 > 0f) && (dot(_e113, _e116) < 0.3f)) {
         // glimt_render_gpu/src/kernels/proposal.rs:301
         least_share = 0.1f;
     }
     // glimt_render_gpu/src/kernels/proposal.rs:303
     defence = 0f;
     // glimt_render_gpu/src/kernels/proposal.rs:304
-    let _e127 = sums.live;
-    if (_e127 > 0f) {
+    let _e128 = sums.live;
+    if (_e128 > 0f) {
         // glimt_render_gpu/src/kernels/proposal.rs:305
-        let _e133 = sums.weight;
-        let _e136 = sums.live;
-        defence = ((0.001f * _e133) / _e136);
+        let _e134 = sums.weight;
+        let _e137 = sums.live;
+        defence = ((0.001f * _e134) / _e137);
     }
     // glimt_render_gpu/src/kernels/proposal.rs:307
     total = 0f;
@@ -2701,92 +2760,92 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
             break;
         }
         // glimt_render_gpu/src/kernels/proposal.rs:310
-        let _e154 = sums.blocks[block_1];
-        let _e155 = defence;
-        let _e158 = sums.lives[block_1];
-        let weight_1 = (_e154 + (_e155 * _e158));
+        let _e155 = sums.blocks[block_1];
+        let _e156 = defence;
+        let _e159 = sums.lives[block_1];
+        let weight_1 = (_e155 + (_e156 * _e159));
         // glimt_render_gpu/src/kernels/proposal.rs:311
         blocks[block_1] = weight_1;
         // glimt_render_gpu/src/kernels/proposal.rs:312
-        let _e164 = total;
-        total = (_e164 + weight_1);
+        let _e165 = total;
+        total = (_e165 + weight_1);
         continuing {
-            let _e166 = counter_5;
-            counter_5 = (_e166 + 1u);
+            let _e167 = counter_5;
+            counter_5 = (_e167 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:314
-    let _e170 = total;
-    let _e171 = lobe_worth;
-    let all_ = (_e170 + _e171);
+    let _e171 = total;
+    let _e172 = lobe_worth;
+    let all_ = (_e171 + _e172);
     // glimt_render_gpu/src/kernels/proposal.rs:315
     lobe_share = 0f;
     // glimt_render_gpu/src/kernels/proposal.rs:316
     if (all_ > 0f) {
         // glimt_render_gpu/src/kernels/proposal.rs:317
-        let _e180 = lobe_worth;
-        let _e182 = least_share;
-        lobe_share = clamp((_e180 / all_), _e182, 0.95f);
+        let _e181 = lobe_worth;
+        let _e183 = least_share;
+        lobe_share = clamp((_e181 / all_), _e183, 0.95f);
         // glimt_render_gpu/src/kernels/proposal.rs:318
-        let _e186 = total;
-        if !((_e186 > 0f)) {
+        let _e187 = total;
+        if !((_e187 > 0f)) {
             // glimt_render_gpu/src/kernels/proposal.rs:319
             lobe_share = 1f;
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:322
-    let _e194 = of_2.diffuse;
-    let kd_1 = (_e194 * 0.31830987f);
+    let _e195 = of_2.diffuse;
+    let kd_1 = (_e195 * 0.31830987f);
     // glimt_render_gpu/src/kernels/proposal.rs:323
-    let _e199 = first_3.diffuse;
-    let _e202 = of_2.specular;
-    let _e204 = first_3.specular;
-    let _e205 = share;
-    let _e210 = first_3.open_diffuse;
-    let _e213 = of_2.specular;
-    let _e215 = first_3.open_specular;
-    let _e216 = share;
-    let _e220 = of_2;
-    let _e221 = blocks;
-    let _e222 = total;
-    let _e223 = defence;
-    let _e224 = lobe_worth;
-    let _e225 = lobe_share;
-    return Proposal(_e220, _e221, _e222, _e223, _e224, _e225, ((kd_1 * _e199) + (_e202 * (_e204 * _e205))), ((kd_1 * _e210) + (_e213 * (_e215 * _e216))), is_catcher_2);
+    let _e200 = first_3.diffuse;
+    let _e203 = of_2.specular;
+    let _e205 = first_3.specular;
+    let _e206 = share;
+    let _e211 = first_3.open_diffuse;
+    let _e214 = of_2.specular;
+    let _e216 = first_3.open_specular;
+    let _e217 = share;
+    let _e221 = of_2;
+    let _e222 = blocks;
+    let _e223 = total;
+    let _e224 = defence;
+    let _e225 = lobe_worth;
+    let _e226 = lobe_share;
+    return Proposal(_e221, _e222, _e223, _e224, _e225, _e226, ((kd_1 * _e200) + (_e203 * (_e205 * _e206))), ((kd_1 * _e211) + (_e214 * (_e216 * _e217))), is_catcher_2);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:111
-fn PixelPattern_point(this_32: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
+fn PixelPattern_point(this_31: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:112
-    let _e8 = PixelPattern_sobol_point(this_32, purpose_5, index_15);
-    let _e9 = PixelPattern_generator(this_32, purpose_5, index_15);
-    return PatternSource((this_32.kind == 0u), _e8, _e9);
+    let _e8 = PixelPattern_sobol_point(this_31, purpose_5, index_15);
+    let _e9 = PixelPattern_generator(this_31, purpose_5, index_15);
+    return PatternSource((this_31.kind == 0u), _e8, _e9);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:172
-fn PatternSource_next_uvec2_(this_33: ptr<function, PatternSource>) -> vec2<u32> {
+fn PatternSource_next_uvec2_(this_32: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_16: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:173
-    let _e5 = (*this_33).is_sobol;
+    let _e5 = (*this_32).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:174
-        let _e9 = (*this_33).point;
+        let _e9 = (*this_32).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_33).point = _e11;
+        (*this_32).point = _e11;
         chosen_16 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:176
-        let _e15 = (*this_33).generator;
+        let _e15 = (*this_32).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_33).generator = _e17;
+        (*this_32).generator = _e17;
         chosen_16 = _e16;
     }
     let _e18 = chosen_16;
@@ -2801,39 +2860,39 @@ fn Place_new(target_: f32) -> Place {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:481
-fn Place_offer(this_34: ptr<function, Place>, index_16: u32, width: f32) {
+fn Place_offer(this_33: ptr<function, Place>, index_16: u32, width: f32) {
 
     // glimt_render_gpu/src/kernels/proposal.rs:482
-    let _e8 = (*this_34).is_found;
+    let _e8 = (*this_33).is_found;
     if ((width > 0f) && !(_e8)) {
         // glimt_render_gpu/src/kernels/proposal.rs:483
-        (*this_34).index = index_16;
+        (*this_33).index = index_16;
         // glimt_render_gpu/src/kernels/proposal.rs:484
-        let _e15 = (*this_34).sum;
-        (*this_34).first = _e15;
+        let _e15 = (*this_33).sum;
+        (*this_33).first = _e15;
         // glimt_render_gpu/src/kernels/proposal.rs:485
-        (*this_34).width = width;
+        (*this_33).width = width;
     }
     // glimt_render_gpu/src/kernels/proposal.rs:487
-    let _e21 = (*this_34).sum;
-    (*this_34).sum = (_e21 + width);
+    let _e21 = (*this_33).sum;
+    (*this_33).sum = (_e21 + width);
     // glimt_render_gpu/src/kernels/proposal.rs:488
-    let _e25 = (*this_34).is_found;
-    let _e27 = (*this_34).sum;
-    let _e29 = (*this_34).target_;
-    (*this_34).is_found = (_e25 || (_e27 > _e29));
+    let _e25 = (*this_33).is_found;
+    let _e27 = (*this_33).sum;
+    let _e29 = (*this_33).target_;
+    (*this_33).is_found = (_e25 || (_e27 > _e29));
     return;
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:494
-fn Place_word(this_35: Place, whole: f32, fraction: u32) -> u32 {
+fn Place_word(this_34: Place, whole: f32, fraction: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:495
     let unit = (whole * (1f / 16777216f));
     // glimt_render_gpu/src/kernels/proposal.rs:496
-    let fine = ((this_35.target_ - this_35.first) + (unit * (f32(fraction) * (1f / 65536f))));
+    let fine = ((this_34.target_ - this_34.first) + (unit * (f32(fraction) * (1f / 65536f))));
     // glimt_render_gpu/src/kernels/proposal.rs:497
-    let place_3 = clamp((fine / max(this_35.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    let place_3 = clamp((fine / max(this_34.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
     // glimt_render_gpu/src/kernels/proposal.rs:498
     return ((u32((place_3 * 16777216f)) << 8u) | (fraction & 255u));
 }
@@ -2857,17 +2916,17 @@ fn first_row_word() -> u32 {
 }
 
 // glimt_light_cells/src/partition.rs:147
-fn LightCells_row_edges(size_7: vec2<u32>, start_3: u32, cell_1: u32, rows: vec2<u32>) -> u32 {
+fn LightCells_row_edges(size_7: vec2<u32>, start_3: u32, cell_2: u32, rows: vec2<u32>) -> u32 {
 
     // glimt_light_cells/src/partition.rs:148
-    let _e9 = Tuple_u32_u32_((cell_1 % 32u), (cell_1 / 32u));
-    let column_1 = _e9.fa;
+    let _e9 = Tuple_u32_u32_((cell_2 % 32u), (cell_2 / 32u));
+    let column_2 = _e9.fa;
     let row_2 = _e9.fb;
     // glimt_light_cells/src/partition.rs:149
     let of_band = (32u * (rows.x + row_2));
     // glimt_light_cells/src/partition.rs:150
     let _e18 = first_row_word();
-    return (((start_3 + _e18) + of_band) + (column_1 * ((rows.y - rows.x) + 1u)));
+    return (((start_3 + _e18) + of_band) + (column_2 * ((rows.y - rows.x) + 1u)));
 }
 
 // glimt_envmap_cdf/src/search.rs:31
@@ -2974,28 +3033,28 @@ fn LightCells_pmf(size_10: vec2<u32>, start_6: u32, row_1: Bin, texel: vec2<u32>
 }
 
 // glimt_light_cells/src/partition.rs:163
-fn LightCells_sample(size_11: vec2<u32>, start_7: u32, cell_2: u32, u_6: vec2<u32>) -> TexelDraw {
+fn LightCells_sample(size_11: vec2<u32>, start_7: u32, cell_3: u32, u_6: vec2<u32>) -> TexelDraw {
     var at_1: u32;
     var left_1: u32;
 
     // glimt_light_cells/src/partition.rs:164
-    let _e8 = LightCells_texel_rows(size_11, start_7, (cell_2 / 32u));
+    let _e8 = LightCells_texel_rows(size_11, start_7, (cell_3 / 32u));
     // glimt_light_cells/src/partition.rs:165
-    let _e10 = LightCells_row_edges(size_11, start_7, cell_2, _e8);
+    let _e10 = LightCells_row_edges(size_11, start_7, cell_3, _e8);
     // glimt_light_cells/src/partition.rs:166
     let _e18 = find_bin(_e10, (_e8.y - _e8.x), (u_6.y >> 1u));
     // glimt_light_cells/src/partition.rs:172
     let y_4 = (_e8.x + _e18.index);
     // glimt_light_cells/src/partition.rs:173
-    let column_2 = (cell_2 % 32u);
+    let column_3 = (cell_3 % 32u);
     // glimt_light_cells/src/partition.rs:174
-    let _e28 = first_column(column_2, size_11.x);
+    let _e28 = first_column(column_3, size_11.x);
     // glimt_light_cells/src/partition.rs:176
     let _e31 = column_unit(u_6.x);
     // glimt_light_cells/src/partition.rs:177
     at_1 = _e28;
     // glimt_light_cells/src/partition.rs:178
-    let _e38 = first_column((column_2 + 1u), size_11.x);
+    let _e38 = first_column((column_3 + 1u), size_11.x);
     left_1 = (_e38 - _e28);
     // glimt_light_cells/src/partition.rs:179
     loop {
@@ -3038,23 +3097,23 @@ fn cos_sin_pi(x_10: f32) -> vec2<f32> {
     // glimt_probe/src/trig.rs:31
     let c_6 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
     // glimt_probe/src/trig.rs:34
-    let s_3 = (y_5 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    let s_5 = (y_5 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
     // glimt_probe/src/trig.rs:37
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_18 = vec2<f32>(c_6, (s_3 + 0f));
+        chosen_18 = vec2<f32>(c_6, (s_5 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_18 = vec2<f32>((0f - s_3), c_6);
+            chosen_18 = vec2<f32>((0f - s_5), c_6);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_18 = vec2<f32>((0f - c_6), (0f - s_3));
+                chosen_18 = vec2<f32>((0f - c_6), (0f - s_5));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_18 = vec2<f32>((s_3 + 0f), (0f - c_6));
+                chosen_18 = vec2<f32>((s_5 + 0f), (0f - c_6));
             }
         }
     }
@@ -3099,16 +3158,16 @@ fn direction_in_texel(texel_1: vec2<u32>, size_12: vec2<u32>, r: vec2<f32>) -> v
     // glimt_probe/src/latlong.rs:152
     let s_upper = (sin_upper * sin_upper);
     // glimt_probe/src/latlong.rs:153
-    let s_4 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
+    let s_6 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
     // glimt_probe/src/latlong.rs:154
-    let sin_theta = (2f * sqrt(max((s_4 * (1f - s_4)), 0f)));
+    let sin_theta = (2f * sqrt(max((s_6 * (1f - s_6)), 0f)));
     // glimt_probe/src/latlong.rs:155
     if southern {
         // glimt_probe/src/latlong.rs:156
-        chosen_21 = ((2f * s_4) - 1f);
+        chosen_21 = ((2f * s_6) - 1f);
     } else {
         // glimt_probe/src/latlong.rs:158
-        chosen_21 = (1f - (2f * s_4));
+        chosen_21 = (1f - (2f * s_6));
     }
     let cos_theta = chosen_21;
     // glimt_probe/src/latlong.rs:160
@@ -3118,7 +3177,7 @@ fn direction_in_texel(texel_1: vec2<u32>, size_12: vec2<u32>, r: vec2<f32>) -> v
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:398
-fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_2: Even) -> CellDraw {
+fn Proposal_sample_cells(this_35: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_from_2: u32, expected_turned_2: u32) -> CellDraw {
     var self_: Proposal;
     var row_place: Place;
     var counter_6: u32;
@@ -3129,14 +3188,14 @@ fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     var cell_place: Place;
     var counter_9: u32;
 
-    self_ = this_36;
+    self_ = this_35;
     // glimt_render_gpu/src/kernels/proposal.rs:404
     let per_row = (64u / 16u);
     // glimt_render_gpu/src/kernels/proposal.rs:406
-    let _e13 = unit_f32_(u_7.y);
-    let _e15 = self_.total;
-    let _e17 = Place_new((_e13 * _e15));
-    row_place = _e17;
+    let _e14 = unit_f32_(u_7.y);
+    let _e16 = self_.total;
+    let _e18 = Place_new((_e14 * _e16));
+    row_place = _e18;
     // glimt_render_gpu/src/kernels/proposal.rs:407
     counter_6 = 0u;
     loop {
@@ -3154,32 +3213,32 @@ fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
                 break;
             }
             // glimt_render_gpu/src/kernels/proposal.rs:410
-            let _e39 = self_.blocks[block_2];
-            let _e40 = sum_2;
-            sum_2 = (_e40 + _e39);
+            let _e40 = self_.blocks[block_2];
+            let _e41 = sum_2;
+            sum_2 = (_e41 + _e40);
             continuing {
-                let _e42 = counter_7;
-                counter_7 = (_e42 + 1u);
+                let _e43 = counter_7;
+                counter_7 = (_e43 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/proposal.rs:412
-        let _e46 = sum_2;
-        Place_offer((&row_place), row_4, _e46);
+        let _e47 = sum_2;
+        Place_offer((&row_place), row_4, _e47);
         continuing {
-            let _e47 = counter_6;
-            counter_6 = (_e47 + 1u);
+            let _e48 = counter_6;
+            counter_6 = (_e48 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:414
-    let _e52 = row_place.index;
-    let first_8 = (_e52 * per_row);
+    let _e53 = row_place.index;
+    let first_8 = (_e53 * per_row);
     // glimt_render_gpu/src/kernels/proposal.rs:415
-    let _e56 = unit_f32_(u_7.x);
-    let _e58 = row_place.width;
-    let target_1 = (_e56 * _e58);
+    let _e57 = unit_f32_(u_7.x);
+    let _e59 = row_place.width;
+    let target_1 = (_e57 * _e59);
     // glimt_render_gpu/src/kernels/proposal.rs:416
-    let _e61 = Place_new(target_1);
-    block_place = _e61;
+    let _e62 = Place_new(target_1);
+    block_place = _e62;
     // glimt_render_gpu/src/kernels/proposal.rs:417
     counter_8 = first_8;
     loop {
@@ -3188,17 +3247,17 @@ fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
             break;
         }
         // glimt_render_gpu/src/kernels/proposal.rs:418
-        let _e71 = self_.blocks[block_3];
-        Place_offer((&block_place), block_3, _e71);
+        let _e72 = self_.blocks[block_3];
+        Place_offer((&block_place), block_3, _e72);
         continuing {
-            let _e72 = counter_8;
-            counter_8 = (_e72 + 1u);
+            let _e73 = counter_8;
+            counter_8 = (_e73 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:420
-    let _e77 = block_place.first;
-    let _e78 = Place_new(target_1);
-    cell_place = Place(_e78.target_, _e77, _e78.index, _e78.first, _e78.width, _e78.is_found);
+    let _e78 = block_place.first;
+    let _e79 = Place_new(target_1);
+    cell_place = Place(_e79.target_, _e78, _e79.index, _e79.first, _e79.width, _e79.is_found);
     // glimt_render_gpu/src/kernels/proposal.rs:424
     counter_9 = 0u;
     loop {
@@ -3207,58 +3266,58 @@ fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
             break;
         }
         // glimt_render_gpu/src/kernels/proposal.rs:425
-        let _e95 = block_place.index;
-        let quad_6 = ((2u * _e95) + half_4);
+        let _e96 = block_place.index;
+        let quad_7 = ((2u * _e96) + half_4);
         // glimt_render_gpu/src/kernels/proposal.rs:426
-        let _e100 = LightCells_quad(cells_size_5, cells_start_5, 0u, quad_6);
+        let _e101 = LightCells_quad(cells_size_5, cells_start_5, 0u, quad_7);
         // glimt_render_gpu/src/kernels/proposal.rs:427
-        let _e104 = self_.of_.surface;
-        let _e105 = LightCells_terms(cells_size_5, cells_start_5, _e104, quad_6);
+        let _e105 = self_.of_.surface;
+        let _e106 = LightCells_terms(cells_size_5, cells_start_5, _e105, quad_7);
         // glimt_render_gpu/src/kernels/proposal.rs:428
-        let _e107 = Even_quad(expected_2, quad_6);
+        let _e108 = Remembered_quad(expected_from_2, expected_turned_2, quad_7);
         // glimt_render_gpu/src/kernels/proposal.rs:429
         let surface_4 = self_.of_.surface;
         // glimt_render_gpu/src/kernels/proposal.rs:430
-        let _e114 = self_.is_catcher;
-        let _e115 = weights(surface_4, _e105, _e100, _e107, _e114);
+        let _e115 = self_.is_catcher;
+        let _e116 = weights(surface_4, _e106, _e101, _e108, _e115);
         // glimt_render_gpu/src/kernels/proposal.rs:431
-        let _e120 = self_.defence;
-        let all_1 = (_e115 + ((_e100 * _e105.live) * _e120));
+        let _e121 = self_.defence;
+        let all_1 = (_e116 + ((_e101 * _e106.live) * _e121));
         // glimt_render_gpu/src/kernels/proposal.rs:432
-        Place_offer((&cell_place), (4u * quad_6), all_1.x);
+        Place_offer((&cell_place), (4u * quad_7), all_1.x);
         // glimt_render_gpu/src/kernels/proposal.rs:433
-        Place_offer((&cell_place), ((4u * quad_6) + 1u), all_1.y);
+        Place_offer((&cell_place), ((4u * quad_7) + 1u), all_1.y);
         // glimt_render_gpu/src/kernels/proposal.rs:434
-        Place_offer((&cell_place), ((4u * quad_6) + 2u), all_1.z);
+        Place_offer((&cell_place), ((4u * quad_7) + 2u), all_1.z);
         // glimt_render_gpu/src/kernels/proposal.rs:435
-        Place_offer((&cell_place), ((4u * quad_6) + 3u), all_1.w);
+        Place_offer((&cell_place), ((4u * quad_7) + 3u), all_1.w);
         continuing {
-            let _e145 = counter_9;
-            counter_9 = (_e145 + 1u);
+            let _e146 = counter_9;
+            counter_9 = (_e146 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:437
-    let _e151 = hash2_(u_7.x, u_7.y);
+    let _e152 = hash2_(u_7.x, u_7.y);
     // glimt_render_gpu/src/kernels/proposal.rs:438
-    let _e153 = cell_place;
-    let _e155 = row_place.width;
-    let _e158 = Place_word(_e153, _e155, (_e151 & 65535u));
-    let _e159 = row_place;
-    let _e161 = self_.total;
-    let _e164 = Place_word(_e159, _e161, (_e151 >> 16u));
-    let within = vec2<u32>(_e158, _e164);
+    let _e154 = cell_place;
+    let _e156 = row_place.width;
+    let _e159 = Place_word(_e154, _e156, (_e152 & 65535u));
+    let _e160 = row_place;
+    let _e162 = self_.total;
+    let _e165 = Place_word(_e160, _e162, (_e152 >> 16u));
+    let within = vec2<u32>(_e159, _e165);
     // glimt_render_gpu/src/kernels/proposal.rs:442
-    let _e168 = cell_place.index;
-    let _e169 = LightCells_sample(cells_size_5, cells_start_5, _e168, within);
+    let _e169 = cell_place.index;
+    let _e170 = LightCells_sample(cells_size_5, cells_start_5, _e169, within);
     // glimt_render_gpu/src/kernels/proposal.rs:443
-    let _e172 = hash2_(_e151, u_7.x);
+    let _e173 = hash2_(_e152, u_7.x);
     // glimt_render_gpu/src/kernels/proposal.rs:444
-    let place_4 = vec2<u32>((_e172 << 16u), (_e172 & 4294901760u));
+    let place_4 = vec2<u32>((_e173 << 16u), (_e173 & 4294901760u));
     // glimt_render_gpu/src/kernels/proposal.rs:445
-    let _e181 = unit_vec2_(place_4);
-    let _e182 = direction_in_texel(_e169.texel, cells_size_5, _e181);
-    let _e185 = cell_place.index;
-    return CellDraw(_e182, _e169.texel, _e185);
+    let _e182 = unit_vec2_(place_4);
+    let _e183 = direction_in_texel(_e170.texel, cells_size_5, _e182);
+    let _e186 = cell_place.index;
+    return CellDraw(_e183, _e170.texel, _e186);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:73
@@ -3282,161 +3341,201 @@ fn Scene_is_lit(point_1: ShadingPoint, direction_3: vec3<f32>, key_4: u32) -> bo
     return !(_e9);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:97
-fn counted(n_3: u32, s: u32, arrives: u32) -> u32 {
+// glimt_render_gpu/src/kernels/cell_state.rs:109
+fn counted(n_4: u32, s_1: u32, arrives: u32) -> u32 {
     var chosen_22: u32;
     var chosen_23: u32;
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:98
-    let is_full = (n_3 >= 255u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:100
+    // glimt_render_gpu/src/kernels/cell_state.rs:110
+    let is_full = (n_4 >= 255u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:112
     if is_full {
-        chosen_22 = (n_3 / 2u);
+        chosen_22 = (n_4 / 2u);
     } else {
-        chosen_22 = n_3;
+        chosen_22 = n_4;
     }
     let _e11 = chosen_22;
-    let n_5 = (_e11 + 1u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:101
+    let n_7 = (_e11 + 1u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:113
     if is_full {
-        chosen_23 = (s / 2u);
+        chosen_23 = (s_1 / 2u);
     } else {
-        chosen_23 = s;
+        chosen_23 = s_1;
     }
     let _e18 = chosen_23;
-    let s_5 = (_e18 + arrives);
-    // glimt_render_gpu/src/kernels/cell_state.rs:102
-    return (n_5 | (s_5 << 8u));
+    let s_7 = (_e18 + arrives);
+    // glimt_render_gpu/src/kernels/cell_state.rs:114
+    return (n_7 | (s_7 << 8u));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:108
-fn count_2(word_4: u32, cell_3: u32, arrives_1: bool) -> u32 {
+// glimt_render_gpu/src/kernels/cell_state.rs:120
+fn count_2(word_6: u32, cell_4: u32, arrives_1: bool) -> u32 {
     var chosen_24: u32;
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:109
-    let shift = (16u * (cell_3 & 1u));
-    // glimt_render_gpu/src/kernels/cell_state.rs:110
-    let own_1 = ((word_4 >> (shift & 31u)) & 65535u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:111
+    // glimt_render_gpu/src/kernels/cell_state.rs:121
+    let shift = (16u * (cell_4 & 1u));
+    // glimt_render_gpu/src/kernels/cell_state.rs:122
+    let own_2 = ((word_6 >> (shift & 31u)) & 65535u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:123
     if arrives_1 {
         chosen_24 = 1u;
     } else {
         chosen_24 = 0u;
     }
     let _e23 = chosen_24;
-    let _e24 = counted((own_1 & 255u), (own_1 >> 8u), _e23);
-    // glimt_render_gpu/src/kernels/cell_state.rs:112
-    return ((word_4 & ~((65535u << (shift & 31u)))) | (_e24 << (shift & 31u)));
+    let _e24 = counted((own_2 & 255u), (own_2 >> 8u), _e23);
+    // glimt_render_gpu/src/kernels/cell_state.rs:124
+    return ((word_6 & ~((65535u << (shift & 31u)))) | (_e24 << (shift & 31u)));
 }
 
-// glimt_render_gpu/src/kernels/pilot.rs:43
+// glimt_render_gpu/src/kernels/pilot.rs:48
 fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, counts_start: u32, counts_len: u32) {
     var counter_10: u32;
     var counter_11: u32;
+    var counter_12: u32;
+    var seen: SeenPoint;
     var proposal: Proposal;
     var chosen_25: u32;
-    var counter_12: u32;
+    var counter_13: u32;
     var borrowed_4: PatternSource;
 
-    // glimt_render_gpu/src/kernels/pilot.rs:52
-    let _e8 = CellParams_corner(cells, tile_1);
-    // glimt_render_gpu/src/kernels/pilot.rs:53
-    let _e10 = tile_end(_e8, frame_4);
-    // glimt_render_gpu/src/kernels/pilot.rs:54
+    // glimt_render_gpu/src/kernels/pilot.rs:58
     let first_9 = (tile_1 * 3u);
-    // glimt_render_gpu/src/kernels/pilot.rs:55
-    let rays = u32(max(((cells.rays * cells.pilot) * f32((2u * 2u))), 1f));
-    // glimt_render_gpu/src/kernels/pilot.rs:56
-    let _e27 = Environment_cells(env_size_1, env_rotation_1);
-    // glimt_render_gpu/src/kernels/pilot.rs:57
-    let _e34 = (_e10.y - _e8.y);
-    let _e36 = (_e34 / 2u);
+    // glimt_render_gpu/src/kernels/pilot.rs:59
     counter_10 = 0u;
     loop {
-        let row_5 = counter_10;
-        if (row_5 >= select(_e36, (_e36 + 1u), ((_e34 % 2u) != 0u))) {
+        let slot_1 = counter_10;
+        if (slot_1 >= 3u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/pilot.rs:58
-        let _e50 = (_e10.x - _e8.x);
-        let _e52 = (_e50 / 2u);
+        // glimt_render_gpu/src/kernels/pilot.rs:60
+        let _e21 = entries[(first_9 + slot_1)].from_;
+        // glimt_render_gpu/src/kernels/pilot.rs:65
         counter_11 = 0u;
         loop {
-            let column_3 = counter_11;
-            if (column_3 >= select(_e52, (_e52 + 1u), ((_e50 % 2u) != 0u))) {
+            let word_9 = counter_11;
+            if (word_9 >= 256u) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pilot.rs:59
-            let pixel_4 = ((((_e8.y + (2u * row_5)) * frame_4.width) + _e8.x) + (2u * column_3));
-            // glimt_render_gpu/src/kernels/pilot.rs:60
-            let _e76 = FrameParams_pattern_at(frame_4, pixel_4, 0u);
-            // glimt_render_gpu/src/kernels/pilot.rs:61
-            let _e78 = see_by(_e76, frame_4);
-            // glimt_render_gpu/src/kernels/pilot.rs:62
-            let _e81 = slot_of(_e78.surface, first_9);
-            // glimt_render_gpu/src/kernels/pilot.rs:63
-            let _e83 = SeenPoint_is_hit(_e78);
-            if (_e83 && (_e81 > 0u)) {
-                // glimt_render_gpu/src/kernels/pilot.rs:64
-                let base_2 = ((_e81 - 1u) * 256u);
-                // glimt_render_gpu/src/kernels/pilot.rs:65
-                let _e93 = SeenPoint_shading_point(_e78);
-                // glimt_render_gpu/src/kernels/pilot.rs:66
-                let _e95 = alone(_e78, env_size_1, env_rotation_1);
-                let _e97 = SeenPoint_is_catcher(_e78);
-                let _e98 = Proposal_new(_e95, _e27.value_size, _e27.value_start, Even(), _e97);
-                proposal = _e98;
-                // glimt_render_gpu/src/kernels/pilot.rs:67
-                let _e102 = PixelPattern_ray_key(_e76, 14u);
-                // glimt_render_gpu/src/kernels/pilot.rs:68
-                let _e106 = proposal.total;
-                if (_e106 > 0f) {
-                    chosen_25 = rays;
-                } else {
-                    chosen_25 = 0u;
-                }
-                let own_2 = chosen_25;
-                // glimt_render_gpu/src/kernels/pilot.rs:69
-                counter_12 = 0u;
-                loop {
-                    let s_6 = counter_12;
-                    if (s_6 >= own_2) {
-                        break;
-                    }
-                    // glimt_render_gpu/src/kernels/pilot.rs:70
-                    let _e118 = PixelPattern_point(_e76, 13u, s_6);
-                    borrowed_4 = _e118;
-                    let _e120 = PatternSource_next_uvec2_((&borrowed_4));
-                    // glimt_render_gpu/src/kernels/pilot.rs:71
-                    let _e122 = proposal;
-                    let _e124 = Proposal_sample_cells(_e122, _e120, _e27.value_size, _e27.value_start, Even());
-                    // glimt_render_gpu/src/kernels/pilot.rs:72
-                    let _e127 = rotate_z(_e124.direction, env_rotation_1);
-                    // glimt_render_gpu/src/kernels/pilot.rs:73
-                    if ((dot(_e93.frame.n, _e127) > 0f) && (dot(_e93.geometric_normal, _e127) > 0f)) {
-                        // glimt_render_gpu/src/kernels/pilot.rs:76
-                        let _e141 = Scene_is_lit(_e93, _e127, (_e102 + s_6));
-                        // glimt_render_gpu/src/kernels/pilot.rs:77
-                        let at_5 = (base_2 + (_e124.cell / 2u));
-                        // glimt_render_gpu/src/kernels/pilot.rs:78
-                        let _e151 = counts[(counts_start + at_5)];
-                        let _e153 = count_2(_e151, _e124.cell, _e141);
-                        counts[(counts_start + at_5)] = _e153;
-                    }
-                    continuing {
-                        let _e157 = counter_12;
-                        counter_12 = (_e157 + 1u);
-                    }
-                }
-            }
+            // glimt_render_gpu/src/kernels/pilot.rs:66
+            let _e30 = Remembered_word(_e21, cells.turned, word_9);
+            counts[(counts_start + ((slot_1 * 256u) + word_9))] = _e30;
             continuing {
-                let _e160 = counter_11;
-                counter_11 = (_e160 + 1u);
+                let _e37 = counter_11;
+                counter_11 = (_e37 + 1u);
             }
         }
         continuing {
-            let _e163 = counter_10;
-            counter_10 = (_e163 + 1u);
+            let _e40 = counter_10;
+            counter_10 = (_e40 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/pilot.rs:69
+    let _e44 = CellParams_corner(cells, tile_1);
+    // glimt_render_gpu/src/kernels/pilot.rs:70
+    let _e46 = tile_end(_e44, frame_4);
+    // glimt_render_gpu/src/kernels/pilot.rs:71
+    let _e50 = (_e46.x - _e44.x);
+    let _e52 = (_e50 / 2u);
+    let columns_1 = select(_e52, (_e52 + 1u), ((_e50 % 2u) != 0u));
+    // glimt_render_gpu/src/kernels/pilot.rs:72
+    let _e62 = (_e46.y - _e44.y);
+    let _e64 = (_e62 / 2u);
+    let rows_2 = select(_e64, (_e64 + 1u), ((_e62 % 2u) != 0u));
+    // glimt_render_gpu/src/kernels/pilot.rs:73
+    let _e72 = Environment_cells(env_size_1, env_rotation_1);
+    // glimt_render_gpu/src/kernels/pilot.rs:74
+    counter_12 = 0u;
+    loop {
+        let i_2 = counter_12;
+        if (i_2 >= 64u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/pilot.rs:76
+        let place_5 = (reverseBits(i_2) >> ((32u - 6u) & 31u));
+        // glimt_render_gpu/src/kernels/pilot.rs:77
+        let pixel_4 = ((((_e44.y + ((place_5 / columns_1) * 2u)) * frame_4.width) + _e44.x) + ((place_5 % columns_1) * 2u));
+        // glimt_render_gpu/src/kernels/pilot.rs:79
+        let _e105 = FrameParams_pattern_at(frame_4, pixel_4, 0u);
+        // glimt_render_gpu/src/kernels/pilot.rs:80
+        seen = SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
+        // glimt_render_gpu/src/kernels/pilot.rs:81
+        if (place_5 < (columns_1 * rows_2)) {
+            // glimt_render_gpu/src/kernels/pilot.rs:82
+            let _e134 = see_by(_e105, frame_4);
+            seen = _e134;
+        }
+        // glimt_render_gpu/src/kernels/pilot.rs:84
+        let _e137 = seen.surface;
+        let _e138 = slot_of(_e137, first_9);
+        // glimt_render_gpu/src/kernels/pilot.rs:85
+        let _e140 = seen;
+        let _e141 = SeenPoint_is_hit(_e140);
+        if (_e141 && (_e138 > 0u)) {
+            // glimt_render_gpu/src/kernels/pilot.rs:86
+            let entry = entries[((first_9 + _e138) - 1u)];
+            // glimt_render_gpu/src/kernels/pilot.rs:87
+            let base_2 = ((_e138 - 1u) * 256u);
+            // glimt_render_gpu/src/kernels/pilot.rs:88
+            // glimt_render_gpu/src/kernels/pilot.rs:93
+            let _e161 = seen;
+            let _e162 = SeenPoint_shading_point(_e161);
+            // glimt_render_gpu/src/kernels/pilot.rs:94
+            let _e164 = seen;
+            let _e165 = alone(_e164, env_size_1, env_rotation_1);
+            // glimt_render_gpu/src/kernels/pilot.rs:95
+            let _e167 = seen;
+            let _e168 = SeenPoint_is_catcher(_e167);
+            let _e169 = Proposal_new(_e165, _e72.value_size, _e72.value_start, entry.from_, cells.turned, _e168);
+            proposal = _e169;
+            // glimt_render_gpu/src/kernels/pilot.rs:96
+            let _e173 = PixelPattern_ray_key(_e105, 14u);
+            // glimt_render_gpu/src/kernels/pilot.rs:97
+            let _e177 = proposal.total;
+            if (_e177 > 0f) {
+                // glimt_render_gpu/src/kernels/pilot.rs:98
+                chosen_25 = entry.pilots;
+            } else {
+                // glimt_render_gpu/src/kernels/pilot.rs:100
+                chosen_25 = 0u;
+            }
+            let rays = chosen_25;
+            // glimt_render_gpu/src/kernels/pilot.rs:102
+            counter_13 = 0u;
+            loop {
+                let s_8 = counter_13;
+                if (s_8 >= rays) {
+                    break;
+                }
+                // glimt_render_gpu/src/kernels/pilot.rs:103
+                let _e192 = PixelPattern_point(_e105, 13u, s_8);
+                borrowed_4 = _e192;
+                let _e194 = PatternSource_next_uvec2_((&borrowed_4));
+                // glimt_render_gpu/src/kernels/pilot.rs:104
+                let _e196 = proposal;
+                let _e197 = Proposal_sample_cells(_e196, _e194, _e72.value_size, _e72.value_start, entry.from_, cells.turned);
+                // glimt_render_gpu/src/kernels/pilot.rs:105
+                let _e200 = rotate_z(_e197.direction, env_rotation_1);
+                // glimt_render_gpu/src/kernels/pilot.rs:106
+                if ((dot(_e162.frame.n, _e200) > 0f) && (dot(_e162.geometric_normal, _e200) > 0f)) {
+                    // glimt_render_gpu/src/kernels/pilot.rs:108
+                    let _e214 = Scene_is_lit(_e162, _e200, (_e173 + s_8));
+                    // glimt_render_gpu/src/kernels/pilot.rs:109
+                    let at_5 = (base_2 + (_e197.cell / 2u));
+                    // glimt_render_gpu/src/kernels/pilot.rs:110
+                    let _e224 = counts[(counts_start + at_5)];
+                    let _e226 = count_2(_e224, _e197.cell, _e214);
+                    counts[(counts_start + at_5)] = _e226;
+                }
+                continuing {
+                    let _e230 = counter_13;
+                    counter_13 = (_e230 + 1u);
+                }
+            }
+        }
+        continuing {
+            let _e233 = counter_12;
+            counter_12 = (_e233 + 1u);
         }
     }
     return;

@@ -28,12 +28,14 @@ struct TileEntry {
     surface: u32,
     normal: vec3<f32>,
     exponent: f32,
-    wo: vec3<f32>,
-    hits: u32,
     diffuse: f32,
     specular: f32,
+    hits: u32,
     off_centre: f32,
-    unused: u32,
+    from_: u32,
+    pilots: u32,
+    unused_a: u32,
+    unused_b: u32,
 }
 
 struct ColourMatrix {
@@ -70,12 +72,12 @@ struct FrameParams {
 struct CellParams {
     rays: f32,
     pilot: f32,
+    upkeep: f32,
     tiles_across: u32,
     tiles: u32,
     is_adaptive: u32,
-    unused_a: u32,
-    unused_b: u32,
-    unused_c: u32,
+    has_past: u32,
+    turned: u32,
 }
 
 struct PixelPattern {
@@ -212,14 +214,14 @@ var<uniform> params: Params;
 fn CellParams_corner(this_: CellParams, tile: u32) -> vec2<u32> {
 
     // glimt_render_gpu/src/kernels/scout.rs:38
-    return vec2<u32>(((tile % this_.tiles_across) * 16u), ((tile / this_.tiles_across) * 8u));
+    return vec2<u32>(((tile % this_.tiles_across) * 16u), ((tile / this_.tiles_across) * 10u));
 }
 
 // glimt_render_gpu/src/kernels/scout.rs:56
 fn tile_end(corner: vec2<u32>, frame: FrameParams) -> vec2<u32> {
 
     // glimt_render_gpu/src/kernels/scout.rs:57
-    return vec2<u32>(min((corner.x + 16u), frame.width), min((corner.y + 8u), frame.height));
+    return vec2<u32>(min((corner.x + 16u), frame.width), min((corner.y + 10u), frame.height));
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:130
@@ -2017,14 +2019,14 @@ fn enter(point: SeenPoint, off_centre: f32, entries_start: u32, entries_len: u32
     // glimt_render_gpu/src/kernels/scout.rs:102
     if ((old.surface == 0u) || ((old.surface == point.surface) && (off_centre < old.off_centre))) {
         // glimt_render_gpu/src/kernels/scout.rs:103
-        let _e67 = luminance(point.diffuse);
-        let _e69 = luminance(point.specular);
-        let _e72 = at;
-        entries[(entries_start + _e72)] = TileEntry(point.origin, point.surface, point.normal, point.exponent, point.wo, hits, _e67, _e69, off_centre, 0u);
+        let _e66 = luminance(point.diffuse);
+        let _e68 = luminance(point.specular);
+        let _e74 = at;
+        entries[(entries_start + _e74)] = TileEntry(point.origin, point.surface, point.normal, point.exponent, _e66, _e68, hits, off_centre, 0u, 0u, 0u, 0u);
     } else {
-        // glimt_render_gpu/src/kernels/scout.rs:116
-        let _e77 = at;
-        entries[(entries_start + _e77)].hits = hits;
+        // glimt_render_gpu/src/kernels/scout.rs:118
+        let _e79 = at;
+        entries[(entries_start + _e79)].hits = hits;
     }
     return;
 }
@@ -2043,51 +2045,51 @@ fn scout_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, entries_start_1
             break;
         }
         // glimt_render_gpu/src/kernels/scout.rs:72
-        entries[(entries_start_1 + i_2)] = TileEntry(vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, 0f, 0f, 0f, 0u);
+        entries[(entries_start_1 + i_2)] = TileEntry(vec3(0f), 0u, vec3(0f), 0f, 0f, 0f, 0u, 0f, 0u, 0u, 0u, 0u);
         continuing {
-            let _e30 = counter_3;
-            counter_3 = (_e30 + 1u);
+            let _e31 = counter_3;
+            counter_3 = (_e31 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/scout.rs:74
-    let _e34 = CellParams_corner(cells, tile_1);
+    let _e35 = CellParams_corner(cells, tile_1);
     // glimt_render_gpu/src/kernels/scout.rs:75
-    let _e36 = tile_end(_e34, frame_4);
+    let _e37 = tile_end(_e35, frame_4);
     // glimt_render_gpu/src/kernels/scout.rs:76
-    counter_4 = _e34.y;
+    counter_4 = _e35.y;
     loop {
         let y_3 = counter_4;
-        if (y_3 >= _e36.y) {
+        if (y_3 >= _e37.y) {
             break;
         }
         // glimt_render_gpu/src/kernels/scout.rs:77
-        counter_5 = _e34.x;
+        counter_5 = _e35.x;
         loop {
             let x_9 = counter_5;
-            if (x_9 >= _e36.x) {
+            if (x_9 >= _e37.x) {
                 break;
             }
             // glimt_render_gpu/src/kernels/scout.rs:78
-            let _e54 = FrameParams_pattern_at(frame_4, ((y_3 * frame_4.width) + x_9), 0u);
-            let _e55 = see_by(_e54, frame_4);
+            let _e55 = FrameParams_pattern_at(frame_4, ((y_3 * frame_4.width) + x_9), 0u);
+            let _e56 = see_by(_e55, frame_4);
             // glimt_render_gpu/src/kernels/scout.rs:79
-            let _e57 = SeenPoint_is_hit(_e55);
-            if _e57 {
+            let _e58 = SeenPoint_is_hit(_e56);
+            if _e58 {
                 // glimt_render_gpu/src/kernels/scout.rs:80
-                let across_2 = ((f32(x_9) + 0.5f) - (0.5f * f32((_e34.x + _e36.x))));
+                let across_2 = ((f32(x_9) + 0.5f) - (0.5f * f32((_e35.x + _e37.x))));
                 // glimt_render_gpu/src/kernels/scout.rs:81
-                let down = ((f32(y_3) + 0.5f) - (0.5f * f32((_e34.y + _e36.y))));
+                let down = ((f32(y_3) + 0.5f) - (0.5f * f32((_e35.y + _e37.y))));
                 // glimt_render_gpu/src/kernels/scout.rs:82
-                enter(_e55, ((across_2 * across_2) + (down * down)), entries_start_1, entries_len_1);
+                enter(_e56, ((across_2 * across_2) + (down * down)), entries_start_1, entries_len_1);
             }
             continuing {
-                let _e84 = counter_5;
-                counter_5 = (_e84 + 1u);
+                let _e85 = counter_5;
+                counter_5 = (_e85 + 1u);
             }
         }
         continuing {
-            let _e87 = counter_4;
-            counter_4 = (_e87 + 1u);
+            let _e88 = counter_4;
+            counter_4 = (_e88 + 1u);
         }
     }
     return;

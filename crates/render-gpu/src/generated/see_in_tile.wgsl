@@ -28,12 +28,14 @@ struct TileEntry {
     surface: u32,
     normal: vec3<f32>,
     exponent: f32,
-    wo: vec3<f32>,
-    hits: u32,
     diffuse: f32,
     specular: f32,
+    hits: u32,
     off_centre: f32,
-    unused: u32,
+    from_: u32,
+    pilots: u32,
+    unused_a: u32,
+    unused_b: u32,
 }
 
 struct ColourMatrix {
@@ -70,12 +72,12 @@ struct FrameParams {
 struct CellParams {
     rays: f32,
     pilot: f32,
+    upkeep: f32,
     tiles_across: u32,
     tiles: u32,
     is_adaptive: u32,
-    unused_a: u32,
-    unused_b: u32,
-    unused_c: u32,
+    has_past: u32,
+    turned: u32,
 }
 
 struct PixelPattern {
@@ -1973,29 +1975,29 @@ fn CellParams_tile_of(this_25: CellParams, pixel_4: u32, frame_3: FrameParams) -
     let x_9 = _e9.fa;
     let y_3 = _e9.fb;
     // glimt_render_gpu/src/kernels/scout.rs:49
-    return (((y_3 / 8u) * this_25.tiles_across) + (x_9 / 16u));
+    return (((y_3 / 10u) * this_25.tiles_across) + (x_9 / 16u));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:71
+// glimt_render_gpu/src/kernels/cell_state.rs:83
 fn slot_of(surface: u32, first_2: u32) -> u32 {
     var slot: u32;
     var counter_2: u32;
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:72
+    // glimt_render_gpu/src/kernels/cell_state.rs:84
     slot = 0u;
-    // glimt_render_gpu/src/kernels/cell_state.rs:73
+    // glimt_render_gpu/src/kernels/cell_state.rs:85
     counter_2 = 0u;
     loop {
         let i_1 = counter_2;
         if (i_1 >= 3u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/cell_state.rs:74
+        // glimt_render_gpu/src/kernels/cell_state.rs:86
         let own = entries[(first_2 + i_1)].surface;
-        // glimt_render_gpu/src/kernels/cell_state.rs:76
+        // glimt_render_gpu/src/kernels/cell_state.rs:88
         let _e19 = slot;
         if ((_e19 == 0u) && ((own == surface) || ((i_1 == (3u - 1u)) && (own != 0u)))) {
-            // glimt_render_gpu/src/kernels/cell_state.rs:77
+            // glimt_render_gpu/src/kernels/cell_state.rs:89
             slot = (i_1 + 1u);
         }
         continuing {
@@ -2003,34 +2005,34 @@ fn slot_of(surface: u32, first_2: u32) -> u32 {
             counter_2 = (_e35 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:80
+    // glimt_render_gpu/src/kernels/cell_state.rs:92
     let _e39 = slot;
     return _e39;
 }
 
-// glimt_render_gpu/src/kernels/scout.rs:122
+// glimt_render_gpu/src/kernels/scout.rs:124
 fn see_in_tile_1(ray_13: u32, frame_4: FrameParams, cells: CellParams) -> SeenPoint {
     var point: SeenPoint;
 
-    // glimt_render_gpu/src/kernels/scout.rs:129
+    // glimt_render_gpu/src/kernels/scout.rs:131
     let _e5 = FrameParams_pattern_of(frame_4, ray_13);
-    // glimt_render_gpu/src/kernels/scout.rs:130
+    // glimt_render_gpu/src/kernels/scout.rs:132
     let _e7 = see_by(_e5, frame_4);
     point = _e7;
-    // glimt_render_gpu/src/kernels/scout.rs:131
+    // glimt_render_gpu/src/kernels/scout.rs:133
     let _e10 = point;
     let _e11 = SeenPoint_is_hit(_e10);
     if _e11 {
-        // glimt_render_gpu/src/kernels/scout.rs:132
+        // glimt_render_gpu/src/kernels/scout.rs:134
         let _e14 = CellParams_tile_of(cells, _e5.pixel, frame_4);
         let first_5 = (_e14 * 3u);
-        // glimt_render_gpu/src/kernels/scout.rs:133
+        // glimt_render_gpu/src/kernels/scout.rs:135
         let _e19 = point.surface;
         let _e20 = slot_of(_e19, first_5);
         let _e24 = point.flags;
         point.flags = (_e24 | (_e20 << 2u));
     }
-    // glimt_render_gpu/src/kernels/scout.rs:135
+    // glimt_render_gpu/src/kernels/scout.rs:137
     let _e27 = point;
     return _e27;
 }

@@ -67,12 +67,12 @@ struct FrameParams {
 struct CellParams {
     rays: f32,
     pilot: f32,
+    upkeep: f32,
     tiles_across: u32,
     tiles: u32,
     is_adaptive: u32,
-    unused_a: u32,
-    unused_b: u32,
-    unused_c: u32,
+    has_past: u32,
+    turned: u32,
 }
 
 struct Tuple_u32_u32_ {
@@ -351,31 +351,31 @@ fn CellParams_tile_of(this_: CellParams, pixel: u32, frame: FrameParams) -> u32 
     let x_12 = _e9.fa;
     let y_2 = _e9.fb;
     // glimt_render_gpu/src/kernels/scout.rs:49
-    return (((y_2 / 8u) * this_.tiles_across) + (x_12 / 16u));
+    return (((y_2 / 10u) * this_.tiles_across) + (x_12 / 16u));
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:137
+// glimt_render_gpu/src/kernels/expect.rs:148
 fn threshold(frame_1: FrameParams, cells: CellParams, parts: u32) -> f32 {
     var sum: f32;
     var counter: u32;
 
-    // glimt_render_gpu/src/kernels/expect.rs:138
+    // glimt_render_gpu/src/kernels/expect.rs:149
     if (cells.is_adaptive == 0u) {
-        // glimt_render_gpu/src/kernels/expect.rs:139
+        // glimt_render_gpu/src/kernels/expect.rs:150
         return 0f;
     }
-    // glimt_render_gpu/src/kernels/expect.rs:141
+    // glimt_render_gpu/src/kernels/expect.rs:152
     let behind = ((cells.tiles * 3u) * 128u);
-    // glimt_render_gpu/src/kernels/expect.rs:142
+    // glimt_render_gpu/src/kernels/expect.rs:153
     sum = 0f;
-    // glimt_render_gpu/src/kernels/expect.rs:143
+    // glimt_render_gpu/src/kernels/expect.rs:154
     counter = 0u;
     loop {
         let part = counter;
         if (part >= parts) {
             break;
         }
-        // glimt_render_gpu/src/kernels/expect.rs:144
+        // glimt_render_gpu/src/kernels/expect.rs:155
         let _e28 = visibility_3[(behind + part)];
         let _e30 = sum;
         sum = (_e30 + bitcast<f32>(_e28));
@@ -384,7 +384,7 @@ fn threshold(frame_1: FrameParams, cells: CellParams, parts: u32) -> f32 {
             counter = (_e32 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/expect.rs:146
+    // glimt_render_gpu/src/kernels/expect.rs:157
     let _e36 = sum;
     return (_e36 / (f32((frame_1.width * frame_1.height)) * cells.rays));
 }
@@ -683,10 +683,10 @@ fn SeenPoint_slot(this_6: SeenPoint) -> u32 {
     return (this_6.flags >> 2u);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:138
+// glimt_render_gpu/src/kernels/cell_state.rs:220
 fn Expected_at_slot(first_1: u32, slot: u32, slot_1: u32) -> Returned_Expected_at_slot {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:139
+    // glimt_render_gpu/src/kernels/cell_state.rs:221
     return Returned_Expected_at_slot(first_1, slot_1);
 }
 
@@ -825,26 +825,26 @@ fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near_1), vec4(1f)), cosine_spread);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:86
+// glimt_render_gpu/src/kernels/cell_state.rs:98
 fn bytes_of(word: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:87
+    // glimt_render_gpu/src/kernels/cell_state.rs:99
     return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:143
+// glimt_render_gpu/src/kernels/cell_state.rs:225
 fn Expected_quad(first_2: u32, slot_2: u32, quad_2: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:144
+    // glimt_render_gpu/src/kernels/cell_state.rs:226
     if (slot_2 == 0u) {
-        // glimt_render_gpu/src/kernels/cell_state.rs:145
+        // glimt_render_gpu/src/kernels/cell_state.rs:227
         return vec4(0.75f);
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:147
+    // glimt_render_gpu/src/kernels/cell_state.rs:229
     let entry = ((first_2 + slot_2) - 1u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:148
+    // glimt_render_gpu/src/kernels/cell_state.rs:230
     let word_5 = visibility_3[((entry * 128u) + quad_2)];
-    // glimt_render_gpu/src/kernels/cell_state.rs:149
+    // glimt_render_gpu/src/kernels/cell_state.rs:231
     let _e22 = bytes_of(word_5);
     return (_e22 * (1f / 255f));
 }

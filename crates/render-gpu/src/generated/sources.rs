@@ -10,6 +10,7 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("kernels/camera.rs", include_str!("../kernels/camera.rs")),
     ("kernels/candidates.rs", include_str!("../kernels/candidates.rs")),
     ("kernels/capture.rs", include_str!("../kernels/capture.rs")),
+    ("kernels/carry.rs", include_str!("../kernels/carry.rs")),
     ("kernels/cell_state.rs", include_str!("../kernels/cell_state.rs")),
     ("kernels/cells.rs", include_str!("../kernels/cells.rs")),
     ("kernels/composite.rs", include_str!("../kernels/composite.rs")),

@@ -5,12 +5,45 @@ struct TileEntry {
     surface: u32,
     normal: vec3<f32>,
     exponent: f32,
-    wo: vec3<f32>,
-    hits: u32,
     diffuse: f32,
     specular: f32,
+    hits: u32,
     off_centre: f32,
-    unused: u32,
+    from_: u32,
+    pilots: u32,
+    unused_a: u32,
+    unused_b: u32,
+}
+
+struct ColourMatrix {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
+struct FrameParams {
+    eye: vec3<f32>,
+    width: u32,
+    forward: vec3<f32>,
+    height: u32,
+    right: vec3<f32>,
+    rays_per_pixel: u32,
+    up: vec3<f32>,
+    first_pixel: u32,
+    pattern: u32,
+    filter_: u32,
+    background: u32,
+    seed: u32,
+    frame: u32,
+    tonemap: u32,
+    exposure: f32,
+    shadow: u32,
+    film_frame: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+    to_plate: ColourMatrix,
+    to_display: ColourMatrix,
 }
 
 struct Returned_Environment_cells {
@@ -77,6 +110,7 @@ struct Proposal {
 struct Params {
     first: u32,
     count: u32,
+    frame: FrameParams,
     env_size: vec2<u32>,
     env_rotation: vec2<f32>,
 }
@@ -136,14 +170,16 @@ fn CellSurface_new(normal: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponent_
 }
 
 // glimt_render_gpu/src/kernels/expect.rs:83
-fn representative_of(entry: TileEntry, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
+fn representative_of(entry: TileEntry, frame: FrameParams, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
 
-    // glimt_render_gpu/src/kernels/expect.rs:84
-    let _e6 = Environment_to_map(env_size, env_rotation, entry.normal);
+    // glimt_render_gpu/src/kernels/expect.rs:88
+    let wo_1 = normalize((frame.eye - entry.position));
+    // glimt_render_gpu/src/kernels/expect.rs:89
     let _e12 = Environment_to_map(env_size, env_rotation, entry.normal);
-    let _e14 = Environment_to_map(env_size, env_rotation, entry.wo);
-    let _e20 = CellSurface_new(_e12, _e14, entry.diffuse, entry.specular, entry.exponent, 1f, 0f);
-    return Representative(_e6, vec3(entry.diffuse), vec3(entry.specular), _e20);
+    let _e18 = Environment_to_map(env_size, env_rotation, entry.normal);
+    let _e19 = Environment_to_map(env_size, env_rotation, wo_1);
+    let _e25 = CellSurface_new(_e18, _e19, entry.diffuse, entry.specular, entry.exponent, 1f, 0f);
+    return Representative(_e12, vec3(entry.diffuse), vec3(entry.specular), _e25);
 }
 
 // glimt_light_cells/src/partition.rs:113
@@ -274,26 +310,26 @@ fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near), vec4(1f)), cosine_spread);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:86
+// glimt_render_gpu/src/kernels/cell_state.rs:98
 fn bytes_of(word: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:87
+    // glimt_render_gpu/src/kernels/cell_state.rs:99
     return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:143
+// glimt_render_gpu/src/kernels/cell_state.rs:225
 fn Expected_quad(first: u32, slot: u32, quad_2: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:144
+    // glimt_render_gpu/src/kernels/cell_state.rs:226
     if (slot == 0u) {
-        // glimt_render_gpu/src/kernels/cell_state.rs:145
+        // glimt_render_gpu/src/kernels/cell_state.rs:227
         return vec4(0.75f);
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:147
+    // glimt_render_gpu/src/kernels/cell_state.rs:229
     let entry_1 = ((first + slot) - 1u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:148
+    // glimt_render_gpu/src/kernels/cell_state.rs:230
     let word_1 = visibility_3[((entry_1 * 128u) + quad_2)];
-    // glimt_render_gpu/src/kernels/cell_state.rs:149
+    // glimt_render_gpu/src/kernels/cell_state.rs:231
     let _e22 = bytes_of(word_1);
     return (_e22 * (1f / 255f));
 }
@@ -733,47 +769,47 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     return Proposal(_e221, _e222, _e223, _e224, _e225, _e226, ((kd_1 * _e200) + (_e203 * (_e205 * _e206))), ((kd_1 * _e211) + (_e214 * (_e216 * _e217))), is_catcher_2);
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:102
-fn worth_2(tile: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> f32 {
+// glimt_render_gpu/src/kernels/expect.rs:107
+fn worth_2(tile: u32, frame_1: FrameParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> f32 {
     var sum: f32;
     var counter_3: u32;
     var proposal: Proposal;
 
-    // glimt_render_gpu/src/kernels/expect.rs:103
-    let _e5 = Environment_cells(env_size_1, env_rotation_1);
-    // glimt_render_gpu/src/kernels/expect.rs:104
+    // glimt_render_gpu/src/kernels/expect.rs:114
+    let _e6 = Environment_cells(env_size_1, env_rotation_1);
+    // glimt_render_gpu/src/kernels/expect.rs:115
     sum = 0f;
-    // glimt_render_gpu/src/kernels/expect.rs:105
+    // glimt_render_gpu/src/kernels/expect.rs:116
     counter_3 = 0u;
     loop {
         let slot_1 = counter_3;
         if (slot_1 >= 3u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/expect.rs:106
+        // glimt_render_gpu/src/kernels/expect.rs:117
         let entry_2 = entries[((tile * 3u) + slot_1)];
-        // glimt_render_gpu/src/kernels/expect.rs:107
+        // glimt_render_gpu/src/kernels/expect.rs:118
         if (entry_2.surface != 0u) {
-            // glimt_render_gpu/src/kernels/expect.rs:108
-            // glimt_render_gpu/src/kernels/expect.rs:113
-            let _e34 = representative_of(entry_2, env_size_1, env_rotation_1);
-            // glimt_render_gpu/src/kernels/expect.rs:114
-            let _e37 = Proposal_new(_e34, _e5.value_size, _e5.value_start, (tile * 3u), (slot_1 + 1u), false);
-            proposal = _e37;
-            // glimt_render_gpu/src/kernels/expect.rs:115
-            let _e43 = proposal.total;
-            let _e45 = proposal.lobe_worth;
-            let _e48 = sum;
-            sum = (_e48 + (f32(entry_2.hits) * (_e43 + _e45)));
+            // glimt_render_gpu/src/kernels/expect.rs:119
+            // glimt_render_gpu/src/kernels/expect.rs:124
+            let _e35 = representative_of(entry_2, frame_1, env_size_1, env_rotation_1);
+            // glimt_render_gpu/src/kernels/expect.rs:125
+            let _e38 = Proposal_new(_e35, _e6.value_size, _e6.value_start, (tile * 3u), (slot_1 + 1u), false);
+            proposal = _e38;
+            // glimt_render_gpu/src/kernels/expect.rs:126
+            let _e44 = proposal.total;
+            let _e46 = proposal.lobe_worth;
+            let _e49 = sum;
+            sum = (_e49 + (f32(entry_2.hits) * (_e44 + _e46)));
         }
         continuing {
-            let _e50 = counter_3;
-            counter_3 = (_e50 + 1u);
+            let _e51 = counter_3;
+            counter_3 = (_e51 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/expect.rs:118
-    let _e54 = sum;
-    return _e54;
+    // glimt_render_gpu/src/kernels/expect.rs:129
+    let _e55 = sum;
+    return _e55;
 }
 
 @compute @workgroup_size(64, 1, 1) 
@@ -784,8 +820,9 @@ fn worth(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) 
         return;
     }
     let _e14 = params.first;
-    let _e17 = params.env_size;
-    let _e19 = params.env_rotation;
-    let _e20 = worth_2((_e14 + local), _e17, _e19);
-    out[local] = _e20;
+    let _e17 = params.frame;
+    let _e19 = params.env_size;
+    let _e21 = params.env_rotation;
+    let _e22 = worth_2((_e14 + local), _e17, _e19, _e21);
+    out[local] = _e22;
 }

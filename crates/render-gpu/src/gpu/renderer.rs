@@ -16,13 +16,13 @@ use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
 use crate::kernels::layers::{LayerSample, PixelLayers};
 use crate::kernels::smc::SmcHealth;
-use crate::methods::smc::{Following, Own, TILE_GRANULE};
-use crate::methods::{Before, Inputs, Method, MethodMemory, Points, Work};
+use crate::methods::smc::{Own, TILE_GRANULE};
+use crate::methods::{Inputs, Kept, Method, MethodMemory, Points, Work};
 use crate::prepare::env::PreparedEnv;
+use crate::prepare::past_frame::PastFrame;
 use crate::prepare::plate::Plate;
 use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer, SettingsError};
 use crate::prepare::scene_build::SceneBuffers;
-use crate::prepare::smc_state::PastFrame;
 
 /// Bytes of a tile's rays: enough to fill any GPU, few enough for any memory.
 const SAMPLE_BYTES: u64 = 64 << 20;
@@ -47,8 +47,8 @@ pub struct GpuRenderer {
     /// Two, so that a frame's light is never written over that of the frame before.
     envs: [Option<GpuEnv>; 2],
     tile: Option<TileBuffers>,
-    /// What the sequential sampler continues from.
-    following: Option<Following<Gpu>>,
+    /// What the next frame continues from.
+    kept: Kept<Gpu>,
     /// What the cost of a ray depended on in the last frame.
     cost: Option<Cost>,
     times: FrameTimes,
@@ -105,7 +105,7 @@ impl GpuRenderer {
             scene: KeptScene::default(),
             envs: [None, None],
             tile: None,
-            following: None,
+            kept: Kept::Nothing,
             cost: None,
             times: FrameTimes::default(),
         })
@@ -145,14 +145,18 @@ impl GpuRenderer {
             return Err(SettingsError::Tables.into());
         }
         self.times = FrameTimes::default();
-        self.render_tiles(scene, env, None, plate, settings, progress)
+        let known = std::mem::replace(&mut self.kept, Kept::Nothing);
+        let mut kept = known.begin(&*self.context, scene, None, settings)?;
+        let image = self.render_tiles(scene, env, &mut kept, plate, settings, progress);
+        self.kept = kept;
+        image
     }
 
     fn render_tiles(
         &mut self,
         scene: &SceneBuffers,
         env: &GpuEnv,
-        mut following: Option<&mut Following<Gpu>>,
+        kept: &mut Kept<Gpu>,
         plate: Option<&Plate>,
         settings: &RenderSettings,
         progress: &(dyn Fn(f32) + Sync),
@@ -164,7 +168,7 @@ impl GpuRenderer {
         self.times.upload += started.elapsed();
         self.keep_tile(&whole, in_layers, settings)
             .map_err(device)?;
-        let has_past = following.as_ref().is_some_and(|f| f.has_past());
+        let has_past = kept.has_past();
         let method = &settings.method;
         let cost = (scene.surface_id(), method.word(), method.cost(has_past));
         if self.cost != Some(cost) {
@@ -181,17 +185,18 @@ impl GpuRenderer {
             env: env.arg(),
             scene: uploaded.arg(),
         };
-        let mut executor = Direct::new(&self.context);
-        let before = Before::find(&*self.context, &mut executor, inputs, settings);
-        let before = before.map_err(device)?;
-        self.times.shade += executor.take_report();
+        if let Kept::Cells(counting) = kept {
+            let mut executor = Direct::new(&self.context);
+            counting.find(&mut executor, inputs).map_err(device)?;
+            self.times.shade += executor.take_report();
+        }
         let pixels = whole.width * whole.height;
         let mut image = FrameImage {
             size: settings.size,
             linear: Vec::with_capacity(pixels as usize),
             display: Vec::with_capacity(pixels as usize),
             layers: settings.layers.then(Vec::new),
-            diagnostics: (settings.diagnostics && following.is_some()).then(Vec::new),
+            diagnostics: (settings.diagnostics && method.leads_particles()).then(Vec::new),
         };
         let fitting = fitting_pixels(&self.context, settings);
         let mut first = 0;
@@ -203,7 +208,6 @@ impl GpuRenderer {
             let tell = |done: u64| progress(((earlier + done as f64 / passes) / rays) as f32);
             let work = TileWork {
                 context: &self.context,
-                before: &before,
                 inputs: Inputs {
                     frame: &FrameParams {
                         first_pixel: first,
@@ -215,9 +219,7 @@ impl GpuRenderer {
                 count,
                 plate: plate.map(|plate| &plate.pixels()[first as usize..(first + count) as usize]),
             };
-            let following = following.as_deref_mut();
-            let following = following.map(|f| (f, fitting));
-            work.render(&settings.method, following, tile, &tell, &mut self.times)
+            work.render(method, kept, fitting, tile, &tell, &mut self.times)
                 .and_then(|()| work.read(tile, &mut self.times, &mut image))
                 .map_err(device)?;
             first += count;
@@ -304,41 +306,30 @@ impl Renderer for GpuRenderer {
             upload: started.elapsed(),
             ..FrameTimes::default()
         };
-        let mut following = match &settings.method {
-            Method::Smc(smc) => {
-                let known = self.following.take();
-                let context = &*self.context;
-                Some(Following::begin(known, context, scene, env, settings, smc)?)
+        let known = std::mem::replace(&mut self.kept, Kept::Nothing);
+        let mut kept = known.begin(&*self.context, scene, Some(env), settings)?;
+        let image = self.render_tiles(scene, &current, &mut kept, plate, settings, progress);
+        if image.is_ok() && settings.method.has_memory() {
+            let past = PastFrame::new(settings, scene, env)?;
+            match &mut kept {
+                Kept::Nothing => {}
+                Kept::Cells(counting) => counting.end(&*self.context, past).map_err(device)?,
+                Kept::Smc(following) => {
+                    let (light, texels) = (following.light_mut(), current.texels());
+                    if light.len() != texels.len() {
+                        *light = self
+                            .context
+                            .zeroed("before.texels", texels.count())
+                            .map_err(device)?;
+                    }
+                    self.context
+                        .copy(texels, light, texels.len())
+                        .map_err(device)?;
+                    following.end(past, env.view().map());
+                }
             }
-            _ => None,
-        };
-        let image = self.render_tiles(
-            scene,
-            &current,
-            following.as_mut(),
-            plate,
-            settings,
-            progress,
-        );
-        if let (Some(following), Ok(_), Method::Smc(smc)) =
-            (&mut following, &image, &settings.method)
-        {
-            let (light, texels) = (following.light_mut(), current.texels());
-            if light.len() != texels.len() {
-                *light = self
-                    .context
-                    .zeroed("before.texels", texels.count())
-                    .map_err(device)?;
-            }
-            self.context
-                .copy(texels, light, texels.len())
-                .map_err(device)?;
-            let past = PastFrame::new(settings, smc, scene, env)?;
-            following.end(past, env.view().map());
         }
-        if let Some(following) = following {
-            self.following = Some(following);
-        }
+        self.kept = kept;
         self.envs[0] = Some(current);
         image
     }
@@ -355,24 +346,18 @@ impl Renderer for GpuRenderer {
     }
 
     fn memory(&mut self) -> Result<Option<MethodMemory>, RenderError> {
-        let Some(following) = &self.following else {
-            return Ok(None);
-        };
-        let state = following.read(&*self.context).map_err(device)?;
-        Ok(state.map(MethodMemory::Smc))
+        self.kept.read(&*self.context).map_err(device)
     }
 
     fn set_memory(&mut self, memory: MethodMemory) -> Result<(), RenderError> {
-        let MethodMemory::Smc(state) = memory;
         // There may not be room for two.
-        self.following = None;
-        let following = Following::resume(&*self.context, state);
-        self.following = Some(following.map_err(device)?);
+        self.kept = Kept::Nothing;
+        self.kept = Kept::resume(&*self.context, memory).map_err(device)?;
         Ok(())
     }
 
     fn forget(&mut self) {
-        self.following = None;
+        self.kept = Kept::Nothing;
     }
 }
 
@@ -426,7 +411,6 @@ fn sample_bytes(in_layers: bool) -> u64 {
 /// One tile to render.
 struct TileWork<'a> {
     context: &'a GpuContext,
-    before: &'a Before<Gpu>,
     inputs: Inputs<'a, Gpu>,
     count: u32,
     /// The tile's part of the plate.
@@ -437,7 +421,8 @@ impl TileWork<'_> {
     fn render(
         &self,
         method: &Method,
-        following: Option<(&mut Following<Gpu>, u64)>,
+        kept: &mut Kept<Gpu>,
+        fitting: u64,
         tile: &mut TileBuffers,
         progress: &dyn Fn(u64),
         times: &mut FrameTimes,
@@ -451,8 +436,8 @@ impl TileWork<'_> {
         }
         let mut executor = Direct::with_progress(self.context, progress);
         let out = tile.samples.out(rays);
-        match (following, &mut tile.points) {
-            (Some((following, fitting)), Points::Smc(points)) => {
+        match (kept, &mut tile.points) {
+            (Kept::Smc(following), Points::Smc(points)) => {
                 let first = frame.first_pixel as usize * frame.rays_per_pixel as usize;
                 let own_rays = first..first + rays as usize;
                 let view = following.window(fitting, frame.first_pixel, count);
@@ -471,8 +456,12 @@ impl TileWork<'_> {
                 following.diagnose(&mut film, frame, own_rays, out, count)?;
                 times.film += film.take_report();
             }
-            (_, points) => {
-                let work = points.work(self.before, rays);
+            (kept, points) => {
+                let counted = match kept {
+                    Kept::Cells(counting) => Some(counting.reading()),
+                    Kept::Nothing | Kept::Smc(_) => None,
+                };
+                let work = points.work(counted, rays);
                 method.shade(work, &mut executor, self.inputs, rays, out)?;
             }
         }

@@ -1,14 +1,14 @@
 //! Shared file: what is known of the visibility of a light's cells: counts of rays, for each tile of the image and object in it.
 
 use glam::{Vec3, Vec4};
-use glimt_light_cells::CELLS;
+use glimt_light_cells::{CELLS, COLUMNS};
 
 use super::proposal::Expectation;
 
 /// Pixels of a tile, across and down.
 pub const TILE_WIDTH: u32 = 16;
 /// See above.
-pub const TILE_HEIGHT: u32 = 8;
+pub const TILE_HEIGHT: u32 = 10;
 /// Entries of a tile: objects that it tells apart. Those beyond share the last.
 pub const ENTRIES: u32 = 3;
 
@@ -21,6 +21,12 @@ pub const WORTHS: u32 = 64;
 
 /// The share that is taken to arrive where no ray has been.
 pub const NOTHING_KNOWN: f32 = 0.75;
+
+/// The most rays that a cell's counts bring from the frame before.
+const MOST_REMEMBERED: u32 = 64;
+
+/// κ of a pilot, which looks at no neighbours: how many rays [`NOTHING_KNOWN`] is worth.
+const PRIOR: f32 = 4.0;
 
 /// An object that a tile shows: its point nearest to the tile's centre, of those that the pixels' first rays hit. 64 bytes; all 0 for
 /// none.
@@ -35,18 +41,22 @@ pub struct TileEntry {
     pub normal: Vec3,
     /// Exponent of its lobe.
     pub exponent: f32,
-    /// Unit direction towards the eye.
-    pub wo: Vec3,
-    /// How many of the pixels' first rays hit the object.
-    pub hits: u32,
     /// kd in luminance.
     pub diffuse: f32,
     /// ks in luminance.
     pub specular: f32,
+    /// How many of the pixels' first rays hit the object.
+    pub hits: u32,
     /// Square of its distance from the tile's centre, in pixels.
     pub off_centre: f32,
+    /// One more than the index of the entry of the frame before whose counts it takes over; 0 for none.
+    pub from: u32,
+    /// Pilot rays of each pixel that sends some out.
+    pub pilots: u32,
     /// Fills 16 bytes.
-    pub unused: u32,
+    pub unused_a: u32,
+    /// Fills 16 bytes.
+    pub unused_b: u32,
 }
 
 impl TileEntry {
@@ -56,12 +66,14 @@ impl TileEntry {
         surface: 0,
         normal: Vec3::ZERO,
         exponent: 0.0,
-        wo: Vec3::ZERO,
-        hits: 0,
         diffuse: 0.0,
         specular: 0.0,
+        hits: 0,
         off_centre: 0.0,
-        unused: 0,
+        from: 0,
+        pilots: 0,
+        unused_a: 0,
+        unused_b: 0,
     };
 }
 
@@ -112,6 +124,76 @@ pub fn count(word: u32, cell: u32, arrives: bool) -> u32 {
     word & !(0xffff << shift) | more << shift
 }
 
+/// N and S of one cell, scaled down to [`MOST_REMEMBERED`] rays.
+#[inline]
+fn remembered(n: u32, s: u32) -> u32 {
+    if n <= MOST_REMEMBERED {
+        return n | s << 8;
+    }
+    MOST_REMEMBERED | ((2 * s * MOST_REMEMBERED + n) / (2 * n)) << 8
+}
+
+/// The counts that a frame left, as the next one takes them over.
+#[derive(Clone, Copy, Debug)]
+pub struct Remembered<'a> {
+    /// Words of all entries of the frame before, [`COUNT_WORDS`] each.
+    pub words: &'a [u32],
+    /// [`TileEntry::from`].
+    pub from: u32,
+    /// By how many columns of cells the light has turned since.
+    pub turned: u32,
+}
+
+impl Remembered<'_> {
+    /// N and S of a cell of this frame's light, as half a word.
+    #[inline]
+    fn cell(&self, cell: u32) -> u32 {
+        let column = (cell % COLUMNS + COLUMNS - self.turned) % COLUMNS;
+        let was = cell / COLUMNS * COLUMNS + column;
+        let word = self.words[((self.from - 1) * COUNT_WORDS + was / 2) as usize];
+        let own = word >> (16 * (was & 1)) & 0xffff;
+        remembered(own & 0xff, own >> 8)
+    }
+
+    /// Word `word` of an entry's counts; 0 where nothing is remembered.
+    #[inline]
+    #[must_use]
+    pub fn word(&self, word: u32) -> u32 {
+        if self.from == 0 {
+            return 0;
+        }
+        self.cell(2 * word) | self.cell(2 * word + 1) << 16
+    }
+
+    /// N of cells `4 · quad` on.
+    #[inline]
+    #[must_use]
+    pub fn rays(&self, quad: u32) -> Vec4 {
+        let low = bytes_of(self.word(2 * quad));
+        let high = bytes_of(self.word(2 * quad + 1));
+        Vec4::new(low.x, low.z, high.x, high.z)
+    }
+}
+
+/// What a pilot expects: it knows what the frame before counted, and looks at no neighbour.
+impl Expectation for Remembered<'_> {
+    const CONTROL: bool = true;
+
+    #[inline]
+    fn at_slot(&self, _slot: u32) -> Self {
+        *self
+    }
+
+    #[inline]
+    fn quad(&self, quad: u32) -> Vec4 {
+        let low = bytes_of(self.word(2 * quad));
+        let high = bytes_of(self.word(2 * quad + 1));
+        let n = Vec4::new(low.x, low.z, high.x, high.z);
+        let s = Vec4::new(low.y, low.w, high.y, high.w);
+        (s + Vec4::splat(PRIOR * NOTHING_KNOWN)) / (n + Vec4::splat(PRIOR))
+    }
+}
+
 /// Visibilities of four cells as a word.
 #[inline]
 #[must_use]
@@ -150,24 +232,6 @@ impl Expectation for Expected<'_> {
     }
 }
 
-/// The same is expected of all cells: a pilot's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Even;
-
-impl Expectation for Even {
-    const CONTROL: bool = true;
-
-    #[inline]
-    fn at_slot(&self, _slot: u32) -> Even {
-        Even
-    }
-
-    #[inline]
-    fn quad(&self, _quad: u32) -> Vec4 {
-        Vec4::splat(NOTHING_KNOWN)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -176,8 +240,8 @@ mod tests {
     fn layout_is_that_of_wgsl() {
         assert_eq!(core::mem::size_of::<TileEntry>(), 64);
         assert_eq!(core::mem::offset_of!(TileEntry, normal), 16);
-        assert_eq!(core::mem::offset_of!(TileEntry, wo), 32);
-        assert_eq!(core::mem::offset_of!(TileEntry, diffuse), 48);
+        assert_eq!(core::mem::offset_of!(TileEntry, diffuse), 32);
+        assert_eq!(core::mem::offset_of!(TileEntry, from), 48);
     }
 
     #[test]
@@ -189,6 +253,38 @@ mod tests {
         }
         let all = bytes_of(word);
         assert!(all.x <= 255.0 && (all.y / all.x - 0.75).abs() < 0.03 && all.w == 0.0);
+        let mut words = [0; COUNT_WORDS as usize];
+        words[3] = word;
+        let next = Remembered {
+            words: &words,
+            from: 1,
+            turned: 0,
+        };
+        let kept = bytes_of(next.word(3));
+        assert_eq!((kept.x, kept.z, kept.w), (64.0, 64.0, 0.0));
+        assert!((kept.y / kept.x - all.y / all.x).abs() < 0.01);
+        assert_eq!(next.rays(1), Vec4::new(0.0, 0.0, 64.0, 64.0));
+        let expected = next.quad(1);
+        assert_eq!(expected.x, NOTHING_KNOWN);
+        assert!((expected.w - 3.0 / 68.0).abs() < 1e-6);
+        let empty = Remembered { from: 0, ..next };
+        assert_eq!((empty.word(3), empty.quad(1)), (0, Vec4::splat(0.75)));
+    }
+
+    #[test]
+    fn counts_turn_with_the_light() {
+        let mut words = [0; COUNT_WORDS as usize];
+        // The last cell of the second row.
+        words[COLUMNS as usize - 1] = 5 << 16 | 2 << 24;
+        let turned = |turned| Remembered {
+            words: &words,
+            from: 1,
+            turned,
+        };
+        assert_eq!(turned(0).word(COLUMNS - 1), 5 << 16 | 2 << 24);
+        assert_eq!(turned(1).word(COLUMNS / 2), 5 | 2 << 8);
+        assert_eq!(turned(3).word(COLUMNS / 2 + 1), 5 | 2 << 8);
+        assert_eq!(turned(31).word(COLUMNS - 1), 5 | 2 << 8);
     }
 
     #[test]

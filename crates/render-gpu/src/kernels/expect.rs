@@ -80,14 +80,19 @@ pub fn expect(
 /// What an entry's point is to cells. Of its colours the luminance alone is known.
 #[inline]
 #[must_use]
-pub fn representative_of(entry: &TileEntry, env: Environment<'_>) -> Representative {
+pub fn representative_of(
+    entry: &TileEntry,
+    frame: &FrameParams,
+    env: Environment<'_>,
+) -> Representative {
+    let wo = (frame.eye - entry.position).normalize();
     Representative {
         mean_normal: env.to_map(entry.normal),
         diffuse: Vec3::splat(entry.diffuse),
         specular: Vec3::splat(entry.specular),
         surface: CellSurface::new(
             env.to_map(entry.normal),
-            env.to_map(entry.wo),
+            env.to_map(wo),
             entry.diffuse,
             entry.specular,
             entry.exponent,
@@ -99,7 +104,13 @@ pub fn representative_of(entry: &TileEntry, env: Environment<'_>) -> Representat
 
 /// What the rays of tile `tile` are worth in all: the sum over its pixels of the standard deviation that the control variate leaves.
 #[must_use]
-pub fn worth(tile: u32, env: Environment<'_>, entries: &[TileEntry], visibility: &[u32]) -> f32 {
+pub fn worth(
+    tile: u32,
+    frame: &FrameParams,
+    env: Environment<'_>,
+    entries: &[TileEntry],
+    visibility: &[u32],
+) -> f32 {
     let light = env.cells();
     let mut sum = 0.0;
     for slot in 0..ENTRIES {
@@ -110,7 +121,7 @@ pub fn worth(tile: u32, env: Environment<'_>, entries: &[TileEntry], visibility:
                 first: tile * ENTRIES,
                 slot: slot + 1,
             };
-            let of = representative_of(&entry, env);
+            let of = representative_of(&entry, frame, env);
             let proposal = Proposal::new(&of, &light, &expected, false);
             sum += entry.hits as f32 * (proposal.total + proposal.lobe_worth);
         }

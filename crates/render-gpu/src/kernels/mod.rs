@@ -11,6 +11,7 @@ pub mod bvh;
 pub mod camera;
 pub mod candidates;
 pub mod capture;
+pub mod carry;
 pub mod cell_state;
 pub mod cells;
 pub mod composite;

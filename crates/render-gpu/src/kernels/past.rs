@@ -2,6 +2,7 @@
 
 use glam::{Mat4, Vec2, Vec3};
 
+use super::camera::CameraView;
 use super::frame::FrameParams;
 use super::pattern::PixelPattern;
 use super::scene::ShadingPoint;
@@ -102,6 +103,21 @@ pub struct Past<'a> {
 const STILL: f32 = 1.0 / 64.0;
 
 impl PastView {
+    /// Of a frame of which no rays are available.
+    #[must_use]
+    pub fn of(view: &CameraView) -> PastView {
+        PastView {
+            eye: view.eye,
+            first_pixel: 0,
+            forward: view.forward,
+            pixels: 0,
+            right: view.right,
+            depth_tolerance: 0.0,
+            up: view.up,
+            normal_cosine: 0.0,
+        }
+    }
+
     /// Where the point `position` of an object, moved to where it was by `motion`, was seen in the frame before: the
     /// place in the image in pixels, and the distance from the eye; `None` behind the eye.
     #[inline]
@@ -174,7 +190,6 @@ impl PastView {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kernels::camera::CameraView;
     use glam::UVec2;
 
     #[test]

@@ -14,20 +14,20 @@ use super::seen::{SLOT_SHIFT, SeenPoint, see_by};
 pub struct CellParams {
     /// Shadow rays of a pixel, on average over the image.
     pub rays: f32,
-    /// Those of a pilot, as a share.
+    /// Pilot rays where little is known, as a share of those.
     pub pilot: f32,
+    /// Those where the frame before tells enough.
+    pub upkeep: f32,
     /// Tiles across the image.
     pub tiles_across: u32,
     /// Tiles of the image.
     pub tiles: u32,
     /// 1 where groups get rays by what those are worth, else 0.
     pub is_adaptive: u32,
-    /// Fills 16 bytes.
-    pub unused_a: u32,
-    /// Fills 16 bytes.
-    pub unused_b: u32,
-    /// Fills 16 bytes.
-    pub unused_c: u32,
+    /// 1 where there is a frame before, else 0.
+    pub has_past: u32,
+    /// By how many columns of cells the light has turned since.
+    pub turned: u32,
 }
 
 impl CellParams {
@@ -105,12 +105,14 @@ fn enter(point: &SeenPoint, off_centre: f32, entries: &mut [TileEntry]) {
             surface: point.surface,
             normal: point.normal,
             exponent: point.exponent,
-            wo: point.wo,
-            hits,
             diffuse: luminance(point.diffuse),
             specular: luminance(point.specular),
+            hits,
             off_centre,
-            unused: 0,
+            from: 0,
+            pilots: 0,
+            unused_a: 0,
+            unused_b: 0,
         };
     } else {
         entries[at as usize].hits = hits;

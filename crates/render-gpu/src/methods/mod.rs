@@ -4,6 +4,7 @@
 //! for each.
 
 pub mod cells;
+mod kept;
 pub mod prt;
 pub mod smc;
 
@@ -17,12 +18,12 @@ use crate::generated::passes::{self, EnvironmentArg, SceneArg, See};
 use crate::kernels::frame::FrameParams;
 use crate::kernels::seen::SeenPoint;
 use crate::kernels::smc_point::SmcPoint;
-use crate::prepare::render::RenderSettings;
-use crate::prepare::smc_state::SmcState;
 use crate::settings::SettingError;
 
 pub use crate::kernels::candidates::CandidateSource;
 pub use cells::Cells;
+pub(crate) use kept::Kept;
+pub use kept::{KeptBytes, MethodMemory};
 pub use prt::Prt;
 pub use smc::Smc;
 
@@ -115,32 +116,6 @@ pub(crate) enum Points<M: Memory> {
     Smc(M::Buffer<SmcPoint>),
 }
 
-/// What a method finds out of a frame before its tiles are rendered.
-pub(crate) enum Before<M: Memory> {
-    /// Nothing.
-    Nothing,
-    /// By [`Method::Cells`].
-    Cells(cells::Known<M>),
-}
-
-impl<M: Memory> Before<M> {
-    /// Finds it out for the whole image, which `inputs` begin.
-    pub(crate) fn find<D: Device<Memory = M>, E: Executor<Memory = M, Error = D::Error>>(
-        device: &D,
-        executor: &mut E,
-        inputs: Inputs<'_, M>,
-        settings: &RenderSettings,
-    ) -> Result<Self, D::Error> {
-        match &settings.method {
-            Method::Cells(own) => {
-                let known = cells::Known::begin(device, executor, inputs, settings, own)?;
-                Ok(Self::Cells(known))
-            }
-            _ => Ok(Self::Nothing),
-        }
-    }
-}
-
 impl<M: Memory> Points<M> {
     /// Room for `rays` rays.
     pub(crate) fn new<D: Device<Memory = M>>(
@@ -164,14 +139,17 @@ impl<M: Memory> Points<M> {
     }
 
     /// What a method without particles takes of a tile's first `rays` rays.
-    pub(crate) fn work<'a>(&'a mut self, before: &'a Before<M>, rays: u32) -> Work<'a, M> {
-        match (self, before) {
-            (Self::Seen(points), Before::Cells(known)) => {
-                Work::Cells(known.reading(), M::chunks(points, 0..rays as usize, 1))
+    /// `counted` is what [`Method::Cells`] knows of the frame.
+    pub(crate) fn work<'a>(
+        &'a mut self,
+        counted: Option<cells::Reading<'a, M>>,
+        rays: u32,
+    ) -> Work<'a, M> {
+        match (self, counted) {
+            (Self::Seen(points), Some(reading)) => {
+                Work::Cells(reading, M::chunks(points, 0..rays as usize, 1))
             }
-            (Self::Seen(points), Before::Nothing) => {
-                Work::Groups(M::chunks(points, 0..rays as usize, 1))
-            }
+            (Self::Seen(points), None) => Work::Groups(M::chunks(points, 0..rays as usize, 1)),
             (Self::None | Self::Smc(_), _) => Work::Rays,
         }
     }
@@ -198,14 +176,6 @@ pub(crate) enum Work<'a, M: Memory> {
     Cells(cells::Reading<'a, M>, M::Chunks<'a, SeenPoint>),
     /// With particles.
     Smc(smc::Tile<'a, M>),
-}
-
-/// What a renderer keeps between frames, by the method that keeps it: saved, restored, forgotten as one.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub enum MethodMemory {
-    /// Of [`Method::Smc`].
-    Smc(SmcState),
 }
 
 macro_rules! methods {
@@ -311,7 +281,7 @@ macro_rules! memoryless {
         #[non_exhaustive]
         pub enum Method {
             $(#[doc = concat!("`", $word, "`")] $settings($settings),)+
-            /// `cells`: a control variate over light cells, whose visibility pilot rays count before the frame.
+            /// `cells`: a control variate over light cells, whose visibility is counted before the frame, and in the frames before it.
             Cells(Cells),
             /// `smc`: sequential Monte Carlo (Kronander 2014, Eqs. 5 to 8). Renderers keep particles from frame to frame.
             Smc(Smc),
@@ -414,10 +384,19 @@ macro_rules! memoryless {
                 }
             }
 
-            /// Whether it keeps particles from frame to frame.
+            /// Whether each frame continues from the one before it.
             #[must_use]
             pub fn has_memory(&self) -> bool {
-                matches!(self, Self::Smc(_))
+                match self {
+                    Self::Cells(own) => own.memory,
+                    Self::Smc(_) => true,
+                    _ => false,
+                }
+            }
+
+            /// Whether it leads particles, which stay with their rays.
+            pub(crate) fn leads_particles(&self) -> bool {
+                self.way() == Way::Particles
             }
 
             /// Passes that find what the rays of a tile show.

@@ -9,7 +9,7 @@ use glimt_sampling::resample::Scheme;
 use glimt_sampling::warp::cap_height;
 use glimt_smc::{Particle, Path};
 
-use super::{CandidateSource, Inputs};
+use super::{CandidateSource, Inputs, KeptBytes};
 use crate::film::SamplesOut;
 use crate::generated::passes::{
     AdvanceSmc, DiagnoseSmc, FindSmc, GatherSmc, GatherSmcLayers, PastArg, RadianceMapArg,
@@ -22,9 +22,10 @@ use crate::kernels::smc::{SmcHealth, SmcParams};
 use crate::kernels::smc_point::SmcPoint;
 use crate::prepare::env::PreparedEnv;
 use crate::prepare::light_change::LightBefore;
+use crate::prepare::past_frame::PastFrame;
 use crate::prepare::render::{RenderError, RenderSettings};
 use crate::prepare::scene_build::SceneBuffers;
-use crate::prepare::smc_state::{PastFrame, SmcKey, SmcState};
+use crate::prepare::smc_state::{SmcKey, SmcState};
 use crate::settings::{any, at_most, between, settings};
 
 settings! {
@@ -146,6 +147,15 @@ impl Smc {
     pub(super) fn bytes_kept(&self) -> u64 {
         let particles = u64::from(self.particles) * size_of::<Particle>() as u64;
         particles.max(size_of::<RayState>() as u64)
+    }
+
+    /// What is kept of so many rays.
+    pub(super) fn kept_bytes(&self, rays: u64) -> KeptBytes {
+        let particles = u64::from(self.particles) * size_of::<Particle>() as u64;
+        KeptBytes {
+            largest: rays * self.bytes_kept(),
+            all: rays * (particles + size_of::<RayState>() as u64),
+        }
     }
 
     /// Counts that the cost of a ray depends on: a first frame leads no particles.
@@ -455,6 +465,7 @@ impl<M: Memory> Following<M> {
         let rays = self.key.rays();
         let texels = past.light_size.element_product() as usize;
         Ok(Some(SmcState {
+            key: self.key,
             past: past.clone(),
             light: device.get(&self.light, texels)?,
             rays: device.get(&self.before.states, rays)?,
@@ -467,7 +478,7 @@ impl<M: Memory> Following<M> {
         device: &D,
         state: SmcState,
     ) -> Result<Self, D::Error> {
-        let key = state.past.key;
+        let key = state.key;
         Ok(Self {
             key,
             before: Rays {

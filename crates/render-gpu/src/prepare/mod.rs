@@ -2,12 +2,14 @@
 
 mod attributes;
 pub mod bake;
+pub mod cells_state;
 pub mod env;
 mod geometry;
 pub(crate) mod light_change;
 pub mod light_sh;
 pub(crate) mod light_tables;
 mod materials;
+pub mod past_frame;
 pub mod plate;
 pub mod projection;
 pub mod render;

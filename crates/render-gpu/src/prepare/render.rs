@@ -133,7 +133,7 @@ pub trait Renderer {
     /// What its method keeps of the frame that was rendered last; `None` before the first, and where it keeps nothing.
     ///
     /// By [`Method::Smc`] a frame continues from that one where both have the same image size, rays per pixel, particles, seed and
-    /// objects; else it starts.
+    /// objects, by [`Method::Cells`] with a memory where both have the same image size, seed and objects; else it starts.
     ///
     /// # Errors
     /// A [`RenderError`].
@@ -303,7 +303,7 @@ impl RenderSettings {
             exposure,
             shadow: self.shadow,
             // Particles stay with their rays, so those must stand still.
-            film_frame: if self.method.has_memory() {
+            film_frame: if self.method.leads_particles() {
                 0
             } else {
                 self.frame

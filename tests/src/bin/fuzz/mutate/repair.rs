@@ -8,7 +8,7 @@ use sha2::{Digest, Sha256};
 use std::io::Read;
 
 /// Bytes of the line that a state begins with; the length of its header follows.
-pub(super) const STATE_MAGIC: usize = b"glimt sequential sampler 1\n".len();
+pub(super) const STATE_MAGIC: usize = b"glimt state of a method 2\n".len();
 
 /// Makes a file of a kind true to itself.
 pub(super) fn repair(kind: Kind, bytes: &mut Vec<u8>) {
