@@ -33,58 +33,50 @@ const MIS_ON_RAYS: &str = "shade::shade::<glimt_render_gpu::kernels::mis::Mis, g
 pub(super) const MIS_IN_LAYERS: &str = "shade::shade::<glimt_render_gpu::kernels::mis::Mis, \
      glimt_render_gpu::kernels::layers::LayerSample>";
 
-/// A frame by each sample pattern, then the stages of the first, then frames whose floor is a catcher.
+/// Shows each frame: one by each sample pattern, then the stages of the first, then frames whose floor is a catcher, then those by other
+/// methods, which take the longest.
 ///
 /// # Panics
 /// Where the GPU or the front end fails.
-#[must_use]
-pub fn frame_pairs(program: &Program, context: &GpuContext) -> Vec<Pair> {
-    let mut stage = Stage {
+pub fn frame_pairs(program: &Program, context: &GpuContext, show: &dyn Fn(Pair)) {
+    let of_scene = |with_catcher| Stage {
         program,
         context,
-        scene: scene(false),
+        scene: scene(with_catcher),
         env: environment(30.0),
     };
-    let mut pairs = vec![
-        stage.frame("Owen-Sobol", Pattern::OwenSobol, Tonemap::Srgb),
-        stage.frame("independent", Pattern::Independent, Tonemap::Reinhard),
-        stage.frame("stratified", Pattern::Stratified, Tonemap::Srgb),
-    ];
-    pairs.extend([
-        stage.diagnose("uniforms", |ray, frame, _, _| {
-            diagnose::uniforms(ray, frame, &MIS)
-        }),
-        stage.diagnose("env_sample", |ray, frame, env, _| {
-            diagnose::env_sample(ray, frame, &MIS, env)
-        }),
-        stage.diagnose("primary_hit", |ray, frame, _, scene| {
-            diagnose::primary_hit(ray, frame, scene)
-        }),
-        stage.diagnose("surface", |ray, frame, _, scene| {
-            diagnose::surface(ray, frame, scene)
-        }),
-        stage.diagnose("brdf_sample", |ray, frame, _, scene| {
-            diagnose::brdf_sample(ray, frame, &MIS, scene)
-        }),
-    ]);
-    pairs.extend([
-        stage.picked(),
-        stage.of_the_product(),
-        stage.by_cells(),
-        stage.followed(),
-    ]);
-    stage.scene = scene(true);
+    let stage = of_scene(false);
+    show(stage.frame("Owen-Sobol", Pattern::OwenSobol, Tonemap::Srgb));
+    show(stage.frame("independent", Pattern::Independent, Tonemap::Reinhard));
+    show(stage.frame("stratified", Pattern::Stratified, Tonemap::Srgb));
+    show(stage.diagnose("uniforms", |ray, frame, _, _| {
+        diagnose::uniforms(ray, frame, &MIS)
+    }));
+    show(stage.diagnose("env_sample", |ray, frame, env, _| {
+        diagnose::env_sample(ray, frame, &MIS, env)
+    }));
+    show(stage.diagnose("primary_hit", |ray, frame, _, scene| {
+        diagnose::primary_hit(ray, frame, scene)
+    }));
+    show(stage.diagnose("surface", |ray, frame, _, scene| {
+        diagnose::surface(ray, frame, scene)
+    }));
+    show(stage.diagnose("brdf_sample", |ray, frame, _, scene| {
+        diagnose::brdf_sample(ray, frame, &MIS, scene)
+    }));
     let base = params(Pattern::OwenSobol, Tonemap::Srgb);
     let transparent = FrameParams {
         background: Background::Transparent,
         shadow: Shadow::Add,
         ..base
     };
-    pairs.extend([
-        stage.layered("multiplied-shadow", &base),
-        stage.layered("added-shadow", &transparent),
-    ]);
-    pairs
+    let over_catcher = of_scene(true);
+    show(over_catcher.layered("multiplied-shadow", &base));
+    show(over_catcher.layered("added-shadow", &transparent));
+    show(stage.picked());
+    show(stage.of_the_product());
+    show(stage.by_cells());
+    show(stage.followed());
 }
 
 pub(super) struct Stage<'a> {

@@ -217,7 +217,7 @@ impl Stage<'_> {
             .read(&gpu_counts, counts.len())
             .expect("a small buffer");
         Pair {
-            name: "by cells".to_owned(),
+            name: "by-cells".to_owned(),
             cpu: [words(&cpu), counts].concat(),
             gpu: [out.read(self.context), kept].concat(),
         }
