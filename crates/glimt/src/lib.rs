@@ -7,7 +7,7 @@
 
 pub mod bake;
 pub mod capture;
-mod checkpoint;
+pub mod checkpoint;
 pub mod cli;
 pub mod colour;
 pub mod command;

@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use glam::{UVec2, Vec3, Vec4};
-//! use glimt_light_cells::{BLOCKS, CELLS, CellSurface, LightCells, build_into, field, required_words};
+//! use glimt_light_cells::{CellSurface, LightCells, QUADS, build_into, field, required_words};
 //!
 //! // A dim sky with a lamp in it.
 //! let size = UVec2::new(64, 32);
@@ -20,7 +20,7 @@
 //! // The weights of a white floor: most of its light comes from the lamp's cell.
 //! let floor = CellSurface::new(Vec3::Z, Vec3::Z, 1.0, 0.0, 1.0, 1.0, 0.0);
 //! let weights = |quad| floor.product_weights(&cells.terms(&floor, quad), cells.quad(field::FLUX, quad));
-//! let total: f32 = (0..CELLS / 4).map(|quad| weights(quad).element_sum()).sum();
+//! let total: f32 = (0..QUADS).map(|quad| weights(quad).element_sum()).sum();
 //! let lamp = cells.cell_of(UVec2::new(40, 5));
 //! let share = weights(lamp / 4)[(lamp % 4) as usize] / total;
 //! assert!(share > 0.7);
@@ -28,7 +28,6 @@
 //! let drawn = cells.sample(lamp, UVec2::splat(1 << 31));
 //! assert_eq!(drawn.texel, UVec2::new(40, 5));
 //! assert!(drawn.pmf > 0.98);
-//! # assert_eq!(BLOCKS * 8, CELLS);
 //! # Ok::<(), glimt_light_cells::BuildError>(())
 //! ```
 //!
@@ -66,7 +65,7 @@ pub use build::{
     split_bands, store_sums,
 };
 pub use partition::{
-    BLOCK, BLOCKS, CELLS, COLUMN_UNITS, COLUMNS, LightCells, ROWS, TexelDraw, column_of, field,
+    CELLS, COLUMN_UNITS, COLUMNS, LightCells, QUADS, ROWS, TexelDraw, column_of, field,
     first_column, table_words,
 };
 pub use surface::{CellSurface, CellTerms, UNKNOWN_VISIBILITY, cosine_power4};

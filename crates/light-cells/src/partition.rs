@@ -9,10 +9,8 @@ pub const COLUMNS: u32 = 32;
 pub const ROWS: u32 = 16;
 /// Cells of a map.
 pub const CELLS: u32 = COLUMNS * ROWS;
-/// Cells of a block, which are computed together.
-pub const BLOCK: u32 = 8;
-/// Blocks of a map. A row of cells has four of them.
-pub const BLOCKS: u32 = CELLS / BLOCK;
+/// Quads of a map: four cells of a row, which are computed together. A row of cells has eight of them.
+pub const QUADS: u32 = CELLS / 4;
 
 /// Units of a row of texels within a cell: the last of its edges, where it is not black.
 pub const COLUMN_UNITS: u32 = 1 << 15;

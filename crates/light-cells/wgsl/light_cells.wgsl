@@ -80,196 +80,196 @@ fn find_bin(start: u32, bins: u32, u: u32) -> Bin {
     return Bin((_e36 - start), first_1, (_e43 - first_1));
 }
 
-// glimt_light_cells/src/partition.rs:99
+// glimt_light_cells/src/partition.rs:97
 fn column_of(x: u32, width: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:100
+    // glimt_light_cells/src/partition.rs:98
     return (((32u * (x + 1u)) - 1u) / width);
 }
 
-// glimt_light_cells/src/partition.rs:133
+// glimt_light_cells/src/partition.rs:131
 fn cell_of(size: vec2<u32>, start_1: u32, texel: vec2<u32>) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:134
+    // glimt_light_cells/src/partition.rs:132
     let _e7 = find_bin(start_1, 16u, texel.y);
     let row_2 = _e7.index;
-    // glimt_light_cells/src/partition.rs:135
+    // glimt_light_cells/src/partition.rs:133
     let _e14 = column_of(texel.x, size.x);
     return ((row_2 * 32u) + _e14);
 }
 
-// glimt_light_cells/src/partition.rs:140
+// glimt_light_cells/src/partition.rs:138
 fn LightCells_texel_rows(size_1: vec2<u32>, start_2: u32, row: u32) -> vec2<u32> {
 
-    // glimt_light_cells/src/partition.rs:141
+    // glimt_light_cells/src/partition.rs:139
     let at_2 = (start_2 + row);
-    // glimt_light_cells/src/partition.rs:142
+    // glimt_light_cells/src/partition.rs:140
     let _e8 = words[at_2];
     let _e13 = words[(at_2 + 1u)];
     return vec2<u32>(_e8, _e13);
 }
 
-// glimt_light_cells/src/partition.rs:73
+// glimt_light_cells/src/partition.rs:71
 fn first_row_word() -> u32 {
 
-    // glimt_light_cells/src/partition.rs:74
+    // glimt_light_cells/src/partition.rs:72
     return (32u + (19u * 512u));
 }
 
-// glimt_light_cells/src/partition.rs:147
+// glimt_light_cells/src/partition.rs:145
 fn LightCells_row_edges(size_2: vec2<u32>, start_3: u32, cell: u32, rows: vec2<u32>) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:148
+    // glimt_light_cells/src/partition.rs:146
     let _e9 = Tuple_u32_u32_((cell % 32u), (cell / 32u));
     let column_1 = _e9.fa;
     let row_3 = _e9.fb;
-    // glimt_light_cells/src/partition.rs:149
+    // glimt_light_cells/src/partition.rs:147
     let of_band = (32u * (rows.x + row_3));
-    // glimt_light_cells/src/partition.rs:150
+    // glimt_light_cells/src/partition.rs:148
     let _e18 = first_row_word();
     return (((start_3 + _e18) + of_band) + (column_1 * ((rows.y - rows.x) + 1u)));
 }
 
-// glimt_light_cells/src/partition.rs:92
+// glimt_light_cells/src/partition.rs:90
 fn first_column(column: u32, width_1: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:93
+    // glimt_light_cells/src/partition.rs:91
     return ((column * width_1) / 32u);
 }
 
-// glimt_light_cells/src/partition.rs:105
+// glimt_light_cells/src/partition.rs:103
 fn column_unit(u_1: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:106
+    // glimt_light_cells/src/partition.rs:104
     return (u_1 >> 17u);
 }
 
-// glimt_light_cells/src/partition.rs:79
+// glimt_light_cells/src/partition.rs:77
 fn first_column_word(size_3: vec2<u32>) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:80
+    // glimt_light_cells/src/partition.rs:78
     let _e3 = first_row_word();
     return (_e3 + (32u * (size_3.y + 16u)));
 }
 
-// glimt_light_cells/src/partition.rs:85
+// glimt_light_cells/src/partition.rs:83
 fn column_words(width_2: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:86
+    // glimt_light_cells/src/partition.rs:84
     let _e4 = (width_2 / 2u);
     return select(_e4, (_e4 + 1u), ((width_2 % 2u) != 0u));
 }
 
-// glimt_light_cells/src/partition.rs:155
+// glimt_light_cells/src/partition.rs:153
 fn LightCells_column_edge(size_4: vec2<u32>, start_4: u32, x_1: u32, y: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:156
+    // glimt_light_cells/src/partition.rs:154
     let _e6 = first_column_word(size_4);
     let _e9 = column_words(size_4.x);
     let at_3 = (((start_4 + _e6) + (y * _e9)) + (x_1 / 2u));
-    // glimt_light_cells/src/partition.rs:157
+    // glimt_light_cells/src/partition.rs:155
     let _e18 = words[at_3];
     return ((_e18 >> ((16u * (x_1 & 1u)) & 31u)) & 65535u);
 }
 
-// glimt_light_cells/src/partition.rs:209
+// glimt_light_cells/src/partition.rs:207
 fn LightCells_pmf(size_5: vec2<u32>, start_5: u32, row_1: Bin, texel_1: vec2<u32>, first: u32) -> f32 {
     var chosen: u32;
 
-    // glimt_light_cells/src/partition.rs:210
+    // glimt_light_cells/src/partition.rs:208
     if (texel_1.x > first) {
-        // glimt_light_cells/src/partition.rs:211
+        // glimt_light_cells/src/partition.rs:209
         let _e15 = LightCells_column_edge(size_5, start_5, (texel_1.x - 1u), texel_1.y);
         chosen = _e15;
     } else {
-        // glimt_light_cells/src/partition.rs:213
+        // glimt_light_cells/src/partition.rs:211
         chosen = 0u;
     }
     let lower = chosen;
-    // glimt_light_cells/src/partition.rs:215
+    // glimt_light_cells/src/partition.rs:213
     let _e22 = LightCells_column_edge(size_5, start_5, texel_1.x, texel_1.y);
     let units = (_e22 - lower);
-    // glimt_light_cells/src/partition.rs:216
+    // glimt_light_cells/src/partition.rs:214
     return ((f32(row_1.units) * (1f / 2147483600f)) * (f32(units) * (1f / 32768f)));
 }
 
-// glimt_light_cells/src/partition.rs:163
+// glimt_light_cells/src/partition.rs:161
 fn cell_sample(size_6: vec2<u32>, start_6: u32, cell_1: u32, u_2: vec2<u32>) -> TexelDraw {
     var at_1: u32;
     var left_1: u32;
 
-    // glimt_light_cells/src/partition.rs:164
+    // glimt_light_cells/src/partition.rs:162
     let _e8 = LightCells_texel_rows(size_6, start_6, (cell_1 / 32u));
-    // glimt_light_cells/src/partition.rs:165
+    // glimt_light_cells/src/partition.rs:163
     let _e10 = LightCells_row_edges(size_6, start_6, cell_1, _e8);
-    // glimt_light_cells/src/partition.rs:166
+    // glimt_light_cells/src/partition.rs:164
     let _e18 = find_bin(_e10, (_e8.y - _e8.x), (u_2.y >> 1u));
-    // glimt_light_cells/src/partition.rs:172
+    // glimt_light_cells/src/partition.rs:170
     let y_1 = (_e8.x + _e18.index);
-    // glimt_light_cells/src/partition.rs:173
+    // glimt_light_cells/src/partition.rs:171
     let column_2 = (cell_1 % 32u);
-    // glimt_light_cells/src/partition.rs:174
+    // glimt_light_cells/src/partition.rs:172
     let _e28 = first_column(column_2, size_6.x);
-    // glimt_light_cells/src/partition.rs:176
+    // glimt_light_cells/src/partition.rs:174
     let _e31 = column_unit(u_2.x);
-    // glimt_light_cells/src/partition.rs:177
+    // glimt_light_cells/src/partition.rs:175
     at_1 = _e28;
-    // glimt_light_cells/src/partition.rs:178
+    // glimt_light_cells/src/partition.rs:176
     let _e38 = first_column((column_2 + 1u), size_6.x);
     left_1 = (_e38 - _e28);
-    // glimt_light_cells/src/partition.rs:179
+    // glimt_light_cells/src/partition.rs:177
     loop {
         let _e42 = left_1;
         if !((_e42 > 1u)) {
             break;
         }
-        // glimt_light_cells/src/partition.rs:180
+        // glimt_light_cells/src/partition.rs:178
         let _e47 = left_1;
         let half_1 = (_e47 / 2u);
-        // glimt_light_cells/src/partition.rs:181
+        // glimt_light_cells/src/partition.rs:179
         let _e51 = at_1;
         let _e55 = LightCells_column_edge(size_6, start_6, ((_e51 + half_1) - 1u), y_1);
         if (_e55 <= _e31) {
-            // glimt_light_cells/src/partition.rs:182
+            // glimt_light_cells/src/partition.rs:180
             let _e58 = at_1;
             at_1 = (_e58 + half_1);
         }
-        // glimt_light_cells/src/partition.rs:184
+        // glimt_light_cells/src/partition.rs:182
         let _e61 = left_1;
         left_1 = (_e61 - half_1);
     }
-    // glimt_light_cells/src/partition.rs:186
+    // glimt_light_cells/src/partition.rs:184
     let _e64 = at_1;
     let _e66 = at_1;
     let _e68 = LightCells_pmf(size_6, start_6, _e18, vec2<u32>(_e66, y_1), _e28);
     return TexelDraw(vec2<u32>(_e64, y_1), _e68);
 }
 
-// glimt_light_cells/src/partition.rs:195
+// glimt_light_cells/src/partition.rs:193
 fn cell_pmf(size_7: vec2<u32>, start_7: u32, texel_2: vec2<u32>, cell_2: u32) -> f32 {
 
-    // glimt_light_cells/src/partition.rs:196
+    // glimt_light_cells/src/partition.rs:194
     let _e8 = LightCells_texel_rows(size_7, start_7, (cell_2 / 32u));
-    // glimt_light_cells/src/partition.rs:197
+    // glimt_light_cells/src/partition.rs:195
     let _e10 = LightCells_row_edges(size_7, start_7, cell_2, _e8);
     let at_4 = ((_e10 + texel_2.y) - _e8.x);
-    // glimt_light_cells/src/partition.rs:198
+    // glimt_light_cells/src/partition.rs:196
     let _e22 = words[(at_4 + 1u)];
     let _e25 = words[at_4];
     let of_row = Bin(0u, 0u, (_e22 - _e25));
-    // glimt_light_cells/src/partition.rs:203
+    // glimt_light_cells/src/partition.rs:201
     let _e32 = first_column((cell_2 % 32u), size_7.x);
-    // glimt_light_cells/src/partition.rs:204
+    // glimt_light_cells/src/partition.rs:202
     let _e34 = LightCells_pmf(size_7, start_7, of_row, texel_2, _e32);
     return _e34;
 }
 
-// glimt_light_cells/src/partition.rs:113
+// glimt_light_cells/src/partition.rs:111
 fn cell_quad(size_8: vec2<u32>, start_8: u32, list: u32, quad: u32) -> vec4<f32> {
 
-    // glimt_light_cells/src/partition.rs:114
+    // glimt_light_cells/src/partition.rs:112
     let at_5 = (((start_8 + 32u) + (list * 512u)) + (4u * quad));
-    // glimt_light_cells/src/partition.rs:115
+    // glimt_light_cells/src/partition.rs:113
     let _e16 = words[at_5];
     let _e22 = words[(at_5 + 1u)];
     let _e28 = words[(at_5 + 2u)];

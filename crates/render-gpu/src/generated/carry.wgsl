@@ -290,12 +290,12 @@ fn representative_of(entry_1: TileEntry, frame_1: FrameParams, env_size: vec2<u3
     return Representative(_e12, vec3(entry_1.diffuse), vec3(entry_1.specular), _e25);
 }
 
-// glimt_light_cells/src/partition.rs:113
+// glimt_light_cells/src/partition.rs:111
 fn LightCells_quad(size_3: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
-    // glimt_light_cells/src/partition.rs:114
+    // glimt_light_cells/src/partition.rs:112
     let at = (((start + 32u) + (list * 512u)) + (4u * quad));
-    // glimt_light_cells/src/partition.rs:115
+    // glimt_light_cells/src/partition.rs:113
     let _e16 = env_tables[at];
     let _e22 = env_tables[(at + 1u)];
     let _e28 = env_tables[(at + 2u)];
@@ -543,40 +543,40 @@ fn unknown(entry_2: TileEntry, frame_2: FrameParams, env_size_1: vec2<u32>, env_
     counter_1 = 0u;
     loop {
         let quad_4 = counter_1;
-        if (quad_4 >= (512u / 4u)) {
+        if (quad_4 >= 128u) {
             break;
         }
         // glimt_render_gpu/src/kernels/carry.rs:95
-        let _e30 = LightCells_quad(_e8.value_size, _e8.value_start, 0u, quad_4);
+        let _e28 = LightCells_quad(_e8.value_size, _e8.value_start, 0u, quad_4);
         // glimt_render_gpu/src/kernels/carry.rs:96
-        let _e32 = LightCells_terms(_e8.value_size, _e8.value_start, surface_2, quad_4);
+        let _e30 = LightCells_terms(_e8.value_size, _e8.value_start, surface_2, quad_4);
         // glimt_render_gpu/src/kernels/carry.rs:97
-        let _e34 = Remembered_quad(remembered_from, remembered_turned, quad_4);
-        let _e35 = CellSurface_residual_weights(surface_2, _e32, _e30, _e34);
+        let _e32 = Remembered_quad(remembered_from, remembered_turned, quad_4);
+        let _e33 = CellSurface_residual_weights(surface_2, _e30, _e28, _e32);
         // glimt_render_gpu/src/kernels/carry.rs:98
-        let _e44 = all_;
-        all_ = (_e44 + (((_e35.x + _e35.y) + _e35.z) + _e35.w));
+        let _e42 = all_;
+        all_ = (_e42 + (((_e33.x + _e33.y) + _e33.z) + _e33.w));
         // glimt_render_gpu/src/kernels/carry.rs:99
-        let _e47 = Remembered_rays(remembered_from, remembered_turned, quad_4);
-        let _e51 = (_e35 / (_e47 + vec4(1f)));
-        let _e59 = unseen;
-        unseen = (_e59 + (((_e51.x + _e51.y) + _e51.z) + _e51.w));
+        let _e45 = Remembered_rays(remembered_from, remembered_turned, quad_4);
+        let _e49 = (_e33 / (_e45 + vec4(1f)));
+        let _e57 = unseen;
+        unseen = (_e57 + (((_e49.x + _e49.y) + _e49.z) + _e49.w));
         continuing {
-            let _e61 = counter_1;
-            counter_1 = (_e61 + 1u);
+            let _e59 = counter_1;
+            counter_1 = (_e59 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/carry.rs:102
-    let _e66 = all_;
-    if (_e66 > 0f) {
-        let _e69 = unseen;
-        let _e70 = all_;
-        chosen_1 = (_e69 / _e70);
+    let _e64 = all_;
+    if (_e64 > 0f) {
+        let _e67 = unseen;
+        let _e68 = all_;
+        chosen_1 = (_e67 / _e68);
     } else {
         chosen_1 = 0f;
     }
-    let _e73 = chosen_1;
-    return _e73;
+    let _e71 = chosen_1;
+    return _e71;
 }
 
 // glimt_render_gpu/src/kernels/carry.rs:23

@@ -214,8 +214,8 @@ struct Representative {
 }
 
 struct Totals {
-    blocks: array<f32, 64>,
-    lives: array<f32, 64>,
+    quads: array<f32, 128>,
+    lives: array<f32, 128>,
     weight: f32,
     live: f32,
     lobe: f32,
@@ -240,7 +240,8 @@ struct CellTerms {
 
 struct Proposal {
     of_: Representative,
-    blocks: array<f32, 64>,
+    quads: array<f32, 128>,
+    rows: array<f32, 16>,
     total: f32,
     defence: f32,
     lobe_worth: f32,
@@ -276,7 +277,17 @@ struct TexelDraw {
     pmf: f32,
 }
 
+struct CellAt {
+    weight: f32,
+    live: f32,
+    cosine: f32,
+    is_full: bool,
+    lobe: f32,
+    visibility: f32,
+}
+
 struct CellDraw {
+    at: CellAt,
     direction: vec3<f32>,
     texel: vec2<u32>,
     cell: u32,
@@ -908,7 +919,7 @@ fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) ->
     let columns = max(u32(sqrt(f32(count_1))), 1u);
     // glimt_render_gpu/src/kernels/pattern.rs:186
     let _e12 = (count_1 / columns);
-    let rows_1 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    let rows_2 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
     // glimt_render_gpu/src/kernels/pattern.rs:187
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
@@ -917,9 +928,9 @@ fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) ->
     let _e27 = permute((_e22 % columns), columns, _e26);
     // glimt_render_gpu/src/kernels/pattern.rs:189
     let _e31 = hash2_(key_1, 3u);
-    let _e32 = permute((_e22 / columns), rows_1, _e31);
+    let _e32 = permute((_e22 / columns), rows_2, _e31);
     // glimt_render_gpu/src/kernels/pattern.rs:190
-    let _e38 = stratum(((_e27 * rows_1) + _e32), (columns * rows_1), jitter_1.x);
+    let _e38 = stratum(((_e27 * rows_2) + _e32), (columns * rows_2), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
@@ -1128,14 +1139,14 @@ fn barycentrics(triangle_1: Triangle, ray_3: Ray) -> vec2<f32> {
     // glimt_render_gpu/src/kernels/triangle.rs:145
     let _e14 = edge_functions((triangle_1.v0_ - ray_3.origin), (triangle_1.v1_ - ray_3.origin), (triangle_1.v2_ - ray_3.origin), ray_3.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:151
-    let sum_3 = ((_e14.x + _e14.y) + _e14.z);
+    let sum_2 = ((_e14.x + _e14.y) + _e14.z);
     // glimt_render_gpu/src/kernels/triangle.rs:152
-    if (sum_3 == 0f) {
+    if (sum_2 == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:154
         return vec2((1f / 3f));
     }
     // glimt_render_gpu/src/kernels/triangle.rs:156
-    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_3));
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_2));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:141
@@ -2227,12 +2238,12 @@ fn SeenPoint_is_catcher(this_26: SeenPoint) -> bool {
     return ((this_26.flags & 2u) != 0u);
 }
 
-// glimt_light_cells/src/partition.rs:113
+// glimt_light_cells/src/partition.rs:111
 fn LightCells_quad(size_4: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
-    // glimt_light_cells/src/partition.rs:114
+    // glimt_light_cells/src/partition.rs:112
     let at_2 = (((start + 32u) + (list * 512u)) + (4u * quad));
-    // glimt_light_cells/src/partition.rs:115
+    // glimt_light_cells/src/partition.rs:113
     let _e16 = env_tables[at_2];
     let _e22 = env_tables[(at_2 + 1u)];
     let _e28 = env_tables[(at_2 + 2u)];
@@ -2428,23 +2439,23 @@ fn CellSurface_product_weights(this_30: CellSurface, terms_3: CellTerms, flux_2:
     return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_30.diffuse)));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:238
+// glimt_render_gpu/src/kernels/proposal.rs:253
 fn weights(surface_2: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen_14: vec4<f32>;
     var chosen_15: vec4<f32>;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:245
+    // glimt_render_gpu/src/kernels/proposal.rs:260
     if (true && is_catcher) {
-        // glimt_render_gpu/src/kernels/proposal.rs:246
+        // glimt_render_gpu/src/kernels/proposal.rs:261
         let _e11 = CellSurface_blocked_weights(surface_2, terms_4, flux_3, visibility_2);
         chosen_14 = _e11;
     } else {
         if true {
-            // glimt_render_gpu/src/kernels/proposal.rs:248
+            // glimt_render_gpu/src/kernels/proposal.rs:263
             let _e15 = CellSurface_residual_weights(surface_2, terms_4, flux_3, visibility_2);
             chosen_15 = _e15;
         } else {
-            // glimt_render_gpu/src/kernels/proposal.rs:250
+            // glimt_render_gpu/src/kernels/proposal.rs:265
             let _e17 = CellSurface_product_weights(surface_2, terms_4, flux_3);
             chosen_15 = _e17;
         }
@@ -2455,37 +2466,37 @@ fn weights(surface_2: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibi
     return _e19;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:129
+// glimt_render_gpu/src/kernels/proposal.rs:151
 fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_3: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:137
+    // glimt_render_gpu/src/kernels/proposal.rs:159
     let list_1 = (4u + (3u * channel));
-    // glimt_render_gpu/src/kernels/proposal.rs:138
+    // glimt_render_gpu/src/kernels/proposal.rs:160
     let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_3);
     let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_3);
     let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_3);
     let moment = (((_e14 * normal_3.x) + (_e19 * normal_3.y)) + (_e25 * normal_3.z));
-    // glimt_render_gpu/src/kernels/proposal.rs:141
+    // glimt_render_gpu/src/kernels/proposal.rs:163
     let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_3);
-    // glimt_render_gpu/src/kernels/proposal.rs:142
+    // glimt_render_gpu/src/kernels/proposal.rs:164
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:147
+// glimt_render_gpu/src/kernels/proposal.rs:169
 fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_4: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:148
+    // glimt_render_gpu/src/kernels/proposal.rs:170
     let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_4, full_1, cut_1);
     let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_4, full_1, cut_1);
     let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_4, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:157
+// glimt_render_gpu/src/kernels/proposal.rs:179
 fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:158
+    // glimt_render_gpu/src/kernels/proposal.rs:180
     let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_5);
     let _e8 = (_e7 * factors);
     let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_5);
@@ -2495,161 +2506,132 @@ fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factor
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:166
+// glimt_render_gpu/src/kernels/proposal.rs:188
 fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected_from: u32, expected_turned: u32, is_catcher_1: bool) -> Totals {
     var t_4: Totals;
     var counter_3: u32;
-    var weight: f32;
-    var live: f32;
-    var counter_4: u32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:172
+    // glimt_render_gpu/src/kernels/proposal.rs:194
     let surface_3 = of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:173
+    // glimt_render_gpu/src/kernels/proposal.rs:195
     let has_lobe = (surface_3.specular > 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:174
-    t_4 = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/proposal.rs:189
+    // glimt_render_gpu/src/kernels/proposal.rs:196
+    t_4 = Totals(array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/proposal.rs:211
     counter_3 = 0u;
     loop {
-        let block = counter_3;
-        if (block >= 64u) {
+        let quad_6 = counter_3;
+        if (quad_6 >= 128u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:190
-        weight = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:191
-        live = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:192
-        counter_4 = 0u;
-        loop {
-            let half = counter_4;
-            if (half >= 2u) {
-                break;
+        // glimt_render_gpu/src/kernels/proposal.rs:212
+        let _e43 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:213
+        let _e45 = LightCells_terms(cells_size_3, cells_start_3, surface_3, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:214
+        let _e48 = (_e43 * _e45.live);
+        let live = (((_e48.x + _e48.y) + _e48.z) + _e48.w);
+        // glimt_render_gpu/src/kernels/proposal.rs:216
+        if (live > 0f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:217
+            let _e60 = Remembered_quad(expected_from, expected_turned, quad_6);
+            // glimt_render_gpu/src/kernels/proposal.rs:218
+            let _e62 = weights(surface_3, _e45, _e43, _e60, is_catcher_1);
+            // glimt_render_gpu/src/kernels/proposal.rs:219
+            let weight_1 = (((_e62.x + _e62.y) + _e62.z) + _e62.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:220
+            if true {
+                // glimt_render_gpu/src/kernels/proposal.rs:221
+                let full_2 = (_e45.full * _e60);
+                // glimt_render_gpu/src/kernels/proposal.rs:222
+                let cut_2 = ((_e60 - full_2) * _e45.cosine);
+                // glimt_render_gpu/src/kernels/proposal.rs:223
+                let _e83 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, full_2, cut_2);
+                let _e84 = t_4.diffuse;
+                t_4.diffuse = (_e84 + _e83);
+                // glimt_render_gpu/src/kernels/proposal.rs:224
+                if is_catcher_1 {
+                    // glimt_render_gpu/src/kernels/proposal.rs:225
+                    let cut_3 = ((vec4(1f) - _e45.full) * _e45.cosine);
+                    // glimt_render_gpu/src/kernels/proposal.rs:226
+                    let _e97 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, _e45.full, cut_3);
+                    // glimt_render_gpu/src/kernels/proposal.rs:227
+                    let _e100 = t_4.open_diffuse;
+                    t_4.open_diffuse = (_e100 + _e97);
+                    // glimt_render_gpu/src/kernels/proposal.rs:228
+                    let _e105 = radiance_sum(cells_size_3, cells_start_3, quad_6, _e45.lobe);
+                    let _e106 = t_4.open_specular;
+                    t_4.open_specular = (_e106 + _e105);
+                }
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:193
-            let quad_6 = ((2u * block) + half);
-            // glimt_render_gpu/src/kernels/proposal.rs:194
-            let _e59 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_6);
-            // glimt_render_gpu/src/kernels/proposal.rs:195
-            let _e61 = LightCells_terms(cells_size_3, cells_start_3, surface_3, quad_6);
-            // glimt_render_gpu/src/kernels/proposal.rs:196
-            let _e64 = (_e59 * _e61.live);
-            let seen_2 = (((_e64.x + _e64.y) + _e64.z) + _e64.w);
-            // glimt_render_gpu/src/kernels/proposal.rs:198
-            if (seen_2 > 0f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:199
-                let _e76 = live;
-                live = (_e76 + seen_2);
-                // glimt_render_gpu/src/kernels/proposal.rs:200
-                let _e79 = Remembered_quad(expected_from, expected_turned, quad_6);
-                // glimt_render_gpu/src/kernels/proposal.rs:201
-                let _e81 = weights(surface_3, _e61, _e59, _e79, is_catcher_1);
-                // glimt_render_gpu/src/kernels/proposal.rs:202
-                let _e90 = weight;
-                weight = (_e90 + (((_e81.x + _e81.y) + _e81.z) + _e81.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:203
+            // glimt_render_gpu/src/kernels/proposal.rs:231
+            if has_lobe {
+                // glimt_render_gpu/src/kernels/proposal.rs:232
+                let a_7 = (_e45.lobe * _e43);
+                // glimt_render_gpu/src/kernels/proposal.rs:233
+                let spread = ((a_7 * _e45.lobe_spread) * _e45.lobe_spread);
+                // glimt_render_gpu/src/kernels/proposal.rs:234
+                let _e126 = t_4.lobe;
+                t_4.lobe = (_e126 + (((a_7.x + a_7.y) + a_7.z) + a_7.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:235
+                let _e137 = t_4.lobe_spread;
+                t_4.lobe_spread = (_e137 + (((spread.x + spread.y) + spread.z) + spread.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:236
+                let _e140 = (a_7 * _e60);
+                let _e149 = t_4.lobe_visible;
+                t_4.lobe_visible = (_e149 + (((_e140.x + _e140.y) + _e140.z) + _e140.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:237
+                let _e154 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_6);
+                let _e155 = (_e45.lobe * _e154);
+                let _e164 = t_4.lobe_square;
+                t_4.lobe_square = (_e164 + (((_e155.x + _e155.y) + _e155.z) + _e155.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:238
+                let _e169 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_6);
+                let _e170 = (_e45.lobe * _e169);
+                let _e179 = t_4.lobe_area;
+                t_4.lobe_area = (_e179 + (((_e170.x + _e170.y) + _e170.z) + _e170.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:239
                 if true {
-                    // glimt_render_gpu/src/kernels/proposal.rs:204
-                    let full_2 = (_e61.full * _e79);
-                    // glimt_render_gpu/src/kernels/proposal.rs:205
-                    let cut_2 = ((_e79 - full_2) * _e61.cosine);
-                    // glimt_render_gpu/src/kernels/proposal.rs:206
-                    let _e104 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, full_2, cut_2);
-                    let _e105 = t_4.diffuse;
-                    t_4.diffuse = (_e105 + _e104);
-                    // glimt_render_gpu/src/kernels/proposal.rs:207
-                    if is_catcher_1 {
-                        // glimt_render_gpu/src/kernels/proposal.rs:208
-                        let cut_3 = ((vec4(1f) - _e61.full) * _e61.cosine);
-                        // glimt_render_gpu/src/kernels/proposal.rs:209
-                        let _e118 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, _e61.full, cut_3);
-                        // glimt_render_gpu/src/kernels/proposal.rs:210
-                        let _e121 = t_4.open_diffuse;
-                        t_4.open_diffuse = (_e121 + _e118);
-                        // glimt_render_gpu/src/kernels/proposal.rs:211
-                        let _e126 = radiance_sum(cells_size_3, cells_start_3, quad_6, _e61.lobe);
-                        let _e127 = t_4.open_specular;
-                        t_4.open_specular = (_e127 + _e126);
-                    }
-                }
-                // glimt_render_gpu/src/kernels/proposal.rs:214
-                if has_lobe {
-                    // glimt_render_gpu/src/kernels/proposal.rs:215
-                    let a_7 = (_e61.lobe * _e59);
-                    // glimt_render_gpu/src/kernels/proposal.rs:216
-                    let spread = ((a_7 * _e61.lobe_spread) * _e61.lobe_spread);
-                    // glimt_render_gpu/src/kernels/proposal.rs:217
-                    let _e147 = t_4.lobe;
-                    t_4.lobe = (_e147 + (((a_7.x + a_7.y) + a_7.z) + a_7.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:218
-                    let _e158 = t_4.lobe_spread;
-                    t_4.lobe_spread = (_e158 + (((spread.x + spread.y) + spread.z) + spread.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:219
-                    let _e161 = (a_7 * _e79);
-                    let _e170 = t_4.lobe_visible;
-                    t_4.lobe_visible = (_e170 + (((_e161.x + _e161.y) + _e161.z) + _e161.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:220
-                    let _e175 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_6);
-                    let _e176 = (_e61.lobe * _e175);
-                    let _e185 = t_4.lobe_square;
-                    t_4.lobe_square = (_e185 + (((_e176.x + _e176.y) + _e176.z) + _e176.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:221
-                    let _e190 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_6);
-                    let _e191 = (_e61.lobe * _e190);
-                    let _e200 = t_4.lobe_area;
-                    t_4.lobe_area = (_e200 + (((_e191.x + _e191.y) + _e191.z) + _e191.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:223
-                    if true {
-                        // glimt_render_gpu/src/kernels/proposal.rs:224
-                        let _e208 = radiance_sum(cells_size_3, cells_start_3, quad_6, (_e61.lobe * _e79));
-                        let _e209 = t_4.specular;
-                        t_4.specular = (_e209 + _e208);
-                    }
+                    // glimt_render_gpu/src/kernels/proposal.rs:240
+                    let _e187 = radiance_sum(cells_size_3, cells_start_3, quad_6, (_e45.lobe * _e60));
+                    let _e188 = t_4.specular;
+                    t_4.specular = (_e188 + _e187);
                 }
             }
-            continuing {
-                let _e211 = counter_4;
-                counter_4 = (_e211 + 1u);
-            }
+            // glimt_render_gpu/src/kernels/proposal.rs:243
+            t_4.quads[quad_6] = weight_1;
+            // glimt_render_gpu/src/kernels/proposal.rs:244
+            t_4.lives[quad_6] = live;
+            // glimt_render_gpu/src/kernels/proposal.rs:245
+            let _e198 = t_4.weight;
+            t_4.weight = (_e198 + weight_1);
+            // glimt_render_gpu/src/kernels/proposal.rs:246
+            let _e202 = t_4.live;
+            t_4.live = (_e202 + live);
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:229
-        let _e215 = weight;
-        t_4.blocks[block] = _e215;
-        // glimt_render_gpu/src/kernels/proposal.rs:230
-        let _e219 = live;
-        t_4.lives[block] = _e219;
-        // glimt_render_gpu/src/kernels/proposal.rs:231
-        let _e223 = weight;
-        let _e225 = t_4.weight;
-        t_4.weight = (_e225 + _e223);
-        // glimt_render_gpu/src/kernels/proposal.rs:232
-        let _e228 = live;
-        let _e230 = t_4.live;
-        t_4.live = (_e230 + _e228);
         continuing {
-            let _e232 = counter_3;
-            counter_3 = (_e232 + 1u);
+            let _e204 = counter_3;
+            counter_3 = (_e204 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:234
-    let _e236 = t_4;
-    return _e236;
+    // glimt_render_gpu/src/kernels/proposal.rs:249
+    let _e208 = t_4;
+    return _e208;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:257
+// glimt_render_gpu/src/kernels/proposal.rs:272
 fn worth(a_3: f32, visible: f32, variance: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:258
+    // glimt_render_gpu/src/kernels/proposal.rs:273
     if true {
-        // glimt_render_gpu/src/kernels/proposal.rs:259
+        // glimt_render_gpu/src/kernels/proposal.rs:274
         return (a_3 * sqrt(((visible * (1f - visible)) + (visible * variance))));
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:262
+    // glimt_render_gpu/src/kernels/proposal.rs:277
     return (a_3 * sqrt((1f + (2f * variance))));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:269
+// glimt_render_gpu/src/kernels/proposal.rs:284
 fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_from_1: u32, expected_turned_1: u32, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
@@ -2659,159 +2641,186 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     var share: f32;
     var defence: f32;
     var total: f32;
-    var blocks: array<f32, 64>;
+    var quads: array<f32, 128>;
+    var rows: array<f32, 16>;
+    var counter_4: u32;
+    var of_row: f32;
     var counter_5: u32;
     var lobe_share: f32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:275
+    // glimt_render_gpu/src/kernels/proposal.rs:290
     of_2 = of_1;
-    // glimt_render_gpu/src/kernels/proposal.rs:276
+    // glimt_render_gpu/src/kernels/proposal.rs:291
     let _e10 = of_2;
     let _e11 = weigh(_e10, cells_size_4, cells_start_4, expected_from_1, expected_turned_1, is_catcher_2);
     sums = _e11;
-    // glimt_render_gpu/src/kernels/proposal.rs:277
+    // glimt_render_gpu/src/kernels/proposal.rs:292
     let _e14 = sums;
     first_3 = _e14;
-    // glimt_render_gpu/src/kernels/proposal.rs:278
+    // glimt_render_gpu/src/kernels/proposal.rs:293
     lobe_worth = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:279
+    // glimt_render_gpu/src/kernels/proposal.rs:294
     least_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:280
+    // glimt_render_gpu/src/kernels/proposal.rs:295
     share = 1f;
-    // glimt_render_gpu/src/kernels/proposal.rs:281
+    // glimt_render_gpu/src/kernels/proposal.rs:296
     let _e28 = of_2.surface.specular;
     let _e32 = sums.lobe;
     if ((_e28 > 0f) && (_e32 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:283
+        // glimt_render_gpu/src/kernels/proposal.rs:298
         let _e38 = sums.lobe_spread;
         let _e40 = sums.lobe;
         let by_cells = (_e38 / _e40);
-        // glimt_render_gpu/src/kernels/proposal.rs:284
+        // glimt_render_gpu/src/kernels/proposal.rs:299
         let _e44 = sums.lobe_square;
         let _e46 = sums.lobe;
         let _e49 = sums.lobe_area;
         let _e51 = sums.lobe;
         let by_lobe = clamp((((_e44 / _e46) * (_e49 / _e51)) - 1f), 0.0001f, 1000000f);
-        // glimt_render_gpu/src/kernels/proposal.rs:286
+        // glimt_render_gpu/src/kernels/proposal.rs:301
         share = (by_lobe / (by_lobe + by_cells));
-        // glimt_render_gpu/src/kernels/proposal.rs:287
+        // glimt_render_gpu/src/kernels/proposal.rs:302
         let _e63 = share;
         if (_e63 > 0.9f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:288
+            // glimt_render_gpu/src/kernels/proposal.rs:303
             share = 1f;
         } else {
             let _e68 = share;
             if (_e68 < 0.1f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:290
+                // glimt_render_gpu/src/kernels/proposal.rs:305
                 share = 0f;
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:292
+        // glimt_render_gpu/src/kernels/proposal.rs:307
         let _e75 = sums.lobe;
         let _e78 = of_2.surface.specular;
         let a_8 = (_e75 * _e78);
-        // glimt_render_gpu/src/kernels/proposal.rs:293
+        // glimt_render_gpu/src/kernels/proposal.rs:308
         let _e82 = sums.lobe_visible;
         let _e84 = sums.lobe;
         let visible_1 = min((_e82 / _e84), 1f);
-        // glimt_render_gpu/src/kernels/proposal.rs:294
+        // glimt_render_gpu/src/kernels/proposal.rs:309
         let _e89 = share;
         if (_e89 < 1f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:295
+            // glimt_render_gpu/src/kernels/proposal.rs:310
             let _e94 = share;
             let _e96 = worth(a_8, visible_1, by_lobe);
             lobe_worth = ((1f - _e94) * _e96);
-            // glimt_render_gpu/src/kernels/proposal.rs:296
+            // glimt_render_gpu/src/kernels/proposal.rs:311
             let _e99 = share;
             of_2.surface.share = _e99;
-            // glimt_render_gpu/src/kernels/proposal.rs:297
+            // glimt_render_gpu/src/kernels/proposal.rs:312
             let _e103 = of_2;
             let _e104 = weigh(_e103, cells_size_4, cells_start_4, expected_from_1, expected_turned_1, is_catcher_2);
             sums = _e104;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:300
+    // glimt_render_gpu/src/kernels/proposal.rs:315
     let _e108 = of_2.surface.specular;
     let _e113 = of_2.surface.normal;
     let _e116 = of_2.surface.wo;
     if ((_e108 > 0f) && (dot(_e113, _e116) < 0.3f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:301
+        // glimt_render_gpu/src/kernels/proposal.rs:316
         least_share = 0.1f;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:303
+    // glimt_render_gpu/src/kernels/proposal.rs:318
     defence = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:304
+    // glimt_render_gpu/src/kernels/proposal.rs:319
     let _e128 = sums.live;
     if (_e128 > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:305
+        // glimt_render_gpu/src/kernels/proposal.rs:320
         let _e134 = sums.weight;
         let _e137 = sums.live;
         defence = ((0.001f * _e134) / _e137);
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:307
+    // glimt_render_gpu/src/kernels/proposal.rs:322
     total = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:308
-    blocks = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:309
-    counter_5 = 0u;
+    // glimt_render_gpu/src/kernels/proposal.rs:323
+    quads = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:324
+    rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:325
+    counter_4 = 0u;
     loop {
-        let block_1 = counter_5;
-        if (block_1 >= 64u) {
+        let row_2 = counter_4;
+        if (row_2 >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:310
-        let _e155 = sums.blocks[block_1];
-        let _e156 = defence;
-        let _e159 = sums.lives[block_1];
-        let weight_1 = (_e155 + (_e156 * _e159));
-        // glimt_render_gpu/src/kernels/proposal.rs:311
-        blocks[block_1] = weight_1;
-        // glimt_render_gpu/src/kernels/proposal.rs:312
-        let _e165 = total;
-        total = (_e165 + weight_1);
+        // glimt_render_gpu/src/kernels/proposal.rs:326
+        of_row = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:327
+        counter_5 = (row_2 * 8u);
+        loop {
+            let quad_7 = counter_5;
+            if (quad_7 >= ((row_2 + 1u) * 8u)) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/proposal.rs:328
+            let _e172 = sums.quads[quad_7];
+            let _e173 = defence;
+            let _e176 = sums.lives[quad_7];
+            let weight_2 = (_e172 + (_e173 * _e176));
+            // glimt_render_gpu/src/kernels/proposal.rs:329
+            quads[quad_7] = weight_2;
+            // glimt_render_gpu/src/kernels/proposal.rs:330
+            let _e182 = of_row;
+            of_row = (_e182 + weight_2);
+            continuing {
+                let _e184 = counter_5;
+                counter_5 = (_e184 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:332
+        let _e188 = of_row;
+        rows[row_2] = _e188;
+        // glimt_render_gpu/src/kernels/proposal.rs:333
+        let _e191 = of_row;
+        let _e192 = total;
+        total = (_e192 + _e191);
         continuing {
-            let _e167 = counter_5;
-            counter_5 = (_e167 + 1u);
+            let _e194 = counter_4;
+            counter_4 = (_e194 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:314
-    let _e171 = total;
-    let _e172 = lobe_worth;
-    let all_ = (_e171 + _e172);
-    // glimt_render_gpu/src/kernels/proposal.rs:315
+    // glimt_render_gpu/src/kernels/proposal.rs:335
+    let _e198 = total;
+    let _e199 = lobe_worth;
+    let all_ = (_e198 + _e199);
+    // glimt_render_gpu/src/kernels/proposal.rs:336
     lobe_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:316
+    // glimt_render_gpu/src/kernels/proposal.rs:337
     if (all_ > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:317
-        let _e181 = lobe_worth;
-        let _e183 = least_share;
-        lobe_share = clamp((_e181 / all_), _e183, 0.95f);
-        // glimt_render_gpu/src/kernels/proposal.rs:318
-        let _e187 = total;
-        if !((_e187 > 0f)) {
-            // glimt_render_gpu/src/kernels/proposal.rs:319
+        // glimt_render_gpu/src/kernels/proposal.rs:338
+        let _e208 = lobe_worth;
+        let _e210 = least_share;
+        lobe_share = clamp((_e208 / all_), _e210, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:339
+        let _e214 = total;
+        if !((_e214 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:340
             lobe_share = 1f;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:322
-    let _e195 = of_2.diffuse;
-    let kd_1 = (_e195 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:323
-    let _e200 = first_3.diffuse;
-    let _e203 = of_2.specular;
-    let _e205 = first_3.specular;
-    let _e206 = share;
-    let _e211 = first_3.open_diffuse;
-    let _e214 = of_2.specular;
-    let _e216 = first_3.open_specular;
-    let _e217 = share;
-    let _e221 = of_2;
-    let _e222 = blocks;
-    let _e223 = total;
-    let _e224 = defence;
-    let _e225 = lobe_worth;
-    let _e226 = lobe_share;
-    return Proposal(_e221, _e222, _e223, _e224, _e225, _e226, ((kd_1 * _e200) + (_e203 * (_e205 * _e206))), ((kd_1 * _e211) + (_e214 * (_e216 * _e217))), is_catcher_2);
+    // glimt_render_gpu/src/kernels/proposal.rs:343
+    let _e222 = of_2.diffuse;
+    let kd_1 = (_e222 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:344
+    let _e227 = first_3.diffuse;
+    let _e230 = of_2.specular;
+    let _e232 = first_3.specular;
+    let _e233 = share;
+    let _e238 = first_3.open_diffuse;
+    let _e241 = of_2.specular;
+    let _e243 = first_3.open_specular;
+    let _e244 = share;
+    let _e248 = of_2;
+    let _e249 = quads;
+    let _e250 = rows;
+    let _e251 = total;
+    let _e252 = defence;
+    let _e253 = lobe_worth;
+    let _e254 = lobe_share;
+    return Proposal(_e248, _e249, _e250, _e251, _e252, _e253, _e254, ((kd_1 * _e227) + (_e230 * (_e232 * _e233))), ((kd_1 * _e238) + (_e241 * (_e243 * _e244))), is_catcher_2);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:111
@@ -2852,31 +2861,31 @@ fn PatternSource_next_uvec2_(this_32: ptr<function, PatternSource>) -> vec2<u32>
     return _e18;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:468
+// glimt_render_gpu/src/kernels/proposal.rs:479
 fn Place_new(target_: f32) -> Place {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:469
+    // glimt_render_gpu/src/kernels/proposal.rs:480
     return Place(target_, 0f, 0u, 0f, 0f, false);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:481
+// glimt_render_gpu/src/kernels/proposal.rs:492
 fn Place_offer(this_33: ptr<function, Place>, index_16: u32, width: f32) {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:482
+    // glimt_render_gpu/src/kernels/proposal.rs:493
     let _e8 = (*this_33).is_found;
     if ((width > 0f) && !(_e8)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:483
+        // glimt_render_gpu/src/kernels/proposal.rs:494
         (*this_33).index = index_16;
-        // glimt_render_gpu/src/kernels/proposal.rs:484
+        // glimt_render_gpu/src/kernels/proposal.rs:495
         let _e15 = (*this_33).sum;
         (*this_33).first = _e15;
-        // glimt_render_gpu/src/kernels/proposal.rs:485
+        // glimt_render_gpu/src/kernels/proposal.rs:496
         (*this_33).width = width;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:487
+    // glimt_render_gpu/src/kernels/proposal.rs:498
     let _e21 = (*this_33).sum;
     (*this_33).sum = (_e21 + width);
-    // glimt_render_gpu/src/kernels/proposal.rs:488
+    // glimt_render_gpu/src/kernels/proposal.rs:499
     let _e25 = (*this_33).is_found;
     let _e27 = (*this_33).sum;
     let _e29 = (*this_33).target_;
@@ -2884,49 +2893,49 @@ fn Place_offer(this_33: ptr<function, Place>, index_16: u32, width: f32) {
     return;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:494
+// glimt_render_gpu/src/kernels/proposal.rs:505
 fn Place_word(this_34: Place, whole: f32, fraction: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:495
+    // glimt_render_gpu/src/kernels/proposal.rs:506
     let unit = (whole * (1f / 16777216f));
-    // glimt_render_gpu/src/kernels/proposal.rs:496
+    // glimt_render_gpu/src/kernels/proposal.rs:507
     let fine = ((this_34.target_ - this_34.first) + (unit * (f32(fraction) * (1f / 65536f))));
-    // glimt_render_gpu/src/kernels/proposal.rs:497
+    // glimt_render_gpu/src/kernels/proposal.rs:508
     let place_3 = clamp((fine / max(this_34.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
-    // glimt_render_gpu/src/kernels/proposal.rs:498
+    // glimt_render_gpu/src/kernels/proposal.rs:509
     return ((u32((place_3 * 16777216f)) << 8u) | (fraction & 255u));
 }
 
-// glimt_light_cells/src/partition.rs:140
+// glimt_light_cells/src/partition.rs:138
 fn LightCells_texel_rows(size_6: vec2<u32>, start_2: u32, row: u32) -> vec2<u32> {
 
-    // glimt_light_cells/src/partition.rs:141
+    // glimt_light_cells/src/partition.rs:139
     let at_3 = (start_2 + row);
-    // glimt_light_cells/src/partition.rs:142
+    // glimt_light_cells/src/partition.rs:140
     let _e8 = env_tables[at_3];
     let _e13 = env_tables[(at_3 + 1u)];
     return vec2<u32>(_e8, _e13);
 }
 
-// glimt_light_cells/src/partition.rs:73
+// glimt_light_cells/src/partition.rs:71
 fn first_row_word() -> u32 {
 
-    // glimt_light_cells/src/partition.rs:74
+    // glimt_light_cells/src/partition.rs:72
     return (32u + (19u * 512u));
 }
 
-// glimt_light_cells/src/partition.rs:147
-fn LightCells_row_edges(size_7: vec2<u32>, start_3: u32, cell_2: u32, rows: vec2<u32>) -> u32 {
+// glimt_light_cells/src/partition.rs:145
+fn LightCells_row_edges(size_7: vec2<u32>, start_3: u32, cell_2: u32, rows_1: vec2<u32>) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:148
+    // glimt_light_cells/src/partition.rs:146
     let _e9 = Tuple_u32_u32_((cell_2 % 32u), (cell_2 / 32u));
     let column_2 = _e9.fa;
-    let row_2 = _e9.fb;
-    // glimt_light_cells/src/partition.rs:149
-    let of_band = (32u * (rows.x + row_2));
-    // glimt_light_cells/src/partition.rs:150
+    let row_3 = _e9.fb;
+    // glimt_light_cells/src/partition.rs:147
+    let of_band = (32u * (rows_1.x + row_3));
+    // glimt_light_cells/src/partition.rs:148
     let _e18 = first_row_word();
-    return (((start_3 + _e18) + of_band) + (column_2 * ((rows.y - rows.x) + 1u)));
+    return (((start_3 + _e18) + of_band) + (column_2 * ((rows_1.y - rows_1.x) + 1u)));
 }
 
 // glimt_envmap_cdf/src/search.rs:31
@@ -2946,18 +2955,18 @@ fn find_bin(start_4: u32, bins: u32, u_4: u32) -> Bin {
         }
         // glimt_envmap_cdf/src/search.rs:36
         let _e14 = left;
-        let half_1 = (_e14 / 2u);
+        let half = (_e14 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
         let _e18 = at;
-        let _e22 = env_tables[(_e18 + half_1)];
+        let _e22 = env_tables[(_e18 + half)];
         if (_e22 <= u_4) {
             // glimt_envmap_cdf/src/search.rs:38
             let _e25 = at;
-            at = (_e25 + half_1);
+            at = (_e25 + half);
         }
         // glimt_envmap_cdf/src/search.rs:40
         let _e28 = left;
-        left = (_e28 - half_1);
+        left = (_e28 - half);
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
@@ -2969,115 +2978,115 @@ fn find_bin(start_4: u32, bins: u32, u_4: u32) -> Bin {
     return Bin((_e36 - start_4), first_7, (_e43 - first_7));
 }
 
-// glimt_light_cells/src/partition.rs:92
+// glimt_light_cells/src/partition.rs:90
 fn first_column(column: u32, width_1: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:93
+    // glimt_light_cells/src/partition.rs:91
     return ((column * width_1) / 32u);
 }
 
-// glimt_light_cells/src/partition.rs:105
+// glimt_light_cells/src/partition.rs:103
 fn column_unit(u_5: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:106
+    // glimt_light_cells/src/partition.rs:104
     return (u_5 >> 17u);
 }
 
-// glimt_light_cells/src/partition.rs:79
+// glimt_light_cells/src/partition.rs:77
 fn first_column_word(size_8: vec2<u32>) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:80
+    // glimt_light_cells/src/partition.rs:78
     let _e3 = first_row_word();
     return (_e3 + (32u * (size_8.y + 16u)));
 }
 
-// glimt_light_cells/src/partition.rs:85
+// glimt_light_cells/src/partition.rs:83
 fn column_words(width_2: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:86
+    // glimt_light_cells/src/partition.rs:84
     let _e4 = (width_2 / 2u);
     return select(_e4, (_e4 + 1u), ((width_2 % 2u) != 0u));
 }
 
-// glimt_light_cells/src/partition.rs:155
+// glimt_light_cells/src/partition.rs:153
 fn LightCells_column_edge(size_9: vec2<u32>, start_5: u32, x_9: u32, y_1: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:156
+    // glimt_light_cells/src/partition.rs:154
     let _e6 = first_column_word(size_9);
     let _e9 = column_words(size_9.x);
     let at_4 = (((start_5 + _e6) + (y_1 * _e9)) + (x_9 / 2u));
-    // glimt_light_cells/src/partition.rs:157
+    // glimt_light_cells/src/partition.rs:155
     let _e18 = env_tables[at_4];
     return ((_e18 >> ((16u * (x_9 & 1u)) & 31u)) & 65535u);
 }
 
-// glimt_light_cells/src/partition.rs:209
+// glimt_light_cells/src/partition.rs:207
 fn LightCells_pmf(size_10: vec2<u32>, start_6: u32, row_1: Bin, texel: vec2<u32>, first_4: u32) -> f32 {
     var chosen_17: u32;
 
-    // glimt_light_cells/src/partition.rs:210
+    // glimt_light_cells/src/partition.rs:208
     if (texel.x > first_4) {
-        // glimt_light_cells/src/partition.rs:211
+        // glimt_light_cells/src/partition.rs:209
         let _e15 = LightCells_column_edge(size_10, start_6, (texel.x - 1u), texel.y);
         chosen_17 = _e15;
     } else {
-        // glimt_light_cells/src/partition.rs:213
+        // glimt_light_cells/src/partition.rs:211
         chosen_17 = 0u;
     }
     let lower_1 = chosen_17;
-    // glimt_light_cells/src/partition.rs:215
+    // glimt_light_cells/src/partition.rs:213
     let _e22 = LightCells_column_edge(size_10, start_6, texel.x, texel.y);
     let units = (_e22 - lower_1);
-    // glimt_light_cells/src/partition.rs:216
+    // glimt_light_cells/src/partition.rs:214
     return ((f32(row_1.units) * (1f / 2147483600f)) * (f32(units) * (1f / 32768f)));
 }
 
-// glimt_light_cells/src/partition.rs:163
+// glimt_light_cells/src/partition.rs:161
 fn LightCells_sample(size_11: vec2<u32>, start_7: u32, cell_3: u32, u_6: vec2<u32>) -> TexelDraw {
     var at_1: u32;
     var left_1: u32;
 
-    // glimt_light_cells/src/partition.rs:164
+    // glimt_light_cells/src/partition.rs:162
     let _e8 = LightCells_texel_rows(size_11, start_7, (cell_3 / 32u));
-    // glimt_light_cells/src/partition.rs:165
+    // glimt_light_cells/src/partition.rs:163
     let _e10 = LightCells_row_edges(size_11, start_7, cell_3, _e8);
-    // glimt_light_cells/src/partition.rs:166
+    // glimt_light_cells/src/partition.rs:164
     let _e18 = find_bin(_e10, (_e8.y - _e8.x), (u_6.y >> 1u));
-    // glimt_light_cells/src/partition.rs:172
+    // glimt_light_cells/src/partition.rs:170
     let y_4 = (_e8.x + _e18.index);
-    // glimt_light_cells/src/partition.rs:173
+    // glimt_light_cells/src/partition.rs:171
     let column_3 = (cell_3 % 32u);
-    // glimt_light_cells/src/partition.rs:174
+    // glimt_light_cells/src/partition.rs:172
     let _e28 = first_column(column_3, size_11.x);
-    // glimt_light_cells/src/partition.rs:176
+    // glimt_light_cells/src/partition.rs:174
     let _e31 = column_unit(u_6.x);
-    // glimt_light_cells/src/partition.rs:177
+    // glimt_light_cells/src/partition.rs:175
     at_1 = _e28;
-    // glimt_light_cells/src/partition.rs:178
+    // glimt_light_cells/src/partition.rs:176
     let _e38 = first_column((column_3 + 1u), size_11.x);
     left_1 = (_e38 - _e28);
-    // glimt_light_cells/src/partition.rs:179
+    // glimt_light_cells/src/partition.rs:177
     loop {
         let _e42 = left_1;
         if !((_e42 > 1u)) {
             break;
         }
-        // glimt_light_cells/src/partition.rs:180
+        // glimt_light_cells/src/partition.rs:178
         let _e47 = left_1;
-        let half_2 = (_e47 / 2u);
-        // glimt_light_cells/src/partition.rs:181
+        let half_1 = (_e47 / 2u);
+        // glimt_light_cells/src/partition.rs:179
         let _e51 = at_1;
-        let _e55 = LightCells_column_edge(size_11, start_7, ((_e51 + half_2) - 1u), y_4);
+        let _e55 = LightCells_column_edge(size_11, start_7, ((_e51 + half_1) - 1u), y_4);
         if (_e55 <= _e31) {
-            // glimt_light_cells/src/partition.rs:182
+            // glimt_light_cells/src/partition.rs:180
             let _e58 = at_1;
-            at_1 = (_e58 + half_2);
+            at_1 = (_e58 + half_1);
         }
-        // glimt_light_cells/src/partition.rs:184
+        // glimt_light_cells/src/partition.rs:182
         let _e61 = left_1;
-        left_1 = (_e61 - half_2);
+        left_1 = (_e61 - half_1);
     }
-    // glimt_light_cells/src/partition.rs:186
+    // glimt_light_cells/src/partition.rs:184
     let _e64 = at_1;
     let _e66 = at_1;
     let _e68 = LightCells_pmf(size_11, start_7, _e18, vec2<u32>(_e66, y_4), _e28);
@@ -3130,30 +3139,30 @@ fn direction_in_texel(texel_1: vec2<u32>, size_12: vec2<u32>, r: vec2<f32>) -> v
     // glimt_probe/src/latlong.rs:143
     let size_13 = max(size_12, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_3 = min(texel_1.y, (size_13.y - 1u));
+    let row_4 = min(texel_1.y, (size_13.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_3) >= size_13.y);
+    let southern = ((2u * row_4) >= size_13.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_19 = (size_13.y - row_3);
+        chosen_19 = (size_13.y - row_4);
     } else {
-        chosen_19 = row_3;
+        chosen_19 = row_4;
     }
     let upper_1 = chosen_19;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_20 = ((size_13.y - row_3) - 1u);
+        chosen_20 = ((size_13.y - row_4) - 1u);
     } else {
-        chosen_20 = (row_3 + 1u);
+        chosen_20 = (row_4 + 1u);
     }
     let lower_2 = chosen_20;
     // glimt_probe/src/latlong.rs:149
-    let half_3 = (0.5f / f32(size_13.y));
+    let half_2 = (0.5f / f32(size_13.y));
     // glimt_probe/src/latlong.rs:150
-    let _e41 = cos_sin_pi((f32(upper_1) * half_3));
+    let _e41 = cos_sin_pi((f32(upper_1) * half_2));
     let sin_upper = _e41.y;
     // glimt_probe/src/latlong.rs:151
-    let _e46 = cos_sin_pi((f32(lower_2) * half_3));
+    let _e46 = cos_sin_pi((f32(lower_2) * half_2));
     let sin_lower = _e46.y;
     // glimt_probe/src/latlong.rs:152
     let s_upper = (sin_upper * sin_upper);
@@ -3176,148 +3185,122 @@ fn direction_in_texel(texel_1: vec2<u32>, size_12: vec2<u32>, r: vec2<f32>) -> v
     return vec3<f32>((sin_theta * _e90.x), (sin_theta * _e90.y), cos_theta);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:398
+// glimt_render_gpu/src/kernels/proposal.rs:78
+fn CellAt_new(lane: u32, weight: vec4<f32>, flux_4: vec4<f32>, terms_5: CellTerms, visibility_3: vec4<f32>) -> CellAt {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:79
+    return CellAt(weight[lane], (flux_4 * terms_5.live)[lane], terms_5.cosine[lane], (terms_5.full[lane] > 0.5f), terms_5.lobe[lane], visibility_3[lane]);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:413
 fn Proposal_sample_cells(this_35: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_from_2: u32, expected_turned_2: u32) -> CellDraw {
     var self_: Proposal;
     var row_place: Place;
     var counter_6: u32;
-    var sum_2: f32;
+    var quad_place: Place;
     var counter_7: u32;
-    var block_place: Place;
-    var counter_8: u32;
     var cell_place: Place;
-    var counter_9: u32;
 
     self_ = this_35;
-    // glimt_render_gpu/src/kernels/proposal.rs:404
-    let per_row = (64u / 16u);
-    // glimt_render_gpu/src/kernels/proposal.rs:406
-    let _e14 = unit_f32_(u_7.y);
-    let _e16 = self_.total;
-    let _e18 = Place_new((_e14 * _e16));
-    row_place = _e18;
-    // glimt_render_gpu/src/kernels/proposal.rs:407
+    // glimt_render_gpu/src/kernels/proposal.rs:420
+    let _e10 = unit_f32_(u_7.y);
+    let _e12 = self_.total;
+    let _e14 = Place_new((_e10 * _e12));
+    row_place = _e14;
+    // glimt_render_gpu/src/kernels/proposal.rs:421
     counter_6 = 0u;
     loop {
-        let row_4 = counter_6;
-        if (row_4 >= 16u) {
+        let row_5 = counter_6;
+        if (row_5 >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:408
-        sum_2 = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:409
-        counter_7 = (row_4 * per_row);
-        loop {
-            let block_2 = counter_7;
-            if (block_2 >= ((row_4 + 1u) * per_row)) {
-                break;
-            }
-            // glimt_render_gpu/src/kernels/proposal.rs:410
-            let _e40 = self_.blocks[block_2];
-            let _e41 = sum_2;
-            sum_2 = (_e41 + _e40);
-            continuing {
-                let _e43 = counter_7;
-                counter_7 = (_e43 + 1u);
-            }
-        }
-        // glimt_render_gpu/src/kernels/proposal.rs:412
-        let _e47 = sum_2;
-        Place_offer((&row_place), row_4, _e47);
+        // glimt_render_gpu/src/kernels/proposal.rs:422
+        let _e25 = self_.rows[row_5];
+        Place_offer((&row_place), row_5, _e25);
         continuing {
-            let _e48 = counter_6;
-            counter_6 = (_e48 + 1u);
+            let _e26 = counter_6;
+            counter_6 = (_e26 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:414
-    let _e53 = row_place.index;
-    let first_8 = (_e53 * per_row);
-    // glimt_render_gpu/src/kernels/proposal.rs:415
-    let _e57 = unit_f32_(u_7.x);
-    let _e59 = row_place.width;
-    let target_1 = (_e57 * _e59);
-    // glimt_render_gpu/src/kernels/proposal.rs:416
-    let _e62 = Place_new(target_1);
-    block_place = _e62;
-    // glimt_render_gpu/src/kernels/proposal.rs:417
-    counter_8 = first_8;
-    loop {
-        let block_3 = counter_8;
-        if (block_3 >= (first_8 + per_row)) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/proposal.rs:418
-        let _e72 = self_.blocks[block_3];
-        Place_offer((&block_place), block_3, _e72);
-        continuing {
-            let _e73 = counter_8;
-            counter_8 = (_e73 + 1u);
-        }
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:420
-    let _e78 = block_place.first;
-    let _e79 = Place_new(target_1);
-    cell_place = Place(_e79.target_, _e78, _e79.index, _e79.first, _e79.width, _e79.is_found);
     // glimt_render_gpu/src/kernels/proposal.rs:424
-    counter_9 = 0u;
+    let _e31 = row_place.index;
+    let first_8 = (_e31 * 8u);
+    // glimt_render_gpu/src/kernels/proposal.rs:425
+    let _e36 = unit_f32_(u_7.x);
+    let _e38 = row_place.width;
+    let target_1 = (_e36 * _e38);
+    // glimt_render_gpu/src/kernels/proposal.rs:426
+    let _e41 = Place_new(target_1);
+    quad_place = _e41;
+    // glimt_render_gpu/src/kernels/proposal.rs:427
+    counter_7 = first_8;
     loop {
-        let half_4 = counter_9;
-        if (half_4 >= 2u) {
+        let quad_8 = counter_7;
+        if (quad_8 >= (first_8 + 8u)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:425
-        let _e96 = block_place.index;
-        let quad_7 = ((2u * _e96) + half_4);
-        // glimt_render_gpu/src/kernels/proposal.rs:426
-        let _e101 = LightCells_quad(cells_size_5, cells_start_5, 0u, quad_7);
-        // glimt_render_gpu/src/kernels/proposal.rs:427
-        let _e105 = self_.of_.surface;
-        let _e106 = LightCells_terms(cells_size_5, cells_start_5, _e105, quad_7);
         // glimt_render_gpu/src/kernels/proposal.rs:428
-        let _e108 = Remembered_quad(expected_from_2, expected_turned_2, quad_7);
-        // glimt_render_gpu/src/kernels/proposal.rs:429
-        let surface_4 = self_.of_.surface;
-        // glimt_render_gpu/src/kernels/proposal.rs:430
-        let _e115 = self_.is_catcher;
-        let _e116 = weights(surface_4, _e106, _e101, _e108, _e115);
-        // glimt_render_gpu/src/kernels/proposal.rs:431
-        let _e121 = self_.defence;
-        let all_1 = (_e116 + ((_e101 * _e106.live) * _e121));
-        // glimt_render_gpu/src/kernels/proposal.rs:432
-        Place_offer((&cell_place), (4u * quad_7), all_1.x);
-        // glimt_render_gpu/src/kernels/proposal.rs:433
-        Place_offer((&cell_place), ((4u * quad_7) + 1u), all_1.y);
-        // glimt_render_gpu/src/kernels/proposal.rs:434
-        Place_offer((&cell_place), ((4u * quad_7) + 2u), all_1.z);
-        // glimt_render_gpu/src/kernels/proposal.rs:435
-        Place_offer((&cell_place), ((4u * quad_7) + 3u), all_1.w);
+        let _e52 = self_.quads[quad_8];
+        Place_offer((&quad_place), quad_8, _e52);
         continuing {
-            let _e146 = counter_9;
-            counter_9 = (_e146 + 1u);
+            let _e53 = counter_7;
+            counter_7 = (_e53 + 1u);
         }
     }
+    // glimt_render_gpu/src/kernels/proposal.rs:430
+    let quad_9 = quad_place.index;
+    // glimt_render_gpu/src/kernels/proposal.rs:431
+    let _e61 = LightCells_quad(cells_size_5, cells_start_5, 0u, quad_9);
+    // glimt_render_gpu/src/kernels/proposal.rs:432
+    let _e65 = self_.of_.surface;
+    let _e66 = LightCells_terms(cells_size_5, cells_start_5, _e65, quad_9);
+    // glimt_render_gpu/src/kernels/proposal.rs:433
+    let _e68 = Remembered_quad(expected_from_2, expected_turned_2, quad_9);
+    // glimt_render_gpu/src/kernels/proposal.rs:434
+    let surface_4 = self_.of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:435
+    let _e75 = self_.is_catcher;
+    let _e76 = weights(surface_4, _e66, _e61, _e68, _e75);
+    // glimt_render_gpu/src/kernels/proposal.rs:436
+    let _e81 = self_.defence;
+    let all_1 = (_e76 + ((_e61 * _e66.live) * _e81));
     // glimt_render_gpu/src/kernels/proposal.rs:437
-    let _e152 = hash2_(u_7.x, u_7.y);
-    // glimt_render_gpu/src/kernels/proposal.rs:438
-    let _e154 = cell_place;
-    let _e156 = row_place.width;
-    let _e159 = Place_word(_e154, _e156, (_e152 & 65535u));
-    let _e160 = row_place;
-    let _e162 = self_.total;
-    let _e165 = Place_word(_e160, _e162, (_e152 >> 16u));
-    let within = vec2<u32>(_e159, _e165);
+    let _e86 = quad_place.first;
+    let _e87 = Place_new(target_1);
+    cell_place = Place(_e87.target_, _e86, _e87.index, _e87.first, _e87.width, _e87.is_found);
+    // glimt_render_gpu/src/kernels/proposal.rs:441
+    Place_offer((&cell_place), 0u, all_1.x);
     // glimt_render_gpu/src/kernels/proposal.rs:442
-    let _e169 = cell_place.index;
-    let _e170 = LightCells_sample(cells_size_5, cells_start_5, _e169, within);
+    Place_offer((&cell_place), 1u, all_1.y);
     // glimt_render_gpu/src/kernels/proposal.rs:443
-    let _e173 = hash2_(_e152, u_7.x);
+    Place_offer((&cell_place), 2u, all_1.z);
     // glimt_render_gpu/src/kernels/proposal.rs:444
-    let place_4 = vec2<u32>((_e173 << 16u), (_e173 & 4294901760u));
+    Place_offer((&cell_place), 3u, all_1.w);
     // glimt_render_gpu/src/kernels/proposal.rs:445
-    let _e182 = unit_vec2_(place_4);
-    let _e183 = direction_in_texel(_e170.texel, cells_size_5, _e182);
-    let _e186 = cell_place.index;
-    return CellDraw(_e183, _e170.texel, _e186);
+    let lane_1 = cell_place.index;
+    // glimt_render_gpu/src/kernels/proposal.rs:446
+    let cell_5 = ((4u * quad_9) + lane_1);
+    // glimt_render_gpu/src/kernels/proposal.rs:447
+    let _e117 = hash2_(u_7.x, u_7.y);
+    // glimt_render_gpu/src/kernels/proposal.rs:448
+    let _e119 = cell_place;
+    let _e121 = row_place.width;
+    let _e124 = Place_word(_e119, _e121, (_e117 & 65535u));
+    let _e125 = row_place;
+    let _e127 = self_.total;
+    let _e130 = Place_word(_e125, _e127, (_e117 >> 16u));
+    let within = vec2<u32>(_e124, _e130);
+    // glimt_render_gpu/src/kernels/proposal.rs:452
+    let _e133 = LightCells_sample(cells_size_5, cells_start_5, cell_5, within);
+    // glimt_render_gpu/src/kernels/proposal.rs:453
+    let _e136 = hash2_(_e117, u_7.x);
+    // glimt_render_gpu/src/kernels/proposal.rs:454
+    let place_4 = vec2<u32>((_e136 << 16u), (_e136 & 4294901760u));
+    // glimt_render_gpu/src/kernels/proposal.rs:455
+    let _e145 = unit_vec2_(place_4);
+    let _e146 = direction_in_texel(_e133.texel, cells_size_5, _e145);
+    let _e148 = CellAt_new(lane_1, _e76, _e61, _e66, _e68);
+    return CellDraw(_e148, _e146, _e133.texel, cell_5);
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:73
@@ -3390,30 +3373,30 @@ fn count_2(word_6: u32, cell_4: u32, arrives_1: bool) -> u32 {
 
 // glimt_render_gpu/src/kernels/pilot.rs:48
 fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, counts_start: u32, counts_len: u32) {
+    var counter_8: u32;
+    var counter_9: u32;
     var counter_10: u32;
-    var counter_11: u32;
-    var counter_12: u32;
     var seen: SeenPoint;
     var proposal: Proposal;
     var chosen_25: u32;
-    var counter_13: u32;
+    var counter_11: u32;
     var borrowed_4: PatternSource;
 
     // glimt_render_gpu/src/kernels/pilot.rs:58
     let first_9 = (tile_1 * 3u);
     // glimt_render_gpu/src/kernels/pilot.rs:59
-    counter_10 = 0u;
+    counter_8 = 0u;
     loop {
-        let slot_1 = counter_10;
+        let slot_1 = counter_8;
         if (slot_1 >= 3u) {
             break;
         }
         // glimt_render_gpu/src/kernels/pilot.rs:60
         let _e21 = entries[(first_9 + slot_1)].from_;
         // glimt_render_gpu/src/kernels/pilot.rs:65
-        counter_11 = 0u;
+        counter_9 = 0u;
         loop {
-            let word_9 = counter_11;
+            let word_9 = counter_9;
             if (word_9 >= 256u) {
                 break;
             }
@@ -3421,13 +3404,13 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
             let _e30 = Remembered_word(_e21, cells.turned, word_9);
             counts[(counts_start + ((slot_1 * 256u) + word_9))] = _e30;
             continuing {
-                let _e37 = counter_11;
-                counter_11 = (_e37 + 1u);
+                let _e37 = counter_9;
+                counter_9 = (_e37 + 1u);
             }
         }
         continuing {
-            let _e40 = counter_10;
-            counter_10 = (_e40 + 1u);
+            let _e40 = counter_8;
+            counter_8 = (_e40 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/pilot.rs:69
@@ -3441,13 +3424,13 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
     // glimt_render_gpu/src/kernels/pilot.rs:72
     let _e62 = (_e46.y - _e44.y);
     let _e64 = (_e62 / 2u);
-    let rows_2 = select(_e64, (_e64 + 1u), ((_e62 % 2u) != 0u));
+    let rows_3 = select(_e64, (_e64 + 1u), ((_e62 % 2u) != 0u));
     // glimt_render_gpu/src/kernels/pilot.rs:73
     let _e72 = Environment_cells(env_size_1, env_rotation_1);
     // glimt_render_gpu/src/kernels/pilot.rs:74
-    counter_12 = 0u;
+    counter_10 = 0u;
     loop {
-        let i_2 = counter_12;
+        let i_2 = counter_10;
         if (i_2 >= 64u) {
             break;
         }
@@ -3460,7 +3443,7 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
         // glimt_render_gpu/src/kernels/pilot.rs:80
         seen = SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
         // glimt_render_gpu/src/kernels/pilot.rs:81
-        if (place_5 < (columns_1 * rows_2)) {
+        if (place_5 < (columns_1 * rows_3)) {
             // glimt_render_gpu/src/kernels/pilot.rs:82
             let _e134 = see_by(_e105, frame_4);
             seen = _e134;
@@ -3501,9 +3484,9 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
             }
             let rays = chosen_25;
             // glimt_render_gpu/src/kernels/pilot.rs:102
-            counter_13 = 0u;
+            counter_11 = 0u;
             loop {
-                let s_8 = counter_13;
+                let s_8 = counter_11;
                 if (s_8 >= rays) {
                     break;
                 }
@@ -3528,14 +3511,14 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
                     counts[(counts_start + at_5)] = _e226;
                 }
                 continuing {
-                    let _e230 = counter_13;
-                    counter_13 = (_e230 + 1u);
+                    let _e230 = counter_11;
+                    counter_11 = (_e230 + 1u);
                 }
             }
         }
         continuing {
-            let _e233 = counter_12;
-            counter_12 = (_e233 + 1u);
+            let _e233 = counter_10;
+            counter_10 = (_e233 + 1u);
         }
     }
     return;

@@ -119,8 +119,8 @@ struct Representative {
 }
 
 struct Totals {
-    blocks: array<f32, 64>,
-    lives: array<f32, 64>,
+    quads: array<f32, 128>,
+    lives: array<f32, 128>,
     weight: f32,
     live: f32,
     lobe: f32,
@@ -145,7 +145,8 @@ struct CellTerms {
 
 struct Proposal {
     of_: Representative,
-    blocks: array<f32, 64>,
+    quads: array<f32, 128>,
+    rows: array<f32, 16>,
     total: f32,
     defence: f32,
     lobe_worth: f32,
@@ -171,10 +172,20 @@ struct PatternSource {
     generator: Xoshiro128PlusPlus,
 }
 
+struct CellAt {
+    weight: f32,
+    live: f32,
+    cosine: f32,
+    is_full: bool,
+    lobe: f32,
+    visibility: f32,
+}
+
 struct Look {
     of_map: vec3<f32>,
     direction: vec3<f32>,
     texel: vec2<u32>,
+    at: CellAt,
     cell: u32,
     ray: u32,
     is_possible: bool,
@@ -243,23 +254,10 @@ struct TexelDraw {
 }
 
 struct CellDraw {
+    at: CellAt,
     direction: vec3<f32>,
     texel: vec2<u32>,
     cell: u32,
-}
-
-struct Tuple_u32_usize {
-    fa: u32,
-    fb: u32,
-}
-
-struct CellAt {
-    weight: f32,
-    live: f32,
-    cosine: f32,
-    is_full: bool,
-    lobe: f32,
-    visibility: f32,
 }
 
 struct Reflected {
@@ -630,10 +628,10 @@ fn SeenPoint_slot(this_5: SeenPoint) -> u32 {
     return (this_5.flags >> 2u);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:45
+// glimt_render_gpu/src/kernels/proposal.rs:48
 fn Unknown_at_slot(this_6: Unknown, _slot: u32) -> Unknown {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:46
+    // glimt_render_gpu/src/kernels/proposal.rs:49
     return Unknown();
 }
 
@@ -644,12 +642,12 @@ fn SeenPoint_is_catcher(this_7: SeenPoint) -> bool {
     return ((this_7.flags & 2u) != 0u);
 }
 
-// glimt_light_cells/src/partition.rs:113
+// glimt_light_cells/src/partition.rs:111
 fn LightCells_quad(size_2: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
-    // glimt_light_cells/src/partition.rs:114
+    // glimt_light_cells/src/partition.rs:112
     let at_4 = (((start + 32u) + (list * 512u)) + (4u * quad));
-    // glimt_light_cells/src/partition.rs:115
+    // glimt_light_cells/src/partition.rs:113
     let _e16 = env_tables[at_4];
     let _e22 = env_tables[(at_4 + 1u)];
     let _e28 = env_tables[(at_4 + 2u)];
@@ -772,10 +770,10 @@ fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near_1), vec4(1f)), cosine_spread);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:50
+// glimt_render_gpu/src/kernels/proposal.rs:53
 fn Unknown_quad(this_8: Unknown, _quad: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:51
+    // glimt_render_gpu/src/kernels/proposal.rs:54
     return vec4(0f);
 }
 
@@ -828,23 +826,23 @@ fn CellSurface_product_weights(this_12: CellSurface, terms_3: CellTerms, flux_2:
     return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_12.diffuse)));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:238
+// glimt_render_gpu/src/kernels/proposal.rs:253
 fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen: vec4<f32>;
     var chosen_1: vec4<f32>;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:245
+    // glimt_render_gpu/src/kernels/proposal.rs:260
     if (false && is_catcher) {
-        // glimt_render_gpu/src/kernels/proposal.rs:246
+        // glimt_render_gpu/src/kernels/proposal.rs:261
         let _e11 = CellSurface_blocked_weights(surface_1, terms_4, flux_3, visibility_2);
         chosen = _e11;
     } else {
         if false {
-            // glimt_render_gpu/src/kernels/proposal.rs:248
+            // glimt_render_gpu/src/kernels/proposal.rs:263
             let _e15 = CellSurface_residual_weights(surface_1, terms_4, flux_3, visibility_2);
             chosen_1 = _e15;
         } else {
-            // glimt_render_gpu/src/kernels/proposal.rs:250
+            // glimt_render_gpu/src/kernels/proposal.rs:265
             let _e17 = CellSurface_product_weights(surface_1, terms_4, flux_3);
             chosen_1 = _e17;
         }
@@ -855,37 +853,37 @@ fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibi
     return _e19;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:129
+// glimt_render_gpu/src/kernels/proposal.rs:151
 fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_2: u32, channel: u32, normal_2: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:137
+    // glimt_render_gpu/src/kernels/proposal.rs:159
     let list_1 = (4u + (3u * channel));
-    // glimt_render_gpu/src/kernels/proposal.rs:138
+    // glimt_render_gpu/src/kernels/proposal.rs:160
     let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_2);
     let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_2);
     let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_2);
     let moment = (((_e14 * normal_2.x) + (_e19 * normal_2.y)) + (_e25 * normal_2.z));
-    // glimt_render_gpu/src/kernels/proposal.rs:141
+    // glimt_render_gpu/src/kernels/proposal.rs:163
     let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_2);
-    // glimt_render_gpu/src/kernels/proposal.rs:142
+    // glimt_render_gpu/src/kernels/proposal.rs:164
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:147
+// glimt_render_gpu/src/kernels/proposal.rs:169
 fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_3: u32, normal_3: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:148
+    // glimt_render_gpu/src/kernels/proposal.rs:170
     let _e9 = channel_sum(cells_size_1, cells_start_1, quad_3, 0u, normal_3, full_1, cut_1);
     let _e11 = channel_sum(cells_size_1, cells_start_1, quad_3, 1u, normal_3, full_1, cut_1);
     let _e13 = channel_sum(cells_size_1, cells_start_1, quad_3, 2u, normal_3, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:157
+// glimt_render_gpu/src/kernels/proposal.rs:179
 fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_4: u32, factors: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:158
+    // glimt_render_gpu/src/kernels/proposal.rs:180
     let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_4);
     let _e8 = (_e7 * factors);
     let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_4);
@@ -895,161 +893,132 @@ fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_4: u32, factor
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:166
+// glimt_render_gpu/src/kernels/proposal.rs:188
 fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected: Unknown, is_catcher_1: bool) -> Totals {
     var t: Totals;
     var counter_3: u32;
-    var weight: f32;
-    var live: f32;
-    var counter_4: u32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:172
+    // glimt_render_gpu/src/kernels/proposal.rs:194
     let surface_2 = of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:173
+    // glimt_render_gpu/src/kernels/proposal.rs:195
     let has_lobe = (surface_2.specular > 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:174
-    t = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/proposal.rs:189
+    // glimt_render_gpu/src/kernels/proposal.rs:196
+    t = Totals(array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/proposal.rs:211
     counter_3 = 0u;
     loop {
-        let block = counter_3;
-        if (block >= 64u) {
+        let quad_5 = counter_3;
+        if (quad_5 >= 128u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:190
-        weight = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:191
-        live = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:192
-        counter_4 = 0u;
-        loop {
-            let half = counter_4;
-            if (half >= 2u) {
-                break;
+        // glimt_render_gpu/src/kernels/proposal.rs:212
+        let _e42 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_5);
+        // glimt_render_gpu/src/kernels/proposal.rs:213
+        let _e44 = LightCells_terms(cells_size_3, cells_start_3, surface_2, quad_5);
+        // glimt_render_gpu/src/kernels/proposal.rs:214
+        let _e47 = (_e42 * _e44.live);
+        let live = (((_e47.x + _e47.y) + _e47.z) + _e47.w);
+        // glimt_render_gpu/src/kernels/proposal.rs:216
+        if (live > 0f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:217
+            let _e59 = Unknown_quad(expected, quad_5);
+            // glimt_render_gpu/src/kernels/proposal.rs:218
+            let _e61 = weights(surface_2, _e44, _e42, _e59, is_catcher_1);
+            // glimt_render_gpu/src/kernels/proposal.rs:219
+            let weight_1 = (((_e61.x + _e61.y) + _e61.z) + _e61.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:220
+            if false {
+                // glimt_render_gpu/src/kernels/proposal.rs:221
+                let full_2 = (_e44.full * _e59);
+                // glimt_render_gpu/src/kernels/proposal.rs:222
+                let cut_2 = ((_e59 - full_2) * _e44.cosine);
+                // glimt_render_gpu/src/kernels/proposal.rs:223
+                let _e82 = diffuse_sum(cells_size_3, cells_start_3, quad_5, of_.mean_normal, full_2, cut_2);
+                let _e83 = t.diffuse;
+                t.diffuse = (_e83 + _e82);
+                // glimt_render_gpu/src/kernels/proposal.rs:224
+                if is_catcher_1 {
+                    // glimt_render_gpu/src/kernels/proposal.rs:225
+                    let cut_3 = ((vec4(1f) - _e44.full) * _e44.cosine);
+                    // glimt_render_gpu/src/kernels/proposal.rs:226
+                    let _e96 = diffuse_sum(cells_size_3, cells_start_3, quad_5, of_.mean_normal, _e44.full, cut_3);
+                    // glimt_render_gpu/src/kernels/proposal.rs:227
+                    let _e99 = t.open_diffuse;
+                    t.open_diffuse = (_e99 + _e96);
+                    // glimt_render_gpu/src/kernels/proposal.rs:228
+                    let _e104 = radiance_sum(cells_size_3, cells_start_3, quad_5, _e44.lobe);
+                    let _e105 = t.open_specular;
+                    t.open_specular = (_e105 + _e104);
+                }
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:193
-            let quad_5 = ((2u * block) + half);
-            // glimt_render_gpu/src/kernels/proposal.rs:194
-            let _e58 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_5);
-            // glimt_render_gpu/src/kernels/proposal.rs:195
-            let _e60 = LightCells_terms(cells_size_3, cells_start_3, surface_2, quad_5);
-            // glimt_render_gpu/src/kernels/proposal.rs:196
-            let _e63 = (_e58 * _e60.live);
-            let seen_1 = (((_e63.x + _e63.y) + _e63.z) + _e63.w);
-            // glimt_render_gpu/src/kernels/proposal.rs:198
-            if (seen_1 > 0f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:199
-                let _e75 = live;
-                live = (_e75 + seen_1);
-                // glimt_render_gpu/src/kernels/proposal.rs:200
-                let _e78 = Unknown_quad(expected, quad_5);
-                // glimt_render_gpu/src/kernels/proposal.rs:201
-                let _e80 = weights(surface_2, _e60, _e58, _e78, is_catcher_1);
-                // glimt_render_gpu/src/kernels/proposal.rs:202
-                let _e89 = weight;
-                weight = (_e89 + (((_e80.x + _e80.y) + _e80.z) + _e80.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:203
+            // glimt_render_gpu/src/kernels/proposal.rs:231
+            if has_lobe {
+                // glimt_render_gpu/src/kernels/proposal.rs:232
+                let a_4 = (_e44.lobe * _e42);
+                // glimt_render_gpu/src/kernels/proposal.rs:233
+                let spread = ((a_4 * _e44.lobe_spread) * _e44.lobe_spread);
+                // glimt_render_gpu/src/kernels/proposal.rs:234
+                let _e125 = t.lobe;
+                t.lobe = (_e125 + (((a_4.x + a_4.y) + a_4.z) + a_4.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:235
+                let _e136 = t.lobe_spread;
+                t.lobe_spread = (_e136 + (((spread.x + spread.y) + spread.z) + spread.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:236
+                let _e139 = (a_4 * _e59);
+                let _e148 = t.lobe_visible;
+                t.lobe_visible = (_e148 + (((_e139.x + _e139.y) + _e139.z) + _e139.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:237
+                let _e153 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_5);
+                let _e154 = (_e44.lobe * _e153);
+                let _e163 = t.lobe_square;
+                t.lobe_square = (_e163 + (((_e154.x + _e154.y) + _e154.z) + _e154.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:238
+                let _e168 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_5);
+                let _e169 = (_e44.lobe * _e168);
+                let _e178 = t.lobe_area;
+                t.lobe_area = (_e178 + (((_e169.x + _e169.y) + _e169.z) + _e169.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:239
                 if false {
-                    // glimt_render_gpu/src/kernels/proposal.rs:204
-                    let full_2 = (_e60.full * _e78);
-                    // glimt_render_gpu/src/kernels/proposal.rs:205
-                    let cut_2 = ((_e78 - full_2) * _e60.cosine);
-                    // glimt_render_gpu/src/kernels/proposal.rs:206
-                    let _e103 = diffuse_sum(cells_size_3, cells_start_3, quad_5, of_.mean_normal, full_2, cut_2);
-                    let _e104 = t.diffuse;
-                    t.diffuse = (_e104 + _e103);
-                    // glimt_render_gpu/src/kernels/proposal.rs:207
-                    if is_catcher_1 {
-                        // glimt_render_gpu/src/kernels/proposal.rs:208
-                        let cut_3 = ((vec4(1f) - _e60.full) * _e60.cosine);
-                        // glimt_render_gpu/src/kernels/proposal.rs:209
-                        let _e117 = diffuse_sum(cells_size_3, cells_start_3, quad_5, of_.mean_normal, _e60.full, cut_3);
-                        // glimt_render_gpu/src/kernels/proposal.rs:210
-                        let _e120 = t.open_diffuse;
-                        t.open_diffuse = (_e120 + _e117);
-                        // glimt_render_gpu/src/kernels/proposal.rs:211
-                        let _e125 = radiance_sum(cells_size_3, cells_start_3, quad_5, _e60.lobe);
-                        let _e126 = t.open_specular;
-                        t.open_specular = (_e126 + _e125);
-                    }
-                }
-                // glimt_render_gpu/src/kernels/proposal.rs:214
-                if has_lobe {
-                    // glimt_render_gpu/src/kernels/proposal.rs:215
-                    let a_4 = (_e60.lobe * _e58);
-                    // glimt_render_gpu/src/kernels/proposal.rs:216
-                    let spread = ((a_4 * _e60.lobe_spread) * _e60.lobe_spread);
-                    // glimt_render_gpu/src/kernels/proposal.rs:217
-                    let _e146 = t.lobe;
-                    t.lobe = (_e146 + (((a_4.x + a_4.y) + a_4.z) + a_4.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:218
-                    let _e157 = t.lobe_spread;
-                    t.lobe_spread = (_e157 + (((spread.x + spread.y) + spread.z) + spread.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:219
-                    let _e160 = (a_4 * _e78);
-                    let _e169 = t.lobe_visible;
-                    t.lobe_visible = (_e169 + (((_e160.x + _e160.y) + _e160.z) + _e160.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:220
-                    let _e174 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_5);
-                    let _e175 = (_e60.lobe * _e174);
-                    let _e184 = t.lobe_square;
-                    t.lobe_square = (_e184 + (((_e175.x + _e175.y) + _e175.z) + _e175.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:221
-                    let _e189 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_5);
-                    let _e190 = (_e60.lobe * _e189);
-                    let _e199 = t.lobe_area;
-                    t.lobe_area = (_e199 + (((_e190.x + _e190.y) + _e190.z) + _e190.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:223
-                    if false {
-                        // glimt_render_gpu/src/kernels/proposal.rs:224
-                        let _e207 = radiance_sum(cells_size_3, cells_start_3, quad_5, (_e60.lobe * _e78));
-                        let _e208 = t.specular;
-                        t.specular = (_e208 + _e207);
-                    }
+                    // glimt_render_gpu/src/kernels/proposal.rs:240
+                    let _e186 = radiance_sum(cells_size_3, cells_start_3, quad_5, (_e44.lobe * _e59));
+                    let _e187 = t.specular;
+                    t.specular = (_e187 + _e186);
                 }
             }
-            continuing {
-                let _e210 = counter_4;
-                counter_4 = (_e210 + 1u);
-            }
+            // glimt_render_gpu/src/kernels/proposal.rs:243
+            t.quads[quad_5] = weight_1;
+            // glimt_render_gpu/src/kernels/proposal.rs:244
+            t.lives[quad_5] = live;
+            // glimt_render_gpu/src/kernels/proposal.rs:245
+            let _e197 = t.weight;
+            t.weight = (_e197 + weight_1);
+            // glimt_render_gpu/src/kernels/proposal.rs:246
+            let _e201 = t.live;
+            t.live = (_e201 + live);
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:229
-        let _e214 = weight;
-        t.blocks[block] = _e214;
-        // glimt_render_gpu/src/kernels/proposal.rs:230
-        let _e218 = live;
-        t.lives[block] = _e218;
-        // glimt_render_gpu/src/kernels/proposal.rs:231
-        let _e222 = weight;
-        let _e224 = t.weight;
-        t.weight = (_e224 + _e222);
-        // glimt_render_gpu/src/kernels/proposal.rs:232
-        let _e227 = live;
-        let _e229 = t.live;
-        t.live = (_e229 + _e227);
         continuing {
-            let _e231 = counter_3;
-            counter_3 = (_e231 + 1u);
+            let _e203 = counter_3;
+            counter_3 = (_e203 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:234
-    let _e235 = t;
-    return _e235;
+    // glimt_render_gpu/src/kernels/proposal.rs:249
+    let _e207 = t;
+    return _e207;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:257
+// glimt_render_gpu/src/kernels/proposal.rs:272
 fn worth(a: f32, visible: f32, variance: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:258
+    // glimt_render_gpu/src/kernels/proposal.rs:273
     if false {
-        // glimt_render_gpu/src/kernels/proposal.rs:259
+        // glimt_render_gpu/src/kernels/proposal.rs:274
         return (a * sqrt(((visible * (1f - visible)) + (visible * variance))));
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:262
+    // glimt_render_gpu/src/kernels/proposal.rs:277
     return (a * sqrt((1f + (2f * variance))));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:269
+// glimt_render_gpu/src/kernels/proposal.rs:284
 fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_1: Unknown, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
@@ -1059,159 +1028,186 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     var share: f32;
     var defence: f32;
     var total: f32;
-    var blocks: array<f32, 64>;
+    var quads: array<f32, 128>;
+    var rows: array<f32, 16>;
+    var counter_4: u32;
+    var of_row: f32;
     var counter_5: u32;
     var lobe_share: f32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:275
+    // glimt_render_gpu/src/kernels/proposal.rs:290
     of_2 = of_1;
-    // glimt_render_gpu/src/kernels/proposal.rs:276
+    // glimt_render_gpu/src/kernels/proposal.rs:291
     let _e9 = of_2;
     let _e10 = weigh(_e9, cells_size_4, cells_start_4, expected_1, is_catcher_2);
     sums = _e10;
-    // glimt_render_gpu/src/kernels/proposal.rs:277
+    // glimt_render_gpu/src/kernels/proposal.rs:292
     let _e13 = sums;
     first_1 = _e13;
-    // glimt_render_gpu/src/kernels/proposal.rs:278
+    // glimt_render_gpu/src/kernels/proposal.rs:293
     lobe_worth = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:279
+    // glimt_render_gpu/src/kernels/proposal.rs:294
     least_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:280
+    // glimt_render_gpu/src/kernels/proposal.rs:295
     share = 1f;
-    // glimt_render_gpu/src/kernels/proposal.rs:281
+    // glimt_render_gpu/src/kernels/proposal.rs:296
     let _e27 = of_2.surface.specular;
     let _e31 = sums.lobe;
     if ((_e27 > 0f) && (_e31 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:283
+        // glimt_render_gpu/src/kernels/proposal.rs:298
         let _e37 = sums.lobe_spread;
         let _e39 = sums.lobe;
         let by_cells = (_e37 / _e39);
-        // glimt_render_gpu/src/kernels/proposal.rs:284
+        // glimt_render_gpu/src/kernels/proposal.rs:299
         let _e43 = sums.lobe_square;
         let _e45 = sums.lobe;
         let _e48 = sums.lobe_area;
         let _e50 = sums.lobe;
         let by_lobe = clamp((((_e43 / _e45) * (_e48 / _e50)) - 1f), 0.0001f, 1000000f);
-        // glimt_render_gpu/src/kernels/proposal.rs:286
+        // glimt_render_gpu/src/kernels/proposal.rs:301
         share = (by_lobe / (by_lobe + by_cells));
-        // glimt_render_gpu/src/kernels/proposal.rs:287
+        // glimt_render_gpu/src/kernels/proposal.rs:302
         let _e62 = share;
         if (_e62 > 0.9f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:288
+            // glimt_render_gpu/src/kernels/proposal.rs:303
             share = 1f;
         } else {
             let _e67 = share;
             if (_e67 < 0.1f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:290
+                // glimt_render_gpu/src/kernels/proposal.rs:305
                 share = 0f;
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:292
+        // glimt_render_gpu/src/kernels/proposal.rs:307
         let _e74 = sums.lobe;
         let _e77 = of_2.surface.specular;
         let a_5 = (_e74 * _e77);
-        // glimt_render_gpu/src/kernels/proposal.rs:293
+        // glimt_render_gpu/src/kernels/proposal.rs:308
         let _e81 = sums.lobe_visible;
         let _e83 = sums.lobe;
         let visible_1 = min((_e81 / _e83), 1f);
-        // glimt_render_gpu/src/kernels/proposal.rs:294
+        // glimt_render_gpu/src/kernels/proposal.rs:309
         let _e88 = share;
         if (_e88 < 1f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:295
+            // glimt_render_gpu/src/kernels/proposal.rs:310
             let _e93 = share;
             let _e95 = worth(a_5, visible_1, by_lobe);
             lobe_worth = ((1f - _e93) * _e95);
-            // glimt_render_gpu/src/kernels/proposal.rs:296
+            // glimt_render_gpu/src/kernels/proposal.rs:311
             let _e98 = share;
             of_2.surface.share = _e98;
-            // glimt_render_gpu/src/kernels/proposal.rs:297
+            // glimt_render_gpu/src/kernels/proposal.rs:312
             let _e102 = of_2;
             let _e103 = weigh(_e102, cells_size_4, cells_start_4, expected_1, is_catcher_2);
             sums = _e103;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:300
+    // glimt_render_gpu/src/kernels/proposal.rs:315
     let _e107 = of_2.surface.specular;
     let _e112 = of_2.surface.normal;
     let _e115 = of_2.surface.wo;
     if ((_e107 > 0f) && (dot(_e112, _e115) < 0.3f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:301
+        // glimt_render_gpu/src/kernels/proposal.rs:316
         least_share = 0.1f;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:303
+    // glimt_render_gpu/src/kernels/proposal.rs:318
     defence = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:304
+    // glimt_render_gpu/src/kernels/proposal.rs:319
     let _e127 = sums.live;
     if (_e127 > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:305
+        // glimt_render_gpu/src/kernels/proposal.rs:320
         let _e133 = sums.weight;
         let _e136 = sums.live;
         defence = ((0.001f * _e133) / _e136);
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:307
+    // glimt_render_gpu/src/kernels/proposal.rs:322
     total = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:308
-    blocks = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:309
-    counter_5 = 0u;
+    // glimt_render_gpu/src/kernels/proposal.rs:323
+    quads = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:324
+    rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:325
+    counter_4 = 0u;
     loop {
-        let block_1 = counter_5;
-        if (block_1 >= 64u) {
+        let row_3 = counter_4;
+        if (row_3 >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:310
-        let _e154 = sums.blocks[block_1];
-        let _e155 = defence;
-        let _e158 = sums.lives[block_1];
-        let weight_1 = (_e154 + (_e155 * _e158));
-        // glimt_render_gpu/src/kernels/proposal.rs:311
-        blocks[block_1] = weight_1;
-        // glimt_render_gpu/src/kernels/proposal.rs:312
-        let _e164 = total;
-        total = (_e164 + weight_1);
+        // glimt_render_gpu/src/kernels/proposal.rs:326
+        of_row = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:327
+        counter_5 = (row_3 * 8u);
+        loop {
+            let quad_6 = counter_5;
+            if (quad_6 >= ((row_3 + 1u) * 8u)) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/proposal.rs:328
+            let _e171 = sums.quads[quad_6];
+            let _e172 = defence;
+            let _e175 = sums.lives[quad_6];
+            let weight_2 = (_e171 + (_e172 * _e175));
+            // glimt_render_gpu/src/kernels/proposal.rs:329
+            quads[quad_6] = weight_2;
+            // glimt_render_gpu/src/kernels/proposal.rs:330
+            let _e181 = of_row;
+            of_row = (_e181 + weight_2);
+            continuing {
+                let _e183 = counter_5;
+                counter_5 = (_e183 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:332
+        let _e187 = of_row;
+        rows[row_3] = _e187;
+        // glimt_render_gpu/src/kernels/proposal.rs:333
+        let _e190 = of_row;
+        let _e191 = total;
+        total = (_e191 + _e190);
         continuing {
-            let _e166 = counter_5;
-            counter_5 = (_e166 + 1u);
+            let _e193 = counter_4;
+            counter_4 = (_e193 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:314
-    let _e170 = total;
-    let _e171 = lobe_worth;
-    let all_ = (_e170 + _e171);
-    // glimt_render_gpu/src/kernels/proposal.rs:315
+    // glimt_render_gpu/src/kernels/proposal.rs:335
+    let _e197 = total;
+    let _e198 = lobe_worth;
+    let all_ = (_e197 + _e198);
+    // glimt_render_gpu/src/kernels/proposal.rs:336
     lobe_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:316
+    // glimt_render_gpu/src/kernels/proposal.rs:337
     if (all_ > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:317
-        let _e180 = lobe_worth;
-        let _e182 = least_share;
-        lobe_share = clamp((_e180 / all_), _e182, 0.95f);
-        // glimt_render_gpu/src/kernels/proposal.rs:318
-        let _e186 = total;
-        if !((_e186 > 0f)) {
-            // glimt_render_gpu/src/kernels/proposal.rs:319
+        // glimt_render_gpu/src/kernels/proposal.rs:338
+        let _e207 = lobe_worth;
+        let _e209 = least_share;
+        lobe_share = clamp((_e207 / all_), _e209, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:339
+        let _e213 = total;
+        if !((_e213 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:340
             lobe_share = 1f;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:322
-    let _e194 = of_2.diffuse;
-    let kd_1 = (_e194 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:323
-    let _e199 = first_1.diffuse;
-    let _e202 = of_2.specular;
-    let _e204 = first_1.specular;
-    let _e205 = share;
-    let _e210 = first_1.open_diffuse;
-    let _e213 = of_2.specular;
-    let _e215 = first_1.open_specular;
-    let _e216 = share;
-    let _e220 = of_2;
-    let _e221 = blocks;
-    let _e222 = total;
-    let _e223 = defence;
-    let _e224 = lobe_worth;
-    let _e225 = lobe_share;
-    return Proposal(_e220, _e221, _e222, _e223, _e224, _e225, ((kd_1 * _e199) + (_e202 * (_e204 * _e205))), ((kd_1 * _e210) + (_e213 * (_e215 * _e216))), is_catcher_2);
+    // glimt_render_gpu/src/kernels/proposal.rs:343
+    let _e221 = of_2.diffuse;
+    let kd_1 = (_e221 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:344
+    let _e226 = first_1.diffuse;
+    let _e229 = of_2.specular;
+    let _e231 = first_1.specular;
+    let _e232 = share;
+    let _e237 = first_1.open_diffuse;
+    let _e240 = of_2.specular;
+    let _e242 = first_1.open_specular;
+    let _e243 = share;
+    let _e247 = of_2;
+    let _e248 = quads;
+    let _e249 = rows;
+    let _e250 = total;
+    let _e251 = defence;
+    let _e252 = lobe_worth;
+    let _e253 = lobe_share;
+    return Proposal(_e247, _e248, _e249, _e250, _e251, _e252, _e253, ((kd_1 * _e226) + (_e229 * (_e231 * _e232))), ((kd_1 * _e237) + (_e240 * (_e242 * _e243))), is_catcher_2);
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -1697,14 +1693,14 @@ fn unit_f32_(u: u32) -> f32 {
     return (f32((u >> 8u)) * (1f / 16777216f));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:339
+// glimt_render_gpu/src/kernels/proposal.rs:361
 fn Proposal_is_sharp(this_19: Proposal) -> bool {
     var self_: Proposal;
 
     self_ = this_19;
-    // glimt_render_gpu/src/kernels/proposal.rs:340
+    // glimt_render_gpu/src/kernels/proposal.rs:362
     let surface_3 = self_.of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:341
+    // glimt_render_gpu/src/kernels/proposal.rs:363
     return ((surface_3.specular > 0f) && (dot(surface_3.normal, surface_3.wo) < 0.3f));
 }
 
@@ -1797,13 +1793,13 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(_e4, _e6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:157
+// glimt_render_gpu/src/kernels/group_light.rs:159
 fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_5: vec2<u32>, cells_start_5: u32, pattern: PixelPattern, rays: f32, threshold: f32, group: Group, word: u32, points_start_3: u32, points_len_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:158
+    // glimt_render_gpu/src/kernels/group_light.rs:160
     let _e6 = unit_f32_(word);
     let k_3 = u32((_e6 * f32(group.members)));
-    // glimt_render_gpu/src/kernels/group_light.rs:159
+    // glimt_render_gpu/src/kernels/group_light.rs:161
     let _e16 = Group_ray(group, min(k_3, (group.members - 1u)), points_start_3, points_len_3);
     return _e16;
 }
@@ -1838,10 +1834,10 @@ fn SeenPoint_shading_point(this_26: SeenPoint) -> ShadingPoint {
     return ShadingPoint(this_26.origin, this_26.geometric_normal, _e4, _e9, BlinnPhong(this_26.diffuse, this_26.specular, this_26.exponent), this_26.emission);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:68
+// glimt_render_gpu/src/kernels/group_light.rs:70
 fn lobe_of(point_1: ShadingPoint) -> BlinnPhong {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:69
+    // glimt_render_gpu/src/kernels/group_light.rs:71
     return BlinnPhong(vec3(0f), point_1.brdf.specular, point_1.brdf.exponent);
 }
 
@@ -2035,11 +2031,11 @@ fn pdf_cosine_hemisphere_sr(direction_4: vec3<f32>) -> f32 {
 fn HalfVector_new(wo_2: vec3<f32>, wi: vec3<f32>) -> HalfVector {
 
     // glimt_brdf/src/lobe.rs:21
-    let sum_4 = (wo_2 + wi);
+    let sum_3 = (wo_2 + wi);
     // glimt_brdf/src/lobe.rs:23
-    let length2_ = max(dot(sum_4, sum_4), 0.00000000000000000001f);
+    let length2_ = max(dot(sum_3, sum_3), 0.00000000000000000001f);
     // glimt_brdf/src/lobe.rs:24
-    return HalfVector(((sum_4.z * sum_4.z) / length2_), (((sum_4.x * sum_4.x) + (sum_4.y * sum_4.y)) / length2_), (0.5f * sqrt(length2_)));
+    return HalfVector(((sum_3.z * sum_3.z) / length2_), (((sum_3.x * sum_3.x) + (sum_3.y * sum_3.y)) / length2_), (0.5f * sqrt(length2_)));
 }
 
 // glimt_brdf/src/lobe.rs:59
@@ -2212,18 +2208,18 @@ fn find_bin(start_2: u32, bins: u32, u_6: u32) -> Bin {
         }
         // glimt_envmap_cdf/src/search.rs:36
         let _e14 = left;
-        let half_1 = (_e14 / 2u);
+        let half = (_e14 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
         let _e18 = at;
-        let _e22 = env_tables[(_e18 + half_1)];
+        let _e22 = env_tables[(_e18 + half)];
         if (_e22 <= u_6) {
             // glimt_envmap_cdf/src/search.rs:38
             let _e25 = at;
-            at = (_e25 + half_1);
+            at = (_e25 + half);
         }
         // glimt_envmap_cdf/src/search.rs:40
         let _e28 = left;
-        left = (_e28 - half_1);
+        left = (_e28 - half);
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
@@ -2235,239 +2231,274 @@ fn find_bin(start_2: u32, bins: u32, u_6: u32) -> Bin {
     return Bin((_e36 - start_2), first_5, (_e43 - first_5));
 }
 
-// glimt_light_cells/src/partition.rs:99
+// glimt_light_cells/src/partition.rs:97
 fn column_of(x_6: u32, width: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:100
+    // glimt_light_cells/src/partition.rs:98
     return (((32u * (x_6 + 1u)) - 1u) / width);
 }
 
-// glimt_light_cells/src/partition.rs:133
+// glimt_light_cells/src/partition.rs:131
 fn LightCells_cell_of(size_6: vec2<u32>, start_3: u32, texel: vec2<u32>) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:134
+    // glimt_light_cells/src/partition.rs:132
     let _e7 = find_bin(start_3, 16u, texel.y);
-    let row_3 = _e7.index;
-    // glimt_light_cells/src/partition.rs:135
+    let row_4 = _e7.index;
+    // glimt_light_cells/src/partition.rs:133
     let _e14 = column_of(texel.x, size_6.x);
-    return ((row_3 * 32u) + _e14);
+    return ((row_4 * 32u) + _e14);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:186
-fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_6: vec2<u32>, cells_start_6: u32, pattern_1: PixelPattern, rays_1: f32, threshold_1: f32, group_1: Group, index_9: u32, points_start_4: u32, points_len_4: u32) -> Look {
+// glimt_render_gpu/src/kernels/proposal.rs:78
+fn CellAt_new(lane: u32, weight: vec4<f32>, flux_4: vec4<f32>, terms_5: CellTerms, visibility_3: vec4<f32>) -> CellAt {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:79
+    return CellAt(weight[lane], (flux_4 * terms_5.live)[lane], terms_5.cosine[lane], (terms_5.full[lane] > 0.5f), terms_5.lobe[lane], visibility_3[lane]);
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:369
+fn Proposal_cell(this_33: Proposal, cell: u32, cells_size_6: vec2<u32>, cells_start_6: u32, expected_2: Unknown) -> CellAt {
+    var self_1: Proposal;
+
+    self_1 = this_33;
+    // glimt_render_gpu/src/kernels/proposal.rs:370
+    let quad_7 = (cell / 4u);
+    // glimt_render_gpu/src/kernels/proposal.rs:371
+    let _e12 = LightCells_quad(cells_size_6, cells_start_6, 0u, quad_7);
+    // glimt_render_gpu/src/kernels/proposal.rs:372
+    let _e16 = self_1.of_.surface;
+    let _e17 = LightCells_terms(cells_size_6, cells_start_6, _e16, quad_7);
+    // glimt_render_gpu/src/kernels/proposal.rs:373
+    let _e19 = Unknown_quad(expected_2, quad_7);
+    // glimt_render_gpu/src/kernels/proposal.rs:374
+    let _e23 = self_1.of_.surface;
+    let _e25 = self_1.is_catcher;
+    let _e26 = weights(_e23, _e17, _e12, _e19, _e25);
+    // glimt_render_gpu/src/kernels/proposal.rs:375
+    let _e30 = CellAt_new((cell % 4u), _e26, _e12, _e17, _e19);
+    return _e30;
+}
+
+// glimt_render_gpu/src/kernels/group_light.rs:189
+fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_7: vec2<u32>, cells_start_7: u32, pattern_1: PixelPattern, rays_1: f32, threshold_1: f32, group_1: Group, proposal: Proposal, expected_3: Unknown, index_9: u32, points_start_4: u32, points_len_4: u32) -> Look {
+    var proposal_1: Proposal;
     var source: PatternSource;
 
-    // glimt_render_gpu/src/kernels/group_light.rs:187
-    let _e14 = PixelPattern_point(pattern_1, 11u, index_9);
-    source = _e14;
-    // glimt_render_gpu/src/kernels/group_light.rs:188
-    let _e17 = PatternSource_next_uvec2_((&source));
-    let _e18 = unit_vec2_(_e17);
-    // glimt_render_gpu/src/kernels/group_light.rs:189
-    let _e20 = PatternSource_next_u32_((&source));
-    let _e21 = GroupLight_member(env_size_2, env_rotation_2, cells_size_6, cells_start_6, pattern_1, rays_1, threshold_1, group_1, _e20, points_start_4, points_len_4);
-    // glimt_render_gpu/src/kernels/group_light.rs:190
-    let _e26 = points[(points_start_4 + _e21)];
-    let _e27 = SeenPoint_shading_point(_e26);
-    // glimt_render_gpu/src/kernels/group_light.rs:191
-    let _e29 = lobe_of(_e27);
-    let _e32 = BlinnPhong_sample(_e29, _e27.wo, 0u, _e18);
-    // glimt_render_gpu/src/kernels/group_light.rs:192
-    let _e36 = ShadingFrame_to_world(_e27.frame, _e32.wi);
-    // glimt_render_gpu/src/kernels/group_light.rs:193
-    let _e38 = Environment_texel(env_size_2, env_rotation_2, _e36);
-    // glimt_render_gpu/src/kernels/group_light.rs:194
-    let _e40 = Environment_to_map(env_size_2, env_rotation_2, _e36);
-    let _e41 = LightCells_cell_of(cells_size_6, cells_start_6, _e38);
-    return Look(_e40, _e36, _e38, _e41, _e21, (_e32.pdf_sr > 0f));
+    proposal_1 = proposal;
+    // glimt_render_gpu/src/kernels/group_light.rs:197
+    let _e17 = PixelPattern_point(pattern_1, 11u, index_9);
+    source = _e17;
+    // glimt_render_gpu/src/kernels/group_light.rs:198
+    let _e20 = PatternSource_next_uvec2_((&source));
+    let _e21 = unit_vec2_(_e20);
+    // glimt_render_gpu/src/kernels/group_light.rs:199
+    let _e23 = PatternSource_next_u32_((&source));
+    let _e24 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_1, group_1, _e23, points_start_4, points_len_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:200
+    let _e29 = points[(points_start_4 + _e24)];
+    let _e30 = SeenPoint_shading_point(_e29);
+    // glimt_render_gpu/src/kernels/group_light.rs:201
+    let _e32 = lobe_of(_e30);
+    let _e35 = BlinnPhong_sample(_e32, _e30.wo, 0u, _e21);
+    // glimt_render_gpu/src/kernels/group_light.rs:202
+    let _e39 = ShadingFrame_to_world(_e30.frame, _e35.wi);
+    // glimt_render_gpu/src/kernels/group_light.rs:203
+    let _e41 = Environment_texel(env_size_2, env_rotation_2, _e39);
+    // glimt_render_gpu/src/kernels/group_light.rs:204
+    let _e43 = LightCells_cell_of(cells_size_7, cells_start_7, _e41);
+    // glimt_render_gpu/src/kernels/group_light.rs:205
+    let _e45 = Environment_to_map(env_size_2, env_rotation_2, _e39);
+    let _e46 = proposal_1;
+    let _e47 = Proposal_cell(_e46, _e43, cells_size_7, cells_start_7, expected_3);
+    return Look(_e45, _e39, _e41, _e47, _e43, _e24, (_e35.pdf_sr > 0f));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:468
+// glimt_render_gpu/src/kernels/proposal.rs:479
 fn Place_new(target_: f32) -> Place {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:469
+    // glimt_render_gpu/src/kernels/proposal.rs:480
     return Place(target_, 0f, 0u, 0f, 0f, false);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:481
-fn Place_offer(this_33: ptr<function, Place>, index_10: u32, width_1: f32) {
+// glimt_render_gpu/src/kernels/proposal.rs:492
+fn Place_offer(this_34: ptr<function, Place>, index_10: u32, width_1: f32) {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:482
-    let _e8 = (*this_33).is_found;
+    // glimt_render_gpu/src/kernels/proposal.rs:493
+    let _e8 = (*this_34).is_found;
     if ((width_1 > 0f) && !(_e8)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:483
-        (*this_33).index = index_10;
-        // glimt_render_gpu/src/kernels/proposal.rs:484
-        let _e15 = (*this_33).sum;
-        (*this_33).first = _e15;
-        // glimt_render_gpu/src/kernels/proposal.rs:485
-        (*this_33).width = width_1;
+        // glimt_render_gpu/src/kernels/proposal.rs:494
+        (*this_34).index = index_10;
+        // glimt_render_gpu/src/kernels/proposal.rs:495
+        let _e15 = (*this_34).sum;
+        (*this_34).first = _e15;
+        // glimt_render_gpu/src/kernels/proposal.rs:496
+        (*this_34).width = width_1;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:487
-    let _e21 = (*this_33).sum;
-    (*this_33).sum = (_e21 + width_1);
-    // glimt_render_gpu/src/kernels/proposal.rs:488
-    let _e25 = (*this_33).is_found;
-    let _e27 = (*this_33).sum;
-    let _e29 = (*this_33).target_;
-    (*this_33).is_found = (_e25 || (_e27 > _e29));
+    // glimt_render_gpu/src/kernels/proposal.rs:498
+    let _e21 = (*this_34).sum;
+    (*this_34).sum = (_e21 + width_1);
+    // glimt_render_gpu/src/kernels/proposal.rs:499
+    let _e25 = (*this_34).is_found;
+    let _e27 = (*this_34).sum;
+    let _e29 = (*this_34).target_;
+    (*this_34).is_found = (_e25 || (_e27 > _e29));
     return;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:494
-fn Place_word(this_34: Place, whole: f32, fraction: u32) -> u32 {
+// glimt_render_gpu/src/kernels/proposal.rs:505
+fn Place_word(this_35: Place, whole: f32, fraction: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:495
+    // glimt_render_gpu/src/kernels/proposal.rs:506
     let unit_1 = (whole * (1f / 16777216f));
-    // glimt_render_gpu/src/kernels/proposal.rs:496
-    let fine = ((this_34.target_ - this_34.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
-    // glimt_render_gpu/src/kernels/proposal.rs:497
-    let place_2 = clamp((fine / max(this_34.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
-    // glimt_render_gpu/src/kernels/proposal.rs:498
+    // glimt_render_gpu/src/kernels/proposal.rs:507
+    let fine = ((this_35.target_ - this_35.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
+    // glimt_render_gpu/src/kernels/proposal.rs:508
+    let place_2 = clamp((fine / max(this_35.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    // glimt_render_gpu/src/kernels/proposal.rs:509
     return ((u32((place_2 * 16777216f)) << 8u) | (fraction & 255u));
 }
 
-// glimt_light_cells/src/partition.rs:140
+// glimt_light_cells/src/partition.rs:138
 fn LightCells_texel_rows(size_7: vec2<u32>, start_4: u32, row: u32) -> vec2<u32> {
 
-    // glimt_light_cells/src/partition.rs:141
+    // glimt_light_cells/src/partition.rs:139
     let at_5 = (start_4 + row);
-    // glimt_light_cells/src/partition.rs:142
+    // glimt_light_cells/src/partition.rs:140
     let _e8 = env_tables[at_5];
     let _e13 = env_tables[(at_5 + 1u)];
     return vec2<u32>(_e8, _e13);
 }
 
-// glimt_light_cells/src/partition.rs:73
+// glimt_light_cells/src/partition.rs:71
 fn first_row_word() -> u32 {
 
-    // glimt_light_cells/src/partition.rs:74
+    // glimt_light_cells/src/partition.rs:72
     return (32u + (19u * 512u));
 }
 
-// glimt_light_cells/src/partition.rs:147
-fn LightCells_row_edges(size_8: vec2<u32>, start_5: u32, cell: u32, rows: vec2<u32>) -> u32 {
+// glimt_light_cells/src/partition.rs:145
+fn LightCells_row_edges(size_8: vec2<u32>, start_5: u32, cell_1: u32, rows_1: vec2<u32>) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:148
-    let _e9 = Tuple_u32_u32_((cell % 32u), (cell / 32u));
+    // glimt_light_cells/src/partition.rs:146
+    let _e9 = Tuple_u32_u32_((cell_1 % 32u), (cell_1 / 32u));
     let column_1 = _e9.fa;
-    let row_4 = _e9.fb;
-    // glimt_light_cells/src/partition.rs:149
-    let of_band = (32u * (rows.x + row_4));
-    // glimt_light_cells/src/partition.rs:150
+    let row_5 = _e9.fb;
+    // glimt_light_cells/src/partition.rs:147
+    let of_band = (32u * (rows_1.x + row_5));
+    // glimt_light_cells/src/partition.rs:148
     let _e18 = first_row_word();
-    return (((start_5 + _e18) + of_band) + (column_1 * ((rows.y - rows.x) + 1u)));
+    return (((start_5 + _e18) + of_band) + (column_1 * ((rows_1.y - rows_1.x) + 1u)));
 }
 
-// glimt_light_cells/src/partition.rs:92
+// glimt_light_cells/src/partition.rs:90
 fn first_column(column: u32, width_2: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:93
+    // glimt_light_cells/src/partition.rs:91
     return ((column * width_2) / 32u);
 }
 
-// glimt_light_cells/src/partition.rs:105
+// glimt_light_cells/src/partition.rs:103
 fn column_unit(u_7: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:106
+    // glimt_light_cells/src/partition.rs:104
     return (u_7 >> 17u);
 }
 
-// glimt_light_cells/src/partition.rs:79
+// glimt_light_cells/src/partition.rs:77
 fn first_column_word(size_9: vec2<u32>) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:80
+    // glimt_light_cells/src/partition.rs:78
     let _e3 = first_row_word();
     return (_e3 + (32u * (size_9.y + 16u)));
 }
 
-// glimt_light_cells/src/partition.rs:85
+// glimt_light_cells/src/partition.rs:83
 fn column_words(width_3: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:86
+    // glimt_light_cells/src/partition.rs:84
     let _e4 = (width_3 / 2u);
     return select(_e4, (_e4 + 1u), ((width_3 % 2u) != 0u));
 }
 
-// glimt_light_cells/src/partition.rs:155
+// glimt_light_cells/src/partition.rs:153
 fn LightCells_column_edge(size_10: vec2<u32>, start_6: u32, x_7: u32, y_1: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:156
+    // glimt_light_cells/src/partition.rs:154
     let _e6 = first_column_word(size_10);
     let _e9 = column_words(size_10.x);
     let at_6 = (((start_6 + _e6) + (y_1 * _e9)) + (x_7 / 2u));
-    // glimt_light_cells/src/partition.rs:157
+    // glimt_light_cells/src/partition.rs:155
     let _e18 = env_tables[at_6];
     return ((_e18 >> ((16u * (x_7 & 1u)) & 31u)) & 65535u);
 }
 
-// glimt_light_cells/src/partition.rs:209
+// glimt_light_cells/src/partition.rs:207
 fn LightCells_pmf(size_11: vec2<u32>, start_7: u32, row_1: Bin, texel_1: vec2<u32>, first_2: u32) -> f32 {
     var chosen_14: u32;
 
-    // glimt_light_cells/src/partition.rs:210
+    // glimt_light_cells/src/partition.rs:208
     if (texel_1.x > first_2) {
-        // glimt_light_cells/src/partition.rs:211
+        // glimt_light_cells/src/partition.rs:209
         let _e15 = LightCells_column_edge(size_11, start_7, (texel_1.x - 1u), texel_1.y);
         chosen_14 = _e15;
     } else {
-        // glimt_light_cells/src/partition.rs:213
+        // glimt_light_cells/src/partition.rs:211
         chosen_14 = 0u;
     }
     let lower = chosen_14;
-    // glimt_light_cells/src/partition.rs:215
+    // glimt_light_cells/src/partition.rs:213
     let _e22 = LightCells_column_edge(size_11, start_7, texel_1.x, texel_1.y);
     let units = (_e22 - lower);
-    // glimt_light_cells/src/partition.rs:216
+    // glimt_light_cells/src/partition.rs:214
     return ((f32(row_1.units) * (1f / 2147483600f)) * (f32(units) * (1f / 32768f)));
 }
 
-// glimt_light_cells/src/partition.rs:163
-fn LightCells_sample(size_12: vec2<u32>, start_8: u32, cell_1: u32, u_8: vec2<u32>) -> TexelDraw {
+// glimt_light_cells/src/partition.rs:161
+fn LightCells_sample(size_12: vec2<u32>, start_8: u32, cell_2: u32, u_8: vec2<u32>) -> TexelDraw {
     var at_1: u32;
     var left_1: u32;
 
+    // glimt_light_cells/src/partition.rs:162
+    let _e8 = LightCells_texel_rows(size_12, start_8, (cell_2 / 32u));
+    // glimt_light_cells/src/partition.rs:163
+    let _e10 = LightCells_row_edges(size_12, start_8, cell_2, _e8);
     // glimt_light_cells/src/partition.rs:164
-    let _e8 = LightCells_texel_rows(size_12, start_8, (cell_1 / 32u));
-    // glimt_light_cells/src/partition.rs:165
-    let _e10 = LightCells_row_edges(size_12, start_8, cell_1, _e8);
-    // glimt_light_cells/src/partition.rs:166
     let _e18 = find_bin(_e10, (_e8.y - _e8.x), (u_8.y >> 1u));
-    // glimt_light_cells/src/partition.rs:172
+    // glimt_light_cells/src/partition.rs:170
     let y_2 = (_e8.x + _e18.index);
-    // glimt_light_cells/src/partition.rs:173
-    let column_2 = (cell_1 % 32u);
-    // glimt_light_cells/src/partition.rs:174
+    // glimt_light_cells/src/partition.rs:171
+    let column_2 = (cell_2 % 32u);
+    // glimt_light_cells/src/partition.rs:172
     let _e28 = first_column(column_2, size_12.x);
-    // glimt_light_cells/src/partition.rs:176
+    // glimt_light_cells/src/partition.rs:174
     let _e31 = column_unit(u_8.x);
-    // glimt_light_cells/src/partition.rs:177
+    // glimt_light_cells/src/partition.rs:175
     at_1 = _e28;
-    // glimt_light_cells/src/partition.rs:178
+    // glimt_light_cells/src/partition.rs:176
     let _e38 = first_column((column_2 + 1u), size_12.x);
     left_1 = (_e38 - _e28);
-    // glimt_light_cells/src/partition.rs:179
+    // glimt_light_cells/src/partition.rs:177
     loop {
         let _e42 = left_1;
         if !((_e42 > 1u)) {
             break;
         }
-        // glimt_light_cells/src/partition.rs:180
+        // glimt_light_cells/src/partition.rs:178
         let _e47 = left_1;
-        let half_2 = (_e47 / 2u);
-        // glimt_light_cells/src/partition.rs:181
+        let half_1 = (_e47 / 2u);
+        // glimt_light_cells/src/partition.rs:179
         let _e51 = at_1;
-        let _e55 = LightCells_column_edge(size_12, start_8, ((_e51 + half_2) - 1u), y_2);
+        let _e55 = LightCells_column_edge(size_12, start_8, ((_e51 + half_1) - 1u), y_2);
         if (_e55 <= _e31) {
-            // glimt_light_cells/src/partition.rs:182
+            // glimt_light_cells/src/partition.rs:180
             let _e58 = at_1;
-            at_1 = (_e58 + half_2);
+            at_1 = (_e58 + half_1);
         }
-        // glimt_light_cells/src/partition.rs:184
+        // glimt_light_cells/src/partition.rs:182
         let _e61 = left_1;
-        left_1 = (_e61 - half_2);
+        left_1 = (_e61 - half_1);
     }
-    // glimt_light_cells/src/partition.rs:186
+    // glimt_light_cells/src/partition.rs:184
     let _e64 = at_1;
     let _e66 = at_1;
     let _e68 = LightCells_pmf(size_12, start_8, _e18, vec2<u32>(_e66, y_2), _e28);
@@ -2520,30 +2551,30 @@ fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> v
     // glimt_probe/src/latlong.rs:143
     let size_23 = max(size_13, vec2(1u));
     // glimt_probe/src/latlong.rs:144
-    let row_5 = min(texel_2.y, (size_23.y - 1u));
+    let row_6 = min(texel_2.y, (size_23.y - 1u));
     // glimt_probe/src/latlong.rs:146
-    let southern = ((2u * row_5) >= size_23.y);
+    let southern = ((2u * row_6) >= size_23.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_16 = (size_23.y - row_5);
+        chosen_16 = (size_23.y - row_6);
     } else {
-        chosen_16 = row_5;
+        chosen_16 = row_6;
     }
     let upper = chosen_16;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_17 = ((size_23.y - row_5) - 1u);
+        chosen_17 = ((size_23.y - row_6) - 1u);
     } else {
-        chosen_17 = (row_5 + 1u);
+        chosen_17 = (row_6 + 1u);
     }
     let lower_1 = chosen_17;
     // glimt_probe/src/latlong.rs:149
-    let half_3 = (0.5f / f32(size_23.y));
+    let half_2 = (0.5f / f32(size_23.y));
     // glimt_probe/src/latlong.rs:150
-    let _e41 = cos_sin_pi((f32(upper) * half_3));
+    let _e41 = cos_sin_pi((f32(upper) * half_2));
     let sin_upper = _e41.y;
     // glimt_probe/src/latlong.rs:151
-    let _e46 = cos_sin_pi((f32(lower_1) * half_3));
+    let _e46 = cos_sin_pi((f32(lower_1) * half_2));
     let sin_lower = _e46.y;
     // glimt_probe/src/latlong.rs:152
     let s_upper = (sin_upper * sin_upper);
@@ -2566,212 +2597,155 @@ fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> v
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:398
-fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_7: vec2<u32>, cells_start_7: u32, expected_2: Unknown) -> CellDraw {
-    var self_1: Proposal;
+// glimt_render_gpu/src/kernels/proposal.rs:413
+fn Proposal_sample_cells(this_36: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u32>, cells_start_8: u32, expected_4: Unknown) -> CellDraw {
+    var self_2: Proposal;
     var row_place: Place;
     var counter_6: u32;
-    var sum_2: f32;
+    var quad_place: Place;
     var counter_7: u32;
-    var block_place: Place;
-    var counter_8: u32;
     var cell_place: Place;
-    var counter_9: u32;
-
-    self_1 = this_35;
-    // glimt_render_gpu/src/kernels/proposal.rs:404
-    let per_row = (64u / 16u);
-    // glimt_render_gpu/src/kernels/proposal.rs:406
-    let _e13 = unit_f32_(u_9.y);
-    let _e15 = self_1.total;
-    let _e17 = Place_new((_e13 * _e15));
-    row_place = _e17;
-    // glimt_render_gpu/src/kernels/proposal.rs:407
-    counter_6 = 0u;
-    loop {
-        let row_6 = counter_6;
-        if (row_6 >= 16u) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/proposal.rs:408
-        sum_2 = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:409
-        counter_7 = (row_6 * per_row);
-        loop {
-            let block_2 = counter_7;
-            if (block_2 >= ((row_6 + 1u) * per_row)) {
-                break;
-            }
-            // glimt_render_gpu/src/kernels/proposal.rs:410
-            let _e39 = self_1.blocks[block_2];
-            let _e40 = sum_2;
-            sum_2 = (_e40 + _e39);
-            continuing {
-                let _e42 = counter_7;
-                counter_7 = (_e42 + 1u);
-            }
-        }
-        // glimt_render_gpu/src/kernels/proposal.rs:412
-        let _e46 = sum_2;
-        Place_offer((&row_place), row_6, _e46);
-        continuing {
-            let _e47 = counter_6;
-            counter_6 = (_e47 + 1u);
-        }
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:414
-    let _e52 = row_place.index;
-    let first_6 = (_e52 * per_row);
-    // glimt_render_gpu/src/kernels/proposal.rs:415
-    let _e56 = unit_f32_(u_9.x);
-    let _e58 = row_place.width;
-    let target_1 = (_e56 * _e58);
-    // glimt_render_gpu/src/kernels/proposal.rs:416
-    let _e61 = Place_new(target_1);
-    block_place = _e61;
-    // glimt_render_gpu/src/kernels/proposal.rs:417
-    counter_8 = first_6;
-    loop {
-        let block_3 = counter_8;
-        if (block_3 >= (first_6 + per_row)) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/proposal.rs:418
-        let _e71 = self_1.blocks[block_3];
-        Place_offer((&block_place), block_3, _e71);
-        continuing {
-            let _e72 = counter_8;
-            counter_8 = (_e72 + 1u);
-        }
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:420
-    let _e77 = block_place.first;
-    let _e78 = Place_new(target_1);
-    cell_place = Place(_e78.target_, _e77, _e78.index, _e78.first, _e78.width, _e78.is_found);
-    // glimt_render_gpu/src/kernels/proposal.rs:424
-    counter_9 = 0u;
-    loop {
-        let half_4 = counter_9;
-        if (half_4 >= 2u) {
-            break;
-        }
-        // glimt_render_gpu/src/kernels/proposal.rs:425
-        let _e95 = block_place.index;
-        let quad_6 = ((2u * _e95) + half_4);
-        // glimt_render_gpu/src/kernels/proposal.rs:426
-        let _e100 = LightCells_quad(cells_size_7, cells_start_7, 0u, quad_6);
-        // glimt_render_gpu/src/kernels/proposal.rs:427
-        let _e104 = self_1.of_.surface;
-        let _e105 = LightCells_terms(cells_size_7, cells_start_7, _e104, quad_6);
-        // glimt_render_gpu/src/kernels/proposal.rs:428
-        let _e107 = Unknown_quad(expected_2, quad_6);
-        // glimt_render_gpu/src/kernels/proposal.rs:429
-        let surface_4 = self_1.of_.surface;
-        // glimt_render_gpu/src/kernels/proposal.rs:430
-        let _e114 = self_1.is_catcher;
-        let _e115 = weights(surface_4, _e105, _e100, _e107, _e114);
-        // glimt_render_gpu/src/kernels/proposal.rs:431
-        let _e120 = self_1.defence;
-        let all_1 = (_e115 + ((_e100 * _e105.live) * _e120));
-        // glimt_render_gpu/src/kernels/proposal.rs:432
-        Place_offer((&cell_place), (4u * quad_6), all_1.x);
-        // glimt_render_gpu/src/kernels/proposal.rs:433
-        Place_offer((&cell_place), ((4u * quad_6) + 1u), all_1.y);
-        // glimt_render_gpu/src/kernels/proposal.rs:434
-        Place_offer((&cell_place), ((4u * quad_6) + 2u), all_1.z);
-        // glimt_render_gpu/src/kernels/proposal.rs:435
-        Place_offer((&cell_place), ((4u * quad_6) + 3u), all_1.w);
-        continuing {
-            let _e145 = counter_9;
-            counter_9 = (_e145 + 1u);
-        }
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:437
-    let _e151 = hash2_(u_9.x, u_9.y);
-    // glimt_render_gpu/src/kernels/proposal.rs:438
-    let _e153 = cell_place;
-    let _e155 = row_place.width;
-    let _e158 = Place_word(_e153, _e155, (_e151 & 65535u));
-    let _e159 = row_place;
-    let _e161 = self_1.total;
-    let _e164 = Place_word(_e159, _e161, (_e151 >> 16u));
-    let within = vec2<u32>(_e158, _e164);
-    // glimt_render_gpu/src/kernels/proposal.rs:442
-    let _e168 = cell_place.index;
-    let _e169 = LightCells_sample(cells_size_7, cells_start_7, _e168, within);
-    // glimt_render_gpu/src/kernels/proposal.rs:443
-    let _e172 = hash2_(_e151, u_9.x);
-    // glimt_render_gpu/src/kernels/proposal.rs:444
-    let place_3 = vec2<u32>((_e172 << 16u), (_e172 & 4294901760u));
-    // glimt_render_gpu/src/kernels/proposal.rs:445
-    let _e181 = unit_vec2_(place_3);
-    let _e182 = direction_in_texel(_e169.texel, cells_size_7, _e181);
-    let _e185 = cell_place.index;
-    return CellDraw(_e182, _e169.texel, _e185);
-}
-
-// glimt_render_gpu/src/kernels/group_light.rs:163
-fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_8: vec2<u32>, cells_start_8: u32, pattern_2: PixelPattern, rays_2: f32, threshold_2: f32, group_2: Group, proposal: Proposal, expected_3: Unknown, index_11: u32, points_start_5: u32, points_len_5: u32) -> Look {
-    var proposal_1: Proposal;
-    var source_1: PatternSource;
-
-    proposal_1 = proposal;
-    // glimt_render_gpu/src/kernels/group_light.rs:171
-    let _e17 = PixelPattern_point(pattern_2, 10u, index_11);
-    source_1 = _e17;
-    // glimt_render_gpu/src/kernels/group_light.rs:172
-    let _e20 = PatternSource_next_uvec2_((&source_1));
-    // glimt_render_gpu/src/kernels/group_light.rs:173
-    let _e22 = PatternSource_next_u32_((&source_1));
-    let _e23 = GroupLight_member(env_size_3, env_rotation_3, cells_size_8, cells_start_8, pattern_2, rays_2, threshold_2, group_2, _e22, points_start_5, points_len_5);
-    // glimt_render_gpu/src/kernels/group_light.rs:174
-    let _e25 = proposal_1;
-    let _e26 = Proposal_sample_cells(_e25, _e20, cells_size_8, cells_start_8, expected_3);
-    // glimt_render_gpu/src/kernels/group_light.rs:175
-    let _e30 = rotate_z(_e26.direction, env_rotation_3);
-    return Look(_e26.direction, _e30, _e26.texel, _e26.cell, _e23, true);
-}
-
-// glimt_render_gpu/src/kernels/proposal.rs:347
-fn Proposal_cell(this_36: Proposal, cell_2: u32, cells_size_9: vec2<u32>, cells_start_9: u32, expected_4: Unknown) -> CellAt {
-    var self_2: Proposal;
 
     self_2 = this_36;
-    // glimt_render_gpu/src/kernels/proposal.rs:348
-    let _e12 = Tuple_u32_usize((cell_2 / 4u), (cell_2 % 4u));
-    let quad_7 = _e12.fa;
-    let lane = _e12.fb;
-    // glimt_render_gpu/src/kernels/proposal.rs:349
-    let _e17 = LightCells_quad(cells_size_9, cells_start_9, 0u, quad_7);
-    // glimt_render_gpu/src/kernels/proposal.rs:350
-    let _e21 = self_2.of_.surface;
-    let _e22 = LightCells_terms(cells_size_9, cells_start_9, _e21, quad_7);
-    // glimt_render_gpu/src/kernels/proposal.rs:351
-    let _e24 = Unknown_quad(expected_4, quad_7);
-    // glimt_render_gpu/src/kernels/proposal.rs:352
-    let _e28 = self_2.of_.surface;
-    let _e30 = self_2.is_catcher;
-    let _e31 = weights(_e28, _e22, _e17, _e24, _e30);
-    // glimt_render_gpu/src/kernels/proposal.rs:353
-    return CellAt(_e31[lane], (_e17 * _e22.live)[lane], _e22.cosine[lane], (_e22.full[lane] > 0.5f), _e22.lobe[lane], _e24[lane]);
+    // glimt_render_gpu/src/kernels/proposal.rs:420
+    let _e9 = unit_f32_(u_9.y);
+    let _e11 = self_2.total;
+    let _e13 = Place_new((_e9 * _e11));
+    row_place = _e13;
+    // glimt_render_gpu/src/kernels/proposal.rs:421
+    counter_6 = 0u;
+    loop {
+        let row_7 = counter_6;
+        if (row_7 >= 16u) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:422
+        let _e24 = self_2.rows[row_7];
+        Place_offer((&row_place), row_7, _e24);
+        continuing {
+            let _e25 = counter_6;
+            counter_6 = (_e25 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:424
+    let _e30 = row_place.index;
+    let first_6 = (_e30 * 8u);
+    // glimt_render_gpu/src/kernels/proposal.rs:425
+    let _e35 = unit_f32_(u_9.x);
+    let _e37 = row_place.width;
+    let target_1 = (_e35 * _e37);
+    // glimt_render_gpu/src/kernels/proposal.rs:426
+    let _e40 = Place_new(target_1);
+    quad_place = _e40;
+    // glimt_render_gpu/src/kernels/proposal.rs:427
+    counter_7 = first_6;
+    loop {
+        let quad_8 = counter_7;
+        if (quad_8 >= (first_6 + 8u)) {
+            break;
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:428
+        let _e51 = self_2.quads[quad_8];
+        Place_offer((&quad_place), quad_8, _e51);
+        continuing {
+            let _e52 = counter_7;
+            counter_7 = (_e52 + 1u);
+        }
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:430
+    let quad_9 = quad_place.index;
+    // glimt_render_gpu/src/kernels/proposal.rs:431
+    let _e60 = LightCells_quad(cells_size_8, cells_start_8, 0u, quad_9);
+    // glimt_render_gpu/src/kernels/proposal.rs:432
+    let _e64 = self_2.of_.surface;
+    let _e65 = LightCells_terms(cells_size_8, cells_start_8, _e64, quad_9);
+    // glimt_render_gpu/src/kernels/proposal.rs:433
+    let _e67 = Unknown_quad(expected_4, quad_9);
+    // glimt_render_gpu/src/kernels/proposal.rs:434
+    let surface_4 = self_2.of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:435
+    let _e74 = self_2.is_catcher;
+    let _e75 = weights(surface_4, _e65, _e60, _e67, _e74);
+    // glimt_render_gpu/src/kernels/proposal.rs:436
+    let _e80 = self_2.defence;
+    let all_1 = (_e75 + ((_e60 * _e65.live) * _e80));
+    // glimt_render_gpu/src/kernels/proposal.rs:437
+    let _e85 = quad_place.first;
+    let _e86 = Place_new(target_1);
+    cell_place = Place(_e86.target_, _e85, _e86.index, _e86.first, _e86.width, _e86.is_found);
+    // glimt_render_gpu/src/kernels/proposal.rs:441
+    Place_offer((&cell_place), 0u, all_1.x);
+    // glimt_render_gpu/src/kernels/proposal.rs:442
+    Place_offer((&cell_place), 1u, all_1.y);
+    // glimt_render_gpu/src/kernels/proposal.rs:443
+    Place_offer((&cell_place), 2u, all_1.z);
+    // glimt_render_gpu/src/kernels/proposal.rs:444
+    Place_offer((&cell_place), 3u, all_1.w);
+    // glimt_render_gpu/src/kernels/proposal.rs:445
+    let lane_1 = cell_place.index;
+    // glimt_render_gpu/src/kernels/proposal.rs:446
+    let cell_6 = ((4u * quad_9) + lane_1);
+    // glimt_render_gpu/src/kernels/proposal.rs:447
+    let _e116 = hash2_(u_9.x, u_9.y);
+    // glimt_render_gpu/src/kernels/proposal.rs:448
+    let _e118 = cell_place;
+    let _e120 = row_place.width;
+    let _e123 = Place_word(_e118, _e120, (_e116 & 65535u));
+    let _e124 = row_place;
+    let _e126 = self_2.total;
+    let _e129 = Place_word(_e124, _e126, (_e116 >> 16u));
+    let within = vec2<u32>(_e123, _e129);
+    // glimt_render_gpu/src/kernels/proposal.rs:452
+    let _e132 = LightCells_sample(cells_size_8, cells_start_8, cell_6, within);
+    // glimt_render_gpu/src/kernels/proposal.rs:453
+    let _e135 = hash2_(_e116, u_9.x);
+    // glimt_render_gpu/src/kernels/proposal.rs:454
+    let place_3 = vec2<u32>((_e135 << 16u), (_e135 & 4294901760u));
+    // glimt_render_gpu/src/kernels/proposal.rs:455
+    let _e144 = unit_vec2_(place_3);
+    let _e145 = direction_in_texel(_e132.texel, cells_size_8, _e144);
+    let _e147 = CellAt_new(lane_1, _e75, _e60, _e65, _e67);
+    return CellDraw(_e147, _e145, _e132.texel, cell_6);
 }
 
-// glimt_light_cells/src/partition.rs:195
+// glimt_render_gpu/src/kernels/group_light.rs:165
+fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_9: vec2<u32>, cells_start_9: u32, pattern_2: PixelPattern, rays_2: f32, threshold_2: f32, group_2: Group, proposal_2: Proposal, expected_5: Unknown, index_11: u32, points_start_5: u32, points_len_5: u32) -> Look {
+    var proposal_3: Proposal;
+    var source_1: PatternSource;
+
+    proposal_3 = proposal_2;
+    // glimt_render_gpu/src/kernels/group_light.rs:173
+    let _e17 = PixelPattern_point(pattern_2, 10u, index_11);
+    source_1 = _e17;
+    // glimt_render_gpu/src/kernels/group_light.rs:174
+    let _e20 = PatternSource_next_uvec2_((&source_1));
+    // glimt_render_gpu/src/kernels/group_light.rs:175
+    let _e22 = PatternSource_next_u32_((&source_1));
+    let _e23 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_2, group_2, _e22, points_start_5, points_len_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:176
+    let _e25 = proposal_3;
+    let _e26 = Proposal_sample_cells(_e25, _e20, cells_size_9, cells_start_9, expected_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:177
+    let _e30 = rotate_z(_e26.direction, env_rotation_3);
+    return Look(_e26.direction, _e30, _e26.texel, _e26.at, _e26.cell, _e23, true);
+}
+
+// glimt_light_cells/src/partition.rs:193
 fn LightCells_pmf_in_cell(size_14: vec2<u32>, start_9: u32, texel_3: vec2<u32>, cell_3: u32) -> f32 {
 
-    // glimt_light_cells/src/partition.rs:196
+    // glimt_light_cells/src/partition.rs:194
     let _e8 = LightCells_texel_rows(size_14, start_9, (cell_3 / 32u));
-    // glimt_light_cells/src/partition.rs:197
+    // glimt_light_cells/src/partition.rs:195
     let _e10 = LightCells_row_edges(size_14, start_9, cell_3, _e8);
     let at_7 = ((_e10 + texel_3.y) - _e8.x);
-    // glimt_light_cells/src/partition.rs:198
+    // glimt_light_cells/src/partition.rs:196
     let _e22 = env_tables[(at_7 + 1u)];
     let _e25 = env_tables[at_7];
-    let of_row = Bin(0u, 0u, (_e22 - _e25));
-    // glimt_light_cells/src/partition.rs:203
+    let of_row_1 = Bin(0u, 0u, (_e22 - _e25));
+    // glimt_light_cells/src/partition.rs:201
     let _e32 = first_column((cell_3 % 32u), size_14.x);
-    // glimt_light_cells/src/partition.rs:204
-    let _e34 = LightCells_pmf(size_14, start_9, of_row, texel_3, _e32);
+    // glimt_light_cells/src/partition.rs:202
+    let _e34 = LightCells_pmf(size_14, start_9, of_row_1, texel_3, _e32);
     return _e34;
 }
 
@@ -2781,9 +2755,9 @@ fn texel_solid_angle_sr(row_2: u32, size_15: vec2<u32>) -> f32 {
     // glimt_probe/src/latlong.rs:122
     let size_24 = max(size_15, vec2(1u));
     // glimt_probe/src/latlong.rs:123
-    let row_7 = min(row_2, (size_24.y - 1u));
+    let row_8 = min(row_2, (size_24.y - 1u));
     // glimt_probe/src/latlong.rs:124
-    let from_pole = min(row_7, ((size_24.y - 1u) - row_7));
+    let from_pole = min(row_8, ((size_24.y - 1u) - row_8));
     // glimt_probe/src/latlong.rs:125
     let half_row = (0.5f / f32(size_24.y));
     // glimt_probe/src/latlong.rs:126
@@ -2794,25 +2768,25 @@ fn texel_solid_angle_sr(row_2: u32, size_15: vec2<u32>) -> f32 {
     return ((((4f * 3.1415927f) / f32(size_24.x)) * _e37.y) * _e40.y);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:366
+// glimt_render_gpu/src/kernels/proposal.rs:381
 fn Proposal_cells_pdf_sr(this_37: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_10: vec2<u32>, cells_start_10: u32) -> f32 {
     var self_3: Proposal;
 
     self_3 = this_37;
-    // glimt_render_gpu/src/kernels/proposal.rs:373
+    // glimt_render_gpu/src/kernels/proposal.rs:388
     let _e10 = self_3.total;
     if !((_e10 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:374
+        // glimt_render_gpu/src/kernels/proposal.rs:389
         return 0f;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:376
+    // glimt_render_gpu/src/kernels/proposal.rs:391
     let _e19 = self_3.defence;
-    let weight_2 = (at_2.weight + (_e19 * at_2.live));
-    // glimt_render_gpu/src/kernels/proposal.rs:377
+    let weight_3 = (at_2.weight + (_e19 * at_2.live));
+    // glimt_render_gpu/src/kernels/proposal.rs:392
     let _e25 = self_3.total;
     let _e27 = LightCells_pmf_in_cell(cells_size_10, cells_start_10, texel_4, cell_4);
-    let pmf = ((weight_2 / _e25) * _e27);
-    // glimt_render_gpu/src/kernels/proposal.rs:378
+    let pmf = ((weight_3 / _e25) * _e27);
+    // glimt_render_gpu/src/kernels/proposal.rs:393
     let _e31 = texel_solid_angle_sr(texel_4.y, cells_size_10);
     return (pmf / _e31);
 }
@@ -2849,16 +2823,16 @@ fn BlinnPhong_eval(this_38: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec
     return (diffuse_2 + (this_38.specular * lobe_2));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:77
+// glimt_render_gpu/src/kernels/group_light.rs:79
 fn reflectance(point_2: ShadingPoint, wi_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:78
+    // glimt_render_gpu/src/kernels/group_light.rs:80
     if (wi_3.z > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:79
+        // glimt_render_gpu/src/kernels/group_light.rs:81
         let _e10 = BlinnPhong_eval(point_2.brdf, point_2.wo, wi_3);
         return (_e10 * wi_3.z);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:81
+    // glimt_render_gpu/src/kernels/group_light.rs:83
     return vec3(0f);
 }
 
@@ -2963,14 +2937,14 @@ fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
     // glimt_render_gpu/src/kernels/triangle.rs:145
     let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:151
-    let sum_5 = ((_e14.x + _e14.y) + _e14.z);
+    let sum_4 = ((_e14.x + _e14.y) + _e14.z);
     // glimt_render_gpu/src/kernels/triangle.rs:152
-    if (sum_5 == 0f) {
+    if (sum_4 == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:154
         return vec2((1f / 3f));
     }
     // glimt_render_gpu/src/kernels/triangle.rs:156
-    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_5));
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_4));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:141
@@ -3319,16 +3293,16 @@ fn held(index_17: u32, triangle_4: Triangle, ray_7: Ray, t_2: f32, no_catcher: b
 // glimt_render_gpu/src/kernels/bvh.rs:160
 fn visit_leaf(leaf: BvhNode, ray_8: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
-    var counter_10: u32;
+    var counter_8: u32;
     var t_3: f32;
     var both_2: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:169
     nearest = best;
     // glimt_render_gpu/src/kernels/bvh.rs:170
-    counter_10 = leaf.first;
+    counter_8 = leaf.first;
     loop {
-        let i = counter_10;
+        let i = counter_8;
         if (i >= (leaf.first + leaf.count)) {
             break;
         }
@@ -3365,8 +3339,8 @@ fn visit_leaf(leaf: BvhNode, ray_8: Ray, reach: ptr<function, f32>, best: u32, n
             nearest = i;
         }
         continuing {
-            let _e48 = counter_10;
-            counter_10 = (_e48 + 1u);
+            let _e48 = counter_8;
+            counter_8 = (_e48 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/bvh.rs:181
@@ -3567,272 +3541,271 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_8: vec3<f32>, key_2: u32) -> bo
     return !(_e9);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:384
+// glimt_render_gpu/src/kernels/proposal.rs:399
 fn Proposal_open_control(this_47: Proposal, direction_9: vec3<f32>, at_3: CellAt) -> vec3<f32> {
     var self_4: Proposal;
     var chosen_23: f32;
 
     self_4 = this_47;
-    // glimt_render_gpu/src/kernels/proposal.rs:385
+    // glimt_render_gpu/src/kernels/proposal.rs:400
     if at_3.is_full {
-        // glimt_render_gpu/src/kernels/proposal.rs:386
+        // glimt_render_gpu/src/kernels/proposal.rs:401
         let _e11 = self_4.of_.mean_normal;
         chosen_23 = dot(_e11, direction_9);
     } else {
-        // glimt_render_gpu/src/kernels/proposal.rs:388
+        // glimt_render_gpu/src/kernels/proposal.rs:403
         chosen_23 = at_3.cosine;
     }
     let cosine_1 = chosen_23;
-    // glimt_render_gpu/src/kernels/proposal.rs:390
+    // glimt_render_gpu/src/kernels/proposal.rs:405
     let _e19 = self_4.of_.diffuse;
     let kd_2 = (_e19 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:391
+    // glimt_render_gpu/src/kernels/proposal.rs:406
     let _e26 = self_4.of_.specular;
     return ((kd_2 * cosine_1) + (_e26 * at_3.lobe));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:261
-fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, threshold_3: f32, group_3: Group, proposal_2: Proposal, look: Look, point_4: ShadingPoint, f: vec3<f32>, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
-    var proposal_3: Proposal;
+// glimt_render_gpu/src/kernels/group_light.rs:272
+fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, threshold_3: f32, group_3: Group, proposal_4: Proposal, look: Look, point_4: ShadingPoint, f: vec3<f32>, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
+    var proposal_5: Proposal;
     var own: vec3<f32>;
-    var sum_3: vec3<f32>;
-    var counter_11: u32;
+    var sum_2: vec3<f32>;
+    var counter_9: u32;
 
-    proposal_3 = proposal_2;
-    // glimt_render_gpu/src/kernels/group_light.rs:270
+    proposal_5 = proposal_4;
+    // glimt_render_gpu/src/kernels/group_light.rs:281
     if (group_3.members < 2u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:271
+        // glimt_render_gpu/src/kernels/group_light.rs:282
         return vec3(0f);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:273
-    let _e20 = proposal_3.of_.surface.specular;
+    // glimt_render_gpu/src/kernels/group_light.rs:284
+    let _e20 = proposal_5.of_.surface.specular;
     let has_lobe_1 = (_e20 > 0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:274
-    let _e27 = proposal_3.of_.surface.spread;
+    // glimt_render_gpu/src/kernels/group_light.rs:285
+    let _e27 = proposal_5.of_.surface.spread;
     if !((has_lobe_1 || (_e27 > 0.035f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:275
-        let _e35 = proposal_3.of_.mean_normal;
+        // glimt_render_gpu/src/kernels/group_light.rs:286
+        let _e35 = proposal_5.of_.mean_normal;
         let apart_1 = (dot(_e35, look.of_map) - dot(point_4.frame.n, look.direction));
-        // glimt_render_gpu/src/kernels/group_light.rs:277
-        let _e46 = proposal_3.of_.diffuse;
+        // glimt_render_gpu/src/kernels/group_light.rs:288
+        let _e46 = proposal_5.of_.diffuse;
         return (_e46 * (0.31830987f * apart_1));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:279
-    let _e52 = proposal_3.lobe_share;
+    // glimt_render_gpu/src/kernels/group_light.rs:290
+    let _e52 = proposal_5.lobe_share;
     let with_lobes = !((_e52 > 0f));
-    // glimt_render_gpu/src/kernels/group_light.rs:280
+    // glimt_render_gpu/src/kernels/group_light.rs:291
     own = f;
-    // glimt_render_gpu/src/kernels/group_light.rs:281
+    // glimt_render_gpu/src/kernels/group_light.rs:292
     if !(with_lobes) {
-        // glimt_render_gpu/src/kernels/group_light.rs:282
+        // glimt_render_gpu/src/kernels/group_light.rs:293
         let cosine_2 = max(dot(point_4.frame.n, look.direction), 0f);
-        // glimt_render_gpu/src/kernels/group_light.rs:283
+        // glimt_render_gpu/src/kernels/group_light.rs:294
         own = (point_4.brdf.diffuse * (0.31830987f * cosine_2));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:285
-    sum_3 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:286
-    counter_11 = 0u;
+    // glimt_render_gpu/src/kernels/group_light.rs:296
+    sum_2 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:297
+    counter_9 = 0u;
     loop {
-        let k_4 = counter_11;
+        let k_4 = counter_9;
         if (k_4 >= group_3.members) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:287
+        // glimt_render_gpu/src/kernels/group_light.rs:298
         let _e84 = Group_ray(group_3, k_4, points_start_6, points_len_6);
-        // glimt_render_gpu/src/kernels/group_light.rs:288
+        // glimt_render_gpu/src/kernels/group_light.rs:299
         if with_lobes {
-            // glimt_render_gpu/src/kernels/group_light.rs:289
+            // glimt_render_gpu/src/kernels/group_light.rs:300
             let _e90 = points[(points_start_6 + _e84)];
             let _e91 = SeenPoint_shading_point(_e90);
-            // glimt_render_gpu/src/kernels/group_light.rs:290
+            // glimt_render_gpu/src/kernels/group_light.rs:301
             let _e95 = ShadingFrame_to_local(_e91.frame, look.direction);
             let _e96 = reflectance(_e91, _e95);
-            let _e97 = sum_3;
-            sum_3 = (_e97 + _e96);
+            let _e97 = sum_2;
+            sum_2 = (_e97 + _e96);
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:292
+            // glimt_render_gpu/src/kernels/group_light.rs:303
             let other = points[(points_start_6 + _e84)];
-            // glimt_render_gpu/src/kernels/group_light.rs:293
+            // glimt_render_gpu/src/kernels/group_light.rs:304
             let cosine_3 = max(dot(other.normal, look.direction), 0f);
-            // glimt_render_gpu/src/kernels/group_light.rs:294
-            let _e115 = sum_3;
-            sum_3 = (_e115 + (other.diffuse * (0.31830987f * cosine_3)));
+            // glimt_render_gpu/src/kernels/group_light.rs:305
+            let _e115 = sum_2;
+            sum_2 = (_e115 + (other.diffuse * (0.31830987f * cosine_3)));
         }
         continuing {
-            let _e117 = counter_11;
-            counter_11 = (_e117 + 1u);
+            let _e117 = counter_9;
+            counter_9 = (_e117 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:297
-    let _e121 = sum_3;
+    // glimt_render_gpu/src/kernels/group_light.rs:308
+    let _e121 = sum_2;
     let _e126 = own;
     return ((_e121 / vec3(f32(group_3.members))) - _e126);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:206
-fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, threshold_4: f32, group_4: Group, proposal_4: Proposal, expected_5: Unknown, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Reflected {
-    var proposal_5: Proposal;
+// glimt_render_gpu/src/kernels/group_light.rs:218
+fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, threshold_4: f32, group_4: Group, proposal_6: Proposal, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Reflected {
+    var proposal_7: Proposal;
     var pdf_sr: f32;
     var both_3: bool;
     var lit: vec3<f32>;
     var blocked: vec3<f32>;
 
-    proposal_5 = proposal_4;
-    // glimt_render_gpu/src/kernels/group_light.rs:215
-    let _e21 = points[(points_start_7 + look_1.ray)];
-    let _e22 = SeenPoint_shading_point(_e21);
-    // glimt_render_gpu/src/kernels/group_light.rs:216
-    let _e26 = ShadingFrame_to_local(_e22.frame, look_1.direction);
-    // glimt_render_gpu/src/kernels/group_light.rs:217
-    let _e28 = proposal_5;
-    let _e30 = Proposal_cell(_e28, look_1.cell, cells_size_12, cells_start_12, expected_5);
-    // glimt_render_gpu/src/kernels/group_light.rs:218
-    let share_2 = proposal_5.lobe_share;
-    // glimt_render_gpu/src/kernels/group_light.rs:219
-    pdf_sr = 0f;
-    // glimt_render_gpu/src/kernels/group_light.rs:220
-    if (share_2 < 1f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:221
-        let _e41 = proposal_5;
-        let _e44 = Proposal_cells_pdf_sr(_e41, look_1.texel, look_1.cell, _e30, cells_size_12, cells_start_12);
-        // glimt_render_gpu/src/kernels/group_light.rs:222
-        pdf_sr = ((1f - share_2) * _e44);
-    }
-    // glimt_render_gpu/src/kernels/group_light.rs:224
-    if (share_2 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:225
-        let _e53 = lobe_of(_e22);
-        let _e55 = BlinnPhong_pdf_sr(_e53, _e22.wo, _e26);
-        let _e57 = pdf_sr;
-        pdf_sr = (_e57 + (share_2 * _e55));
-    }
+    proposal_7 = proposal_6;
+    // glimt_render_gpu/src/kernels/group_light.rs:226
+    let _e20 = points[(points_start_7 + look_1.ray)];
+    let _e21 = SeenPoint_shading_point(_e20);
     // glimt_render_gpu/src/kernels/group_light.rs:227
-    let _e60 = pdf_sr;
-    if !((_e60 > 0.000000000000000000000000000000000000011754944f)) {
-        // glimt_render_gpu/src/kernels/group_light.rs:228
+    let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
+    // glimt_render_gpu/src/kernels/group_light.rs:228
+    let at_8 = look_1.at;
+    // glimt_render_gpu/src/kernels/group_light.rs:229
+    let share_2 = proposal_7.lobe_share;
+    // glimt_render_gpu/src/kernels/group_light.rs:230
+    pdf_sr = 0f;
+    // glimt_render_gpu/src/kernels/group_light.rs:231
+    if (share_2 < 1f) {
+        // glimt_render_gpu/src/kernels/group_light.rs:232
+        let _e38 = proposal_7;
+        let _e41 = Proposal_cells_pdf_sr(_e38, look_1.texel, look_1.cell, at_8, cells_size_12, cells_start_12);
+        // glimt_render_gpu/src/kernels/group_light.rs:233
+        pdf_sr = ((1f - share_2) * _e41);
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:235
+    if (share_2 > 0f) {
+        // glimt_render_gpu/src/kernels/group_light.rs:236
+        let _e50 = lobe_of(_e21);
+        let _e52 = BlinnPhong_pdf_sr(_e50, _e21.wo, _e25);
+        let _e54 = pdf_sr;
+        pdf_sr = (_e54 + (share_2 * _e52));
+    }
+    // glimt_render_gpu/src/kernels/group_light.rs:238
+    let _e57 = pdf_sr;
+    if !((_e57 > 0.000000000000000000000000000000000000011754944f)) {
+        // glimt_render_gpu/src/kernels/group_light.rs:239
         return Reflected(vec3(0f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:230
-    let _e72 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
-    // glimt_render_gpu/src/kernels/group_light.rs:231
-    let _e74 = reflectance(_e22, _e26);
-    // glimt_render_gpu/src/kernels/group_light.rs:232
-    let is_seen = ((max(max(_e74.x, _e74.y), _e74.z) > 0f) && (dot(_e22.geometric_normal, look_1.direction) > 0f));
-    // glimt_render_gpu/src/kernels/group_light.rs:233
+    // glimt_render_gpu/src/kernels/group_light.rs:241
+    let _e69 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
+    // glimt_render_gpu/src/kernels/group_light.rs:242
+    let _e71 = reflectance(_e21, _e25);
+    // glimt_render_gpu/src/kernels/group_light.rs:243
+    let is_seen = ((max(max(_e71.x, _e71.y), _e71.z) > 0f) && (dot(_e21.geometric_normal, look_1.direction) > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:244
     both_3 = is_seen;
     if is_seen {
-        let _e92 = Scene_is_lit(_e22, look_1.direction, key_3);
-        both_3 = _e92;
+        let _e89 = Scene_is_lit(_e21, look_1.direction, key_3);
+        both_3 = _e89;
     }
     let arrives = both_3;
-    // glimt_render_gpu/src/kernels/group_light.rs:234
+    // glimt_render_gpu/src/kernels/group_light.rs:245
     lit = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:235
+    // glimt_render_gpu/src/kernels/group_light.rs:246
     blocked = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:236
+    // glimt_render_gpu/src/kernels/group_light.rs:247
     if arrives {
-        // glimt_render_gpu/src/kernels/group_light.rs:237
-        lit = _e74;
+        // glimt_render_gpu/src/kernels/group_light.rs:248
+        lit = _e71;
     } else {
         if is_seen {
-            // glimt_render_gpu/src/kernels/group_light.rs:239
-            blocked = _e74;
+            // glimt_render_gpu/src/kernels/group_light.rs:250
+            blocked = _e71;
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:241
+    // glimt_render_gpu/src/kernels/group_light.rs:252
     if false {
-        // glimt_render_gpu/src/kernels/group_light.rs:242
-        let _e108 = proposal_5;
-        let _e110 = Proposal_open_control(_e108, look_1.of_map, _e30);
-        // glimt_render_gpu/src/kernels/group_light.rs:243
-        let _e112 = proposal_5;
-        let _e113 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_4, group_4, _e112, look_1, _e22, _e74, points_start_7, points_len_7);
-        // glimt_render_gpu/src/kernels/group_light.rs:244
-        let _e116 = proposal_5.is_catcher;
-        if _e116 {
-            // glimt_render_gpu/src/kernels/group_light.rs:245
-            lit = ((_e74 - _e110) + _e113);
+        // glimt_render_gpu/src/kernels/group_light.rs:253
+        let _e105 = proposal_7;
+        let _e107 = Proposal_open_control(_e105, look_1.of_map, at_8);
+        // glimt_render_gpu/src/kernels/group_light.rs:254
+        let _e109 = proposal_7;
+        let _e110 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_4, group_4, _e109, look_1, _e21, _e71, points_start_7, points_len_7);
+        // glimt_render_gpu/src/kernels/group_light.rs:255
+        let _e113 = proposal_7.is_catcher;
+        if _e113 {
+            // glimt_render_gpu/src/kernels/group_light.rs:256
+            lit = ((_e71 - _e107) + _e110);
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:247
-            let _e124 = lit;
-            lit = (_e124 + ((_e113 - _e110) * _e30.visibility));
+            // glimt_render_gpu/src/kernels/group_light.rs:258
+            let _e121 = lit;
+            lit = (_e121 + ((_e110 - _e107) * at_8.visibility));
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:251
-    let _e127 = lit;
-    let _e128 = pdf_sr;
-    let _e132 = blocked;
-    let _e133 = pdf_sr;
-    return Reflected((_e72 * (_e127 / vec3(_e128))), (_e72 * (_e132 / vec3(_e133))));
+    // glimt_render_gpu/src/kernels/group_light.rs:262
+    let _e124 = lit;
+    let _e125 = pdf_sr;
+    let _e129 = blocked;
+    let _e130 = pdf_sr;
+    return Reflected((_e69 * (_e124 / vec3(_e125))), (_e69 * (_e129 / vec3(_e130))));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:89
+// glimt_render_gpu/src/kernels/group_light.rs:91
 fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_5: PixelPattern, rays_5: f32, threshold_5: f32, group_5: Group, number: u32, expected_6: Unknown, points_start_8: u32, points_len_8: u32, drawn: ptr<function, Drawn>) -> Reflected {
-    var proposal_6: Proposal;
+    var proposal_8: Proposal;
     var source_2: PatternSource;
     var worth_1: f32;
     var chosen_24: f32;
     var lit_1: vec3<f32>;
     var blocked_1: vec3<f32>;
-    var counter_12: u32;
+    var counter_10: u32;
     var chosen_25: Look;
 
-    // glimt_render_gpu/src/kernels/group_light.rs:97
-    let _e15 = Group_representative(group_5, points_start_8, points_len_8, env_size_6, env_rotation_6);
-    // glimt_render_gpu/src/kernels/group_light.rs:98
-    let _e18 = Group_ray(group_5, 0u, points_start_8, points_len_8);
     // glimt_render_gpu/src/kernels/group_light.rs:99
-    let leader_3 = points[(points_start_8 + _e18)];
+    let _e15 = Group_representative(group_5, points_start_8, points_len_8, env_size_6, env_rotation_6);
     // glimt_render_gpu/src/kernels/group_light.rs:100
+    let _e18 = Group_ray(group_5, 0u, points_start_8, points_len_8);
+    // glimt_render_gpu/src/kernels/group_light.rs:101
+    let leader_3 = points[(points_start_8 + _e18)];
+    // glimt_render_gpu/src/kernels/group_light.rs:102
     let _e25 = SeenPoint_slot(leader_3);
     let _e26 = Unknown_at_slot(expected_6, _e25);
-    // glimt_render_gpu/src/kernels/group_light.rs:101
-    let _e28 = SeenPoint_is_catcher(leader_3);
-    // glimt_render_gpu/src/kernels/group_light.rs:102
-    let _e30 = Proposal_new(_e15, cells_size_13, cells_start_13, _e26, _e28);
-    proposal_6 = _e30;
     // glimt_render_gpu/src/kernels/group_light.rs:103
+    let _e28 = SeenPoint_is_catcher(leader_3);
+    // glimt_render_gpu/src/kernels/group_light.rs:104
+    let _e30 = Proposal_new(_e15, cells_size_13, cells_start_13, _e26, _e28);
+    proposal_8 = _e30;
+    // glimt_render_gpu/src/kernels/group_light.rs:105
     let _e34 = PixelPattern_point(pattern_5, 12u, number);
     source_2 = _e34;
-    // glimt_render_gpu/src/kernels/group_light.rs:104
+    // glimt_render_gpu/src/kernels/group_light.rs:106
     let _e37 = PatternSource_next_u32_((&source_2));
     let _e38 = unit_f32_(_e37);
-    // glimt_render_gpu/src/kernels/group_light.rs:105
-    let share_3 = (f32(group_5.members) / f32(pattern_5.rays));
-    // glimt_render_gpu/src/kernels/group_light.rs:106
-    worth_1 = (rays_5 * share_3);
     // glimt_render_gpu/src/kernels/group_light.rs:107
+    let share_3 = (f32(group_5.members) / f32(pattern_5.rays));
+    // glimt_render_gpu/src/kernels/group_light.rs:108
+    worth_1 = (rays_5 * share_3);
+    // glimt_render_gpu/src/kernels/group_light.rs:109
     if (threshold_5 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:108
-        let _e53 = proposal_6.total;
-        let _e55 = proposal_6.lobe_worth;
+        // glimt_render_gpu/src/kernels/group_light.rs:110
+        let _e53 = proposal_8.total;
+        let _e55 = proposal_8.lobe_worth;
         worth_1 = (((_e53 + _e55) * share_3) / threshold_5);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:110
-    let _e60 = proposal_6;
+    // glimt_render_gpu/src/kernels/group_light.rs:112
+    let _e60 = proposal_8;
     let _e61 = Proposal_is_sharp(_e60);
     if _e61 {
-        // glimt_render_gpu/src/kernels/group_light.rs:111
+        // glimt_render_gpu/src/kernels/group_light.rs:113
         let _e63 = worth_1;
         worth_1 = max(_e63, ((0.25f * rays_5) * share_3));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:113
+    // glimt_render_gpu/src/kernels/group_light.rs:115
     let _e69 = worth_1;
     worth_1 = clamp(_e69, 0.02f, 256f);
-    // glimt_render_gpu/src/kernels/group_light.rs:114
-    let _e75 = proposal_6.total;
-    let _e80 = proposal_6.lobe_share;
+    // glimt_render_gpu/src/kernels/group_light.rs:116
+    let _e75 = proposal_8.total;
+    let _e80 = proposal_8.lobe_share;
     if (!((_e75 > 0f)) && !((_e80 > 0f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:115
+        // glimt_render_gpu/src/kernels/group_light.rs:117
         worth_1 = 0f;
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:117
+    // glimt_render_gpu/src/kernels/group_light.rs:119
     let _e88 = worth_1;
     let _e89 = PatternSource_next_u32_((&source_2));
     let _e90 = unit_f32_(_e89);
     let count_2 = u32((_e88 + _e90));
-    // glimt_render_gpu/src/kernels/group_light.rs:118
+    // glimt_render_gpu/src/kernels/group_light.rs:120
     let _e95 = worth_1;
     if (_e95 < 1f) {
         let _e98 = worth_1;
@@ -3841,88 +3814,89 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
         chosen_24 = f32(count_2);
     }
     let divisor = chosen_24;
-    // glimt_render_gpu/src/kernels/group_light.rs:119
+    // glimt_render_gpu/src/kernels/group_light.rs:121
     let _e103 = PixelPattern_ray_key(pattern_5, 9u);
     let _e104 = hash2_(_e103, number);
-    // glimt_render_gpu/src/kernels/group_light.rs:120
-    lit_1 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:121
-    blocked_1 = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:122
-    counter_12 = 0u;
+    lit_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:123
+    blocked_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:124
+    counter_10 = 0u;
     loop {
-        let s_4 = counter_12;
+        let s_4 = counter_10;
         if (s_4 >= count_2) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:123
-        let _e121 = proposal_6.lobe_share;
-        let before = u32(((f32(s_4) * _e121) + _e38));
-        // glimt_render_gpu/src/kernels/group_light.rs:124
-        let _e130 = proposal_6.lobe_share;
-        let after = u32(((f32((s_4 + 1u)) * _e130) + _e38));
         // glimt_render_gpu/src/kernels/group_light.rs:125
+        let _e121 = proposal_8.lobe_share;
+        let before = u32(((f32(s_4) * _e121) + _e38));
+        // glimt_render_gpu/src/kernels/group_light.rs:126
+        let _e130 = proposal_8.lobe_share;
+        let after = u32(((f32((s_4 + 1u)) * _e130) + _e38));
+        // glimt_render_gpu/src/kernels/group_light.rs:127
         if (after > before) {
-            // glimt_render_gpu/src/kernels/group_light.rs:126
+            // glimt_render_gpu/src/kernels/group_light.rs:128
             let _e140 = (*drawn).lobes;
             (*drawn).lobes = (_e140 + 1u);
-            // glimt_render_gpu/src/kernels/group_light.rs:127
-            let _e144 = (*drawn).lobes;
-            let _e147 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, (_e144 - 1u), points_start_8, points_len_8);
-            chosen_25 = _e147;
-        } else {
             // glimt_render_gpu/src/kernels/group_light.rs:129
-            let _e151 = (*drawn).cells;
-            (*drawn).cells = (_e151 + 1u);
-            // glimt_render_gpu/src/kernels/group_light.rs:130
-            let _e154 = proposal_6;
-            let _e156 = (*drawn).cells;
-            let _e159 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e154, _e26, (_e156 - 1u), points_start_8, points_len_8);
-            chosen_25 = _e159;
+            let _e143 = proposal_8;
+            let _e145 = (*drawn).lobes;
+            let _e148 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e143, _e26, (_e145 - 1u), points_start_8, points_len_8);
+            chosen_25 = _e148;
+        } else {
+            // glimt_render_gpu/src/kernels/group_light.rs:131
+            let _e152 = (*drawn).cells;
+            (*drawn).cells = (_e152 + 1u);
+            // glimt_render_gpu/src/kernels/group_light.rs:132
+            let _e155 = proposal_8;
+            let _e157 = (*drawn).cells;
+            let _e160 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e155, _e26, (_e157 - 1u), points_start_8, points_len_8);
+            chosen_25 = _e160;
         }
         let look_2 = chosen_25;
-        // glimt_render_gpu/src/kernels/group_light.rs:132
+        // glimt_render_gpu/src/kernels/group_light.rs:134
         if look_2.is_possible {
-            // glimt_render_gpu/src/kernels/group_light.rs:133
-            let own_2 = (_e104 + s_4);
-            // glimt_render_gpu/src/kernels/group_light.rs:134
-            let _e166 = proposal_6;
-            let _e167 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e166, _e26, look_2, own_2, points_start_8, points_len_8);
             // glimt_render_gpu/src/kernels/group_light.rs:135
-            let _e170 = lit_1;
-            lit_1 = (_e170 + _e167.lit);
+            let own_2 = (_e104 + s_4);
             // glimt_render_gpu/src/kernels/group_light.rs:136
-            let _e174 = blocked_1;
-            blocked_1 = (_e174 + _e167.blocked);
+            let _e167 = proposal_8;
+            let _e168 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e167, look_2, own_2, points_start_8, points_len_8);
+            // glimt_render_gpu/src/kernels/group_light.rs:137
+            let _e171 = lit_1;
+            lit_1 = (_e171 + _e168.lit);
+            // glimt_render_gpu/src/kernels/group_light.rs:138
+            let _e175 = blocked_1;
+            blocked_1 = (_e175 + _e168.blocked);
         }
         continuing {
-            let _e176 = counter_12;
-            counter_12 = (_e176 + 1u);
+            let _e177 = counter_10;
+            counter_10 = (_e177 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:139
+    // glimt_render_gpu/src/kernels/group_light.rs:141
     if (count_2 > 0u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:140
-        let _e183 = lit_1;
-        lit_1 = (_e183 / vec3(divisor));
-        // glimt_render_gpu/src/kernels/group_light.rs:141
-        let _e187 = blocked_1;
-        blocked_1 = (_e187 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:142
+        let _e184 = lit_1;
+        lit_1 = (_e184 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:143
+        let _e188 = blocked_1;
+        blocked_1 = (_e188 / vec3(divisor));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:143
+    // glimt_render_gpu/src/kernels/group_light.rs:145
     if (false && _e28) {
-        // glimt_render_gpu/src/kernels/group_light.rs:145
-        let _e195 = proposal_6.open_integral;
-        let _e196 = lit_1;
-        let _e198 = blocked_1;
-        let _e200 = blocked_1;
-        return Reflected(((_e195 + _e196) - _e198), _e200);
+        // glimt_render_gpu/src/kernels/group_light.rs:147
+        let _e196 = proposal_8.open_integral;
+        let _e197 = lit_1;
+        let _e199 = blocked_1;
+        let _e201 = blocked_1;
+        return Reflected(((_e196 + _e197) - _e199), _e201);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:150
-    let _e204 = proposal_6.integral;
-    let _e205 = lit_1;
-    let _e207 = blocked_1;
-    return Reflected((_e204 + _e205), _e207);
+    // glimt_render_gpu/src/kernels/group_light.rs:152
+    let _e205 = proposal_8.integral;
+    let _e206 = lit_1;
+    let _e208 = blocked_1;
+    return Reflected((_e205 + _e206), _e208);
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:25
@@ -3936,7 +3910,7 @@ fn Vec4_of_surface(light: Reflected, _is_catcher: bool) -> vec4<f32> {
 fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
     var x_11: u32;
     var round_key: u32;
-    var counter_13: i32;
+    var counter_11: i32;
 
     // glimt_render_gpu/src/kernels/pattern.rs:214
     if (length_ <= 1u) {
@@ -3954,9 +3928,9 @@ fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
         // glimt_render_gpu/src/kernels/pattern.rs:221
         round_key = key_4;
         // glimt_render_gpu/src/kernels/pattern.rs:222
-        counter_13 = 0i;
+        counter_11 = 0i;
         loop {
-            let _e31 = counter_13;
+            let _e31 = counter_11;
             if (_e31 >= 3i) {
                 break;
             }
@@ -3974,8 +3948,8 @@ fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
             let _e56 = x_11;
             x_11 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
             continuing {
-                let _e58 = counter_13;
-                counter_13 = (_e58 + 1i);
+                let _e58 = counter_11;
+                counter_11 = (_e58 + 1i);
             }
         }
         // glimt_render_gpu/src/kernels/pattern.rs:228
@@ -4004,7 +3978,7 @@ fn jittered_pair(index_19: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -
     let columns = max(u32(sqrt(f32(count_1))), 1u);
     // glimt_render_gpu/src/kernels/pattern.rs:186
     let _e12 = (count_1 / columns);
-    let rows_1 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    let rows_2 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
     // glimt_render_gpu/src/kernels/pattern.rs:187
     let _e21 = hash2_(key_5, 1u);
     let _e22 = permute(index_19, count_1, _e21);
@@ -4013,9 +3987,9 @@ fn jittered_pair(index_19: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -
     let _e27 = permute((_e22 % columns), columns, _e26);
     // glimt_render_gpu/src/kernels/pattern.rs:189
     let _e31 = hash2_(key_5, 3u);
-    let _e32 = permute((_e22 / columns), rows_1, _e31);
+    let _e32 = permute((_e22 / columns), rows_2, _e31);
     // glimt_render_gpu/src/kernels/pattern.rs:190
-    let _e38 = stratum(((_e27 * rows_1) + _e32), (columns * rows_1), jitter_1.x);
+    let _e38 = stratum(((_e27 * rows_2) + _e32), (columns * rows_2), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
@@ -4166,8 +4140,8 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
     var filled: u32;
     var number_1: u32;
     var group_6: Group;
-    var counter_14: u32;
-    var counter_15: u32;
+    var counter_12: u32;
+    var counter_13: u32;
 
     // glimt_render_gpu/src/kernels/product.rs:66
     let first_8 = (pixel_4 * frame_3.rays_per_pixel);
@@ -4198,9 +4172,9 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
         let _e46 = GroupLight_reflected(env_size_7, env_rotation_7, _e15.value_size, _e15.value_start, _e18, rays_6, threshold_6, _e44, _e45, expected_7, points_start_9, points_len_9, (&drawn_1));
         // glimt_render_gpu/src/kernels/product.rs:82
         let _e50 = group_6.members;
-        counter_14 = 0u;
+        counter_12 = 0u;
         loop {
-            let k_5 = counter_14;
+            let k_5 = counter_12;
             if (k_5 >= _e50) {
                 break;
             }
@@ -4216,8 +4190,8 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
             let _e70 = Vec4_of_surface(own_3, _e69);
             samples_1[(samples_start + _e56)] = _e70;
             continuing {
-                let _e74 = counter_14;
-                counter_14 = (_e74 + 1u);
+                let _e74 = counter_12;
+                counter_12 = (_e74 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/product.rs:91
@@ -4233,9 +4207,9 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
         group_6 = _e88;
     }
     // glimt_render_gpu/src/kernels/product.rs:95
-    counter_15 = 0u;
+    counter_13 = 0u;
     loop {
-        let ray_13 = counter_15;
+        let ray_13 = counter_13;
         if (ray_13 >= frame_3.rays_per_pixel) {
             break;
         }
@@ -4252,8 +4226,8 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
             samples_1[(samples_start + ray_13)] = _e110;
         }
         continuing {
-            let _e114 = counter_15;
-            counter_15 = (_e114 + 1u);
+            let _e114 = counter_13;
+            counter_13 = (_e114 + 1u);
         }
     }
     return;

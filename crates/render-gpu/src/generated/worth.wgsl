@@ -71,8 +71,8 @@ struct Representative {
 }
 
 struct Totals {
-    blocks: array<f32, 64>,
-    lives: array<f32, 64>,
+    quads: array<f32, 128>,
+    lives: array<f32, 128>,
     weight: f32,
     live: f32,
     lobe: f32,
@@ -97,7 +97,8 @@ struct CellTerms {
 
 struct Proposal {
     of_: Representative,
-    blocks: array<f32, 64>,
+    quads: array<f32, 128>,
+    rows: array<f32, 16>,
     total: f32,
     defence: f32,
     lobe_worth: f32,
@@ -182,12 +183,12 @@ fn representative_of(entry: TileEntry, frame: FrameParams, env_size: vec2<u32>, 
     return Representative(_e12, vec3(entry.diffuse), vec3(entry.specular), _e25);
 }
 
-// glimt_light_cells/src/partition.rs:113
+// glimt_light_cells/src/partition.rs:111
 fn LightCells_quad(size_2: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
-    // glimt_light_cells/src/partition.rs:114
+    // glimt_light_cells/src/partition.rs:112
     let at = (((start + 32u) + (list * 512u)) + (4u * quad));
-    // glimt_light_cells/src/partition.rs:115
+    // glimt_light_cells/src/partition.rs:113
     let _e16 = env_tables[at];
     let _e22 = env_tables[(at + 1u)];
     let _e28 = env_tables[(at + 2u)];
@@ -383,23 +384,23 @@ fn CellSurface_product_weights(this_3: CellSurface, terms_3: CellTerms, flux_2: 
     return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_3.diffuse)));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:238
+// glimt_render_gpu/src/kernels/proposal.rs:253
 fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen: vec4<f32>;
     var chosen_1: vec4<f32>;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:245
+    // glimt_render_gpu/src/kernels/proposal.rs:260
     if (true && is_catcher) {
-        // glimt_render_gpu/src/kernels/proposal.rs:246
+        // glimt_render_gpu/src/kernels/proposal.rs:261
         let _e11 = CellSurface_blocked_weights(surface_1, terms_4, flux_3, visibility_2);
         chosen = _e11;
     } else {
         if true {
-            // glimt_render_gpu/src/kernels/proposal.rs:248
+            // glimt_render_gpu/src/kernels/proposal.rs:263
             let _e15 = CellSurface_residual_weights(surface_1, terms_4, flux_3, visibility_2);
             chosen_1 = _e15;
         } else {
-            // glimt_render_gpu/src/kernels/proposal.rs:250
+            // glimt_render_gpu/src/kernels/proposal.rs:265
             let _e17 = CellSurface_product_weights(surface_1, terms_4, flux_3);
             chosen_1 = _e17;
         }
@@ -410,37 +411,37 @@ fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibi
     return _e19;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:129
+// glimt_render_gpu/src/kernels/proposal.rs:151
 fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_1: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:137
+    // glimt_render_gpu/src/kernels/proposal.rs:159
     let list_1 = (4u + (3u * channel));
-    // glimt_render_gpu/src/kernels/proposal.rs:138
+    // glimt_render_gpu/src/kernels/proposal.rs:160
     let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_3);
     let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_3);
     let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_3);
     let moment = (((_e14 * normal_1.x) + (_e19 * normal_1.y)) + (_e25 * normal_1.z));
-    // glimt_render_gpu/src/kernels/proposal.rs:141
+    // glimt_render_gpu/src/kernels/proposal.rs:163
     let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_3);
-    // glimt_render_gpu/src/kernels/proposal.rs:142
+    // glimt_render_gpu/src/kernels/proposal.rs:164
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:147
+// glimt_render_gpu/src/kernels/proposal.rs:169
 fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_2: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:148
+    // glimt_render_gpu/src/kernels/proposal.rs:170
     let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_2, full_1, cut_1);
     let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_2, full_1, cut_1);
     let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_2, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:157
+// glimt_render_gpu/src/kernels/proposal.rs:179
 fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:158
+    // glimt_render_gpu/src/kernels/proposal.rs:180
     let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_5);
     let _e8 = (_e7 * factors);
     let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_5);
@@ -450,161 +451,132 @@ fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factor
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:166
+// glimt_render_gpu/src/kernels/proposal.rs:188
 fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected_first: u32, expected_slot: u32, is_catcher_1: bool) -> Totals {
     var t: Totals;
     var counter: u32;
-    var weight: f32;
-    var live: f32;
-    var counter_1: u32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:172
+    // glimt_render_gpu/src/kernels/proposal.rs:194
     let surface_2 = of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:173
+    // glimt_render_gpu/src/kernels/proposal.rs:195
     let has_lobe = (surface_2.specular > 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:174
-    t = Totals(array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/proposal.rs:189
+    // glimt_render_gpu/src/kernels/proposal.rs:196
+    t = Totals(array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
+    // glimt_render_gpu/src/kernels/proposal.rs:211
     counter = 0u;
     loop {
-        let block = counter;
-        if (block >= 64u) {
+        let quad_6 = counter;
+        if (quad_6 >= 128u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:190
-        weight = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:191
-        live = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:192
-        counter_1 = 0u;
-        loop {
-            let half = counter_1;
-            if (half >= 2u) {
-                break;
+        // glimt_render_gpu/src/kernels/proposal.rs:212
+        let _e43 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:213
+        let _e45 = LightCells_terms(cells_size_3, cells_start_3, surface_2, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:214
+        let _e48 = (_e43 * _e45.live);
+        let live = (((_e48.x + _e48.y) + _e48.z) + _e48.w);
+        // glimt_render_gpu/src/kernels/proposal.rs:216
+        if (live > 0f) {
+            // glimt_render_gpu/src/kernels/proposal.rs:217
+            let _e60 = Expected_quad(expected_first, expected_slot, quad_6);
+            // glimt_render_gpu/src/kernels/proposal.rs:218
+            let _e62 = weights(surface_2, _e45, _e43, _e60, is_catcher_1);
+            // glimt_render_gpu/src/kernels/proposal.rs:219
+            let weight = (((_e62.x + _e62.y) + _e62.z) + _e62.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:220
+            if true {
+                // glimt_render_gpu/src/kernels/proposal.rs:221
+                let full_2 = (_e45.full * _e60);
+                // glimt_render_gpu/src/kernels/proposal.rs:222
+                let cut_2 = ((_e60 - full_2) * _e45.cosine);
+                // glimt_render_gpu/src/kernels/proposal.rs:223
+                let _e83 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, full_2, cut_2);
+                let _e84 = t.diffuse;
+                t.diffuse = (_e84 + _e83);
+                // glimt_render_gpu/src/kernels/proposal.rs:224
+                if is_catcher_1 {
+                    // glimt_render_gpu/src/kernels/proposal.rs:225
+                    let cut_3 = ((vec4(1f) - _e45.full) * _e45.cosine);
+                    // glimt_render_gpu/src/kernels/proposal.rs:226
+                    let _e97 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, _e45.full, cut_3);
+                    // glimt_render_gpu/src/kernels/proposal.rs:227
+                    let _e100 = t.open_diffuse;
+                    t.open_diffuse = (_e100 + _e97);
+                    // glimt_render_gpu/src/kernels/proposal.rs:228
+                    let _e105 = radiance_sum(cells_size_3, cells_start_3, quad_6, _e45.lobe);
+                    let _e106 = t.open_specular;
+                    t.open_specular = (_e106 + _e105);
+                }
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:193
-            let quad_6 = ((2u * block) + half);
-            // glimt_render_gpu/src/kernels/proposal.rs:194
-            let _e59 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_6);
-            // glimt_render_gpu/src/kernels/proposal.rs:195
-            let _e61 = LightCells_terms(cells_size_3, cells_start_3, surface_2, quad_6);
-            // glimt_render_gpu/src/kernels/proposal.rs:196
-            let _e64 = (_e59 * _e61.live);
-            let seen_1 = (((_e64.x + _e64.y) + _e64.z) + _e64.w);
-            // glimt_render_gpu/src/kernels/proposal.rs:198
-            if (seen_1 > 0f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:199
-                let _e76 = live;
-                live = (_e76 + seen_1);
-                // glimt_render_gpu/src/kernels/proposal.rs:200
-                let _e79 = Expected_quad(expected_first, expected_slot, quad_6);
-                // glimt_render_gpu/src/kernels/proposal.rs:201
-                let _e81 = weights(surface_2, _e61, _e59, _e79, is_catcher_1);
-                // glimt_render_gpu/src/kernels/proposal.rs:202
-                let _e90 = weight;
-                weight = (_e90 + (((_e81.x + _e81.y) + _e81.z) + _e81.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:203
+            // glimt_render_gpu/src/kernels/proposal.rs:231
+            if has_lobe {
+                // glimt_render_gpu/src/kernels/proposal.rs:232
+                let a_1 = (_e45.lobe * _e43);
+                // glimt_render_gpu/src/kernels/proposal.rs:233
+                let spread = ((a_1 * _e45.lobe_spread) * _e45.lobe_spread);
+                // glimt_render_gpu/src/kernels/proposal.rs:234
+                let _e126 = t.lobe;
+                t.lobe = (_e126 + (((a_1.x + a_1.y) + a_1.z) + a_1.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:235
+                let _e137 = t.lobe_spread;
+                t.lobe_spread = (_e137 + (((spread.x + spread.y) + spread.z) + spread.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:236
+                let _e140 = (a_1 * _e60);
+                let _e149 = t.lobe_visible;
+                t.lobe_visible = (_e149 + (((_e140.x + _e140.y) + _e140.z) + _e140.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:237
+                let _e154 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_6);
+                let _e155 = (_e45.lobe * _e154);
+                let _e164 = t.lobe_square;
+                t.lobe_square = (_e164 + (((_e155.x + _e155.y) + _e155.z) + _e155.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:238
+                let _e169 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_6);
+                let _e170 = (_e45.lobe * _e169);
+                let _e179 = t.lobe_area;
+                t.lobe_area = (_e179 + (((_e170.x + _e170.y) + _e170.z) + _e170.w));
+                // glimt_render_gpu/src/kernels/proposal.rs:239
                 if true {
-                    // glimt_render_gpu/src/kernels/proposal.rs:204
-                    let full_2 = (_e61.full * _e79);
-                    // glimt_render_gpu/src/kernels/proposal.rs:205
-                    let cut_2 = ((_e79 - full_2) * _e61.cosine);
-                    // glimt_render_gpu/src/kernels/proposal.rs:206
-                    let _e104 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, full_2, cut_2);
-                    let _e105 = t.diffuse;
-                    t.diffuse = (_e105 + _e104);
-                    // glimt_render_gpu/src/kernels/proposal.rs:207
-                    if is_catcher_1 {
-                        // glimt_render_gpu/src/kernels/proposal.rs:208
-                        let cut_3 = ((vec4(1f) - _e61.full) * _e61.cosine);
-                        // glimt_render_gpu/src/kernels/proposal.rs:209
-                        let _e118 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, _e61.full, cut_3);
-                        // glimt_render_gpu/src/kernels/proposal.rs:210
-                        let _e121 = t.open_diffuse;
-                        t.open_diffuse = (_e121 + _e118);
-                        // glimt_render_gpu/src/kernels/proposal.rs:211
-                        let _e126 = radiance_sum(cells_size_3, cells_start_3, quad_6, _e61.lobe);
-                        let _e127 = t.open_specular;
-                        t.open_specular = (_e127 + _e126);
-                    }
-                }
-                // glimt_render_gpu/src/kernels/proposal.rs:214
-                if has_lobe {
-                    // glimt_render_gpu/src/kernels/proposal.rs:215
-                    let a_1 = (_e61.lobe * _e59);
-                    // glimt_render_gpu/src/kernels/proposal.rs:216
-                    let spread = ((a_1 * _e61.lobe_spread) * _e61.lobe_spread);
-                    // glimt_render_gpu/src/kernels/proposal.rs:217
-                    let _e147 = t.lobe;
-                    t.lobe = (_e147 + (((a_1.x + a_1.y) + a_1.z) + a_1.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:218
-                    let _e158 = t.lobe_spread;
-                    t.lobe_spread = (_e158 + (((spread.x + spread.y) + spread.z) + spread.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:219
-                    let _e161 = (a_1 * _e79);
-                    let _e170 = t.lobe_visible;
-                    t.lobe_visible = (_e170 + (((_e161.x + _e161.y) + _e161.z) + _e161.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:220
-                    let _e175 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_6);
-                    let _e176 = (_e61.lobe * _e175);
-                    let _e185 = t.lobe_square;
-                    t.lobe_square = (_e185 + (((_e176.x + _e176.y) + _e176.z) + _e176.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:221
-                    let _e190 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_6);
-                    let _e191 = (_e61.lobe * _e190);
-                    let _e200 = t.lobe_area;
-                    t.lobe_area = (_e200 + (((_e191.x + _e191.y) + _e191.z) + _e191.w));
-                    // glimt_render_gpu/src/kernels/proposal.rs:223
-                    if true {
-                        // glimt_render_gpu/src/kernels/proposal.rs:224
-                        let _e208 = radiance_sum(cells_size_3, cells_start_3, quad_6, (_e61.lobe * _e79));
-                        let _e209 = t.specular;
-                        t.specular = (_e209 + _e208);
-                    }
+                    // glimt_render_gpu/src/kernels/proposal.rs:240
+                    let _e187 = radiance_sum(cells_size_3, cells_start_3, quad_6, (_e45.lobe * _e60));
+                    let _e188 = t.specular;
+                    t.specular = (_e188 + _e187);
                 }
             }
-            continuing {
-                let _e211 = counter_1;
-                counter_1 = (_e211 + 1u);
-            }
+            // glimt_render_gpu/src/kernels/proposal.rs:243
+            t.quads[quad_6] = weight;
+            // glimt_render_gpu/src/kernels/proposal.rs:244
+            t.lives[quad_6] = live;
+            // glimt_render_gpu/src/kernels/proposal.rs:245
+            let _e198 = t.weight;
+            t.weight = (_e198 + weight);
+            // glimt_render_gpu/src/kernels/proposal.rs:246
+            let _e202 = t.live;
+            t.live = (_e202 + live);
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:229
-        let _e215 = weight;
-        t.blocks[block] = _e215;
-        // glimt_render_gpu/src/kernels/proposal.rs:230
-        let _e219 = live;
-        t.lives[block] = _e219;
-        // glimt_render_gpu/src/kernels/proposal.rs:231
-        let _e223 = weight;
-        let _e225 = t.weight;
-        t.weight = (_e225 + _e223);
-        // glimt_render_gpu/src/kernels/proposal.rs:232
-        let _e228 = live;
-        let _e230 = t.live;
-        t.live = (_e230 + _e228);
         continuing {
-            let _e232 = counter;
-            counter = (_e232 + 1u);
+            let _e204 = counter;
+            counter = (_e204 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:234
-    let _e236 = t;
-    return _e236;
+    // glimt_render_gpu/src/kernels/proposal.rs:249
+    let _e208 = t;
+    return _e208;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:257
+// glimt_render_gpu/src/kernels/proposal.rs:272
 fn worth_1(a: f32, visible: f32, variance: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:258
+    // glimt_render_gpu/src/kernels/proposal.rs:273
     if true {
-        // glimt_render_gpu/src/kernels/proposal.rs:259
+        // glimt_render_gpu/src/kernels/proposal.rs:274
         return (a * sqrt(((visible * (1f - visible)) + (visible * variance))));
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:262
+    // glimt_render_gpu/src/kernels/proposal.rs:277
     return (a * sqrt((1f + (2f * variance))));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:269
+// glimt_render_gpu/src/kernels/proposal.rs:284
 fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_first_1: u32, expected_slot_1: u32, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
@@ -614,159 +586,186 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     var share: f32;
     var defence: f32;
     var total: f32;
-    var blocks: array<f32, 64>;
+    var quads: array<f32, 128>;
+    var rows: array<f32, 16>;
+    var counter_1: u32;
+    var of_row: f32;
     var counter_2: u32;
     var lobe_share: f32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:275
+    // glimt_render_gpu/src/kernels/proposal.rs:290
     of_2 = of_1;
-    // glimt_render_gpu/src/kernels/proposal.rs:276
+    // glimt_render_gpu/src/kernels/proposal.rs:291
     let _e10 = of_2;
     let _e11 = weigh(_e10, cells_size_4, cells_start_4, expected_first_1, expected_slot_1, is_catcher_2);
     sums = _e11;
-    // glimt_render_gpu/src/kernels/proposal.rs:277
+    // glimt_render_gpu/src/kernels/proposal.rs:292
     let _e14 = sums;
     first_1 = _e14;
-    // glimt_render_gpu/src/kernels/proposal.rs:278
+    // glimt_render_gpu/src/kernels/proposal.rs:293
     lobe_worth = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:279
+    // glimt_render_gpu/src/kernels/proposal.rs:294
     least_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:280
+    // glimt_render_gpu/src/kernels/proposal.rs:295
     share = 1f;
-    // glimt_render_gpu/src/kernels/proposal.rs:281
+    // glimt_render_gpu/src/kernels/proposal.rs:296
     let _e28 = of_2.surface.specular;
     let _e32 = sums.lobe;
     if ((_e28 > 0f) && (_e32 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:283
+        // glimt_render_gpu/src/kernels/proposal.rs:298
         let _e38 = sums.lobe_spread;
         let _e40 = sums.lobe;
         let by_cells = (_e38 / _e40);
-        // glimt_render_gpu/src/kernels/proposal.rs:284
+        // glimt_render_gpu/src/kernels/proposal.rs:299
         let _e44 = sums.lobe_square;
         let _e46 = sums.lobe;
         let _e49 = sums.lobe_area;
         let _e51 = sums.lobe;
         let by_lobe = clamp((((_e44 / _e46) * (_e49 / _e51)) - 1f), 0.0001f, 1000000f);
-        // glimt_render_gpu/src/kernels/proposal.rs:286
+        // glimt_render_gpu/src/kernels/proposal.rs:301
         share = (by_lobe / (by_lobe + by_cells));
-        // glimt_render_gpu/src/kernels/proposal.rs:287
+        // glimt_render_gpu/src/kernels/proposal.rs:302
         let _e63 = share;
         if (_e63 > 0.9f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:288
+            // glimt_render_gpu/src/kernels/proposal.rs:303
             share = 1f;
         } else {
             let _e68 = share;
             if (_e68 < 0.1f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:290
+                // glimt_render_gpu/src/kernels/proposal.rs:305
                 share = 0f;
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:292
+        // glimt_render_gpu/src/kernels/proposal.rs:307
         let _e75 = sums.lobe;
         let _e78 = of_2.surface.specular;
         let a_2 = (_e75 * _e78);
-        // glimt_render_gpu/src/kernels/proposal.rs:293
+        // glimt_render_gpu/src/kernels/proposal.rs:308
         let _e82 = sums.lobe_visible;
         let _e84 = sums.lobe;
         let visible_1 = min((_e82 / _e84), 1f);
-        // glimt_render_gpu/src/kernels/proposal.rs:294
+        // glimt_render_gpu/src/kernels/proposal.rs:309
         let _e89 = share;
         if (_e89 < 1f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:295
+            // glimt_render_gpu/src/kernels/proposal.rs:310
             let _e94 = share;
             let _e96 = worth_1(a_2, visible_1, by_lobe);
             lobe_worth = ((1f - _e94) * _e96);
-            // glimt_render_gpu/src/kernels/proposal.rs:296
+            // glimt_render_gpu/src/kernels/proposal.rs:311
             let _e99 = share;
             of_2.surface.share = _e99;
-            // glimt_render_gpu/src/kernels/proposal.rs:297
+            // glimt_render_gpu/src/kernels/proposal.rs:312
             let _e103 = of_2;
             let _e104 = weigh(_e103, cells_size_4, cells_start_4, expected_first_1, expected_slot_1, is_catcher_2);
             sums = _e104;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:300
+    // glimt_render_gpu/src/kernels/proposal.rs:315
     let _e108 = of_2.surface.specular;
     let _e113 = of_2.surface.normal;
     let _e116 = of_2.surface.wo;
     if ((_e108 > 0f) && (dot(_e113, _e116) < 0.3f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:301
+        // glimt_render_gpu/src/kernels/proposal.rs:316
         least_share = 0.1f;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:303
+    // glimt_render_gpu/src/kernels/proposal.rs:318
     defence = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:304
+    // glimt_render_gpu/src/kernels/proposal.rs:319
     let _e128 = sums.live;
     if (_e128 > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:305
+        // glimt_render_gpu/src/kernels/proposal.rs:320
         let _e134 = sums.weight;
         let _e137 = sums.live;
         defence = ((0.001f * _e134) / _e137);
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:307
+    // glimt_render_gpu/src/kernels/proposal.rs:322
     total = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:308
-    blocks = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:309
-    counter_2 = 0u;
+    // glimt_render_gpu/src/kernels/proposal.rs:323
+    quads = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:324
+    rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:325
+    counter_1 = 0u;
     loop {
-        let block_1 = counter_2;
-        if (block_1 >= 64u) {
+        let row = counter_1;
+        if (row >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:310
-        let _e155 = sums.blocks[block_1];
-        let _e156 = defence;
-        let _e159 = sums.lives[block_1];
-        let weight_1 = (_e155 + (_e156 * _e159));
-        // glimt_render_gpu/src/kernels/proposal.rs:311
-        blocks[block_1] = weight_1;
-        // glimt_render_gpu/src/kernels/proposal.rs:312
-        let _e165 = total;
-        total = (_e165 + weight_1);
+        // glimt_render_gpu/src/kernels/proposal.rs:326
+        of_row = 0f;
+        // glimt_render_gpu/src/kernels/proposal.rs:327
+        counter_2 = (row * 8u);
+        loop {
+            let quad_7 = counter_2;
+            if (quad_7 >= ((row + 1u) * 8u)) {
+                break;
+            }
+            // glimt_render_gpu/src/kernels/proposal.rs:328
+            let _e172 = sums.quads[quad_7];
+            let _e173 = defence;
+            let _e176 = sums.lives[quad_7];
+            let weight_1 = (_e172 + (_e173 * _e176));
+            // glimt_render_gpu/src/kernels/proposal.rs:329
+            quads[quad_7] = weight_1;
+            // glimt_render_gpu/src/kernels/proposal.rs:330
+            let _e182 = of_row;
+            of_row = (_e182 + weight_1);
+            continuing {
+                let _e184 = counter_2;
+                counter_2 = (_e184 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/proposal.rs:332
+        let _e188 = of_row;
+        rows[row] = _e188;
+        // glimt_render_gpu/src/kernels/proposal.rs:333
+        let _e191 = of_row;
+        let _e192 = total;
+        total = (_e192 + _e191);
         continuing {
-            let _e167 = counter_2;
-            counter_2 = (_e167 + 1u);
+            let _e194 = counter_1;
+            counter_1 = (_e194 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:314
-    let _e171 = total;
-    let _e172 = lobe_worth;
-    let all_ = (_e171 + _e172);
-    // glimt_render_gpu/src/kernels/proposal.rs:315
+    // glimt_render_gpu/src/kernels/proposal.rs:335
+    let _e198 = total;
+    let _e199 = lobe_worth;
+    let all_ = (_e198 + _e199);
+    // glimt_render_gpu/src/kernels/proposal.rs:336
     lobe_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:316
+    // glimt_render_gpu/src/kernels/proposal.rs:337
     if (all_ > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:317
-        let _e181 = lobe_worth;
-        let _e183 = least_share;
-        lobe_share = clamp((_e181 / all_), _e183, 0.95f);
-        // glimt_render_gpu/src/kernels/proposal.rs:318
-        let _e187 = total;
-        if !((_e187 > 0f)) {
-            // glimt_render_gpu/src/kernels/proposal.rs:319
+        // glimt_render_gpu/src/kernels/proposal.rs:338
+        let _e208 = lobe_worth;
+        let _e210 = least_share;
+        lobe_share = clamp((_e208 / all_), _e210, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:339
+        let _e214 = total;
+        if !((_e214 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:340
             lobe_share = 1f;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:322
-    let _e195 = of_2.diffuse;
-    let kd_1 = (_e195 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:323
-    let _e200 = first_1.diffuse;
-    let _e203 = of_2.specular;
-    let _e205 = first_1.specular;
-    let _e206 = share;
-    let _e211 = first_1.open_diffuse;
-    let _e214 = of_2.specular;
-    let _e216 = first_1.open_specular;
-    let _e217 = share;
-    let _e221 = of_2;
-    let _e222 = blocks;
-    let _e223 = total;
-    let _e224 = defence;
-    let _e225 = lobe_worth;
-    let _e226 = lobe_share;
-    return Proposal(_e221, _e222, _e223, _e224, _e225, _e226, ((kd_1 * _e200) + (_e203 * (_e205 * _e206))), ((kd_1 * _e211) + (_e214 * (_e216 * _e217))), is_catcher_2);
+    // glimt_render_gpu/src/kernels/proposal.rs:343
+    let _e222 = of_2.diffuse;
+    let kd_1 = (_e222 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:344
+    let _e227 = first_1.diffuse;
+    let _e230 = of_2.specular;
+    let _e232 = first_1.specular;
+    let _e233 = share;
+    let _e238 = first_1.open_diffuse;
+    let _e241 = of_2.specular;
+    let _e243 = first_1.open_specular;
+    let _e244 = share;
+    let _e248 = of_2;
+    let _e249 = quads;
+    let _e250 = rows;
+    let _e251 = total;
+    let _e252 = defence;
+    let _e253 = lobe_worth;
+    let _e254 = lobe_share;
+    return Proposal(_e248, _e249, _e250, _e251, _e252, _e253, _e254, ((kd_1 * _e227) + (_e230 * (_e232 * _e233))), ((kd_1 * _e238) + (_e241 * (_e243 * _e244))), is_catcher_2);
 }
 
 // glimt_render_gpu/src/kernels/expect.rs:107

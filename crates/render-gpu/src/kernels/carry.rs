@@ -1,7 +1,7 @@
 //! Shared file: what each tile takes over from the frame before, and how many pilot rays it needs beside that.
 
 use glam::{Mat4, Vec2, Vec4};
-use glimt_light_cells::{CELLS, field};
+use glimt_light_cells::{QUADS, field};
 
 use super::cell_state::{ENTRIES, Remembered, TILE_HEIGHT, TILE_WIDTH, TileEntry, slot_of};
 use super::environment::Environment;
@@ -91,7 +91,7 @@ fn unknown(
     let surface = representative_of(entry, frame, env).surface;
     let mut all = 0.0;
     let mut unseen = 0.0;
-    for quad in 0..CELLS / 4 {
+    for quad in 0..QUADS {
         let flux = light.quad(field::FLUX, quad);
         let terms = light.terms(&surface, quad);
         let weights = surface.residual_weights(&terms, flux, remembered.quad(quad));

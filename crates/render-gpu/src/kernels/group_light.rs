@@ -11,7 +11,7 @@ use super::environment::Environment;
 use super::estimator::Reflected;
 use super::groups::Group;
 use super::pattern::{CELLS, COUNT, LIT_THROUGH, LOBE, PixelPattern};
-use super::proposal::{Expectation, Proposal};
+use super::proposal::{CellAt, Expectation, Proposal};
 use super::scene::{Scene, ShadingPoint};
 use super::seen::SeenPoint;
 
@@ -56,6 +56,8 @@ struct Look {
     /// In the world.
     direction: Vec3,
     texel: UVec2,
+    /// The texel's cell.
+    at: CellAt,
     cell: u32,
     /// The member's ray.
     ray: u32,
@@ -124,14 +126,14 @@ impl GroupLight<'_> {
             let after = ((s + 1) as f32 * proposal.lobe_share + start) as u32;
             let look = if after > before {
                 drawn.lobes += 1;
-                self.look_by_lobe(group, drawn.lobes - 1, points)
+                self.look_by_lobe(group, &proposal, expected, drawn.lobes - 1, points)
             } else {
                 drawn.cells += 1;
                 self.look_by_cells(group, &proposal, expected, drawn.cells - 1, points)
             };
             if look.is_possible {
                 let own = key.wrapping_add(s);
-                let light = self.sample(group, &proposal, expected, &look, own, points);
+                let light = self.sample::<P>(group, &proposal, &look, own, points);
                 lit += light.lit;
                 blocked += light.blocked;
             }
@@ -176,6 +178,7 @@ impl GroupLight<'_> {
             of_map: drawn.direction,
             direction: rotate_z(drawn.direction, self.env.rotation),
             texel: drawn.texel,
+            at: drawn.at,
             cell: drawn.cell,
             ray,
             is_possible: true,
@@ -183,7 +186,14 @@ impl GroupLight<'_> {
     }
 
     #[inline]
-    fn look_by_lobe(&self, group: &Group, index: u32, points: &mut [SeenPoint]) -> Look {
+    fn look_by_lobe<P: Expectation>(
+        &self,
+        group: &Group,
+        proposal: &Proposal,
+        expected: &P,
+        index: u32,
+        points: &mut [SeenPoint],
+    ) -> Look {
         let mut source = self.pattern.point(LOBE, index);
         let u = unit_vec2(source.next_uvec2());
         let ray = self.member(group, source.next_u32(), points);
@@ -191,11 +201,13 @@ impl GroupLight<'_> {
         let drawn = lobe_of(&point).sample(point.wo, 0, u);
         let direction = point.frame.to_world(drawn.wi);
         let texel = self.env.texel(direction);
+        let cell = self.cells.cell_of(texel);
         Look {
             of_map: self.env.to_map(direction),
             direction,
             texel,
-            cell: self.cells.cell_of(texel),
+            at: proposal.cell(cell, &self.cells, expected),
+            cell,
             ray,
             is_possible: drawn.pdf_sr > 0.0,
         }
@@ -207,14 +219,13 @@ impl GroupLight<'_> {
         &self,
         group: &Group,
         proposal: &Proposal,
-        expected: &P,
         look: &Look,
         key: u32,
         points: &mut [SeenPoint],
     ) -> Reflected {
         let point = points[look.ray as usize].shading_point();
         let wi = point.frame.to_local(look.direction);
-        let at = proposal.cell(look.cell, &self.cells, expected);
+        let at = look.at;
         let share = proposal.lobe_share;
         let mut pdf_sr = 0.0;
         if share < 1.0 {

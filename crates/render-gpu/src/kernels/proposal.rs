@@ -2,7 +2,7 @@
 //! with a function near the integrand whose integral is known.
 
 use glam::{UVec2, Vec3, Vec4};
-use glimt_light_cells::{BLOCKS, CellSurface, LightCells, ROWS, field};
+use glimt_light_cells::{CellSurface, CellTerms, LightCells, QUADS, ROWS, field};
 use glimt_probe::latlong::{direction_in_texel, texel_solid_angle_sr};
 use glimt_sampling::hash::hash2;
 use glimt_sampling::uniform::{unit_f32, unit_vec2};
@@ -11,6 +11,9 @@ use super::groups::Representative;
 
 /// The share of the weights that goes to all cells alike that a surface may see, by their light alone.
 const DEFENCE: f32 = 1e-3;
+
+/// Quads of a row of cells.
+const ROW_QUADS: usize = (QUADS / ROWS) as usize;
 
 /// The greatest f32 below 1.
 const BELOW_ONE: f32 = 1.0 - 1.0 / 16_777_216.0;
@@ -69,9 +72,26 @@ pub struct CellAt {
     pub visibility: f32,
 }
 
+impl CellAt {
+    /// Cell `lane` of four.
+    #[inline]
+    fn new(lane: usize, weight: Vec4, flux: Vec4, terms: &CellTerms, visibility: Vec4) -> CellAt {
+        CellAt {
+            weight: weight[lane],
+            live: (flux * terms.live)[lane],
+            cosine: terms.cosine[lane],
+            is_full: terms.full[lane] > 0.5,
+            lobe: terms.lobe[lane],
+            visibility: visibility[lane],
+        }
+    }
+}
+
 /// A direction with its texel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CellDraw {
+    /// The cell as the proposal has it.
+    pub at: CellAt,
     /// Unit vector in the map's coordinates.
     pub direction: Vec3,
     /// Its texel.
@@ -85,8 +105,10 @@ pub struct CellDraw {
 pub struct Proposal {
     /// What the group's members have in common; its surface has the share β of the lobe that cells sample.
     pub of: Representative,
-    /// Weights of blocks of cells, with the defensive share.
-    blocks: [f32; BLOCKS as usize],
+    /// Weights of quads of cells, with the defensive share.
+    quads: [f32; QUADS as usize],
+    /// Those of rows of cells.
+    rows: [f32; ROWS as usize],
     /// W: their sum.
     pub total: f32,
     /// What a cell's [`CellAt::live`] adds to its weight.
@@ -106,8 +128,8 @@ pub struct Proposal {
 /// Sums over all cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Totals {
-    blocks: [f32; BLOCKS as usize],
-    lives: [f32; BLOCKS as usize],
+    quads: [f32; QUADS as usize],
+    lives: [f32; QUADS as usize],
     weight: f32,
     live: f32,
     /// Of a = s Λ: Σ a, Σ a κ², Σ a p̂; and Σ s Q, Σ s Ω.
@@ -172,8 +194,8 @@ fn weigh<P: Expectation>(
     let surface = of.surface;
     let has_lobe = surface.specular > 0.0;
     let mut t = Totals {
-        blocks: [0.0; BLOCKS as usize],
-        lives: [0.0; BLOCKS as usize],
+        quads: [0.0; QUADS as usize],
+        lives: [0.0; QUADS as usize],
         weight: 0.0,
         live: 0.0,
         lobe: 0.0,
@@ -186,50 +208,43 @@ fn weigh<P: Expectation>(
         open_diffuse: Vec3::ZERO,
         open_specular: Vec3::ZERO,
     };
-    for block in 0..BLOCKS {
-        let mut weight = 0.0;
-        let mut live = 0.0;
-        for half in 0..2 {
-            let quad = 2 * block + half;
-            let flux = cells.quad(field::FLUX, quad);
-            let terms = cells.terms(&surface, quad);
-            let seen = (flux * terms.live).element_sum();
-            // Half of all cells lie below the horizon, and many of a night's are black.
-            if seen > 0.0 {
-                live += seen;
-                let visibility = expected.quad(quad);
-                let own = weights::<P>(&surface, &terms, flux, visibility, is_catcher);
-                weight += own.element_sum();
-                if P::CONTROL {
-                    let full = terms.full * visibility;
-                    let cut = (visibility - full) * terms.cosine;
-                    t.diffuse += diffuse_sum(cells, quad, of.mean_normal, full, cut);
-                    if is_catcher {
-                        let cut = (Vec4::ONE - terms.full) * terms.cosine;
-                        let open = diffuse_sum(cells, quad, of.mean_normal, terms.full, cut);
-                        t.open_diffuse += open;
-                        t.open_specular += radiance_sum(cells, quad, terms.lobe);
-                    }
-                }
-                if has_lobe {
-                    let a = terms.lobe * flux;
-                    let spread = a * terms.lobe_spread * terms.lobe_spread;
-                    t.lobe += a.element_sum();
-                    t.lobe_spread += spread.element_sum();
-                    t.lobe_visible += (a * visibility).element_sum();
-                    t.lobe_square += (terms.lobe * cells.quad(field::SQUARE, quad)).element_sum();
-                    t.lobe_area +=
-                        (terms.lobe * cells.quad(field::SOLID_ANGLE, quad)).element_sum();
-                    if P::CONTROL {
-                        t.specular += radiance_sum(cells, quad, terms.lobe * visibility);
-                    }
+    for quad in 0..QUADS {
+        let flux = cells.quad(field::FLUX, quad);
+        let terms = cells.terms(&surface, quad);
+        let live = (flux * terms.live).element_sum();
+        // Half of all cells lie below the horizon, and many of a night's are black.
+        if live > 0.0 {
+            let visibility = expected.quad(quad);
+            let own = weights::<P>(&surface, &terms, flux, visibility, is_catcher);
+            let weight = own.element_sum();
+            if P::CONTROL {
+                let full = terms.full * visibility;
+                let cut = (visibility - full) * terms.cosine;
+                t.diffuse += diffuse_sum(cells, quad, of.mean_normal, full, cut);
+                if is_catcher {
+                    let cut = (Vec4::ONE - terms.full) * terms.cosine;
+                    let open = diffuse_sum(cells, quad, of.mean_normal, terms.full, cut);
+                    t.open_diffuse += open;
+                    t.open_specular += radiance_sum(cells, quad, terms.lobe);
                 }
             }
+            if has_lobe {
+                let a = terms.lobe * flux;
+                let spread = a * terms.lobe_spread * terms.lobe_spread;
+                t.lobe += a.element_sum();
+                t.lobe_spread += spread.element_sum();
+                t.lobe_visible += (a * visibility).element_sum();
+                t.lobe_square += (terms.lobe * cells.quad(field::SQUARE, quad)).element_sum();
+                t.lobe_area += (terms.lobe * cells.quad(field::SOLID_ANGLE, quad)).element_sum();
+                if P::CONTROL {
+                    t.specular += radiance_sum(cells, quad, terms.lobe * visibility);
+                }
+            }
+            t.quads[quad as usize] = weight;
+            t.lives[quad as usize] = live;
+            t.weight += weight;
+            t.live += live;
         }
-        t.blocks[block as usize] = weight;
-        t.lives[block as usize] = live;
-        t.weight += weight;
-        t.live += live;
     }
     t
 }
@@ -237,7 +252,7 @@ fn weigh<P: Expectation>(
 #[inline]
 fn weights<P: Expectation>(
     surface: &CellSurface,
-    terms: &glimt_light_cells::CellTerms,
+    terms: &CellTerms,
     flux: Vec4,
     visibility: Vec4,
     is_catcher: bool,
@@ -305,11 +320,17 @@ impl Proposal {
             defence = DEFENCE * sums.weight / sums.live;
         }
         let mut total = 0.0;
-        let mut blocks = [0.0; BLOCKS as usize];
-        for block in 0..BLOCKS as usize {
-            let weight = sums.blocks[block] + defence * sums.lives[block];
-            blocks[block] = weight;
-            total += weight;
+        let mut quads = [0.0; QUADS as usize];
+        let mut rows = [0.0; ROWS as usize];
+        for row in 0..ROWS as usize {
+            let mut of_row = 0.0;
+            for quad in row * ROW_QUADS..(row + 1) * ROW_QUADS {
+                let weight = sums.quads[quad] + defence * sums.lives[quad];
+                quads[quad] = weight;
+                of_row += weight;
+            }
+            rows[row] = of_row;
+            total += of_row;
         }
         let all = total + lobe_worth;
         let mut lobe_share = 0.0;
@@ -325,7 +346,8 @@ impl Proposal {
             open_integral: kd * first.open_diffuse + of.specular * (first.open_specular * share),
             is_catcher,
             of,
-            blocks,
+            quads,
+            rows,
             total,
             defence,
             lobe_worth,
@@ -345,19 +367,12 @@ impl Proposal {
     #[inline]
     #[must_use]
     pub fn cell<P: Expectation>(&self, cell: u32, cells: &LightCells<'_>, expected: &P) -> CellAt {
-        let (quad, lane) = (cell / 4, (cell % 4) as usize);
+        let quad = cell / 4;
         let flux = cells.quad(field::FLUX, quad);
         let terms = cells.terms(&self.of.surface, quad);
         let visibility = expected.quad(quad);
         let weight = weights::<P>(&self.of.surface, &terms, flux, visibility, self.is_catcher);
-        CellAt {
-            weight: weight[lane],
-            live: (flux * terms.live)[lane],
-            cosine: terms.cosine[lane],
-            is_full: terms.full[lane] > 0.5,
-            lobe: terms.lobe[lane],
-            visibility: visibility[lane],
-        }
+        CellAt::new((cell % 4) as usize, weight, flux, &terms, visibility)
     }
 
     /// Density of the cells' samples in a texel of the cell `at`, in 1/sr.
@@ -401,51 +416,47 @@ impl Proposal {
         cells: &LightCells<'_>,
         expected: &P,
     ) -> CellDraw {
-        let per_row = (BLOCKS / ROWS) as usize;
-        // The last row, block and cell of positive weight stands where rounding leaves the target beyond the sum.
+        // The last row, quad and cell of positive weight stands where rounding leaves the target beyond the sum.
         let mut row_place = Place::new(unit_f32(u.y) * self.total);
-        for row in 0..ROWS as usize {
-            let mut sum = 0.0;
-            for block in row * per_row..(row + 1) * per_row {
-                sum += self.blocks[block];
-            }
-            row_place.offer(row as u32, sum);
+        for row in 0..ROWS {
+            row_place.offer(row, self.rows[row as usize]);
         }
-        let first = row_place.index * per_row as u32;
+        let first = row_place.index * ROW_QUADS as u32;
         let target = unit_f32(u.x) * row_place.width;
-        let mut block_place = Place::new(target);
-        for block in first..first + per_row as u32 {
-            block_place.offer(block, self.blocks[block as usize]);
+        let mut quad_place = Place::new(target);
+        for quad in first..first + ROW_QUADS as u32 {
+            quad_place.offer(quad, self.quads[quad as usize]);
         }
+        let quad = quad_place.index;
+        let flux = cells.quad(field::FLUX, quad);
+        let terms = cells.terms(&self.of.surface, quad);
+        let visibility = expected.quad(quad);
+        let surface = &self.of.surface;
+        let weight = weights::<P>(surface, &terms, flux, visibility, self.is_catcher);
+        let all = weight + flux * terms.live * self.defence;
         let mut cell_place = Place {
-            sum: block_place.first,
+            sum: quad_place.first,
             ..Place::new(target)
         };
-        for half in 0..2 {
-            let quad = 2 * block_place.index + half;
-            let flux = cells.quad(field::FLUX, quad);
-            let terms = cells.terms(&self.of.surface, quad);
-            let visibility = expected.quad(quad);
-            let surface = &self.of.surface;
-            let own = weights::<P>(surface, &terms, flux, visibility, self.is_catcher);
-            let all = own + flux * terms.live * self.defence;
-            cell_place.offer(4 * quad, all.x);
-            cell_place.offer(4 * quad + 1, all.y);
-            cell_place.offer(4 * quad + 2, all.z);
-            cell_place.offer(4 * quad + 3, all.w);
-        }
+        cell_place.offer(0, all.x);
+        cell_place.offer(1, all.y);
+        cell_place.offer(2, all.z);
+        cell_place.offer(3, all.w);
+        let lane = cell_place.index;
+        let cell = 4 * quad + lane;
         let hash = hash2(u.x, u.y);
         let within = UVec2::new(
             cell_place.word(row_place.width, hash & 0xffff),
             row_place.word(self.total, hash >> 16),
         );
-        let drawn = cells.sample(cell_place.index, within);
+        let drawn = cells.sample(cell, within);
         let place = hash2(hash, u.x);
         let place = UVec2::new(place << 16, place & 0xffff_0000);
         CellDraw {
             direction: direction_in_texel(drawn.texel, cells.size, unit_vec2(place)),
             texel: drawn.texel,
-            cell: cell_place.index,
+            cell,
+            at: CellAt::new(lane as usize, weight, flux, &terms, visibility),
         }
     }
 }
