@@ -126,7 +126,7 @@ fn the_mean_of_whole_sequences_is_the_integral() {
     };
     let flicker = |number: u32| {
         let mut light = map(50.0);
-        let factor = if number % 2 == 0 { 0.3 } else { 1.0 };
+        let factor = if number.is_multiple_of(2) { 0.3 } else { 1.0 };
         let sun = (4 * light.size[0] + 22) as usize;
         light.texels[sun] *= factor;
         light

@@ -249,6 +249,11 @@ struct RisSum {
     end: u32,
 }
 
+struct Tuple_UVec2_u32_ {
+    fa: vec2<u32>,
+    fb: u32,
+}
+
 struct Tuple_u32_u32_ {
     fa: u32,
     fb: u32,
@@ -454,10 +459,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> Owen
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:128
+// glimt_render_gpu/src/kernels/pattern.rs:136
 fn PixelPattern_sobol_point(this_6: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:129
+    // glimt_render_gpu/src/kernels/pattern.rs:137
     let _e6 = hash2_(this_6.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_6.frame, this_6.pixel, index);
     return _e9;
@@ -573,28 +578,28 @@ fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_1: u32, pixel_2: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:133
+// glimt_render_gpu/src/kernels/pattern.rs:141
 fn PixelPattern_generator(this_7: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:134
+    // glimt_render_gpu/src/kernels/pattern.rs:142
     let _e6 = hash3_(this_7.seed, purpose_1, index_1);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_7.frame, this_7.pixel);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:111
+// glimt_render_gpu/src/kernels/pattern.rs:105
 fn PixelPattern_point(this_8: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:112
+    // glimt_render_gpu/src/kernels/pattern.rs:106
     let _e8 = PixelPattern_sobol_point(this_8, purpose_2, index_2);
     let _e9 = PixelPattern_generator(this_8, purpose_2, index_2);
     return PatternSource((this_8.kind == 0u), _e8, _e9);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:103
+// glimt_render_gpu/src/kernels/pattern.rs:97
 fn PixelPattern_source(this_9: PixelPattern, purpose_3: u32) -> PatternSource {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:104
+    // glimt_render_gpu/src/kernels/pattern.rs:98
     let _e5 = PixelPattern_point(this_9, purpose_3, this_9.ray);
     return _e5;
 }
@@ -1227,25 +1232,25 @@ fn sobol_reversed(index_7: u32, dimension: u32) -> u32 {
     var chosen_6: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_13 = (index_7 & 65535u);
+    let index_14 = (index_7 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen_6 = index_13;
+        chosen_6 = index_14;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_13);
+            let _e16 = pascal(index_14);
             chosen_6 = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_13);
+                let _e20 = recurrence_2_(index_14);
                 chosen_6 = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_13);
+                let _e22 = recurrence_3_(index_14);
                 chosen_6 = _e22;
             }
         }
@@ -1328,16 +1333,16 @@ fn Xoshiro128PlusPlus_next_u32_(this_18: ptr<function, Xoshiro128PlusPlus>) -> u
     return result;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:163
+// glimt_render_gpu/src/kernels/pattern.rs:171
 fn PatternSource_next_u32_(this_19: ptr<function, PatternSource>) -> u32 {
     var chosen_8: u32;
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:164
+    // glimt_render_gpu/src/kernels/pattern.rs:172
     let _e5 = (*this_19).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:165
+        // glimt_render_gpu/src/kernels/pattern.rs:173
         let _e9 = (*this_19).point;
         borrowed = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed));
@@ -1345,7 +1350,7 @@ fn PatternSource_next_u32_(this_19: ptr<function, PatternSource>) -> u32 {
         (*this_19).point = _e11;
         chosen_8 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:167
+        // glimt_render_gpu/src/kernels/pattern.rs:175
         let _e15 = (*this_19).generator;
         borrowed_1 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
@@ -1744,16 +1749,16 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_24: ptr<function, Xoshiro128PlusPlus>) ->
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:172
+// glimt_render_gpu/src/kernels/pattern.rs:180
 fn PatternSource_next_uvec2_(this_25: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_10: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:173
+    // glimt_render_gpu/src/kernels/pattern.rs:181
     let _e5 = (*this_25).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:174
+        // glimt_render_gpu/src/kernels/pattern.rs:182
         let _e9 = (*this_25).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
@@ -1761,7 +1766,7 @@ fn PatternSource_next_uvec2_(this_25: ptr<function, PatternSource>) -> vec2<u32>
         (*this_25).point = _e11;
         chosen_10 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:176
+        // glimt_render_gpu/src/kernels/pattern.rs:184
         let _e15 = (*this_25).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
@@ -2703,52 +2708,78 @@ fn Candidates_of_brdf(this_38: Candidates) -> u32 {
     return _e26;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:138
-fn PixelPattern_key(this_39: PixelPattern, purpose_4: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:116
+fn PixelPattern_point_triple(this_39: PixelPattern, purpose_4: u32, index_9: u32) -> vec3<u32> {
+    var point_2: OwenSobol;
+    var generator: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:139
-    let _e5 = hash2_(this_39.seed, purpose_4);
-    let _e8 = hash3_(_e5, this_39.frame, this_39.pixel);
+    // glimt_render_gpu/src/kernels/pattern.rs:117
+    if (this_39.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:118
+        let _e9 = PixelPattern_sobol_point(this_39, purpose_4, index_9);
+        point_2 = _e9;
+        // glimt_render_gpu/src/kernels/pattern.rs:119
+        let _e12 = OwenSobol_next_uvec2_((&point_2));
+        // glimt_render_gpu/src/kernels/pattern.rs:120
+        let _e14 = OwenSobol_next_u32_((&point_2));
+        return vec3<u32>(_e12, _e14);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e17 = PixelPattern_generator(this_39, purpose_4, index_9);
+    generator = _e17;
+    // glimt_render_gpu/src/kernels/pattern.rs:123
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:124
+    let _e22 = Xoshiro128PlusPlus_next_u32_((&generator));
+    return vec3<u32>(_e20, _e22);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:146
+fn PixelPattern_key(this_40: PixelPattern, purpose_5: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:147
+    let _e5 = hash2_(this_40.seed, purpose_5);
+    let _e8 = hash3_(_e5, this_40.frame, this_40.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:213
-fn permute(index_9: u32, length_: u32, key: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:221
+fn permute(index_10: u32, length_: u32, key: u32) -> u32 {
     var x_5: u32;
     var round_key: u32;
     var counter_13: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:223
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:217
+    // glimt_render_gpu/src/kernels/pattern.rs:225
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:218
+    // glimt_render_gpu/src/kernels/pattern.rs:226
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:219
-    x_5 = index_9;
-    // glimt_render_gpu/src/kernels/pattern.rs:220
+    // glimt_render_gpu/src/kernels/pattern.rs:227
+    x_5 = index_10;
+    // glimt_render_gpu/src/kernels/pattern.rs:228
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:221
+        // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:222
+        // glimt_render_gpu/src/kernels/pattern.rs:230
         counter_13 = 0i;
         loop {
             let _e31 = counter_13;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:231
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:225
+            // glimt_render_gpu/src/kernels/pattern.rs:233
             let _e37 = x_5;
             let _e38 = round_key;
             x_5 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:226
+            // glimt_render_gpu/src/kernels/pattern.rs:234
             let _e44 = x_5;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_5;
@@ -2758,10 +2789,10 @@ fn permute(index_9: u32, length_: u32, key: u32) -> u32 {
                 counter_13 = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:228
+        // glimt_render_gpu/src/kernels/pattern.rs:236
         let _e62 = x_5;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:229
+            // glimt_render_gpu/src/kernels/pattern.rs:237
             let _e65 = x_5;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -2770,134 +2801,120 @@ fn permute(index_9: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:204
+// glimt_render_gpu/src/kernels/pattern.rs:212
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:205
+    // glimt_render_gpu/src/kernels/pattern.rs:213
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:184
-fn jittered_pair(index_10: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:192
+fn jittered_pair(index_11: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:193
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:194
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:195
     let _e21 = hash2_(key_1, 1u);
-    let _e22 = permute(index_10, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    let _e22 = permute(index_11, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:196
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:189
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:190
+    // glimt_render_gpu/src/kernels/pattern.rs:198
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:198
-fn jittered(index_11: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:206
+fn jittered(index_12: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:199
+    // glimt_render_gpu/src/kernels/pattern.rs:207
     let _e7 = hash2_(key_2, 4u);
-    let _e8 = permute(index_11, count_2, _e7);
+    let _e8 = permute(index_12, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:82
-fn PixelPattern_triple(this_40: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec3<u32> {
-    var point_2: OwenSobol;
-    var generator: Xoshiro128PlusPlus;
+fn PixelPattern_triple(this_41: PixelPattern, purpose_6: u32, sample: u32, samples: u32) -> vec3<u32> {
 
     // glimt_render_gpu/src/kernels/pattern.rs:83
-    let index_14 = ((this_40.ray * samples) + sample);
+    let index_15 = ((this_41.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:84
-    if (this_40.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:85
-        let _e14 = PixelPattern_sobol_point(this_40, purpose_5, index_14);
-        point_2 = _e14;
+    let _e10 = PixelPattern_point_triple(this_41, purpose_6, index_15);
+    // glimt_render_gpu/src/kernels/pattern.rs:85
+    if (this_41.kind != 2u) {
         // glimt_render_gpu/src/kernels/pattern.rs:86
-        let _e17 = OwenSobol_next_uvec2_((&point_2));
-        // glimt_render_gpu/src/kernels/pattern.rs:87
-        let _e19 = OwenSobol_next_u32_((&point_2));
-        return vec3<u32>(_e17, _e19);
+        return _e10;
     }
+    // glimt_render_gpu/src/kernels/pattern.rs:88
+    let _e19 = Tuple_UVec2_u32_(_e10.xy, _e10.z);
+    let jitter_3 = _e19.fa;
+    let single = _e19.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:89
-    let _e22 = PixelPattern_generator(this_40, purpose_5, index_14);
-    generator = _e22;
+    let _e25 = PixelPattern_key(this_41, purpose_6);
+    let _e26 = Tuple_u32_u32_((this_41.rays * samples), _e25);
+    let count_3 = _e26.fa;
+    let key_3 = _e26.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:90
-    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:91
-    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:92
-    if (this_40.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:93
-        return vec3<u32>(_e25, _e27);
-    }
-    // glimt_render_gpu/src/kernels/pattern.rs:95
-    let _e37 = PixelPattern_key(this_40, purpose_5);
-    let _e38 = Tuple_u32_u32_((this_40.rays * samples), _e37);
-    let count_3 = _e38.fa;
-    let key_3 = _e38.fb;
-    // glimt_render_gpu/src/kernels/pattern.rs:96
-    let _e42 = jittered_pair(index_14, count_3, _e25, key_3);
-    let _e43 = jittered(index_14, count_3, _e27, key_3);
-    return vec3<u32>(_e42, _e43);
+    let _e30 = jittered_pair(index_15, count_3, jitter_3, key_3);
+    let _e31 = jittered(index_15, count_3, single, key_3);
+    return vec3<u32>(_e30, _e31);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:67
-fn PixelPattern_pair(this_41: PixelPattern, purpose_6: u32, sample_1: u32, samples_1: u32) -> vec2<u32> {
+fn PixelPattern_pair(this_42: PixelPattern, purpose_7: u32, sample_1: u32, samples_1: u32) -> vec2<u32> {
     var borrowed_5: OwenSobol;
     var borrowed_6: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_15 = ((this_41.ray * samples_1) + sample_1);
+    let index_16 = ((this_42.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:69
-    if (this_41.kind == 0u) {
+    if (this_42.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_41, purpose_6, index_15);
+        let _e14 = PixelPattern_sobol_point(this_42, purpose_7, index_16);
         borrowed_5 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_5));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_41, purpose_6, index_15);
+    let _e18 = PixelPattern_generator(this_42, purpose_7, index_16);
     borrowed_6 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_6));
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    if (this_41.kind == 1u) {
+    if (this_42.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    let _e29 = PixelPattern_key(this_41, purpose_6);
-    let _e30 = jittered_pair(index_15, (this_41.rays * samples_1), _e20, _e29);
+    let _e29 = PixelPattern_key(this_42, purpose_7);
+    let _e30 = jittered_pair(index_16, (this_42.rays * samples_1), _e20, _e29);
     return _e30;
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:78
-fn Candidates_draw(this_42: Candidates, index_12: u32, point_3: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_43: Candidates, index_13: u32, point_3: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density_1: f32;
     var direction_10: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/candidates.rs:85
-    let _e8 = Candidates_of_brdf(this_42);
+    let _e8 = Candidates_of_brdf(this_43);
     // glimt_render_gpu/src/kernels/candidates.rs:86
-    let of_env = (this_42.count - _e8);
+    let of_env = (this_43.count - _e8);
     // glimt_render_gpu/src/kernels/candidates.rs:88
     density_1 = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:92
-    if (index_12 < _e8) {
+    if (index_13 < _e8) {
         // glimt_render_gpu/src/kernels/candidates.rs:93
-        let _e22 = PixelPattern_triple(pattern_1, 4u, index_12, _e8);
+        let _e22 = PixelPattern_triple(pattern_1, 4u, index_13, _e8);
         // glimt_render_gpu/src/kernels/candidates.rs:94
         let _e28 = unit_vec2_(_e22.xy);
         let _e29 = BlinnPhong_sample(point_3.brdf, point_3.wo, _e22.z, _e28);
@@ -2931,7 +2948,7 @@ fn Candidates_draw(this_42: Candidates, index_12: u32, point_3: ShadingPoint, pa
         }
     } else {
         // glimt_render_gpu/src/kernels/candidates.rs:107
-        let _e82 = PixelPattern_pair(pattern_1, 5u, (index_12 - _e8), of_env);
+        let _e82 = PixelPattern_pair(pattern_1, 5u, (index_13 - _e8), of_env);
         // glimt_render_gpu/src/kernels/candidates.rs:108
         let _e84 = Environment_sample(env_size, env_rotation, _e82);
         // glimt_render_gpu/src/kernels/candidates.rs:109
@@ -2975,41 +2992,41 @@ fn Candidates_draw(this_42: Candidates, index_12: u32, point_3: ShadingPoint, pa
     // glimt_render_gpu/src/kernels/candidates.rs:124
     let _e161 = radiance;
     let _e162 = luminance(_e161);
-    let target_ = ((_e162 + this_42.floor) * reflected);
+    let target_ = ((_e162 + this_43.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:125
     let _e167 = direction_10;
     let _e168 = wi_3;
     let _e169 = radiance;
     let _e172 = density_1;
-    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_42.count) / _e172)));
+    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_43.count) / _e172)));
 }
 
 // glimt_sampling/src/ris.rs:72
-fn RisSum_add(this_43: ptr<function, RisSum>, weight: f32) {
+fn RisSum_add(this_44: ptr<function, RisSum>, weight: f32) {
 
     // glimt_sampling/src/ris.rs:73
-    let _e6 = (*this_43).candidates;
-    (*this_43).candidates = (_e6 + 1u);
+    let _e6 = (*this_44).candidates;
+    (*this_44).candidates = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
         // glimt_sampling/src/ris.rs:75
-        let _e13 = (*this_43).sum;
-        (*this_43).sum = (_e13 + weight);
+        let _e13 = (*this_44).sum;
+        (*this_44).sum = (_e13 + weight);
         // glimt_sampling/src/ris.rs:76
-        let _e17 = (*this_43).candidates;
-        (*this_43).end = _e17;
+        let _e17 = (*this_44).candidates;
+        (*this_44).end = _e17;
     }
     return;
 }
 
 // glimt_sampling/src/ris.rs:83
-fn RisSum_normaliser(this_44: RisSum) -> f32 {
+fn RisSum_normaliser(this_45: RisSum) -> f32 {
     var chosen_28: f32;
 
     // glimt_sampling/src/ris.rs:84
-    if (this_44.candidates > 0u) {
+    if (this_45.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_28 = (this_44.sum / f32(this_44.candidates));
+        chosen_28 = (this_45.sum / f32(this_45.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
         chosen_28 = 0f;
@@ -3019,55 +3036,55 @@ fn RisSum_normaliser(this_44: RisSum) -> f32 {
 }
 
 // glimt_sampling/src/ris.rs:109
-fn Word_next_u32_(this_45: ptr<function, Word>) -> u32 {
+fn Word_next_u32_(this_46: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/ris.rs:110
-    let _e4 = (*this_45).f0_;
+    let _e4 = (*this_46).f0_;
     return _e4;
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth_1(this_46: ptr<function, Comb>, source_9: ptr<function, Word>) {
+fn Comb_place_tooth_1(this_47: ptr<function, Comb>, source_9: ptr<function, Word>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_46).made;
-    let _e7 = (*this_46).teeth;
+    let _e5 = (*this_47).made;
+    let _e7 = (*this_47).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_46).made;
+    let _e12 = (*this_47).made;
     let first_5 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_46).scheme;
+    let _e16 = (*this_47).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_46).state;
-        (*this_46).next = (first_5 + _e21);
+        let _e21 = (*this_47).state;
+        (*this_47).next = (first_5 + _e21);
     } else {
-        let _e25 = (*this_46).scheme;
+        let _e25 = (*this_47).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = Word_next_u32_(source_9);
             let _e30 = unit_f32_(_e29);
-            (*this_46).next = (first_5 + _e30);
+            (*this_47).next = (first_5 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = Word_next_u32_(source_9);
             let _e36 = unit_f32_(_e35);
             let v_6 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_46).teeth;
-            let _e42 = (*this_46).made;
+            let _e40 = (*this_47).teeth;
+            let _e42 = (*this_47).made;
             let left_4 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_46).state;
-            (*this_46).state = (_e50 * pow(v_6, (1f / left_4)));
+            let _e50 = (*this_47).state;
+            (*this_47).state = (_e50 * pow(v_6, (1f / left_4)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_46).state;
-            let _e58 = (*this_46).teeth;
-            (*this_46).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_47).state;
+            let _e58 = (*this_47).teeth;
+            (*this_47).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -3114,82 +3131,82 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_21: u32) -> RisPicks {
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take_1(this_47: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
+fn Comb_take_1(this_48: ptr<function, Comb>, expected_2: f32, source_11: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_47).scheme;
+    let _e6 = (*this_48).scheme;
     let _e7 = sure_copies(_e6, expected_2);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_47).reach;
-    (*this_47).reach = (_e12 + (expected_2 - f32(_e7)));
+    let _e12 = (*this_48).reach;
+    (*this_48).reach = (_e12 + (expected_2 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before_1 = (*this_47).made;
+    let before_1 = (*this_48).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_47).made;
-        let _e21 = (*this_47).teeth;
-        let _e24 = (*this_47).next;
-        let _e26 = (*this_47).reach;
+        let _e19 = (*this_48).made;
+        let _e21 = (*this_48).teeth;
+        let _e24 = (*this_48).next;
+        let _e26 = (*this_48).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_47).made;
-            (*this_47).made = (_e32 + 1u);
+            let _e32 = (*this_48).made;
+            (*this_48).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth_1(this_47, source_11);
+            Comb_place_tooth_1(this_48, source_11);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_47).made;
+    let _e37 = (*this_48).made;
     return (_e7 + (_e37 - before_1));
 }
 
 // glimt_sampling/src/ris.rs:133
-fn RisPicks_take(this_48: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+fn RisPicks_take(this_49: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     var chosen_30: u32;
     var borrowed_8: Comb;
     var borrowed_9: Word;
 
     // glimt_sampling/src/ris.rs:134
-    let _e6 = (*this_48).candidate;
-    (*this_48).candidate = (_e6 + 1u);
+    let _e6 = (*this_49).candidate;
+    (*this_49).candidate = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:135
-    let _e13 = (*this_48).left;
+    let _e13 = (*this_49).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
         // glimt_sampling/src/ris.rs:136
         return 0u;
     }
     // glimt_sampling/src/ris.rs:138
-    let _e22 = (*this_48).candidate;
-    let _e24 = (*this_48).end;
+    let _e22 = (*this_49).candidate;
+    let _e24 = (*this_49).end;
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
-        let _e28 = (*this_48).left;
+        let _e28 = (*this_49).left;
         chosen_30 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
-        let _e32 = (*this_48).comb;
+        let _e32 = (*this_49).comb;
         borrowed_8 = _e32;
-        let _e34 = (*this_48).sum;
-        let _e37 = (*this_48).samples;
+        let _e34 = (*this_49).sum;
+        let _e37 = (*this_49).samples;
         borrowed_9 = Word(0u);
         let _e42 = Comb_take_1((&borrowed_8), ((weight_1 / _e34) * _e37), (&borrowed_9));
         let _e43 = borrowed_8;
-        (*this_48).comb = _e43;
-        let _e45 = (*this_48).left;
+        (*this_49).comb = _e43;
+        let _e45 = (*this_49).left;
         chosen_30 = min(_e42, _e45);
     }
     let picks_6 = chosen_30;
     // glimt_sampling/src/ris.rs:146
-    let _e50 = (*this_48).left;
-    (*this_48).left = (_e50 - picks_6);
+    let _e50 = (*this_49).left;
+    (*this_49).left = (_e50 - picks_6);
     // glimt_sampling/src/ris.rs:147
     return picks_6;
 }
 
 // glimt_render_gpu/src/kernels/smc.rs:144
-fn SmcParams_start(this_49: SmcParams, point_4: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
+fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
     var counter_14: u32;
     var counter_15: u32;
@@ -3200,7 +3217,7 @@ fn SmcParams_start(this_49: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
 
     // glimt_render_gpu/src/kernels/smc.rs:151
     // glimt_render_gpu/src/kernels/smc.rs:152
-    let candidates = Candidates(this_49.candidates, this_49.source, this_49.floor);
+    let candidates = Candidates(this_50.candidates, this_50.source, this_50.floor);
     // glimt_render_gpu/src/kernels/smc.rs:157
     let _e15 = RisSum_new();
     weights_1 = _e15;
@@ -3208,7 +3225,7 @@ fn SmcParams_start(this_49: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
     counter_14 = 0u;
     loop {
         let j = counter_14;
-        if (j >= this_49.candidates) {
+        if (j >= this_50.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:159
@@ -3252,7 +3269,7 @@ fn SmcParams_start(this_49: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
     counter_16 = 0u;
     loop {
         let j_1 = counter_16;
-        if (j_1 >= this_49.candidates) {
+        if (j_1 >= this_50.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/smc.rs:174

@@ -83,6 +83,11 @@ struct Returned_Environment_cells {
     value_start: u32,
 }
 
+struct Tuple_Vec3_Vec3_ {
+    fa: vec3<f32>,
+    fb: vec3<f32>,
+}
+
 struct CellSurface {
     normal: vec3<f32>,
     wo: vec3<f32>,
@@ -99,6 +104,8 @@ struct Representative {
     mean_normal: vec3<f32>,
     diffuse: vec3<f32>,
     specular: vec3<f32>,
+    exponent: f32,
+    peak: f32,
     surface: CellSurface,
 }
 
@@ -277,17 +284,29 @@ fn CellSurface_new(normal: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponent_
     return CellSurface(normal, wo, (kd * 0.31830987f), ks, widened, _e22, sqrt((2f * (1f - r))), horizon, 1f);
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:83
-fn representative_of(entry_1: TileEntry, frame_1: FrameParams, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
+// glimt_render_gpu/src/kernels/groups.rs:47
+fn Representative_alone(normal_1: vec3<f32>, wo_1: vec3<f32>, diffuse: f32, specular: f32, exponent_2: f32, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
 
+    // glimt_render_gpu/src/kernels/groups.rs:55
+    let _e9 = Environment_to_map(env_size, env_rotation, normal_1);
+    let _e10 = Environment_to_map(env_size, env_rotation, wo_1);
+    let _e11 = Tuple_Vec3_Vec3_(_e9, _e10);
+    let normal_2 = _e11.fa;
+    let wo_2 = _e11.fb;
+    // glimt_render_gpu/src/kernels/groups.rs:56
+    let _e17 = CellSurface_new(normal_2, wo_2, diffuse, specular, exponent_2, 1f, 0f);
+    // glimt_render_gpu/src/kernels/groups.rs:57
+    return Representative(normal_2, vec3(diffuse), vec3(specular), exponent_2, _e17.peak, _e17);
+}
+
+// glimt_render_gpu/src/kernels/expect.rs:82
+fn representative_of(entry_1: TileEntry, frame_1: FrameParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Representative {
+
+    // glimt_render_gpu/src/kernels/expect.rs:87
+    let wo_3 = normalize((frame_1.eye - entry_1.position));
     // glimt_render_gpu/src/kernels/expect.rs:88
-    let wo_1 = normalize((frame_1.eye - entry_1.position));
-    // glimt_render_gpu/src/kernels/expect.rs:89
-    let _e12 = Environment_to_map(env_size, env_rotation, entry_1.normal);
-    let _e18 = Environment_to_map(env_size, env_rotation, entry_1.normal);
-    let _e19 = Environment_to_map(env_size, env_rotation, wo_1);
-    let _e25 = CellSurface_new(_e18, _e19, entry_1.diffuse, entry_1.specular, entry_1.exponent, 1f, 0f);
-    return Representative(_e12, vec3(entry_1.diffuse), vec3(entry_1.specular), _e25);
+    let _e15 = Representative_alone(entry_1.normal, wo_3, entry_1.diffuse, entry_1.specular, entry_1.exponent, env_size_1, env_rotation_1);
+    return _e15;
 }
 
 // glimt_light_cells/src/partition.rs:111
@@ -318,14 +337,14 @@ fn sqrt_(x_1: vec4<f32>) -> vec4<f32> {
 }
 
 // glimt_light_cells/src/surface.rs:82
-fn cosine_power4_(sin2_theta: vec4<f32>, exponent_2: vec4<f32>) -> vec4<f32> {
+fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:84
     let s_1 = clamp(sin2_theta, vec4(0f), vec4(1f));
     // glimt_light_cells/src/surface.rs:85
     let log_ = ((s_1 * (vec4(6f) - s_1)) / (vec4(12f) - (8f * s_1)));
     // glimt_light_cells/src/surface.rs:86
-    let t = (min((exponent_2 * log_), vec4(40f)) * (1f / 256f));
+    let t = (min((exponent_3 * log_), vec4(40f)) * (1f / 256f));
     // glimt_light_cells/src/surface.rs:88
     let x_3 = (vec4(1f) - (t * (vec4(1f) - (t * (vec4(0.5f) - (t * (1f / 6f)))))));
     // glimt_light_cells/src/surface.rs:89
@@ -488,11 +507,11 @@ fn Remembered_quad(from_2: u32, turned_2: u32, quad_2: u32) -> vec4<f32> {
 fn CellSurface_shape_variance(this_1: CellSurface, terms: CellTerms) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:163
-    let diffuse = (terms.cosine_spread * this_1.diffuse);
+    let diffuse_1 = (terms.cosine_spread * this_1.diffuse);
     // glimt_light_cells/src/surface.rs:164
     let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_1.specular);
     // glimt_light_cells/src/surface.rs:165
-    return ((diffuse * diffuse) + (lobe_1 * lobe_1));
+    return ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
 }
 
 // glimt_light_cells/src/surface.rs:142
@@ -524,16 +543,16 @@ fn Remembered_rays(from_3: u32, turned_3: u32, quad_3: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/carry.rs:84
-fn unknown(entry_2: TileEntry, frame_2: FrameParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, remembered_from: u32, remembered_turned: u32) -> f32 {
+fn unknown(entry_2: TileEntry, frame_2: FrameParams, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, remembered_from: u32, remembered_turned: u32) -> f32 {
     var all_: f32;
     var unseen: f32;
     var counter_1: u32;
     var chosen_1: f32;
 
     // glimt_render_gpu/src/kernels/carry.rs:90
-    let _e8 = Environment_cells(env_size_1, env_rotation_1);
+    let _e8 = Environment_cells(env_size_2, env_rotation_2);
     // glimt_render_gpu/src/kernels/carry.rs:91
-    let _e12 = representative_of(entry_2, frame_2, env_size_1, env_rotation_1);
+    let _e12 = representative_of(entry_2, frame_2, env_size_2, env_rotation_2);
     let surface_2 = _e12.surface;
     // glimt_render_gpu/src/kernels/carry.rs:92
     all_ = 0f;
@@ -580,7 +599,7 @@ fn unknown(entry_2: TileEntry, frame_2: FrameParams, env_size_1: vec2<u32>, env_
 }
 
 // glimt_render_gpu/src/kernels/carry.rs:23
-fn carry_1(_tile: u32, frame_3: FrameParams, cells_1: CellParams, view_1: PastView, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, entries_start: u32, entries_len: u32) {
+fn carry_1(_tile: u32, frame_3: FrameParams, cells_1: CellParams, view_1: PastView, env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, entries_start: u32, entries_len: u32) {
     var counter_2: u32;
     var share: f32;
     var both: bool;
@@ -606,7 +625,7 @@ fn carry_1(_tile: u32, frame_3: FrameParams, cells_1: CellParams, view_1: PastVi
             let _e31 = (_e23 > 0u);
             both = _e31;
             if _e31 {
-                let _e33 = unknown(entry_3, frame_3, env_size_2, env_rotation_2, _e23, cells_1.turned);
+                let _e33 = unknown(entry_3, frame_3, env_size_3, env_rotation_3, _e23, cells_1.turned);
                 both = (_e33 <= 0.4f);
             }
             let _e36 = both;

@@ -55,6 +55,11 @@ struct Xoshiro128PlusPlus {
     state: vec4<u32>,
 }
 
+struct Tuple_UVec2_u32_ {
+    fa: vec2<u32>,
+    fb: u32,
+}
+
 struct Tuple_u32_u32_ {
     fa: u32,
     fb: u32,
@@ -140,10 +145,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> Owen
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:128
+// glimt_render_gpu/src/kernels/pattern.rs:136
 fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:129
+    // glimt_render_gpu/src/kernels/pattern.rs:137
     let _e6 = hash2_(this_2.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_2.frame, this_2.pixel, index);
     return _e9;
@@ -305,25 +310,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_11 = (index_5 & 65535u);
+    let index_12 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_11;
+        chosen = index_12;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_11);
+            let _e16 = pascal(index_12);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_11);
+                let _e20 = recurrence_2_(index_12);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_11);
+                let _e22 = recurrence_3_(index_12);
                 chosen = _e22;
             }
         }
@@ -495,10 +500,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_2: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:133
+// glimt_render_gpu/src/kernels/pattern.rs:141
 fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:134
+    // glimt_render_gpu/src/kernels/pattern.rs:142
     let _e6 = hash3_(this_4.seed, purpose_1, index_6);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_4.frame, this_4.pixel);
     return _e9;
@@ -533,52 +538,52 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_6: ptr<function, Xoshiro128PlusPlus>) -> 
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:138
+// glimt_render_gpu/src/kernels/pattern.rs:146
 fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:139
+    // glimt_render_gpu/src/kernels/pattern.rs:147
     let _e5 = hash2_(this_7.seed, purpose_2);
     let _e8 = hash3_(_e5, this_7.frame, this_7.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:213
+// glimt_render_gpu/src/kernels/pattern.rs:221
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:223
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:217
+    // glimt_render_gpu/src/kernels/pattern.rs:225
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:218
+    // glimt_render_gpu/src/kernels/pattern.rs:226
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:219
+    // glimt_render_gpu/src/kernels/pattern.rs:227
     x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:220
+    // glimt_render_gpu/src/kernels/pattern.rs:228
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:221
+        // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:222
+        // glimt_render_gpu/src/kernels/pattern.rs:230
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:231
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:225
+            // glimt_render_gpu/src/kernels/pattern.rs:233
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:226
+            // glimt_render_gpu/src/kernels/pattern.rs:234
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -588,10 +593,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:228
+        // glimt_render_gpu/src/kernels/pattern.rs:236
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:229
+            // glimt_render_gpu/src/kernels/pattern.rs:237
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -600,31 +605,31 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:204
+// glimt_render_gpu/src/kernels/pattern.rs:212
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:205
+    // glimt_render_gpu/src/kernels/pattern.rs:213
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:184
+// glimt_render_gpu/src/kernels/pattern.rs:192
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:193
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:194
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:195
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:196
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:189
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:190
+    // glimt_render_gpu/src/kernels/pattern.rs:198
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
@@ -636,17 +641,17 @@ fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_12 = ((this_8.ray * samples) + sample);
+    let index_13 = ((this_8.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:69
     if (this_8.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_12);
+        let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_13);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_8, purpose_3, index_12);
+    let _e18 = PixelPattern_generator(this_8, purpose_3, index_13);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:73
@@ -656,7 +661,7 @@ fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
     let _e29 = PixelPattern_key(this_8, purpose_3);
-    let _e30 = jittered_pair(index_12, (this_8.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_13, (this_8.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -685,55 +690,67 @@ fn OwenSobol_next_u32_(this_9: ptr<function, OwenSobol>) -> u32 {
     return _e17;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:198
-fn jittered(index_10: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:116
+fn PixelPattern_point_triple(this_10: PixelPattern, purpose_4: u32, index_10: u32) -> vec3<u32> {
+    var point: OwenSobol;
+    var generator: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:199
+    // glimt_render_gpu/src/kernels/pattern.rs:117
+    if (this_10.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:118
+        let _e9 = PixelPattern_sobol_point(this_10, purpose_4, index_10);
+        point = _e9;
+        // glimt_render_gpu/src/kernels/pattern.rs:119
+        let _e12 = OwenSobol_next_uvec2_((&point));
+        // glimt_render_gpu/src/kernels/pattern.rs:120
+        let _e14 = OwenSobol_next_u32_((&point));
+        return vec3<u32>(_e12, _e14);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e17 = PixelPattern_generator(this_10, purpose_4, index_10);
+    generator = _e17;
+    // glimt_render_gpu/src/kernels/pattern.rs:123
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:124
+    let _e22 = Xoshiro128PlusPlus_next_u32_((&generator));
+    return vec3<u32>(_e20, _e22);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:206
+fn jittered(index_11: u32, count_2: u32, jitter_2: u32, key_2: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:207
     let _e7 = hash2_(key_2, 4u);
-    let _e8 = permute(index_10, count_2, _e7);
+    let _e8 = permute(index_11, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:82
-fn PixelPattern_triple(this_10: PixelPattern, purpose_4: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
-    var point: OwenSobol;
-    var generator: Xoshiro128PlusPlus;
+fn PixelPattern_triple(this_11: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
 
     // glimt_render_gpu/src/kernels/pattern.rs:83
-    let index_13 = ((this_10.ray * samples_1) + sample_1);
+    let index_14 = ((this_11.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:84
-    if (this_10.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:85
-        let _e14 = PixelPattern_sobol_point(this_10, purpose_4, index_13);
-        point = _e14;
+    let _e10 = PixelPattern_point_triple(this_11, purpose_5, index_14);
+    // glimt_render_gpu/src/kernels/pattern.rs:85
+    if (this_11.kind != 2u) {
         // glimt_render_gpu/src/kernels/pattern.rs:86
-        let _e17 = OwenSobol_next_uvec2_((&point));
-        // glimt_render_gpu/src/kernels/pattern.rs:87
-        let _e19 = OwenSobol_next_u32_((&point));
-        return vec3<u32>(_e17, _e19);
+        return _e10;
     }
+    // glimt_render_gpu/src/kernels/pattern.rs:88
+    let _e19 = Tuple_UVec2_u32_(_e10.xy, _e10.z);
+    let jitter_3 = _e19.fa;
+    let single = _e19.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:89
-    let _e22 = PixelPattern_generator(this_10, purpose_4, index_13);
-    generator = _e22;
+    let _e25 = PixelPattern_key(this_11, purpose_5);
+    let _e26 = Tuple_u32_u32_((this_11.rays * samples_1), _e25);
+    let count_3 = _e26.fa;
+    let key_3 = _e26.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:90
-    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:91
-    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:92
-    if (this_10.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:93
-        return vec3<u32>(_e25, _e27);
-    }
-    // glimt_render_gpu/src/kernels/pattern.rs:95
-    let _e37 = PixelPattern_key(this_10, purpose_4);
-    let _e38 = Tuple_u32_u32_((this_10.rays * samples_1), _e37);
-    let count_3 = _e38.fa;
-    let key_3 = _e38.fb;
-    // glimt_render_gpu/src/kernels/pattern.rs:96
-    let _e42 = jittered_pair(index_13, count_3, _e25, key_3);
-    let _e43 = jittered(index_13, count_3, _e27, key_3);
-    return vec3<u32>(_e42, _e43);
+    let _e30 = jittered_pair(index_14, count_3, jitter_3, key_3);
+    let _e31 = jittered(index_14, count_3, single, key_3);
+    return vec3<u32>(_e30, _e31);
 }
 
 // glimt_render_gpu/src/kernels/diagnose.rs:63

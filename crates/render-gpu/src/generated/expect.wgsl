@@ -63,7 +63,7 @@ fn pack(visibility: vec4<f32>) -> u32 {
     return (((codes.x | (codes.y << 8u)) | (codes.z << 16u)) | (codes.w << 24u));
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:23
+// glimt_render_gpu/src/kernels/expect.rs:22
 fn expect_1(tile: u32, cells: CellParams, visibility_start: u32, visibility_len: u32) {
     var counter: u32;
     var near: array<u32, 9>;
@@ -77,58 +77,58 @@ fn expect_1(tile: u32, cells: CellParams, visibility_start: u32, visibility_len:
     var all_s: vec4<f32>;
     var counter_4: i32;
 
-    // glimt_render_gpu/src/kernels/expect.rs:30
+    // glimt_render_gpu/src/kernels/expect.rs:29
     counter = 0u;
     loop {
         let slot = counter;
         if (slot >= 3u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/expect.rs:31
+        // glimt_render_gpu/src/kernels/expect.rs:30
         let own = ((tile * 3u) + slot);
-        // glimt_render_gpu/src/kernels/expect.rs:32
+        // glimt_render_gpu/src/kernels/expect.rs:31
         let surface = entries[own].surface;
-        // glimt_render_gpu/src/kernels/expect.rs:33
+        // glimt_render_gpu/src/kernels/expect.rs:32
         if (surface != 0u) {
-            // glimt_render_gpu/src/kernels/expect.rs:34
+            // glimt_render_gpu/src/kernels/expect.rs:33
             near = array<u32, 9>(own, own, own, own, own, own, own, own, own);
-            // glimt_render_gpu/src/kernels/expect.rs:35
+            // glimt_render_gpu/src/kernels/expect.rs:34
             found = 0i;
-            // glimt_render_gpu/src/kernels/expect.rs:36
+            // glimt_render_gpu/src/kernels/expect.rs:35
             let _e33 = Tuple_u32_u32_((tile % cells.tiles_across), (tile / cells.tiles_across));
             let x = _e33.fa;
             let y = _e33.fb;
-            // glimt_render_gpu/src/kernels/expect.rs:37
+            // glimt_render_gpu/src/kernels/expect.rs:36
             counter_1 = 0u;
             loop {
                 let i = counter_1;
                 if (i >= 9u) {
                     break;
                 }
-                // glimt_render_gpu/src/kernels/expect.rs:39
+                // glimt_render_gpu/src/kernels/expect.rs:38
                 let column = (x + (i % 3u));
-                // glimt_render_gpu/src/kernels/expect.rs:40
+                // glimt_render_gpu/src/kernels/expect.rs:39
                 let row = (y + (i / 3u));
-                // glimt_render_gpu/src/kernels/expect.rs:41
+                // glimt_render_gpu/src/kernels/expect.rs:40
                 let rows = (cells.tiles / cells.tiles_across);
-                // glimt_render_gpu/src/kernels/expect.rs:42
+                // glimt_render_gpu/src/kernels/expect.rs:41
                 if ((((column > 0u) && (row > 0u)) && (column <= cells.tiles_across)) && (row <= rows)) {
-                    // glimt_render_gpu/src/kernels/expect.rs:43
+                    // glimt_render_gpu/src/kernels/expect.rs:42
                     let other = (((((row - 1u) * cells.tiles_across) + column) - 1u) * 3u);
-                    // glimt_render_gpu/src/kernels/expect.rs:44
+                    // glimt_render_gpu/src/kernels/expect.rs:43
                     counter_2 = other;
                     loop {
                         let k = counter_2;
                         if (k >= (other + 3u)) {
                             break;
                         }
-                        // glimt_render_gpu/src/kernels/expect.rs:45
+                        // glimt_render_gpu/src/kernels/expect.rs:44
                         let _e85 = entries[k].surface;
                         if (_e85 == surface) {
-                            // glimt_render_gpu/src/kernels/expect.rs:46
+                            // glimt_render_gpu/src/kernels/expect.rs:45
                             let _e88 = found;
                             near[u32(_e88)] = k;
-                            // glimt_render_gpu/src/kernels/expect.rs:47
+                            // glimt_render_gpu/src/kernels/expect.rs:46
                             let _e93 = found;
                             found = (_e93 + 1i);
                         }
@@ -143,22 +143,22 @@ fn expect_1(tile: u32, cells: CellParams, visibility_start: u32, visibility_len:
                     counter_1 = (_e98 + 1u);
                 }
             }
-            // glimt_render_gpu/src/kernels/expect.rs:52
+            // glimt_render_gpu/src/kernels/expect.rs:51
             counter_3 = 0u;
             loop {
                 let word_1 = counter_3;
                 if (word_1 >= 128u) {
                     break;
                 }
-                // glimt_render_gpu/src/kernels/expect.rs:54
+                // glimt_render_gpu/src/kernels/expect.rs:53
                 n = vec4(0f);
-                // glimt_render_gpu/src/kernels/expect.rs:55
+                // glimt_render_gpu/src/kernels/expect.rs:54
                 s = vec4(0f);
-                // glimt_render_gpu/src/kernels/expect.rs:56
+                // glimt_render_gpu/src/kernels/expect.rs:55
                 all_n = vec4(1f);
-                // glimt_render_gpu/src/kernels/expect.rs:57
+                // glimt_render_gpu/src/kernels/expect.rs:56
                 all_s = vec4(0.75f);
-                // glimt_render_gpu/src/kernels/expect.rs:58
+                // glimt_render_gpu/src/kernels/expect.rs:57
                 let _e125 = found;
                 counter_4 = 0i;
                 loop {
@@ -166,31 +166,31 @@ fn expect_1(tile: u32, cells: CellParams, visibility_start: u32, visibility_len:
                     if (i_1 >= _e125) {
                         break;
                     }
-                    // glimt_render_gpu/src/kernels/expect.rs:59
+                    // glimt_render_gpu/src/kernels/expect.rs:58
                     let entry = near[u32(i_1)];
-                    // glimt_render_gpu/src/kernels/expect.rs:60
+                    // glimt_render_gpu/src/kernels/expect.rs:59
                     let at = ((entry * 256u) + (2u * word_1));
-                    // glimt_render_gpu/src/kernels/expect.rs:61
+                    // glimt_render_gpu/src/kernels/expect.rs:60
                     let _e142 = counts[at];
                     let _e143 = bytes_of(_e142);
-                    // glimt_render_gpu/src/kernels/expect.rs:62
+                    // glimt_render_gpu/src/kernels/expect.rs:61
                     let _e149 = counts[(at + 1u)];
                     let _e150 = bytes_of(_e149);
-                    // glimt_render_gpu/src/kernels/expect.rs:63
+                    // glimt_render_gpu/src/kernels/expect.rs:62
                     let own_n = vec4<f32>(_e143.x, _e143.z, _e150.x, _e150.z);
-                    // glimt_render_gpu/src/kernels/expect.rs:64
+                    // glimt_render_gpu/src/kernels/expect.rs:63
                     let own_s = vec4<f32>(_e143.y, _e143.w, _e150.y, _e150.w);
-                    // glimt_render_gpu/src/kernels/expect.rs:65
+                    // glimt_render_gpu/src/kernels/expect.rs:64
                     let _e164 = all_n;
                     all_n = (_e164 + own_n);
-                    // glimt_render_gpu/src/kernels/expect.rs:66
+                    // glimt_render_gpu/src/kernels/expect.rs:65
                     let _e167 = all_s;
                     all_s = (_e167 + own_s);
-                    // glimt_render_gpu/src/kernels/expect.rs:67
+                    // glimt_render_gpu/src/kernels/expect.rs:66
                     if (entry == own) {
-                        // glimt_render_gpu/src/kernels/expect.rs:68
+                        // glimt_render_gpu/src/kernels/expect.rs:67
                         n = own_n;
-                        // glimt_render_gpu/src/kernels/expect.rs:69
+                        // glimt_render_gpu/src/kernels/expect.rs:68
                         s = own_s;
                     }
                     continuing {
@@ -198,15 +198,15 @@ fn expect_1(tile: u32, cells: CellParams, visibility_start: u32, visibility_len:
                         counter_4 = (_e173 + 1i);
                     }
                 }
-                // glimt_render_gpu/src/kernels/expect.rs:72
+                // glimt_render_gpu/src/kernels/expect.rs:71
                 let _e177 = all_s;
                 let _e178 = all_n;
                 let prior = (_e177 / _e178);
-                // glimt_render_gpu/src/kernels/expect.rs:73
+                // glimt_render_gpu/src/kernels/expect.rs:72
                 let _e181 = s;
                 let _e185 = n;
                 let expected = ((_e181 + (prior * 4f)) / (_e185 + vec4(4f)));
-                // glimt_render_gpu/src/kernels/expect.rs:74
+                // glimt_render_gpu/src/kernels/expect.rs:73
                 let _e191 = pack(expected);
                 visibility_1[(visibility_start + ((slot * 128u) + word_1))] = _e191;
                 continuing {

@@ -157,10 +157,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> Owen
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:128
+// glimt_render_gpu/src/kernels/pattern.rs:136
 fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:129
+    // glimt_render_gpu/src/kernels/pattern.rs:137
     let _e6 = hash2_(this_2.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_2.frame, this_2.pixel, index);
     return _e9;
@@ -512,10 +512,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_2: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:133
+// glimt_render_gpu/src/kernels/pattern.rs:141
 fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:134
+    // glimt_render_gpu/src/kernels/pattern.rs:142
     let _e6 = hash3_(this_4.seed, purpose_1, index_6);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_4.frame, this_4.pixel);
     return _e9;
@@ -550,52 +550,52 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_6: ptr<function, Xoshiro128PlusPlus>) -> 
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:138
+// glimt_render_gpu/src/kernels/pattern.rs:146
 fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:139
+    // glimt_render_gpu/src/kernels/pattern.rs:147
     let _e5 = hash2_(this_7.seed, purpose_2);
     let _e8 = hash3_(_e5, this_7.frame, this_7.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:213
+// glimt_render_gpu/src/kernels/pattern.rs:221
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:223
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:217
+    // glimt_render_gpu/src/kernels/pattern.rs:225
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:218
+    // glimt_render_gpu/src/kernels/pattern.rs:226
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:219
+    // glimt_render_gpu/src/kernels/pattern.rs:227
     x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:220
+    // glimt_render_gpu/src/kernels/pattern.rs:228
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:221
+        // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:222
+        // glimt_render_gpu/src/kernels/pattern.rs:230
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:231
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:225
+            // glimt_render_gpu/src/kernels/pattern.rs:233
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:226
+            // glimt_render_gpu/src/kernels/pattern.rs:234
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -605,10 +605,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:228
+        // glimt_render_gpu/src/kernels/pattern.rs:236
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:229
+            // glimt_render_gpu/src/kernels/pattern.rs:237
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -617,31 +617,31 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:204
+// glimt_render_gpu/src/kernels/pattern.rs:212
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:205
+    // glimt_render_gpu/src/kernels/pattern.rs:213
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:184
+// glimt_render_gpu/src/kernels/pattern.rs:192
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:193
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:194
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:195
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:196
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:189
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:190
+    // glimt_render_gpu/src/kernels/pattern.rs:198
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
@@ -716,10 +716,10 @@ fn FrameParams_direction(this_10: FrameParams, pixel_3: u32, place: vec2<f32>) -
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:123
+// glimt_render_gpu/src/kernels/pattern.rs:131
 fn PixelPattern_ray_key(this_11: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:124
+    // glimt_render_gpu/src/kernels/pattern.rs:132
     let _e4 = PixelPattern_key(this_11, purpose_4);
     let _e6 = hash2_(_e4, this_11.ray);
     return _e6;

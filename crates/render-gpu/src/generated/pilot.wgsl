@@ -194,6 +194,11 @@ struct ShadingPoint {
     emission: vec3<f32>,
 }
 
+struct Tuple_Vec3_Vec3_ {
+    fa: vec3<f32>,
+    fb: vec3<f32>,
+}
+
 struct CellSurface {
     normal: vec3<f32>,
     wo: vec3<f32>,
@@ -210,6 +215,8 @@ struct Representative {
     mean_normal: vec3<f32>,
     diffuse: vec3<f32>,
     specular: vec3<f32>,
+    exponent: f32,
+    peak: f32,
     surface: CellSurface,
 }
 
@@ -445,10 +452,10 @@ fn OwenSobol_new(seed: u32, frame_1: u32, pixel_1: u32, sample_index: u32) -> Ow
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:128
+// glimt_render_gpu/src/kernels/pattern.rs:136
 fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:129
+    // glimt_render_gpu/src/kernels/pattern.rs:137
     let _e6 = hash2_(this_2.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_2.frame, this_2.pixel, index);
     return _e9;
@@ -800,10 +807,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_2: u32, pixel_2: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:133
+// glimt_render_gpu/src/kernels/pattern.rs:141
 fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:134
+    // glimt_render_gpu/src/kernels/pattern.rs:142
     let _e6 = hash3_(this_4.seed, purpose_1, index_6);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_4.frame, this_4.pixel);
     return _e9;
@@ -838,52 +845,52 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_6: ptr<function, Xoshiro128PlusPlus>) -> 
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:138
+// glimt_render_gpu/src/kernels/pattern.rs:146
 fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:139
+    // glimt_render_gpu/src/kernels/pattern.rs:147
     let _e5 = hash2_(this_7.seed, purpose_2);
     let _e8 = hash3_(_e5, this_7.frame, this_7.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:213
+// glimt_render_gpu/src/kernels/pattern.rs:221
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:223
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:217
+    // glimt_render_gpu/src/kernels/pattern.rs:225
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:218
+    // glimt_render_gpu/src/kernels/pattern.rs:226
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:219
+    // glimt_render_gpu/src/kernels/pattern.rs:227
     x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:220
+    // glimt_render_gpu/src/kernels/pattern.rs:228
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:221
+        // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:222
+        // glimt_render_gpu/src/kernels/pattern.rs:230
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:231
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:225
+            // glimt_render_gpu/src/kernels/pattern.rs:233
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:226
+            // glimt_render_gpu/src/kernels/pattern.rs:234
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -893,10 +900,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:228
+        // glimt_render_gpu/src/kernels/pattern.rs:236
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:229
+            // glimt_render_gpu/src/kernels/pattern.rs:237
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -905,31 +912,31 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:204
+// glimt_render_gpu/src/kernels/pattern.rs:212
 fn stratum(cell_1: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:205
+    // glimt_render_gpu/src/kernels/pattern.rs:213
     return ((cell_1 * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:184
+// glimt_render_gpu/src/kernels/pattern.rs:192
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:193
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:194
     let _e12 = (count_1 / columns);
     let rows_2 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:195
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:196
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:189
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows_2, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:190
+    // glimt_render_gpu/src/kernels/pattern.rs:198
     let _e38 = stratum(((_e27 * rows_2) + _e32), (columns * rows_2), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
@@ -1004,10 +1011,10 @@ fn FrameParams_direction(this_10: FrameParams, pixel_3: u32, place: vec2<f32>) -
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:123
+// glimt_render_gpu/src/kernels/pattern.rs:131
 fn PixelPattern_ray_key(this_11: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:124
+    // glimt_render_gpu/src/kernels/pattern.rs:132
     let _e4 = PixelPattern_key(this_11, purpose_4);
     let _e6 = hash2_(_e4, this_11.ray);
     return _e6;
@@ -1106,16 +1113,16 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
         return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:132
-    let normal_5 = cross((c_2 - a_4), (a_4 - b_3));
+    let normal_6 = cross((c_2 - a_4), (a_4 - b_3));
     // glimt_render_gpu/src/kernels/triangle.rs:133
-    let slope = dot(normal_5, ray_2.direction);
+    let slope = dot(normal_6, ray_2.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:134
     if (slope == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:135
         return 0x1.fffffep+127f;
     }
     // glimt_render_gpu/src/kernels/triangle.rs:137
-    let t_6 = (dot(a_4, normal_5) / slope);
+    let t_6 = (dot(a_4, normal_6) / slope);
     // glimt_render_gpu/src/kernels/triangle.rs:138
     if ((t_6 > 0f) && (t_6 < t_max)) {
         chosen_4 = t_6;
@@ -2175,6 +2182,13 @@ fn SeenPoint_shading_point(this_25: SeenPoint) -> ShadingPoint {
     return ShadingPoint(this_25.origin, this_25.geometric_normal, _e4, _e9, BlinnPhong(this_25.diffuse, this_25.specular, this_25.exponent), this_25.emission);
 }
 
+// glimt_sampling/src/math.rs:16
+fn luminance(rgb: vec3<f32>) -> f32 {
+
+    // glimt_sampling/src/math.rs:17
+    return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
+}
+
 // glimt_probe/src/rotate.rs:33
 fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
 
@@ -2188,13 +2202,6 @@ fn Environment_to_map(size_3: vec2<u32>, rotation_1: vec2<f32>, direction_2: vec
     // glimt_render_gpu/src/kernels/environment.rs:90
     let _e8 = rotate_z(direction_2, vec2<f32>(rotation_1.x, -(rotation_1.y)));
     return _e8;
-}
-
-// glimt_sampling/src/math.rs:16
-fn luminance(rgb: vec3<f32>) -> f32 {
-
-    // glimt_sampling/src/math.rs:17
-    return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
 }
 
 // glimt_brdf/src/lobe.rs:86
@@ -2218,17 +2225,19 @@ fn CellSurface_new(normal_2: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponen
     return CellSurface(normal_2, wo, (kd * 0.31830987f), ks, widened, _e22, sqrt((2f * (1f - r_2))), horizon, 1f);
 }
 
-// glimt_render_gpu/src/kernels/pilot.rs:27
-fn alone(point: SeenPoint, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
+// glimt_render_gpu/src/kernels/groups.rs:47
+fn Representative_alone(normal_3: vec3<f32>, wo_1: vec3<f32>, diffuse: f32, specular: f32, exponent_2: f32, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
 
-    // glimt_render_gpu/src/kernels/pilot.rs:28
-    let _e6 = Environment_to_map(env_size, env_rotation, point.normal);
-    let _e10 = Environment_to_map(env_size, env_rotation, point.normal);
-    let _e12 = Environment_to_map(env_size, env_rotation, point.wo);
-    let _e14 = luminance(point.diffuse);
-    let _e16 = luminance(point.specular);
-    let _e20 = CellSurface_new(_e10, _e12, _e14, _e16, point.exponent, 1f, 0f);
-    return Representative(_e6, point.diffuse, point.specular, _e20);
+    // glimt_render_gpu/src/kernels/groups.rs:55
+    let _e9 = Environment_to_map(env_size, env_rotation, normal_3);
+    let _e10 = Environment_to_map(env_size, env_rotation, wo_1);
+    let _e11 = Tuple_Vec3_Vec3_(_e9, _e10);
+    let normal_7 = _e11.fa;
+    let wo_2 = _e11.fb;
+    // glimt_render_gpu/src/kernels/groups.rs:56
+    let _e17 = CellSurface_new(normal_7, wo_2, diffuse, specular, exponent_2, 1f, 0f);
+    // glimt_render_gpu/src/kernels/groups.rs:57
+    return Representative(normal_7, vec3(diffuse), vec3(specular), exponent_2, _e17.peak, _e17);
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:84
@@ -2266,14 +2275,14 @@ fn sqrt_(x_8: vec4<f32>) -> vec4<f32> {
 }
 
 // glimt_light_cells/src/surface.rs:82
-fn cosine_power4_(sin2_theta: vec4<f32>, exponent_2: vec4<f32>) -> vec4<f32> {
+fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:84
     let s_3 = clamp(sin2_theta, vec4(0f), vec4(1f));
     // glimt_light_cells/src/surface.rs:85
     let log_ = ((s_3 * (vec4(6f) - s_3)) / (vec4(12f) - (8f * s_3)));
     // glimt_light_cells/src/surface.rs:86
-    let t_10 = (min((exponent_2 * log_), vec4(40f)) * (1f / 256f));
+    let t_10 = (min((exponent_3 * log_), vec4(40f)) * (1f / 256f));
     // glimt_light_cells/src/surface.rs:88
     let x_13 = (vec4(1f) - (t_10 * (vec4(1f) - (t_10 * (vec4(0.5f) - (t_10 * (1f / 6f)))))));
     // glimt_light_cells/src/surface.rs:89
@@ -2394,11 +2403,11 @@ fn Remembered_quad(from_2: u32, turned_2: u32, quad_2: u32) -> vec4<f32> {
 fn CellSurface_shape_variance(this_27: CellSurface, terms: CellTerms) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:163
-    let diffuse = (terms.cosine_spread * this_27.diffuse);
+    let diffuse_1 = (terms.cosine_spread * this_27.diffuse);
     // glimt_light_cells/src/surface.rs:164
     let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_27.specular);
     // glimt_light_cells/src/surface.rs:165
-    return ((diffuse * diffuse) + (lobe_1 * lobe_1));
+    return ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
 }
 
 // glimt_light_cells/src/surface.rs:153
@@ -2467,7 +2476,7 @@ fn weights(surface_2: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibi
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:151
-fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_3: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
+fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_4: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:159
     let list_1 = (4u + (3u * channel));
@@ -2475,7 +2484,7 @@ fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u3
     let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_3);
     let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_3);
     let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_3);
-    let moment = (((_e14 * normal_3.x) + (_e19 * normal_3.y)) + (_e25 * normal_3.z));
+    let moment = (((_e14 * normal_4.x) + (_e19 * normal_4.y)) + (_e25 * normal_4.z));
     // glimt_render_gpu/src/kernels/proposal.rs:163
     let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_3);
     // glimt_render_gpu/src/kernels/proposal.rs:164
@@ -2484,12 +2493,12 @@ fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u3
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:169
-fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_4: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
+fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_5: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:170
-    let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_4, full_1, cut_1);
-    let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_4, full_1, cut_1);
-    let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_4, full_1, cut_1);
+    let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_5, full_1, cut_1);
+    let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_5, full_1, cut_1);
+    let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_5, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
@@ -2823,25 +2832,25 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     return Proposal(_e248, _e249, _e250, _e251, _e252, _e253, _e254, ((kd_1 * _e227) + (_e230 * (_e232 * _e233))), ((kd_1 * _e238) + (_e241 * (_e243 * _e244))), is_catcher_2);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:111
+// glimt_render_gpu/src/kernels/pattern.rs:105
 fn PixelPattern_point(this_31: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:112
+    // glimt_render_gpu/src/kernels/pattern.rs:106
     let _e8 = PixelPattern_sobol_point(this_31, purpose_5, index_15);
     let _e9 = PixelPattern_generator(this_31, purpose_5, index_15);
     return PatternSource((this_31.kind == 0u), _e8, _e9);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:172
+// glimt_render_gpu/src/kernels/pattern.rs:180
 fn PatternSource_next_uvec2_(this_32: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_16: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:173
+    // glimt_render_gpu/src/kernels/pattern.rs:181
     let _e5 = (*this_32).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:174
+        // glimt_render_gpu/src/kernels/pattern.rs:182
         let _e9 = (*this_32).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
@@ -2849,7 +2858,7 @@ fn PatternSource_next_uvec2_(this_32: ptr<function, PatternSource>) -> vec2<u32>
         (*this_32).point = _e11;
         chosen_16 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:176
+        // glimt_render_gpu/src/kernels/pattern.rs:184
         let _e15 = (*this_32).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
@@ -3315,10 +3324,10 @@ fn any_hit(ray_12: Ray, t_max_2: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:136
-fn Scene_is_lit(point_1: ShadingPoint, direction_3: vec3<f32>, key_4: u32) -> bool {
+fn Scene_is_lit(point: ShadingPoint, direction_3: vec3<f32>, key_4: u32) -> bool {
 
     // glimt_render_gpu/src/kernels/scene.rs:137
-    let _e6 = Ray_keyed(point_1.origin, direction_3, key_4);
+    let _e6 = Ray_keyed(point.origin, direction_3, key_4);
     // glimt_render_gpu/src/kernels/scene.rs:138
     let _e9 = any_hit(_e6, 0x1.fffffep+127f);
     return !(_e9);
@@ -3371,7 +3380,7 @@ fn count_2(word_6: u32, cell_4: u32, arrives_1: bool) -> u32 {
     return ((word_6 & ~((65535u << (shift & 31u)))) | (_e24 << (shift & 31u)));
 }
 
-// glimt_render_gpu/src/kernels/pilot.rs:48
+// glimt_render_gpu/src/kernels/pilot.rs:28
 fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, counts_start: u32, counts_len: u32) {
     var counter_8: u32;
     var counter_9: u32;
@@ -3382,25 +3391,25 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
     var counter_11: u32;
     var borrowed_4: PatternSource;
 
-    // glimt_render_gpu/src/kernels/pilot.rs:58
+    // glimt_render_gpu/src/kernels/pilot.rs:38
     let first_9 = (tile_1 * 3u);
-    // glimt_render_gpu/src/kernels/pilot.rs:59
+    // glimt_render_gpu/src/kernels/pilot.rs:39
     counter_8 = 0u;
     loop {
         let slot_1 = counter_8;
         if (slot_1 >= 3u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/pilot.rs:60
+        // glimt_render_gpu/src/kernels/pilot.rs:40
         let _e21 = entries[(first_9 + slot_1)].from_;
-        // glimt_render_gpu/src/kernels/pilot.rs:65
+        // glimt_render_gpu/src/kernels/pilot.rs:45
         counter_9 = 0u;
         loop {
             let word_9 = counter_9;
             if (word_9 >= 256u) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pilot.rs:66
+            // glimt_render_gpu/src/kernels/pilot.rs:46
             let _e30 = Remembered_word(_e21, cells.turned, word_9);
             counts[(counts_start + ((slot_1 * 256u) + word_9))] = _e30;
             continuing {
@@ -3413,112 +3422,118 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
             counter_8 = (_e40 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/pilot.rs:69
+    // glimt_render_gpu/src/kernels/pilot.rs:49
     let _e44 = CellParams_corner(cells, tile_1);
-    // glimt_render_gpu/src/kernels/pilot.rs:70
+    // glimt_render_gpu/src/kernels/pilot.rs:50
     let _e46 = tile_end(_e44, frame_4);
-    // glimt_render_gpu/src/kernels/pilot.rs:71
+    // glimt_render_gpu/src/kernels/pilot.rs:51
     let _e50 = (_e46.x - _e44.x);
     let _e52 = (_e50 / 2u);
     let columns_1 = select(_e52, (_e52 + 1u), ((_e50 % 2u) != 0u));
-    // glimt_render_gpu/src/kernels/pilot.rs:72
+    // glimt_render_gpu/src/kernels/pilot.rs:52
     let _e62 = (_e46.y - _e44.y);
     let _e64 = (_e62 / 2u);
     let rows_3 = select(_e64, (_e64 + 1u), ((_e62 % 2u) != 0u));
-    // glimt_render_gpu/src/kernels/pilot.rs:73
+    // glimt_render_gpu/src/kernels/pilot.rs:53
     let _e72 = Environment_cells(env_size_1, env_rotation_1);
-    // glimt_render_gpu/src/kernels/pilot.rs:74
+    // glimt_render_gpu/src/kernels/pilot.rs:54
     counter_10 = 0u;
     loop {
         let i_2 = counter_10;
         if (i_2 >= 64u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/pilot.rs:76
+        // glimt_render_gpu/src/kernels/pilot.rs:56
         let place_5 = (reverseBits(i_2) >> ((32u - 6u) & 31u));
-        // glimt_render_gpu/src/kernels/pilot.rs:77
+        // glimt_render_gpu/src/kernels/pilot.rs:57
         let pixel_4 = ((((_e44.y + ((place_5 / columns_1) * 2u)) * frame_4.width) + _e44.x) + ((place_5 % columns_1) * 2u));
-        // glimt_render_gpu/src/kernels/pilot.rs:79
+        // glimt_render_gpu/src/kernels/pilot.rs:59
         let _e105 = FrameParams_pattern_at(frame_4, pixel_4, 0u);
-        // glimt_render_gpu/src/kernels/pilot.rs:80
+        // glimt_render_gpu/src/kernels/pilot.rs:60
         seen = SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
-        // glimt_render_gpu/src/kernels/pilot.rs:81
+        // glimt_render_gpu/src/kernels/pilot.rs:61
         if (place_5 < (columns_1 * rows_3)) {
-            // glimt_render_gpu/src/kernels/pilot.rs:82
+            // glimt_render_gpu/src/kernels/pilot.rs:62
             let _e134 = see_by(_e105, frame_4);
             seen = _e134;
         }
-        // glimt_render_gpu/src/kernels/pilot.rs:84
+        // glimt_render_gpu/src/kernels/pilot.rs:64
         let _e137 = seen.surface;
         let _e138 = slot_of(_e137, first_9);
-        // glimt_render_gpu/src/kernels/pilot.rs:85
+        // glimt_render_gpu/src/kernels/pilot.rs:65
         let _e140 = seen;
         let _e141 = SeenPoint_is_hit(_e140);
         if (_e141 && (_e138 > 0u)) {
-            // glimt_render_gpu/src/kernels/pilot.rs:86
+            // glimt_render_gpu/src/kernels/pilot.rs:66
             let entry = entries[((first_9 + _e138) - 1u)];
-            // glimt_render_gpu/src/kernels/pilot.rs:87
+            // glimt_render_gpu/src/kernels/pilot.rs:67
             let base_2 = ((_e138 - 1u) * 256u);
-            // glimt_render_gpu/src/kernels/pilot.rs:88
-            // glimt_render_gpu/src/kernels/pilot.rs:93
+            // glimt_render_gpu/src/kernels/pilot.rs:68
+            // glimt_render_gpu/src/kernels/pilot.rs:73
             let _e161 = seen;
             let _e162 = SeenPoint_shading_point(_e161);
-            // glimt_render_gpu/src/kernels/pilot.rs:94
-            let _e164 = seen;
-            let _e165 = alone(_e164, env_size_1, env_rotation_1);
-            // glimt_render_gpu/src/kernels/pilot.rs:95
-            let _e167 = seen;
-            let _e168 = SeenPoint_is_catcher(_e167);
-            let _e169 = Proposal_new(_e165, _e72.value_size, _e72.value_start, entry.from_, cells.turned, _e168);
-            proposal = _e169;
-            // glimt_render_gpu/src/kernels/pilot.rs:96
-            let _e173 = PixelPattern_ray_key(_e105, 14u);
-            // glimt_render_gpu/src/kernels/pilot.rs:97
-            let _e177 = proposal.total;
-            if (_e177 > 0f) {
-                // glimt_render_gpu/src/kernels/pilot.rs:98
+            // glimt_render_gpu/src/kernels/pilot.rs:74
+            let _e165 = seen.normal;
+            let _e167 = seen.wo;
+            let _e169 = seen.diffuse;
+            let _e170 = luminance(_e169);
+            let _e172 = seen.specular;
+            let _e173 = luminance(_e172);
+            let _e175 = seen.exponent;
+            let _e176 = Representative_alone(_e165, _e167, _e170, _e173, _e175, env_size_1, env_rotation_1);
+            // glimt_render_gpu/src/kernels/pilot.rs:82
+            let _e178 = seen;
+            let _e179 = SeenPoint_is_catcher(_e178);
+            let _e180 = Proposal_new(_e176, _e72.value_size, _e72.value_start, entry.from_, cells.turned, _e179);
+            proposal = _e180;
+            // glimt_render_gpu/src/kernels/pilot.rs:83
+            let _e184 = PixelPattern_ray_key(_e105, 14u);
+            // glimt_render_gpu/src/kernels/pilot.rs:84
+            let _e188 = proposal.total;
+            if (_e188 > 0f) {
+                // glimt_render_gpu/src/kernels/pilot.rs:85
                 chosen_25 = entry.pilots;
             } else {
-                // glimt_render_gpu/src/kernels/pilot.rs:100
+                // glimt_render_gpu/src/kernels/pilot.rs:87
                 chosen_25 = 0u;
             }
             let rays = chosen_25;
-            // glimt_render_gpu/src/kernels/pilot.rs:102
+            // glimt_render_gpu/src/kernels/pilot.rs:89
             counter_11 = 0u;
             loop {
                 let s_8 = counter_11;
                 if (s_8 >= rays) {
                     break;
                 }
-                // glimt_render_gpu/src/kernels/pilot.rs:103
-                let _e192 = PixelPattern_point(_e105, 13u, s_8);
-                borrowed_4 = _e192;
-                let _e194 = PatternSource_next_uvec2_((&borrowed_4));
-                // glimt_render_gpu/src/kernels/pilot.rs:104
-                let _e196 = proposal;
-                let _e197 = Proposal_sample_cells(_e196, _e194, _e72.value_size, _e72.value_start, entry.from_, cells.turned);
-                // glimt_render_gpu/src/kernels/pilot.rs:105
-                let _e200 = rotate_z(_e197.direction, env_rotation_1);
-                // glimt_render_gpu/src/kernels/pilot.rs:106
-                if ((dot(_e162.frame.n, _e200) > 0f) && (dot(_e162.geometric_normal, _e200) > 0f)) {
-                    // glimt_render_gpu/src/kernels/pilot.rs:108
-                    let _e214 = Scene_is_lit(_e162, _e200, (_e173 + s_8));
-                    // glimt_render_gpu/src/kernels/pilot.rs:109
-                    let at_5 = (base_2 + (_e197.cell / 2u));
-                    // glimt_render_gpu/src/kernels/pilot.rs:110
-                    let _e224 = counts[(counts_start + at_5)];
-                    let _e226 = count_2(_e224, _e197.cell, _e214);
-                    counts[(counts_start + at_5)] = _e226;
+                // glimt_render_gpu/src/kernels/pilot.rs:90
+                let _e203 = PixelPattern_point(_e105, 13u, s_8);
+                borrowed_4 = _e203;
+                let _e205 = PatternSource_next_uvec2_((&borrowed_4));
+                // glimt_render_gpu/src/kernels/pilot.rs:91
+                let _e207 = proposal;
+                let _e208 = Proposal_sample_cells(_e207, _e205, _e72.value_size, _e72.value_start, entry.from_, cells.turned);
+                // glimt_render_gpu/src/kernels/pilot.rs:92
+                let _e211 = rotate_z(_e208.direction, env_rotation_1);
+                // glimt_render_gpu/src/kernels/pilot.rs:93
+                if ((dot(_e162.frame.n, _e211) > 0f) && (dot(_e162.geometric_normal, _e211) > 0f)) {
+                    // glimt_render_gpu/src/kernels/pilot.rs:95
+                    let _e225 = Scene_is_lit(_e162, _e211, (_e184 + s_8));
+                    // glimt_render_gpu/src/kernels/pilot.rs:96
+                    let at_5 = (base_2 + (_e208.cell / 2u));
+                    // glimt_render_gpu/src/kernels/pilot.rs:97
+                    let _e235 = counts[(counts_start + at_5)];
+                    let _e237 = count_2(_e235, _e208.cell, _e225);
+                    counts[(counts_start + at_5)] = _e237;
                 }
                 continuing {
-                    let _e230 = counter_11;
-                    counter_11 = (_e230 + 1u);
+                    let _e241 = counter_11;
+                    counter_11 = (_e241 + 1u);
                 }
             }
         }
         continuing {
-            let _e233 = counter_10;
-            counter_10 = (_e233 + 1u);
+            let _e244 = counter_10;
+            counter_10 = (_e244 + 1u);
         }
     }
     return;

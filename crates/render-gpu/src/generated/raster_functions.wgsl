@@ -547,19 +547,19 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
     return _e7;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:138
+// glimt_render_gpu/src/kernels/pattern.rs:146
 fn PixelPattern_key(this_5: PixelPattern, purpose: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:139
+    // glimt_render_gpu/src/kernels/pattern.rs:147
     let _e5 = hash2_(this_5.seed, purpose);
     let _e8 = hash3_(_e5, this_5.frame, this_5.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:123
+// glimt_render_gpu/src/kernels/pattern.rs:131
 fn PixelPattern_ray_key(this_6: PixelPattern, purpose_1: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:124
+    // glimt_render_gpu/src/kernels/pattern.rs:132
     let _e4 = PixelPattern_key(this_6, purpose_1);
     let _e6 = hash2_(_e4, this_6.ray);
     return _e6;

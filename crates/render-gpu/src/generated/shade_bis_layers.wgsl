@@ -164,6 +164,11 @@ struct RisSum {
     end: u32,
 }
 
+struct Tuple_UVec2_u32_ {
+    fa: vec2<u32>,
+    fb: u32,
+}
+
 struct DirectionSample {
     direction: vec3<f32>,
     pdf_sr: f32,
@@ -345,10 +350,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> Owen
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:128
+// glimt_render_gpu/src/kernels/pattern.rs:136
 fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:129
+    // glimt_render_gpu/src/kernels/pattern.rs:137
     let _e6 = hash2_(this_2.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_2.frame, this_2.pixel, index);
     return _e9;
@@ -510,25 +515,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_18 = (index_5 & 65535u);
+    let index_19 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_18;
+        chosen = index_19;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_18);
+            let _e16 = pascal(index_19);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_18);
+                let _e20 = recurrence_2_(index_19);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_18);
+                let _e22 = recurrence_3_(index_19);
                 chosen = _e22;
             }
         }
@@ -700,10 +705,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_2: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:133
+// glimt_render_gpu/src/kernels/pattern.rs:141
 fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:134
+    // glimt_render_gpu/src/kernels/pattern.rs:142
     let _e6 = hash3_(this_4.seed, purpose_1, index_6);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_4.frame, this_4.pixel);
     return _e9;
@@ -738,52 +743,52 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_6: ptr<function, Xoshiro128PlusPlus>) -> 
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:138
+// glimt_render_gpu/src/kernels/pattern.rs:146
 fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:139
+    // glimt_render_gpu/src/kernels/pattern.rs:147
     let _e5 = hash2_(this_7.seed, purpose_2);
     let _e8 = hash3_(_e5, this_7.frame, this_7.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:213
+// glimt_render_gpu/src/kernels/pattern.rs:221
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:223
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:217
+    // glimt_render_gpu/src/kernels/pattern.rs:225
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:218
+    // glimt_render_gpu/src/kernels/pattern.rs:226
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:219
+    // glimt_render_gpu/src/kernels/pattern.rs:227
     x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:220
+    // glimt_render_gpu/src/kernels/pattern.rs:228
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:221
+        // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:222
+        // glimt_render_gpu/src/kernels/pattern.rs:230
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:231
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:225
+            // glimt_render_gpu/src/kernels/pattern.rs:233
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:226
+            // glimt_render_gpu/src/kernels/pattern.rs:234
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -793,10 +798,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:228
+        // glimt_render_gpu/src/kernels/pattern.rs:236
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:229
+            // glimt_render_gpu/src/kernels/pattern.rs:237
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -805,31 +810,31 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:204
+// glimt_render_gpu/src/kernels/pattern.rs:212
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:205
+    // glimt_render_gpu/src/kernels/pattern.rs:213
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:184
+// glimt_render_gpu/src/kernels/pattern.rs:192
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:193
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:194
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:195
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:196
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:189
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:190
+    // glimt_render_gpu/src/kernels/pattern.rs:198
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
@@ -841,17 +846,17 @@ fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_19 = ((this_8.ray * samples) + sample);
+    let index_20 = ((this_8.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:69
     if (this_8.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_19);
+        let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_20);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_8, purpose_3, index_19);
+    let _e18 = PixelPattern_generator(this_8, purpose_3, index_20);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:73
@@ -861,7 +866,7 @@ fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
     let _e29 = PixelPattern_key(this_8, purpose_3);
-    let _e30 = jittered_pair(index_19, (this_8.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_20, (this_8.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -904,10 +909,10 @@ fn FrameParams_direction(this_10: FrameParams, pixel_3: u32, place: vec2<f32>) -
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:123
+// glimt_render_gpu/src/kernels/pattern.rs:131
 fn PixelPattern_ray_key(this_11: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:124
+    // glimt_render_gpu/src/kernels/pattern.rs:132
     let _e4 = PixelPattern_key(this_11, purpose_4);
     let _e6 = hash2_(_e4, this_11.ray);
     return _e6;
@@ -2036,55 +2041,67 @@ fn OwenSobol_next_u32_(this_24: ptr<function, OwenSobol>) -> u32 {
     return _e17;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:198
-fn jittered(index_16: u32, count_2: u32, jitter_2: u32, key_4: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:116
+fn PixelPattern_point_triple(this_25: PixelPattern, purpose_5: u32, index_16: u32) -> vec3<u32> {
+    var point: OwenSobol;
+    var generator: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:199
+    // glimt_render_gpu/src/kernels/pattern.rs:117
+    if (this_25.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:118
+        let _e9 = PixelPattern_sobol_point(this_25, purpose_5, index_16);
+        point = _e9;
+        // glimt_render_gpu/src/kernels/pattern.rs:119
+        let _e12 = OwenSobol_next_uvec2_((&point));
+        // glimt_render_gpu/src/kernels/pattern.rs:120
+        let _e14 = OwenSobol_next_u32_((&point));
+        return vec3<u32>(_e12, _e14);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e17 = PixelPattern_generator(this_25, purpose_5, index_16);
+    generator = _e17;
+    // glimt_render_gpu/src/kernels/pattern.rs:123
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:124
+    let _e22 = Xoshiro128PlusPlus_next_u32_((&generator));
+    return vec3<u32>(_e20, _e22);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:206
+fn jittered(index_17: u32, count_2: u32, jitter_2: u32, key_4: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:207
     let _e7 = hash2_(key_4, 4u);
-    let _e8 = permute(index_16, count_2, _e7);
+    let _e8 = permute(index_17, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:82
-fn PixelPattern_triple(this_25: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
-    var point: OwenSobol;
-    var generator: Xoshiro128PlusPlus;
+fn PixelPattern_triple(this_26: PixelPattern, purpose_6: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
 
     // glimt_render_gpu/src/kernels/pattern.rs:83
-    let index_20 = ((this_25.ray * samples_1) + sample_1);
+    let index_21 = ((this_26.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:84
-    if (this_25.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:85
-        let _e14 = PixelPattern_sobol_point(this_25, purpose_5, index_20);
-        point = _e14;
+    let _e10 = PixelPattern_point_triple(this_26, purpose_6, index_21);
+    // glimt_render_gpu/src/kernels/pattern.rs:85
+    if (this_26.kind != 2u) {
         // glimt_render_gpu/src/kernels/pattern.rs:86
-        let _e17 = OwenSobol_next_uvec2_((&point));
-        // glimt_render_gpu/src/kernels/pattern.rs:87
-        let _e19 = OwenSobol_next_u32_((&point));
-        return vec3<u32>(_e17, _e19);
+        return _e10;
     }
+    // glimt_render_gpu/src/kernels/pattern.rs:88
+    let _e19 = Tuple_UVec2_u32_(_e10.xy, _e10.z);
+    let jitter_3 = _e19.fa;
+    let single = _e19.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:89
-    let _e22 = PixelPattern_generator(this_25, purpose_5, index_20);
-    generator = _e22;
+    let _e25 = PixelPattern_key(this_26, purpose_6);
+    let _e26 = Tuple_u32_u32_((this_26.rays * samples_1), _e25);
+    let count_3 = _e26.fa;
+    let key_7 = _e26.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:90
-    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:91
-    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:92
-    if (this_25.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:93
-        return vec3<u32>(_e25, _e27);
-    }
-    // glimt_render_gpu/src/kernels/pattern.rs:95
-    let _e37 = PixelPattern_key(this_25, purpose_5);
-    let _e38 = Tuple_u32_u32_((this_25.rays * samples_1), _e37);
-    let count_3 = _e38.fa;
-    let key_7 = _e38.fb;
-    // glimt_render_gpu/src/kernels/pattern.rs:96
-    let _e42 = jittered_pair(index_20, count_3, _e25, key_7);
-    let _e43 = jittered(index_20, count_3, _e27, key_7);
-    return vec3<u32>(_e42, _e43);
+    let _e30 = jittered_pair(index_21, count_3, jitter_3, key_7);
+    let _e31 = jittered(index_21, count_3, single, key_7);
+    return vec3<u32>(_e30, _e31);
 }
 
 // glimt_sampling/src/math.rs:16
@@ -2095,13 +2112,13 @@ fn luminance(rgb: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_26: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_27: BlinnPhong) -> f32 {
     var chosen_14: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_26.specular);
+    let _e4 = luminance(this_27.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_26.diffuse);
+    let _e7 = luminance(this_27.diffuse);
     let both_3 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_3 > 0f) {
@@ -2320,23 +2337,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_27: HalfVector, exponent_3: f32) -> f32 {
+fn HalfVector_lobe(this_28: HalfVector, exponent_3: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_27.cos2_theta, this_27.sin2_theta, exponent_3);
+    let _e6 = cosine_power(this_28.cos2_theta, this_28.sin2_theta, exponent_3);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_28: HalfVector, exponent_4: f32) -> f32 {
+fn HalfVector_pdf_sr(this_29: HalfVector, exponent_4: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_28, exponent_4);
-    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_28.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_29, exponent_4);
+    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_29.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_30: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -2346,7 +2363,7 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_29);
+    let _e17 = BlinnPhong_pmf_specular(this_30);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -2354,21 +2371,21 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_1, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_29.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_30.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_30: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_7: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_31: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_7: vec2<f32>) -> BrdfSample {
     var chosen_19: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_30);
+    let _e8 = BlinnPhong_pmf_specular(this_31);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_7, this_30.exponent);
+        let _e12 = sample_power_cosine(u_7, this_31.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_19 = (((2f * dot(wo_2, h)) * h) - wo_2);
@@ -2379,15 +2396,15 @@ fn BlinnPhong_sample(this_30: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_7: vec
     }
     let wi_5 = chosen_19;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_30, wo_2, wi_5);
+    let _e25 = BlinnPhong_pdf_sr(this_31, wo_2, wi_5);
     return BrdfSample(wi_5, _e25);
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_31: ShadingFrame, v_5: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_32: ShadingFrame, v_5: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_31.t * v_5.x) + (this_31.b * v_5.y)) + (this_31.n * v_5.z));
+    return (((this_32.t * v_5.x) + (this_32.b * v_5.y)) + (this_32.n * v_5.z));
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -2786,7 +2803,7 @@ fn normalisation(exponent_5: f32) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_32: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_33: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_3.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2794,38 +2811,38 @@ fn BlinnPhong_eval(this_32: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_32.diffuse * 0.31830987f);
+    let diffuse = (this_33.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_32.specular.x, this_32.specular.y), this_32.specular.z) <= 0f) {
+    if (max(max(this_33.specular.x, this_33.specular.y), this_33.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_32.exponent);
+    let _e31 = normalisation(this_33.exponent);
     let _e32 = HalfVector_new(wo_3, wi_2);
-    let _e34 = HalfVector_lobe(_e32, this_32.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_33.exponent);
     let lobe = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_32.specular * lobe));
+    return (diffuse + (this_33.specular * lobe));
 }
 
 // glimt_render_gpu/src/kernels/candidates.rs:78
-fn Candidates_draw(this_33: Candidates, index_17: u32, point_1: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
+fn Candidates_draw(this_34: Candidates, index_18: u32, point_1: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Candidate {
     var density: f32;
     var direction_8: vec3<f32>;
     var wi_3: vec3<f32>;
     var radiance_1: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/candidates.rs:85
-    let _e8 = Candidates_of_brdf(this_33);
+    let _e8 = Candidates_of_brdf(this_34);
     // glimt_render_gpu/src/kernels/candidates.rs:86
-    let of_env = (this_33.count - _e8);
+    let of_env = (this_34.count - _e8);
     // glimt_render_gpu/src/kernels/candidates.rs:88
     density = 0f;
     // glimt_render_gpu/src/kernels/candidates.rs:92
-    if (index_17 < _e8) {
+    if (index_18 < _e8) {
         // glimt_render_gpu/src/kernels/candidates.rs:93
-        let _e22 = PixelPattern_triple(pattern_1, 4u, index_17, _e8);
+        let _e22 = PixelPattern_triple(pattern_1, 4u, index_18, _e8);
         // glimt_render_gpu/src/kernels/candidates.rs:94
         let _e28 = unit_vec2_(_e22.xy);
         let _e29 = BlinnPhong_sample(point_1.brdf, point_1.wo, _e22.z, _e28);
@@ -2859,7 +2876,7 @@ fn Candidates_draw(this_33: Candidates, index_17: u32, point_1: ShadingPoint, pa
         }
     } else {
         // glimt_render_gpu/src/kernels/candidates.rs:107
-        let _e82 = PixelPattern_pair(pattern_1, 5u, (index_17 - _e8), of_env);
+        let _e82 = PixelPattern_pair(pattern_1, 5u, (index_18 - _e8), of_env);
         // glimt_render_gpu/src/kernels/candidates.rs:108
         let _e84 = Environment_sample(env_size, env_rotation, _e82);
         // glimt_render_gpu/src/kernels/candidates.rs:109
@@ -2903,83 +2920,83 @@ fn Candidates_draw(this_33: Candidates, index_17: u32, point_1: ShadingPoint, pa
     // glimt_render_gpu/src/kernels/candidates.rs:124
     let _e161 = radiance_1;
     let _e162 = luminance(_e161);
-    let target_ = ((_e162 + this_33.floor) * reflected);
+    let target_ = ((_e162 + this_34.floor) * reflected);
     // glimt_render_gpu/src/kernels/candidates.rs:125
     let _e167 = direction_8;
     let _e168 = wi_3;
     let _e169 = radiance_1;
     let _e172 = density;
-    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_33.count) / _e172)));
+    return Candidate(_e167, _e168, _e169, target_, (target_ * (f32(this_34.count) / _e172)));
 }
 
 // glimt_sampling/src/ris.rs:72
-fn RisSum_add(this_34: ptr<function, RisSum>, weight: f32) {
+fn RisSum_add(this_35: ptr<function, RisSum>, weight: f32) {
 
     // glimt_sampling/src/ris.rs:73
-    let _e6 = (*this_34).candidates;
-    (*this_34).candidates = (_e6 + 1u);
+    let _e6 = (*this_35).candidates;
+    (*this_35).candidates = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:74
     if (weight > 0f) {
         // glimt_sampling/src/ris.rs:75
-        let _e13 = (*this_34).sum;
-        (*this_34).sum = (_e13 + weight);
+        let _e13 = (*this_35).sum;
+        (*this_35).sum = (_e13 + weight);
         // glimt_sampling/src/ris.rs:76
-        let _e17 = (*this_34).candidates;
-        (*this_34).end = _e17;
+        let _e17 = (*this_35).candidates;
+        (*this_35).end = _e17;
     }
     return;
 }
 
 // glimt_sampling/src/ris.rs:109
-fn Word_next_u32_(this_35: ptr<function, Word>) -> u32 {
+fn Word_next_u32_(this_36: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/ris.rs:110
-    let _e4 = (*this_35).f0_;
+    let _e4 = (*this_36).f0_;
     return _e4;
 }
 
 // glimt_sampling/src/resample.rs:136
-fn Comb_place_tooth(this_36: ptr<function, Comb>, source: ptr<function, Word>) {
+fn Comb_place_tooth(this_37: ptr<function, Comb>, source: ptr<function, Word>) {
 
     // glimt_sampling/src/resample.rs:137
-    let _e5 = (*this_36).made;
-    let _e7 = (*this_36).teeth;
+    let _e5 = (*this_37).made;
+    let _e7 = (*this_37).teeth;
     if (_e5 >= _e7) {
         // glimt_sampling/src/resample.rs:138
         return;
     }
     // glimt_sampling/src/resample.rs:140
-    let _e12 = (*this_36).made;
+    let _e12 = (*this_37).made;
     let first_6 = f32(_e12);
     // glimt_sampling/src/resample.rs:141
-    let _e16 = (*this_36).scheme;
+    let _e16 = (*this_37).scheme;
     if (_e16 == 0u) {
         // glimt_sampling/src/resample.rs:142
-        let _e21 = (*this_36).state;
-        (*this_36).next = (first_6 + _e21);
+        let _e21 = (*this_37).state;
+        (*this_37).next = (first_6 + _e21);
     } else {
-        let _e25 = (*this_36).scheme;
+        let _e25 = (*this_37).scheme;
         if (_e25 == 1u) {
             // glimt_sampling/src/resample.rs:144
             let _e29 = Word_next_u32_(source);
             let _e30 = unit_f32_(_e29);
-            (*this_36).next = (first_6 + _e30);
+            (*this_37).next = (first_6 + _e30);
         } else {
             // glimt_sampling/src/resample.rs:147
             let _e35 = Word_next_u32_(source);
             let _e36 = unit_f32_(_e35);
             let v_9 = (1f - _e36);
             // glimt_sampling/src/resample.rs:148
-            let _e40 = (*this_36).teeth;
-            let _e42 = (*this_36).made;
+            let _e40 = (*this_37).teeth;
+            let _e42 = (*this_37).made;
             let left_3 = f32((_e40 - _e42));
             // glimt_sampling/src/resample.rs:149
-            let _e50 = (*this_36).state;
-            (*this_36).state = (_e50 * pow(v_9, (1f / left_3)));
+            let _e50 = (*this_37).state;
+            (*this_37).state = (_e50 * pow(v_9, (1f / left_3)));
             // glimt_sampling/src/resample.rs:150
-            let _e55 = (*this_36).state;
-            let _e58 = (*this_36).teeth;
-            (*this_36).next = ((1f - _e55) * f32(_e58));
+            let _e55 = (*this_37).state;
+            let _e58 = (*this_37).teeth;
+            (*this_37).next = ((1f - _e55) * f32(_e58));
         }
     }
     return;
@@ -3026,13 +3043,13 @@ fn RisPicks_new(weights: RisSum, samples_2: u32, u_13: u32) -> RisPicks {
 }
 
 // glimt_sampling/src/ris.rs:83
-fn RisSum_normaliser(this_37: RisSum) -> f32 {
+fn RisSum_normaliser(this_38: RisSum) -> f32 {
     var chosen_27: f32;
 
     // glimt_sampling/src/ris.rs:84
-    if (this_37.candidates > 0u) {
+    if (this_38.candidates > 0u) {
         // glimt_sampling/src/ris.rs:85
-        chosen_27 = (this_37.sum / f32(this_37.candidates));
+        chosen_27 = (this_38.sum / f32(this_38.candidates));
     } else {
         // glimt_sampling/src/ris.rs:87
         chosen_27 = 0f;
@@ -3042,10 +3059,10 @@ fn RisSum_normaliser(this_37: RisSum) -> f32 {
 }
 
 // glimt_sampling/src/ris.rs:153
-fn RisPicks_is_done(this_38: RisPicks) -> bool {
+fn RisPicks_is_done(this_39: RisPicks) -> bool {
 
     // glimt_sampling/src/ris.rs:154
-    return (this_38.left == 0u);
+    return (this_39.left == 0u);
 }
 
 // glimt_sampling/src/resample.rs:45
@@ -3065,76 +3082,76 @@ fn sure_copies(scheme_1: u32, expected: f32) -> u32 {
 }
 
 // glimt_sampling/src/resample.rs:106
-fn Comb_take(this_39: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, Word>) -> u32 {
+fn Comb_take(this_40: ptr<function, Comb>, expected_1: f32, source_2: ptr<function, Word>) -> u32 {
 
     // glimt_sampling/src/resample.rs:107
-    let _e6 = (*this_39).scheme;
+    let _e6 = (*this_40).scheme;
     let _e7 = sure_copies(_e6, expected_1);
     // glimt_sampling/src/resample.rs:108
-    let _e12 = (*this_39).reach;
-    (*this_39).reach = (_e12 + (expected_1 - f32(_e7)));
+    let _e12 = (*this_40).reach;
+    (*this_40).reach = (_e12 + (expected_1 - f32(_e7)));
     // glimt_sampling/src/resample.rs:109
-    let before = (*this_39).made;
+    let before = (*this_40).made;
     // glimt_sampling/src/resample.rs:110
     loop {
-        let _e19 = (*this_39).made;
-        let _e21 = (*this_39).teeth;
-        let _e24 = (*this_39).next;
-        let _e26 = (*this_39).reach;
+        let _e19 = (*this_40).made;
+        let _e21 = (*this_40).teeth;
+        let _e24 = (*this_40).next;
+        let _e26 = (*this_40).reach;
         if ((_e19 < _e21) && (_e24 < _e26)) {
             // glimt_sampling/src/resample.rs:111
-            let _e32 = (*this_39).made;
-            (*this_39).made = (_e32 + 1u);
+            let _e32 = (*this_40).made;
+            (*this_40).made = (_e32 + 1u);
             // glimt_sampling/src/resample.rs:112
-            Comb_place_tooth(this_39, source_2);
+            Comb_place_tooth(this_40, source_2);
         } else {
             break;
         }
     }
     // glimt_sampling/src/resample.rs:114
-    let _e37 = (*this_39).made;
+    let _e37 = (*this_40).made;
     return (_e7 + (_e37 - before));
 }
 
 // glimt_sampling/src/ris.rs:133
-fn RisPicks_take(this_40: ptr<function, RisPicks>, weight_1: f32) -> u32 {
+fn RisPicks_take(this_41: ptr<function, RisPicks>, weight_1: f32) -> u32 {
     var chosen_29: u32;
     var borrowed_3: Comb;
     var borrowed_4: Word;
 
     // glimt_sampling/src/ris.rs:134
-    let _e6 = (*this_40).candidate;
-    (*this_40).candidate = (_e6 + 1u);
+    let _e6 = (*this_41).candidate;
+    (*this_41).candidate = (_e6 + 1u);
     // glimt_sampling/src/ris.rs:135
-    let _e13 = (*this_40).left;
+    let _e13 = (*this_41).left;
     if (!((weight_1 > 0f)) || (_e13 == 0u)) {
         // glimt_sampling/src/ris.rs:136
         return 0u;
     }
     // glimt_sampling/src/ris.rs:138
-    let _e22 = (*this_40).candidate;
-    let _e24 = (*this_40).end;
+    let _e22 = (*this_41).candidate;
+    let _e24 = (*this_41).end;
     if (_e22 == _e24) {
         // glimt_sampling/src/ris.rs:139
-        let _e28 = (*this_40).left;
+        let _e28 = (*this_41).left;
         chosen_29 = _e28;
     } else {
         // glimt_sampling/src/ris.rs:142
-        let _e32 = (*this_40).comb;
+        let _e32 = (*this_41).comb;
         borrowed_3 = _e32;
-        let _e34 = (*this_40).sum;
-        let _e37 = (*this_40).samples;
+        let _e34 = (*this_41).sum;
+        let _e37 = (*this_41).samples;
         borrowed_4 = Word(0u);
         let _e42 = Comb_take((&borrowed_3), ((weight_1 / _e34) * _e37), (&borrowed_4));
         let _e43 = borrowed_3;
-        (*this_40).comb = _e43;
-        let _e45 = (*this_40).left;
+        (*this_41).comb = _e43;
+        let _e45 = (*this_41).left;
         chosen_29 = min(_e42, _e45);
     }
     let picks_2 = chosen_29;
     // glimt_sampling/src/ris.rs:146
-    let _e50 = (*this_40).left;
-    (*this_40).left = (_e50 - picks_2);
+    let _e50 = (*this_41).left;
+    (*this_41).left = (_e50 - picks_2);
     // glimt_sampling/src/ris.rs:147
     return picks_2;
 }
@@ -3178,41 +3195,41 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_10: vec3<f32>, key_5: u32) -> b
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_41: LightSample, point_4: ShadingPoint, key_6: u32) -> Reflected {
+fn LightSample_traced(this_42: LightSample, point_4: ShadingPoint, key_6: u32) -> Reflected {
     var chosen_30: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_41.contribution.x, this_41.contribution.y), this_41.contribution.z) > 0f)) {
+    if !((max(max(this_42.contribution.x, this_42.contribution.y), this_42.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e23 = Scene_is_lit(point_4, this_41.direction, key_6);
+    let _e23 = Scene_is_lit(point_4, this_42.direction, key_6);
     if _e23 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_30 = Reflected(this_41.contribution, vec3(0f));
+        chosen_30 = Reflected(this_42.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_30 = Reflected(vec3(0f), this_41.contribution);
+        chosen_30 = Reflected(vec3(0f), this_42.contribution);
     }
     let _e34 = chosen_30;
     return _e34;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_42: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_43: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_42).lit;
-    (*this_42).lit = (_e6 + light.lit);
+    let _e6 = (*this_43).lit;
+    (*this_43).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_42).blocked;
-    (*this_42).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_43).blocked;
+    (*this_43).blocked = (_e11 + light.blocked);
     return;
 }
 
 // glimt_render_gpu/src/kernels/bis.rs:33
-fn Bis_reflected(this_43: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Reflected {
+fn Bis_reflected(this_44: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Reflected {
     var weights_1: RisSum;
     var counter_2: u32;
     var sum_2: Reflected;
@@ -3221,7 +3238,7 @@ fn Bis_reflected(this_43: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
     var both_2: bool;
 
     // glimt_render_gpu/src/kernels/bis.rs:40
-    let candidates = Candidates(this_43.candidates, this_43.source, 0f);
+    let candidates = Candidates(this_44.candidates, this_44.source, 0f);
     // glimt_render_gpu/src/kernels/bis.rs:45
     let _e12 = RisSum_new();
     weights_1 = _e12;
@@ -3229,7 +3246,7 @@ fn Bis_reflected(this_43: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
     counter_2 = 0u;
     loop {
         let j_1 = counter_2;
-        if (j_1 >= this_43.candidates) {
+        if (j_1 >= this_44.candidates) {
             break;
         }
         // glimt_render_gpu/src/kernels/bis.rs:47
@@ -3247,18 +3264,18 @@ fn Bis_reflected(this_43: Bis, point_5: ShadingPoint, pattern_2: PixelPattern, e
     // glimt_render_gpu/src/kernels/bis.rs:51
     let _e37 = weights_1;
     let _e42 = PixelPattern_pair(pattern_2, 6u, 0u, 1u);
-    let _e44 = RisPicks_new(_e37, this_43.samples, _e42.x);
+    let _e44 = RisPicks_new(_e37, this_44.samples, _e42.x);
     picks_1 = _e44;
     // glimt_render_gpu/src/kernels/bis.rs:52
     let _e49 = weights_1;
     let _e50 = RisSum_normaliser(_e49);
-    let scale = (f32(this_43.samples) / max(_e50, 0.000000000000000000000000000000000000011754944f));
+    let scale = (f32(this_44.samples) / max(_e50, 0.000000000000000000000000000000000000011754944f));
     // glimt_render_gpu/src/kernels/bis.rs:53
     j = 0u;
     // glimt_render_gpu/src/kernels/bis.rs:54
     loop {
         let _e58 = j;
-        let _e60 = (_e58 < this_43.candidates);
+        let _e60 = (_e58 < this_44.candidates);
         both_2 = _e60;
         if _e60 {
             let _e62 = picks_1;

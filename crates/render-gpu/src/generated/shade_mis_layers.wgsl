@@ -156,6 +156,11 @@ struct Reflected {
     blocked: vec3<f32>,
 }
 
+struct Tuple_UVec2_u32_ {
+    fa: vec2<u32>,
+    fb: u32,
+}
+
 struct DirectionSample {
     direction: vec3<f32>,
     pdf_sr: f32,
@@ -301,10 +306,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> Owen
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:128
+// glimt_render_gpu/src/kernels/pattern.rs:136
 fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:129
+    // glimt_render_gpu/src/kernels/pattern.rs:137
     let _e6 = hash2_(this_2.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_2.frame, this_2.pixel, index);
     return _e9;
@@ -466,25 +471,25 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     var chosen: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_17 = (index_5 & 65535u);
+    let index_18 = (index_5 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen = index_17;
+        chosen = index_18;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_17);
+            let _e16 = pascal(index_18);
             chosen = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_17);
+                let _e20 = recurrence_2_(index_18);
                 chosen = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_17);
+                let _e22 = recurrence_3_(index_18);
                 chosen = _e22;
             }
         }
@@ -656,10 +661,10 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_2: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:133
+// glimt_render_gpu/src/kernels/pattern.rs:141
 fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:134
+    // glimt_render_gpu/src/kernels/pattern.rs:142
     let _e6 = hash3_(this_4.seed, purpose_1, index_6);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_4.frame, this_4.pixel);
     return _e9;
@@ -694,52 +699,52 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_6: ptr<function, Xoshiro128PlusPlus>) -> 
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:138
+// glimt_render_gpu/src/kernels/pattern.rs:146
 fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:139
+    // glimt_render_gpu/src/kernels/pattern.rs:147
     let _e5 = hash2_(this_7.seed, purpose_2);
     let _e8 = hash3_(_e5, this_7.frame, this_7.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:213
+// glimt_render_gpu/src/kernels/pattern.rs:221
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
     var counter: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:223
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:217
+    // glimt_render_gpu/src/kernels/pattern.rs:225
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:218
+    // glimt_render_gpu/src/kernels/pattern.rs:226
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:219
+    // glimt_render_gpu/src/kernels/pattern.rs:227
     x_4 = index_7;
-    // glimt_render_gpu/src/kernels/pattern.rs:220
+    // glimt_render_gpu/src/kernels/pattern.rs:228
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:221
+        // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key;
-        // glimt_render_gpu/src/kernels/pattern.rs:222
+        // glimt_render_gpu/src/kernels/pattern.rs:230
         counter = 0i;
         loop {
             let _e31 = counter;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:231
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:225
+            // glimt_render_gpu/src/kernels/pattern.rs:233
             let _e37 = x_4;
             let _e38 = round_key;
             x_4 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:226
+            // glimt_render_gpu/src/kernels/pattern.rs:234
             let _e44 = x_4;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_4;
@@ -749,10 +754,10 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
                 counter = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:228
+        // glimt_render_gpu/src/kernels/pattern.rs:236
         let _e62 = x_4;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:229
+            // glimt_render_gpu/src/kernels/pattern.rs:237
             let _e65 = x_4;
             let _e67 = hash_u32_(~(key));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -761,31 +766,31 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:204
+// glimt_render_gpu/src/kernels/pattern.rs:212
 fn stratum(cell: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:205
+    // glimt_render_gpu/src/kernels/pattern.rs:213
     return ((cell * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:184
+// glimt_render_gpu/src/kernels/pattern.rs:192
 fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:193
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:194
     let _e12 = (count_1 / columns);
     let rows = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:195
     let _e21 = hash2_(key_1, 1u);
     let _e22 = permute(index_8, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    // glimt_render_gpu/src/kernels/pattern.rs:196
     let _e26 = hash2_(key_1, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:189
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let _e31 = hash2_(key_1, 3u);
     let _e32 = permute((_e22 / columns), rows, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:190
+    // glimt_render_gpu/src/kernels/pattern.rs:198
     let _e38 = stratum(((_e27 * rows) + _e32), (columns * rows), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
@@ -797,17 +802,17 @@ fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples:
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_18 = ((this_8.ray * samples) + sample);
+    let index_19 = ((this_8.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:69
     if (this_8.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_18);
+        let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_19);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_8, purpose_3, index_18);
+    let _e18 = PixelPattern_generator(this_8, purpose_3, index_19);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:73
@@ -817,7 +822,7 @@ fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples:
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
     let _e29 = PixelPattern_key(this_8, purpose_3);
-    let _e30 = jittered_pair(index_18, (this_8.rays * samples), _e20, _e29);
+    let _e30 = jittered_pair(index_19, (this_8.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -860,10 +865,10 @@ fn FrameParams_direction(this_10: FrameParams, pixel_3: u32, place: vec2<f32>) -
     return _e22;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:123
+// glimt_render_gpu/src/kernels/pattern.rs:131
 fn PixelPattern_ray_key(this_11: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:124
+    // glimt_render_gpu/src/kernels/pattern.rs:132
     let _e4 = PixelPattern_key(this_11, purpose_4);
     let _e6 = hash2_(_e4, this_11.ray);
     return _e6;
@@ -1960,55 +1965,67 @@ fn OwenSobol_next_u32_(this_23: ptr<function, OwenSobol>) -> u32 {
     return _e17;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:198
-fn jittered(index_16: u32, count_2: u32, jitter_2: u32, key_4: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:116
+fn PixelPattern_point_triple(this_24: PixelPattern, purpose_5: u32, index_16: u32) -> vec3<u32> {
+    var point: OwenSobol;
+    var generator: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:199
+    // glimt_render_gpu/src/kernels/pattern.rs:117
+    if (this_24.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:118
+        let _e9 = PixelPattern_sobol_point(this_24, purpose_5, index_16);
+        point = _e9;
+        // glimt_render_gpu/src/kernels/pattern.rs:119
+        let _e12 = OwenSobol_next_uvec2_((&point));
+        // glimt_render_gpu/src/kernels/pattern.rs:120
+        let _e14 = OwenSobol_next_u32_((&point));
+        return vec3<u32>(_e12, _e14);
+    }
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e17 = PixelPattern_generator(this_24, purpose_5, index_16);
+    generator = _e17;
+    // glimt_render_gpu/src/kernels/pattern.rs:123
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:124
+    let _e22 = Xoshiro128PlusPlus_next_u32_((&generator));
+    return vec3<u32>(_e20, _e22);
+}
+
+// glimt_render_gpu/src/kernels/pattern.rs:206
+fn jittered(index_17: u32, count_2: u32, jitter_2: u32, key_4: u32) -> u32 {
+
+    // glimt_render_gpu/src/kernels/pattern.rs:207
     let _e7 = hash2_(key_4, 4u);
-    let _e8 = permute(index_16, count_2, _e7);
+    let _e8 = permute(index_17, count_2, _e7);
     let _e9 = stratum(_e8, count_2, jitter_2);
     return _e9;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:82
-fn PixelPattern_triple(this_24: PixelPattern, purpose_5: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
-    var point: OwenSobol;
-    var generator: Xoshiro128PlusPlus;
+fn PixelPattern_triple(this_25: PixelPattern, purpose_6: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
 
     // glimt_render_gpu/src/kernels/pattern.rs:83
-    let index_19 = ((this_24.ray * samples_1) + sample_1);
+    let index_20 = ((this_25.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:84
-    if (this_24.kind == 0u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:85
-        let _e14 = PixelPattern_sobol_point(this_24, purpose_5, index_19);
-        point = _e14;
+    let _e10 = PixelPattern_point_triple(this_25, purpose_6, index_20);
+    // glimt_render_gpu/src/kernels/pattern.rs:85
+    if (this_25.kind != 2u) {
         // glimt_render_gpu/src/kernels/pattern.rs:86
-        let _e17 = OwenSobol_next_uvec2_((&point));
-        // glimt_render_gpu/src/kernels/pattern.rs:87
-        let _e19 = OwenSobol_next_u32_((&point));
-        return vec3<u32>(_e17, _e19);
+        return _e10;
     }
+    // glimt_render_gpu/src/kernels/pattern.rs:88
+    let _e19 = Tuple_UVec2_u32_(_e10.xy, _e10.z);
+    let jitter_3 = _e19.fa;
+    let single = _e19.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:89
-    let _e22 = PixelPattern_generator(this_24, purpose_5, index_19);
-    generator = _e22;
+    let _e25 = PixelPattern_key(this_25, purpose_6);
+    let _e26 = Tuple_u32_u32_((this_25.rays * samples_1), _e25);
+    let count_3 = _e26.fa;
+    let key_7 = _e26.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:90
-    let _e25 = Xoshiro128PlusPlus_next_uvec2_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:91
-    let _e27 = Xoshiro128PlusPlus_next_u32_((&generator));
-    // glimt_render_gpu/src/kernels/pattern.rs:92
-    if (this_24.kind == 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:93
-        return vec3<u32>(_e25, _e27);
-    }
-    // glimt_render_gpu/src/kernels/pattern.rs:95
-    let _e37 = PixelPattern_key(this_24, purpose_5);
-    let _e38 = Tuple_u32_u32_((this_24.rays * samples_1), _e37);
-    let count_3 = _e38.fa;
-    let key_7 = _e38.fb;
-    // glimt_render_gpu/src/kernels/pattern.rs:96
-    let _e42 = jittered_pair(index_19, count_3, _e25, key_7);
-    let _e43 = jittered(index_19, count_3, _e27, key_7);
-    return vec3<u32>(_e42, _e43);
+    let _e30 = jittered_pair(index_20, count_3, jitter_3, key_7);
+    let _e31 = jittered(index_20, count_3, single, key_7);
+    return vec3<u32>(_e30, _e31);
 }
 
 // glimt_sampling/src/math.rs:16
@@ -2019,13 +2036,13 @@ fn luminance(rgb: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_25: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_26: BlinnPhong) -> f32 {
     var chosen_12: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_25.specular);
+    let _e4 = luminance(this_26.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_25.diffuse);
+    let _e7 = luminance(this_26.diffuse);
     let both_2 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_2 > 0f) {
@@ -2244,23 +2261,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_26: HalfVector, exponent_3: f32) -> f32 {
+fn HalfVector_lobe(this_27: HalfVector, exponent_3: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_26.cos2_theta, this_26.sin2_theta, exponent_3);
+    let _e6 = cosine_power(this_27.cos2_theta, this_27.sin2_theta, exponent_3);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_27: HalfVector, exponent_4: f32) -> f32 {
+fn HalfVector_pdf_sr(this_28: HalfVector, exponent_4: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_27, exponent_4);
-    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_27.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_28, exponent_4);
+    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_28.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_28: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -2270,7 +2287,7 @@ fn BlinnPhong_pdf_sr(this_28: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_28);
+    let _e17 = BlinnPhong_pmf_specular(this_29);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -2278,21 +2295,21 @@ fn BlinnPhong_pdf_sr(this_28: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_1, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_28.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_29.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_29: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_7: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_30: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_7: vec2<f32>) -> BrdfSample {
     var chosen_17: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_29);
+    let _e8 = BlinnPhong_pmf_specular(this_30);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_7, this_29.exponent);
+        let _e12 = sample_power_cosine(u_7, this_30.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_17 = (((2f * dot(wo_2, h)) * h) - wo_2);
@@ -2303,15 +2320,15 @@ fn BlinnPhong_sample(this_29: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_7: vec
     }
     let wi_4 = chosen_17;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_29, wo_2, wi_4);
+    let _e25 = BlinnPhong_pdf_sr(this_30, wo_2, wi_4);
     return BrdfSample(wi_4, _e25);
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_30: ShadingFrame, v_5: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_31: ShadingFrame, v_5: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_30.t * v_5.x) + (this_30.b * v_5.y)) + (this_30.n * v_5.z));
+    return (((this_31.t * v_5.x) + (this_31.b * v_5.y)) + (this_31.n * v_5.z));
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -2508,10 +2525,10 @@ fn multi_sample_density(n_f: u32, pdf_f: f32, n_g: u32, pdf_g: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/mis.rs:78
-fn Mis_density(this_31: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
+fn Mis_density(this_32: Mis, brdf_pdf_sr: f32, env_pdf_sr: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/mis.rs:79
-    let _e7 = multi_sample_density(this_31.brdf_samples, brdf_pdf_sr, this_31.env_samples, env_pdf_sr);
+    let _e7 = multi_sample_density(this_32.brdf_samples, brdf_pdf_sr, this_32.env_samples, env_pdf_sr);
     return _e7;
 }
 
@@ -2533,7 +2550,7 @@ fn normalisation(exponent_5: f32) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_32: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_33: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_3.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2541,19 +2558,19 @@ fn BlinnPhong_eval(this_32: BlinnPhong, wo_3: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse = (this_32.diffuse * 0.31830987f);
+    let diffuse = (this_33.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_32.specular.x, this_32.specular.y), this_32.specular.z) <= 0f) {
+    if (max(max(this_33.specular.x, this_33.specular.y), this_33.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_32.exponent);
+    let _e31 = normalisation(this_33.exponent);
     let _e32 = HalfVector_new(wo_3, wi_2);
-    let _e34 = HalfVector_lobe(_e32, this_32.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_33.exponent);
     let lobe = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse + (this_32.specular * lobe));
+    return (diffuse + (this_33.specular * lobe));
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:76
@@ -2574,10 +2591,10 @@ fn LightSample_new(point_1: ShadingPoint, direction_8: vec3<f32>, wi_3: vec3<f32
 }
 
 // glimt_render_gpu/src/kernels/mis.rs:33
-fn Mis_brdf_sample(this_33: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> LightSample {
+fn Mis_brdf_sample(this_34: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1: PixelPattern, env_size: vec2<u32>, env_rotation: vec2<f32>) -> LightSample {
 
     // glimt_render_gpu/src/kernels/mis.rs:40
-    let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_33.brdf_samples);
+    let _e10 = PixelPattern_triple(pattern_1, 2u, sample_2, this_34.brdf_samples);
     // glimt_render_gpu/src/kernels/mis.rs:41
     let _e16 = unit_vec2_(_e10.xy);
     let _e17 = BlinnPhong_sample(point_2.brdf, point_2.wo, _e10.z, _e16);
@@ -2593,7 +2610,7 @@ fn Mis_brdf_sample(this_33: Mis, sample_2: u32, point_2: ShadingPoint, pattern_1
     // glimt_render_gpu/src/kernels/mis.rs:47
     let _e39 = Environment_cdf(env_size, env_rotation);
     let _e43 = EnvCdf_texel_pdf_sr(_e39.value_size, _e39.value_conditional_start, _e39.value_conditional_len, _e36);
-    let _e44 = Mis_density(this_33, _e17.pdf_sr, _e43);
+    let _e44 = Mis_density(this_34, _e17.pdf_sr, _e43);
     // glimt_render_gpu/src/kernels/mis.rs:48
     let _e47 = Environment_radiance(env_size, env_rotation, _e36);
     let _e48 = LightSample_new(point_2, _e34, _e17.wi, _e47, _e44);
@@ -2622,36 +2639,36 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_9: vec3<f32>, key_5: u32) -> bo
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_34: LightSample, point_4: ShadingPoint, key_6: u32) -> Reflected {
+fn LightSample_traced(this_35: LightSample, point_4: ShadingPoint, key_6: u32) -> Reflected {
     var chosen_21: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_34.contribution.x, this_34.contribution.y), this_34.contribution.z) > 0f)) {
+    if !((max(max(this_35.contribution.x, this_35.contribution.y), this_35.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e23 = Scene_is_lit(point_4, this_34.direction, key_6);
+    let _e23 = Scene_is_lit(point_4, this_35.direction, key_6);
     if _e23 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_21 = Reflected(this_34.contribution, vec3(0f));
+        chosen_21 = Reflected(this_35.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_21 = Reflected(vec3(0f), this_34.contribution);
+        chosen_21 = Reflected(vec3(0f), this_35.contribution);
     }
     let _e34 = chosen_21;
     return _e34;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_35: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_36: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_35).lit;
-    (*this_35).lit = (_e6 + light.lit);
+    let _e6 = (*this_36).lit;
+    (*this_36).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_35).blocked;
-    (*this_35).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_36).blocked;
+    (*this_36).blocked = (_e11 + light.blocked);
     return;
 }
 
@@ -2848,10 +2865,10 @@ fn Environment_sample(size_16: vec2<u32>, rotation_4: vec2<f32>, u_12: vec2<u32>
 }
 
 // glimt_render_gpu/src/kernels/mis.rs:54
-fn Mis_env_sample(this_36: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LightSample {
+fn Mis_env_sample(this_37: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LightSample {
 
     // glimt_render_gpu/src/kernels/mis.rs:61
-    let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_36.env_samples);
+    let _e10 = PixelPattern_pair(pattern_2, 3u, sample_3, this_37.env_samples);
     // glimt_render_gpu/src/kernels/mis.rs:62
     let _e12 = Environment_sample(env_size_1, env_rotation_1, _e10);
     // glimt_render_gpu/src/kernels/mis.rs:63
@@ -2863,7 +2880,7 @@ fn Mis_env_sample(this_36: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2:
     let _e29 = ShadingFrame_to_local(point_5.frame, _e12.direction);
     // glimt_render_gpu/src/kernels/mis.rs:67
     let _e33 = BlinnPhong_pdf_sr(point_5.brdf, point_5.wo, _e29);
-    let _e35 = Mis_density(this_36, _e33, _e12.pdf_sr);
+    let _e35 = Mis_density(this_37, _e33, _e12.pdf_sr);
     // glimt_render_gpu/src/kernels/mis.rs:68
     let _e39 = Environment_radiance(env_size_1, env_rotation_1, _e12.texel);
     let _e40 = LightSample_new(point_5, _e12.direction, _e29, _e39, _e35);
@@ -2871,7 +2888,7 @@ fn Mis_env_sample(this_36: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2:
 }
 
 // glimt_render_gpu/src/kernels/mis.rs:85
-fn Mis_reflected(this_37: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> Reflected {
+fn Mis_reflected(this_38: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> Reflected {
     var sum_2: Reflected;
     var counter_2: u32;
     var counter_3: u32;
@@ -2884,11 +2901,11 @@ fn Mis_reflected(this_37: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
     counter_2 = 0u;
     loop {
         let i_1 = counter_2;
-        if (i_1 >= this_37.brdf_samples) {
+        if (i_1 >= this_38.brdf_samples) {
             break;
         }
         // glimt_render_gpu/src/kernels/mis.rs:95
-        let _e23 = Mis_brdf_sample(this_37, i_1, point_6, pattern_3, env_size_2, env_rotation_2);
+        let _e23 = Mis_brdf_sample(this_38, i_1, point_6, pattern_3, env_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/mis.rs:96
         let _e26 = LightSample_traced(_e23, point_6, (_e8 + i_1));
         Reflected_gather((&sum_2), _e26);
@@ -2901,13 +2918,13 @@ fn Mis_reflected(this_37: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
     counter_3 = 0u;
     loop {
         let i_2 = counter_3;
-        if (i_2 >= this_37.env_samples) {
+        if (i_2 >= this_38.env_samples) {
             break;
         }
         // glimt_render_gpu/src/kernels/mis.rs:99
-        let _e37 = Mis_env_sample(this_37, i_2, point_6, pattern_3, env_size_2, env_rotation_2);
+        let _e37 = Mis_env_sample(this_38, i_2, point_6, pattern_3, env_size_2, env_rotation_2);
         // glimt_render_gpu/src/kernels/mis.rs:100
-        let _e42 = LightSample_traced(_e37, point_6, (_e8 + (this_37.brdf_samples + i_2)));
+        let _e42 = LightSample_traced(_e37, point_6, (_e8 + (this_38.brdf_samples + i_2)));
         Reflected_gather((&sum_2), _e42);
         continuing {
             let _e43 = counter_3;

@@ -115,6 +115,8 @@ struct Representative {
     mean_normal: vec3<f32>,
     diffuse: vec3<f32>,
     specular: vec3<f32>,
+    exponent: f32,
+    peak: f32,
     surface: CellSurface,
 }
 
@@ -363,14 +365,14 @@ fn SeenPoint_is_hit(this_2: SeenPoint) -> bool {
     return (this_2.surface != 0u);
 }
 
-// glimt_render_gpu/src/kernels/groups.rs:40
+// glimt_render_gpu/src/kernels/groups.rs:70
 fn belongs(leader: SeenPoint, point: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/groups.rs:41
+    // glimt_render_gpu/src/kernels/groups.rs:71
     return (((((point.flags & 1u) == 0u) && (point.surface == leader.surface)) && (point.material == leader.material)) && (dot(point.normal, leader.normal) >= 0.9396926f));
 }
 
-// glimt_render_gpu/src/kernels/groups.rs:51
+// glimt_render_gpu/src/kernels/groups.rs:81
 fn next_group(points_start: u32, points_len: u32, from_: ptr<function, u32>, first: u32) -> Group {
     var leader_1: u32;
     var both: bool;
@@ -378,11 +380,11 @@ fn next_group(points_start: u32, points_len: u32, from_: ptr<function, u32>, fir
     var members: u32;
     var counter: u32;
 
-    // glimt_render_gpu/src/kernels/groups.rs:52
-    // glimt_render_gpu/src/kernels/groups.rs:53
+    // glimt_render_gpu/src/kernels/groups.rs:82
+    // glimt_render_gpu/src/kernels/groups.rs:83
     let _e7 = (*from_);
     leader_1 = _e7;
-    // glimt_render_gpu/src/kernels/groups.rs:54
+    // glimt_render_gpu/src/kernels/groups.rs:84
     loop {
         let _e10 = leader_1;
         let _e11 = (_e10 < points_len);
@@ -404,25 +406,25 @@ fn next_group(points_start: u32, points_len: u32, from_: ptr<function, u32>, fir
         }
         let _e32 = both;
         if _e32 {
-            // glimt_render_gpu/src/kernels/groups.rs:57
+            // glimt_render_gpu/src/kernels/groups.rs:87
             let _e35 = leader_1;
             leader_1 = (_e35 + 1u);
         } else {
             break;
         }
     }
-    // glimt_render_gpu/src/kernels/groups.rs:59
+    // glimt_render_gpu/src/kernels/groups.rs:89
     let _e38 = leader_1;
     (*from_) = _e38;
-    // glimt_render_gpu/src/kernels/groups.rs:60
+    // glimt_render_gpu/src/kernels/groups.rs:90
     members = 0u;
-    // glimt_render_gpu/src/kernels/groups.rs:61
+    // glimt_render_gpu/src/kernels/groups.rs:91
     let _e43 = leader_1;
     if (_e43 < points_len) {
-        // glimt_render_gpu/src/kernels/groups.rs:62
+        // glimt_render_gpu/src/kernels/groups.rs:92
         let _e46 = leader_1;
-        let own_1 = points[(points_start + _e46)];
-        // glimt_render_gpu/src/kernels/groups.rs:63
+        let own = points[(points_start + _e46)];
+        // glimt_render_gpu/src/kernels/groups.rs:93
         let _e52 = leader_1;
         counter = _e52;
         loop {
@@ -430,17 +432,17 @@ fn next_group(points_start: u32, points_len: u32, from_: ptr<function, u32>, fir
             if (ray_12 >= points_len) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/groups.rs:64
+            // glimt_render_gpu/src/kernels/groups.rs:94
             let _e60 = points[(points_start + ray_12)];
-            let _e61 = belongs(own_1, _e60);
+            let _e61 = belongs(own, _e60);
             if _e61 {
-                // glimt_render_gpu/src/kernels/groups.rs:65
+                // glimt_render_gpu/src/kernels/groups.rs:95
                 let _e63 = members;
                 points[(points_start + (first + _e63))].order = ray_12;
-                // glimt_render_gpu/src/kernels/groups.rs:66
+                // glimt_render_gpu/src/kernels/groups.rs:96
                 let _e75 = points[(points_start + ray_12)].flags;
                 points[(points_start + ray_12)].flags = (_e75 | 1u);
-                // glimt_render_gpu/src/kernels/groups.rs:67
+                // glimt_render_gpu/src/kernels/groups.rs:97
                 let _e79 = members;
                 members = (_e79 + 1u);
             }
@@ -450,15 +452,15 @@ fn next_group(points_start: u32, points_len: u32, from_: ptr<function, u32>, fir
             }
         }
     }
-    // glimt_render_gpu/src/kernels/groups.rs:71
+    // glimt_render_gpu/src/kernels/groups.rs:101
     let _e85 = members;
     return Group(first, _e85);
 }
 
-// glimt_render_gpu/src/kernels/groups.rs:78
+// glimt_render_gpu/src/kernels/groups.rs:108
 fn Group_ray(this_3: Group, k: u32, points_start_1: u32, points_len_1: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/groups.rs:79
+    // glimt_render_gpu/src/kernels/groups.rs:109
     let _e11 = points[(points_start_1 + (this_3.first + k))].order;
     return _e11;
 }
@@ -506,7 +508,7 @@ fn CellSurface_new(normal: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponent_
     return CellSurface(normal, wo, (kd * 0.31830987f), ks, widened, _e22, sqrt((2f * (1f - r_1))), horizon, 1f);
 }
 
-// glimt_render_gpu/src/kernels/groups.rs:85
+// glimt_render_gpu/src/kernels/groups.rs:115
 fn Group_representative(this_4: Group, points_start_2: u32, points_len_2: u32, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
     var normal_1: vec3<f32>;
     var wo_1: vec3<f32>;
@@ -517,40 +519,40 @@ fn Group_representative(this_4: Group, points_start_2: u32, points_len_2: u32, e
     var horizon_1: f32;
     var counter_2: u32;
 
-    // glimt_render_gpu/src/kernels/groups.rs:86
+    // glimt_render_gpu/src/kernels/groups.rs:116
     normal_1 = vec3(0f);
-    // glimt_render_gpu/src/kernels/groups.rs:87
+    // glimt_render_gpu/src/kernels/groups.rs:117
     wo_1 = vec3(0f);
-    // glimt_render_gpu/src/kernels/groups.rs:88
+    // glimt_render_gpu/src/kernels/groups.rs:118
     diffuse = vec3(0f);
-    // glimt_render_gpu/src/kernels/groups.rs:89
+    // glimt_render_gpu/src/kernels/groups.rs:119
     specular = vec3(0f);
-    // glimt_render_gpu/src/kernels/groups.rs:90
+    // glimt_render_gpu/src/kernels/groups.rs:120
     exponent_2 = 0f;
-    // glimt_render_gpu/src/kernels/groups.rs:91
+    // glimt_render_gpu/src/kernels/groups.rs:121
     counter_1 = 0u;
     loop {
         let k_1 = counter_1;
         if (k_1 >= this_4.members) {
             break;
         }
-        // glimt_render_gpu/src/kernels/groups.rs:92
+        // glimt_render_gpu/src/kernels/groups.rs:122
         let _e32 = Group_ray(this_4, k_1, points_start_2, points_len_2);
-        // glimt_render_gpu/src/kernels/groups.rs:93
+        // glimt_render_gpu/src/kernels/groups.rs:123
         let point_5 = points[(points_start_2 + _e32)];
-        // glimt_render_gpu/src/kernels/groups.rs:94
+        // glimt_render_gpu/src/kernels/groups.rs:124
         let _e40 = normal_1;
         normal_1 = (_e40 + point_5.normal);
-        // glimt_render_gpu/src/kernels/groups.rs:95
+        // glimt_render_gpu/src/kernels/groups.rs:125
         let _e44 = wo_1;
         wo_1 = (_e44 + point_5.wo);
-        // glimt_render_gpu/src/kernels/groups.rs:96
+        // glimt_render_gpu/src/kernels/groups.rs:126
         let _e48 = diffuse;
         diffuse = (_e48 + point_5.diffuse);
-        // glimt_render_gpu/src/kernels/groups.rs:97
+        // glimt_render_gpu/src/kernels/groups.rs:127
         let _e52 = specular;
         specular = (_e52 + point_5.specular);
-        // glimt_render_gpu/src/kernels/groups.rs:98
+        // glimt_render_gpu/src/kernels/groups.rs:128
         let _e56 = exponent_2;
         exponent_2 = (_e56 + point_5.exponent);
         continuing {
@@ -558,39 +560,39 @@ fn Group_representative(this_4: Group, points_start_2: u32, points_len_2: u32, e
             counter_1 = (_e58 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/groups.rs:100
+    // glimt_render_gpu/src/kernels/groups.rs:130
     let share_1 = (1f / f32(this_4.members));
-    // glimt_render_gpu/src/kernels/groups.rs:101
+    // glimt_render_gpu/src/kernels/groups.rs:131
     let _e67 = normal_1;
     normal_1 = (_e67 * share_1);
-    // glimt_render_gpu/src/kernels/groups.rs:102
+    // glimt_render_gpu/src/kernels/groups.rs:132
     let _e70 = diffuse;
     diffuse = (_e70 * share_1);
-    // glimt_render_gpu/src/kernels/groups.rs:103
+    // glimt_render_gpu/src/kernels/groups.rs:133
     let _e73 = specular;
     specular = (_e73 * share_1);
-    // glimt_render_gpu/src/kernels/groups.rs:104
+    // glimt_render_gpu/src/kernels/groups.rs:134
     let _e76 = normal_1;
     let length_1 = length(_e76);
-    // glimt_render_gpu/src/kernels/groups.rs:105
+    // glimt_render_gpu/src/kernels/groups.rs:135
     let _e79 = normal_1;
     let unit = (_e79 / vec3(max(length_1, 0.000001f)));
-    // glimt_render_gpu/src/kernels/groups.rs:106
+    // glimt_render_gpu/src/kernels/groups.rs:136
     horizon_1 = 0f;
-    // glimt_render_gpu/src/kernels/groups.rs:107
+    // glimt_render_gpu/src/kernels/groups.rs:137
     if (this_4.members > 1u) {
-        // glimt_render_gpu/src/kernels/groups.rs:108
+        // glimt_render_gpu/src/kernels/groups.rs:138
         counter_2 = 0u;
         loop {
             let k_2 = counter_2;
             if (k_2 >= this_4.members) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/groups.rs:109
+            // glimt_render_gpu/src/kernels/groups.rs:139
             let _e98 = Group_ray(this_4, k_2, points_start_2, points_len_2);
-            // glimt_render_gpu/src/kernels/groups.rs:110
+            // glimt_render_gpu/src/kernels/groups.rs:140
             let point_6 = points[(points_start_2 + _e98)];
-            // glimt_render_gpu/src/kernels/groups.rs:111
+            // glimt_render_gpu/src/kernels/groups.rs:141
             let _e105 = horizon_1;
             horizon_1 = max(_e105, length(cross(unit, point_6.normal)));
             continuing {
@@ -598,11 +600,11 @@ fn Group_representative(this_4: Group, points_start_2: u32, points_len_2: u32, e
                 counter_2 = (_e110 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/groups.rs:113
+        // glimt_render_gpu/src/kernels/groups.rs:143
         let _e115 = horizon_1;
         horizon_1 = ((1.02f * _e115) + 0.001f);
     }
-    // glimt_render_gpu/src/kernels/groups.rs:115
+    // glimt_render_gpu/src/kernels/groups.rs:145
     let _e120 = Environment_to_map(env_size, env_rotation, unit);
     let _e121 = wo_1;
     let _e123 = Environment_to_map(env_size, env_rotation, normalize(_e121));
@@ -613,12 +615,15 @@ fn Group_representative(this_4: Group, points_start_2: u32, points_len_2: u32, e
     let _e128 = exponent_2;
     let _e130 = horizon_1;
     let _e131 = CellSurface_new(_e120, _e123, _e125, _e127, (_e128 * share_1), length_1, _e130);
-    // glimt_render_gpu/src/kernels/groups.rs:124
+    // glimt_render_gpu/src/kernels/groups.rs:154
     let _e133 = normal_1;
     let _e134 = Environment_to_map(env_size, env_rotation, _e133);
     let _e135 = diffuse;
     let _e136 = specular;
-    return Representative(_e134, _e135, _e136, _e131);
+    let _e137 = exponent_2;
+    let _e139 = exponent_2;
+    let _e141 = normalisation((_e139 * share_1));
+    return Representative(_e134, _e135, _e136, (_e137 * share_1), _e141, _e131);
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:91
@@ -781,11 +786,11 @@ fn Unknown_quad(this_8: Unknown, _quad: u32) -> vec4<f32> {
 fn CellSurface_shape_variance(this_9: CellSurface, terms: CellTerms) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:163
-    let diffuse_1 = (terms.cosine_spread * this_9.diffuse);
+    let diffuse_2 = (terms.cosine_spread * this_9.diffuse);
     // glimt_light_cells/src/surface.rs:164
     let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_9.specular);
     // glimt_light_cells/src/surface.rs:165
-    return ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
+    return ((diffuse_2 * diffuse_2) + (lobe_1 * lobe_1));
 }
 
 // glimt_light_cells/src/surface.rs:153
@@ -1263,10 +1268,10 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> Owen
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:128
+// glimt_render_gpu/src/kernels/pattern.rs:136
 fn PixelPattern_sobol_point(this_13: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:129
+    // glimt_render_gpu/src/kernels/pattern.rs:137
     let _e6 = hash2_(this_13.seed, purpose);
     let _e9 = OwenSobol_new(_e6, this_13.frame, this_13.pixel, index);
     return _e9;
@@ -1382,19 +1387,19 @@ fn Xoshiro128PlusPlus_stream(seed_1: u32, frame_1: u32, pixel_2: u32) -> Xoshiro
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:133
+// glimt_render_gpu/src/kernels/pattern.rs:141
 fn PixelPattern_generator(this_14: PixelPattern, purpose_1: u32, index_1: u32) -> Xoshiro128PlusPlus {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:134
+    // glimt_render_gpu/src/kernels/pattern.rs:142
     let _e6 = hash3_(this_14.seed, purpose_1, index_1);
     let _e9 = Xoshiro128PlusPlus_stream(_e6, this_14.frame, this_14.pixel);
     return _e9;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:111
+// glimt_render_gpu/src/kernels/pattern.rs:105
 fn PixelPattern_point(this_15: PixelPattern, purpose_2: u32, index_2: u32) -> PatternSource {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:112
+    // glimt_render_gpu/src/kernels/pattern.rs:106
     let _e8 = PixelPattern_sobol_point(this_15, purpose_2, index_2);
     let _e9 = PixelPattern_generator(this_15, purpose_2, index_2);
     return PatternSource((this_15.kind == 0u), _e8, _e9);
@@ -1556,25 +1561,25 @@ fn sobol_reversed(index_7: u32, dimension: u32) -> u32 {
     var chosen_2: u32;
 
     // glimt_sampling/src/sobol.rs:44
-    let index_20 = (index_7 & 65535u);
+    let index_21 = (index_7 & 65535u);
     // glimt_sampling/src/sobol.rs:45
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen_2 = index_20;
+        chosen_2 = index_21;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
-            let _e16 = pascal(index_20);
+            let _e16 = pascal(index_21);
             chosen_2 = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
-                let _e20 = recurrence_2_(index_20);
+                let _e20 = recurrence_2_(index_21);
                 chosen_2 = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
-                let _e22 = recurrence_3_(index_20);
+                let _e22 = recurrence_3_(index_21);
                 chosen_2 = _e22;
             }
         }
@@ -1657,16 +1662,16 @@ fn Xoshiro128PlusPlus_next_u32_(this_17: ptr<function, Xoshiro128PlusPlus>) -> u
     return result;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:163
+// glimt_render_gpu/src/kernels/pattern.rs:171
 fn PatternSource_next_u32_(this_18: ptr<function, PatternSource>) -> u32 {
     var chosen_4: u32;
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:164
+    // glimt_render_gpu/src/kernels/pattern.rs:172
     let _e5 = (*this_18).is_sobol;
     if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:165
+        // glimt_render_gpu/src/kernels/pattern.rs:173
         let _e9 = (*this_18).point;
         borrowed = _e9;
         let _e10 = OwenSobol_next_u32_((&borrowed));
@@ -1674,7 +1679,7 @@ fn PatternSource_next_u32_(this_18: ptr<function, PatternSource>) -> u32 {
         (*this_18).point = _e11;
         chosen_4 = _e10;
     } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:167
+        // glimt_render_gpu/src/kernels/pattern.rs:175
         let _e15 = (*this_18).generator;
         borrowed_1 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_u32_((&borrowed_1));
@@ -1704,19 +1709,19 @@ fn Proposal_is_sharp(this_19: Proposal) -> bool {
     return ((surface_3.specular > 0f) && (dot(surface_3.normal, surface_3.wo) < 0.3f));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:138
+// glimt_render_gpu/src/kernels/pattern.rs:146
 fn PixelPattern_key(this_20: PixelPattern, purpose_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:139
+    // glimt_render_gpu/src/kernels/pattern.rs:147
     let _e5 = hash2_(this_20.seed, purpose_3);
     let _e8 = hash3_(_e5, this_20.frame, this_20.pixel);
     return _e8;
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:123
+// glimt_render_gpu/src/kernels/pattern.rs:131
 fn PixelPattern_ray_key(this_21: PixelPattern, purpose_4: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:124
+    // glimt_render_gpu/src/kernels/pattern.rs:132
     let _e4 = PixelPattern_key(this_21, purpose_4);
     let _e6 = hash2_(_e4, this_21.ray);
     return _e6;
@@ -1755,33 +1760,30 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) ->
     return vec2<u32>(_e3, _e5);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:172
-fn PatternSource_next_uvec2_(this_24: ptr<function, PatternSource>) -> vec2<u32> {
-    var chosen_5: vec2<u32>;
-    var borrowed_2: OwenSobol;
-    var borrowed_3: Xoshiro128PlusPlus;
+// glimt_render_gpu/src/kernels/pattern.rs:116
+fn PixelPattern_point_triple(this_24: PixelPattern, purpose_5: u32, index_9: u32) -> vec3<u32> {
+    var point_1: OwenSobol;
+    var generator: Xoshiro128PlusPlus;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:173
-    let _e5 = (*this_24).is_sobol;
-    if _e5 {
-        // glimt_render_gpu/src/kernels/pattern.rs:174
-        let _e9 = (*this_24).point;
-        borrowed_2 = _e9;
-        let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
-        let _e11 = borrowed_2;
-        (*this_24).point = _e11;
-        chosen_5 = _e10;
-    } else {
-        // glimt_render_gpu/src/kernels/pattern.rs:176
-        let _e15 = (*this_24).generator;
-        borrowed_3 = _e15;
-        let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
-        let _e17 = borrowed_3;
-        (*this_24).generator = _e17;
-        chosen_5 = _e16;
+    // glimt_render_gpu/src/kernels/pattern.rs:117
+    if (this_24.kind == 0u) {
+        // glimt_render_gpu/src/kernels/pattern.rs:118
+        let _e9 = PixelPattern_sobol_point(this_24, purpose_5, index_9);
+        point_1 = _e9;
+        // glimt_render_gpu/src/kernels/pattern.rs:119
+        let _e12 = OwenSobol_next_uvec2_((&point_1));
+        // glimt_render_gpu/src/kernels/pattern.rs:120
+        let _e14 = OwenSobol_next_u32_((&point_1));
+        return vec3<u32>(_e12, _e14);
     }
-    let _e18 = chosen_5;
-    return _e18;
+    // glimt_render_gpu/src/kernels/pattern.rs:122
+    let _e17 = PixelPattern_generator(this_24, purpose_5, index_9);
+    generator = _e17;
+    // glimt_render_gpu/src/kernels/pattern.rs:123
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&generator));
+    // glimt_render_gpu/src/kernels/pattern.rs:124
+    let _e22 = Xoshiro128PlusPlus_next_u32_((&generator));
+    return vec3<u32>(_e20, _e22);
 }
 
 // glimt_sampling/src/uniform.rs:22
@@ -1793,13 +1795,13 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(_e4, _e6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:159
+// glimt_render_gpu/src/kernels/group_light.rs:162
 fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_5: vec2<u32>, cells_start_5: u32, pattern: PixelPattern, rays: f32, threshold: f32, group: Group, word: u32, points_start_3: u32, points_len_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:160
+    // glimt_render_gpu/src/kernels/group_light.rs:163
     let _e6 = unit_f32_(word);
     let k_3 = u32((_e6 * f32(group.members)));
-    // glimt_render_gpu/src/kernels/group_light.rs:161
+    // glimt_render_gpu/src/kernels/group_light.rs:164
     let _e16 = Group_ray(group, min(k_3, (group.members - 1u)), points_start_3, points_len_3);
     return _e16;
 }
@@ -1834,16 +1836,16 @@ fn SeenPoint_shading_point(this_26: SeenPoint) -> ShadingPoint {
     return ShadingPoint(this_26.origin, this_26.geometric_normal, _e4, _e9, BlinnPhong(this_26.diffuse, this_26.specular, this_26.exponent), this_26.emission);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:70
-fn lobe_of(point_1: ShadingPoint) -> BlinnPhong {
+// glimt_render_gpu/src/kernels/group_light.rs:73
+fn lobe_of(point_2: ShadingPoint) -> BlinnPhong {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:71
-    return BlinnPhong(vec3(0f), point_1.brdf.specular, point_1.brdf.exponent);
+    // glimt_render_gpu/src/kernels/group_light.rs:74
+    return BlinnPhong(vec3(0f), point_2.brdf.specular, point_2.brdf.exponent);
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
 fn BlinnPhong_pmf_specular(this_27: BlinnPhong) -> f32 {
-    var chosen_6: f32;
+    var chosen_5: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
     let _e4 = luminance(this_27.specular);
@@ -1852,27 +1854,27 @@ fn BlinnPhong_pmf_specular(this_27: BlinnPhong) -> f32 {
     let both_4 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_4 > 0f) {
-        chosen_6 = (_e4 / both_4);
+        chosen_5 = (_e4 / both_4);
     } else {
-        chosen_6 = 0f;
+        chosen_5 = 0f;
     }
-    let _e15 = chosen_6;
+    let _e15 = chosen_5;
     return _e15;
 }
 
 // glimt_sampling/src/warp.rs:190
 fn height_of(direction_1: vec3<f32>) -> f32 {
-    var chosen_7: f32;
+    var chosen_6: f32;
 
     // glimt_sampling/src/warp.rs:191
     if (direction_1.z > 0f) {
         // glimt_sampling/src/warp.rs:192
-        chosen_7 = (((direction_1.x * direction_1.x) + (direction_1.y * direction_1.y)) / (1f + direction_1.z));
+        chosen_6 = (((direction_1.x * direction_1.x) + (direction_1.y * direction_1.y)) / (1f + direction_1.z));
     } else {
         // glimt_sampling/src/warp.rs:194
-        chosen_7 = (1f - direction_1.z);
+        chosen_6 = (1f - direction_1.z);
     }
-    let _e23 = chosen_7;
+    let _e23 = chosen_6;
     return _e23;
 }
 
@@ -1894,7 +1896,7 @@ fn ln_cos_theta(direction_2: vec3<f32>) -> f32 {
 
 // glimt_sampling/src/warp.rs:289
 fn pdf_power_cosine_sr(direction_3: vec3<f32>, exponent_4: f32) -> f32 {
-    var chosen_8: f32;
+    var chosen_7: f32;
 
     // glimt_sampling/src/warp.rs:290
     let normalisation_1 = ((exponent_4 + 1f) * (0.5f * 0.31830987f));
@@ -1903,12 +1905,12 @@ fn pdf_power_cosine_sr(direction_3: vec3<f32>, exponent_4: f32) -> f32 {
         // glimt_sampling/src/warp.rs:292
         if (direction_3.z >= 0f) {
             // glimt_sampling/src/warp.rs:293
-            chosen_8 = normalisation_1;
+            chosen_7 = normalisation_1;
         } else {
             // glimt_sampling/src/warp.rs:295
-            chosen_8 = 0f;
+            chosen_7 = 0f;
         }
-        let _e21 = chosen_8;
+        let _e21 = chosen_7;
         return _e21;
     }
     // glimt_sampling/src/warp.rs:298
@@ -1923,15 +1925,15 @@ fn pdf_power_cosine_sr(direction_3: vec3<f32>, exponent_4: f32) -> f32 {
 
 // glimt_sampling/src/warp.rs:182
 fn cos_sin_turns(turns: f32) -> vec2<f32> {
-    var chosen_9: f32;
+    var chosen_8: f32;
 
     // glimt_sampling/src/warp.rs:183
     if (turns < 0.5f) {
-        chosen_9 = turns;
+        chosen_8 = turns;
     } else {
-        chosen_9 = (turns - 1f);
+        chosen_8 = (turns - 1f);
     }
-    let signed = chosen_9;
+    let signed = chosen_8;
     // glimt_sampling/src/warp.rs:184
     let phi = (6.2831855f * signed);
     // glimt_sampling/src/warp.rs:185
@@ -2031,16 +2033,16 @@ fn pdf_cosine_hemisphere_sr(direction_4: vec3<f32>) -> f32 {
 fn HalfVector_new(wo_2: vec3<f32>, wi: vec3<f32>) -> HalfVector {
 
     // glimt_brdf/src/lobe.rs:21
-    let sum_3 = (wo_2 + wi);
+    let sum_2 = (wo_2 + wi);
     // glimt_brdf/src/lobe.rs:23
-    let length2_ = max(dot(sum_3, sum_3), 0.00000000000000000001f);
+    let length2_ = max(dot(sum_2, sum_2), 0.00000000000000000001f);
     // glimt_brdf/src/lobe.rs:24
-    return HalfVector(((sum_3.z * sum_3.z) / length2_), (((sum_3.x * sum_3.x) + (sum_3.y * sum_3.y)) / length2_), (0.5f * sqrt(length2_)));
+    return HalfVector(((sum_2.z * sum_2.z) / length2_), (((sum_2.x * sum_2.x) + (sum_2.y * sum_2.y)) / length2_), (0.5f * sqrt(length2_)));
 }
 
 // glimt_brdf/src/lobe.rs:59
 fn cosine_power(cos2_theta: f32, sin2_theta_2: f32, exponent_6: f32) -> f32 {
-    var chosen_10: f32;
+    var chosen_9: f32;
 
     // glimt_brdf/src/lobe.rs:60
     if (sin2_theta_2 < (1f / 16f)) {
@@ -2049,12 +2051,12 @@ fn cosine_power(cos2_theta: f32, sin2_theta_2: f32, exponent_6: f32) -> f32 {
         // glimt_brdf/src/lobe.rs:63
         let t2_ = (t_7 * t_7);
         // glimt_brdf/src/lobe.rs:64
-        chosen_10 = ((-2f * t_7) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
+        chosen_9 = ((-2f * t_7) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
     } else {
         // glimt_brdf/src/lobe.rs:66
-        chosen_10 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
+        chosen_9 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
     }
-    let log_cos2_ = chosen_10;
+    let log_cos2_ = chosen_9;
     // glimt_brdf/src/lobe.rs:68
     let log_power = ((0.5f * exponent_6) * log_cos2_);
     // glimt_brdf/src/lobe.rs:69
@@ -2108,7 +2110,7 @@ fn BlinnPhong_pdf_sr(this_30: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f
 
 // glimt_brdf/src/blinn_phong.rs:80
 fn BlinnPhong_sample(this_31: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
-    var chosen_11: vec3<f32>;
+    var chosen_10: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
@@ -2118,13 +2120,13 @@ fn BlinnPhong_sample(this_31: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec
         let _e12 = sample_power_cosine(u_5, this_31.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
-        chosen_11 = (((2f * dot(wo_4, h)) * h) - wo_4);
+        chosen_10 = (((2f * dot(wo_4, h)) * h) - wo_4);
     } else {
         // glimt_brdf/src/blinn_phong.rs:85
         let _e21 = sample_cosine_hemisphere(u_5);
-        chosen_11 = _e21.direction;
+        chosen_10 = _e21.direction;
     }
-    let wi_4 = chosen_11;
+    let wi_4 = chosen_10;
     // glimt_brdf/src/blinn_phong.rs:87
     let _e25 = BlinnPhong_pdf_sr(this_31, wo_4, wi_4);
     return BrdfSample(wi_4, _e25);
@@ -2139,8 +2141,8 @@ fn ShadingFrame_to_world(this_32: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
 // glimt_probe/src/latlong.rs:45
 fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
+    var chosen_11: f32;
     var chosen_12: f32;
-    var chosen_13: f32;
 
     // glimt_probe/src/latlong.rs:46
     let horizontal = sqrt(((d_1.x * d_1.x) + (d_1.y * d_1.y)));
@@ -2148,11 +2150,11 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     if (horizontal <= 0f) {
         // glimt_probe/src/latlong.rs:48
         if (d_1.z < 0f) {
-            chosen_12 = 1f;
+            chosen_11 = 1f;
         } else {
-            chosen_12 = 0f;
+            chosen_11 = 0f;
         }
-        let v_6 = chosen_12;
+        let v_6 = chosen_11;
         // glimt_probe/src/latlong.rs:49
         return vec2<f32>(0.5f, v_6);
     }
@@ -2162,11 +2164,11 @@ fn direction_to_uv(d_1: vec3<f32>) -> vec2<f32> {
     let u_12 = (0.5f - ((0.5f * 0.31830987f) * atan2(d_1.y, d_1.x)));
     // glimt_probe/src/latlong.rs:54
     if (u_12 < 1f) {
-        chosen_13 = max(u_12, 0f);
+        chosen_12 = max(u_12, 0f);
     } else {
-        chosen_13 = 0f;
+        chosen_12 = 0f;
     }
-    let _e47 = chosen_13;
+    let _e47 = chosen_12;
     return vec2<f32>(_e47, clamp(v_7, 0f, 1f));
 }
 
@@ -2279,38 +2281,34 @@ fn Proposal_cell(this_33: Proposal, cell: u32, cells_size_6: vec2<u32>, cells_st
     return _e30;
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:189
-fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_7: vec2<u32>, cells_start_7: u32, pattern_1: PixelPattern, rays_1: f32, threshold_1: f32, group_1: Group, proposal: Proposal, expected_3: Unknown, index_9: u32, points_start_4: u32, points_len_4: u32) -> Look {
+// glimt_render_gpu/src/kernels/group_light.rs:191
+fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_7: vec2<u32>, cells_start_7: u32, pattern_1: PixelPattern, rays_1: f32, threshold_1: f32, group_1: Group, proposal: Proposal, expected_3: Unknown, index_10: u32, points_start_4: u32, points_len_4: u32) -> Look {
     var proposal_1: Proposal;
-    var source: PatternSource;
 
     proposal_1 = proposal;
-    // glimt_render_gpu/src/kernels/group_light.rs:197
-    let _e17 = PixelPattern_point(pattern_1, 11u, index_9);
-    source = _e17;
-    // glimt_render_gpu/src/kernels/group_light.rs:198
-    let _e20 = PatternSource_next_uvec2_((&source));
-    let _e21 = unit_vec2_(_e20);
     // glimt_render_gpu/src/kernels/group_light.rs:199
-    let _e23 = PatternSource_next_u32_((&source));
-    let _e24 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_1, group_1, _e23, points_start_4, points_len_4);
+    let _e17 = PixelPattern_point_triple(pattern_1, 11u, index_10);
     // glimt_render_gpu/src/kernels/group_light.rs:200
-    let _e29 = points[(points_start_4 + _e24)];
-    let _e30 = SeenPoint_shading_point(_e29);
+    let _e20 = unit_vec2_(_e17.xy);
     // glimt_render_gpu/src/kernels/group_light.rs:201
-    let _e32 = lobe_of(_e30);
-    let _e35 = BlinnPhong_sample(_e32, _e30.wo, 0u, _e21);
+    let _e23 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_1, group_1, _e17.z, points_start_4, points_len_4);
     // glimt_render_gpu/src/kernels/group_light.rs:202
-    let _e39 = ShadingFrame_to_world(_e30.frame, _e35.wi);
+    let _e28 = points[(points_start_4 + _e23)];
+    let _e29 = SeenPoint_shading_point(_e28);
     // glimt_render_gpu/src/kernels/group_light.rs:203
-    let _e41 = Environment_texel(env_size_2, env_rotation_2, _e39);
+    let _e31 = lobe_of(_e29);
+    let _e34 = BlinnPhong_sample(_e31, _e29.wo, 0u, _e20);
     // glimt_render_gpu/src/kernels/group_light.rs:204
-    let _e43 = LightCells_cell_of(cells_size_7, cells_start_7, _e41);
+    let _e38 = ShadingFrame_to_world(_e29.frame, _e34.wi);
     // glimt_render_gpu/src/kernels/group_light.rs:205
-    let _e45 = Environment_to_map(env_size_2, env_rotation_2, _e39);
-    let _e46 = proposal_1;
-    let _e47 = Proposal_cell(_e46, _e43, cells_size_7, cells_start_7, expected_3);
-    return Look(_e45, _e39, _e41, _e47, _e43, _e24, (_e35.pdf_sr > 0f));
+    let _e40 = Environment_texel(env_size_2, env_rotation_2, _e38);
+    // glimt_render_gpu/src/kernels/group_light.rs:206
+    let _e42 = LightCells_cell_of(cells_size_7, cells_start_7, _e40);
+    // glimt_render_gpu/src/kernels/group_light.rs:207
+    let _e44 = Environment_to_map(env_size_2, env_rotation_2, _e38);
+    let _e45 = proposal_1;
+    let _e46 = Proposal_cell(_e45, _e42, cells_size_7, cells_start_7, expected_3);
+    return Look(_e44, _e38, _e40, _e46, _e42, _e23, (_e34.pdf_sr > 0f));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:479
@@ -2321,13 +2319,13 @@ fn Place_new(target_: f32) -> Place {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:492
-fn Place_offer(this_34: ptr<function, Place>, index_10: u32, width_1: f32) {
+fn Place_offer(this_34: ptr<function, Place>, index_11: u32, width_1: f32) {
 
     // glimt_render_gpu/src/kernels/proposal.rs:493
     let _e8 = (*this_34).is_found;
     if ((width_1 > 0f) && !(_e8)) {
         // glimt_render_gpu/src/kernels/proposal.rs:494
-        (*this_34).index = index_10;
+        (*this_34).index = index_11;
         // glimt_render_gpu/src/kernels/proposal.rs:495
         let _e15 = (*this_34).sum;
         (*this_34).first = _e15;
@@ -2434,18 +2432,18 @@ fn LightCells_column_edge(size_10: vec2<u32>, start_6: u32, x_7: u32, y_1: u32) 
 
 // glimt_light_cells/src/partition.rs:207
 fn LightCells_pmf(size_11: vec2<u32>, start_7: u32, row_1: Bin, texel_1: vec2<u32>, first_2: u32) -> f32 {
-    var chosen_14: u32;
+    var chosen_13: u32;
 
     // glimt_light_cells/src/partition.rs:208
     if (texel_1.x > first_2) {
         // glimt_light_cells/src/partition.rs:209
         let _e15 = LightCells_column_edge(size_11, start_7, (texel_1.x - 1u), texel_1.y);
-        chosen_14 = _e15;
+        chosen_13 = _e15;
     } else {
         // glimt_light_cells/src/partition.rs:211
-        chosen_14 = 0u;
+        chosen_13 = 0u;
     }
-    let lower = chosen_14;
+    let lower = chosen_13;
     // glimt_light_cells/src/partition.rs:213
     let _e22 = LightCells_column_edge(size_11, start_7, texel_1.x, texel_1.y);
     let units = (_e22 - lower);
@@ -2507,7 +2505,7 @@ fn LightCells_sample(size_12: vec2<u32>, start_8: u32, cell_2: u32, u_8: vec2<u3
 
 // glimt_probe/src/trig.rs:25
 fn cos_sin_pi(x_8: f32) -> vec2<f32> {
-    var chosen_15: vec2<f32>;
+    var chosen_14: vec2<f32>;
 
     // glimt_probe/src/trig.rs:27
     let quarter = floor(((2f * x_8) + 0.5f));
@@ -2523,30 +2521,30 @@ fn cos_sin_pi(x_8: f32) -> vec2<f32> {
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_15 = vec2<f32>(c_4, (s_2 + 0f));
+        chosen_14 = vec2<f32>(c_4, (s_2 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_15 = vec2<f32>((0f - s_2), c_4);
+            chosen_14 = vec2<f32>((0f - s_2), c_4);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_15 = vec2<f32>((0f - c_4), (0f - s_2));
+                chosen_14 = vec2<f32>((0f - c_4), (0f - s_2));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_15 = vec2<f32>((s_2 + 0f), (0f - c_4));
+                chosen_14 = vec2<f32>((s_2 + 0f), (0f - c_4));
             }
         }
     }
-    let _e77 = chosen_15;
+    let _e77 = chosen_14;
     return _e77;
 }
 
 // glimt_probe/src/latlong.rs:142
 fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+    var chosen_15: u32;
     var chosen_16: u32;
-    var chosen_17: u32;
-    var chosen_18: f32;
+    var chosen_17: f32;
 
     // glimt_probe/src/latlong.rs:143
     let size_23 = max(size_13, vec2(1u));
@@ -2556,18 +2554,18 @@ fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> v
     let southern = ((2u * row_6) >= size_23.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_16 = (size_23.y - row_6);
+        chosen_15 = (size_23.y - row_6);
     } else {
-        chosen_16 = row_6;
+        chosen_15 = row_6;
     }
-    let upper = chosen_16;
+    let upper = chosen_15;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_17 = ((size_23.y - row_6) - 1u);
+        chosen_16 = ((size_23.y - row_6) - 1u);
     } else {
-        chosen_17 = (row_6 + 1u);
+        chosen_16 = (row_6 + 1u);
     }
-    let lower_1 = chosen_17;
+    let lower_1 = chosen_16;
     // glimt_probe/src/latlong.rs:149
     let half_2 = (0.5f / f32(size_23.y));
     // glimt_probe/src/latlong.rs:150
@@ -2585,12 +2583,12 @@ fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> v
     // glimt_probe/src/latlong.rs:155
     if southern {
         // glimt_probe/src/latlong.rs:156
-        chosen_18 = ((2f * s_3) - 1f);
+        chosen_17 = ((2f * s_3) - 1f);
     } else {
         // glimt_probe/src/latlong.rs:158
-        chosen_18 = (1f - (2f * s_3));
+        chosen_17 = (1f - (2f * s_3));
     }
-    let cos_theta_1 = chosen_18;
+    let cos_theta_1 = chosen_17;
     // glimt_probe/src/latlong.rs:160
     let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_2.x) + r.x)) / f32(size_23.x))));
     // glimt_probe/src/latlong.rs:161
@@ -2708,26 +2706,21 @@ fn Proposal_sample_cells(this_36: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     return CellDraw(_e147, _e145, _e132.texel, cell_6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:165
-fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_9: vec2<u32>, cells_start_9: u32, pattern_2: PixelPattern, rays_2: f32, threshold_2: f32, group_2: Group, proposal_2: Proposal, expected_5: Unknown, index_11: u32, points_start_5: u32, points_len_5: u32) -> Look {
+// glimt_render_gpu/src/kernels/group_light.rs:168
+fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_9: vec2<u32>, cells_start_9: u32, pattern_2: PixelPattern, rays_2: f32, threshold_2: f32, group_2: Group, proposal_2: Proposal, expected_5: Unknown, index_12: u32, points_start_5: u32, points_len_5: u32) -> Look {
     var proposal_3: Proposal;
-    var source_1: PatternSource;
 
     proposal_3 = proposal_2;
-    // glimt_render_gpu/src/kernels/group_light.rs:173
-    let _e17 = PixelPattern_point(pattern_2, 10u, index_11);
-    source_1 = _e17;
-    // glimt_render_gpu/src/kernels/group_light.rs:174
-    let _e20 = PatternSource_next_uvec2_((&source_1));
-    // glimt_render_gpu/src/kernels/group_light.rs:175
-    let _e22 = PatternSource_next_u32_((&source_1));
-    let _e23 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_2, group_2, _e22, points_start_5, points_len_5);
     // glimt_render_gpu/src/kernels/group_light.rs:176
-    let _e25 = proposal_3;
-    let _e26 = Proposal_sample_cells(_e25, _e20, cells_size_9, cells_start_9, expected_5);
+    let _e17 = PixelPattern_point_triple(pattern_2, 10u, index_12);
     // glimt_render_gpu/src/kernels/group_light.rs:177
-    let _e30 = rotate_z(_e26.direction, env_rotation_3);
-    return Look(_e26.direction, _e30, _e26.texel, _e26.at, _e26.cell, _e23, true);
+    let _e20 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_2, group_2, _e17.z, points_start_5, points_len_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:178
+    let _e22 = proposal_3;
+    let _e24 = Proposal_sample_cells(_e22, _e17.xy, cells_size_9, cells_start_9, expected_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:179
+    let _e28 = rotate_z(_e24.direction, env_rotation_3);
+    return Look(_e24.direction, _e28, _e24.texel, _e24.at, _e24.cell, _e20, true);
 }
 
 // glimt_light_cells/src/partition.rs:193
@@ -2808,11 +2801,11 @@ fn BlinnPhong_eval(this_38: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse_2 = (this_38.diffuse * 0.31830987f);
+    let diffuse_3 = (this_38.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
     if (max(max(this_38.specular.x, this_38.specular.y), this_38.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
-        return diffuse_2;
+        return diffuse_3;
     }
     // glimt_brdf/src/blinn_phong.rs:68
     let _e31 = normalisation(this_38.exponent);
@@ -2820,19 +2813,19 @@ fn BlinnPhong_eval(this_38: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec
     let _e34 = HalfVector_lobe(_e32, this_38.exponent);
     let lobe_2 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse_2 + (this_38.specular * lobe_2));
+    return (diffuse_3 + (this_38.specular * lobe_2));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:79
-fn reflectance(point_2: ShadingPoint, wi_3: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/group_light.rs:82
+fn reflectance(point_3: ShadingPoint, wi_3: vec3<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:80
+    // glimt_render_gpu/src/kernels/group_light.rs:83
     if (wi_3.z > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:81
-        let _e10 = BlinnPhong_eval(point_2.brdf, point_2.wo, wi_3);
+        // glimt_render_gpu/src/kernels/group_light.rs:84
+        let _e10 = BlinnPhong_eval(point_3.brdf, point_3.wo, wi_3);
         return (_e10 * wi_3.z);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:83
+    // glimt_render_gpu/src/kernels/group_light.rs:86
     return vec3(0f);
 }
 
@@ -2855,7 +2848,7 @@ fn Ray_keyed(origin: vec3<f32>, direction_6: vec3<f32>, key: u32) -> Ray {
 
 // glimt_render_gpu/src/kernels/bvh.rs:30
 fn box_distance(node: BvhNode, ray_2: Ray) -> f32 {
-    var chosen_19: f32;
+    var chosen_18: f32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:31
     let to_min = ((node.min - ray_2.origin) * ray_2.inverse_direction);
@@ -2870,12 +2863,12 @@ fn box_distance(node: BvhNode, ray_2: Ray) -> f32 {
     // glimt_render_gpu/src/kernels/bvh.rs:35
     if ((far_1 >= near_2) && (far_1 >= 0f)) {
         // glimt_render_gpu/src/kernels/bvh.rs:36
-        chosen_19 = near_2;
+        chosen_18 = near_2;
     } else {
         // glimt_render_gpu/src/kernels/bvh.rs:38
-        chosen_19 = 0x1.fffffep+127f;
+        chosen_18 = 0x1.fffffep+127f;
     }
-    let _e40 = chosen_19;
+    let _e40 = chosen_18;
     return _e40;
 }
 
@@ -2888,7 +2881,7 @@ fn edge_functions(a_3: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_7: v
 
 // glimt_render_gpu/src/kernels/triangle.rs:124
 fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
-    var chosen_20: f32;
+    var chosen_19: f32;
 
     // glimt_render_gpu/src/kernels/triangle.rs:125
     let a_8 = (triangle.v0_ - ray_3.origin);
@@ -2916,11 +2909,11 @@ fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
     let t_8 = (dot(a_8, normal_4) / slope_1);
     // glimt_render_gpu/src/kernels/triangle.rs:138
     if ((t_8 > 0f) && (t_8 < t_max)) {
-        chosen_20 = t_8;
+        chosen_19 = t_8;
     } else {
-        chosen_20 = 0x1.fffffep+127f;
+        chosen_19 = 0x1.fffffep+127f;
     }
-    let _e59 = chosen_20;
+    let _e59 = chosen_19;
     return _e59;
 }
 
@@ -2937,14 +2930,14 @@ fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
     // glimt_render_gpu/src/kernels/triangle.rs:145
     let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
     // glimt_render_gpu/src/kernels/triangle.rs:151
-    let sum_4 = ((_e14.x + _e14.y) + _e14.z);
+    let sum_3 = ((_e14.x + _e14.y) + _e14.z);
     // glimt_render_gpu/src/kernels/triangle.rs:152
-    if (sum_4 == 0f) {
+    if (sum_3 == 0f) {
         // glimt_render_gpu/src/kernels/triangle.rs:154
         return vec2((1f / 3f));
     }
     // glimt_render_gpu/src/kernels/triangle.rs:156
-    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_4));
+    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_3));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:141
@@ -2980,10 +2973,10 @@ fn Attributes_at(first_4: u32, u_10: f32, v_3: f32) -> Attributes {
 }
 
 // glimt_render_gpu/src/kernels/material.rs:172
-fn MaterialView_new(index_12: u32) -> Returned_MaterialView_new {
+fn MaterialView_new(index_13: u32) -> Returned_MaterialView_new {
 
     // glimt_render_gpu/src/kernels/material.rs:173
-    let first_7 = (256u + (index_12 * 76u));
+    let first_7 = (256u + (index_13 * 76u));
     // glimt_render_gpu/src/kernels/material.rs:174
     return Returned_MaterialView_new(first_7, ((first_7 + 76u) - first_7));
 }
@@ -3034,33 +3027,33 @@ fn wrap(x_10: f32, mode: u32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:103
-fn neighbour(index_13: i32, size_17: u32, mode_1: u32) -> u32 {
+fn neighbour(index_14: i32, size_17: u32, mode_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/texture.rs:104
     let last = (i32(size_17) - 1i);
     // glimt_render_gpu/src/kernels/texture.rs:105
     if (mode_1 == 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:106
-        if (index_13 < 0i) {
+        if (index_14 < 0i) {
             // glimt_render_gpu/src/kernels/texture.rs:107
             return u32(last);
         }
         // glimt_render_gpu/src/kernels/texture.rs:109
-        if (index_13 > last) {
+        if (index_14 > last) {
             // glimt_render_gpu/src/kernels/texture.rs:110
             return 0u;
         }
     }
     // glimt_render_gpu/src/kernels/texture.rs:113
-    return u32(clamp(index_13, 0i, last));
+    return u32(clamp(index_14, 0i, last));
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_41: TextureView, index_14: u32) -> vec4<f32> {
-    var chosen_21: vec4<f32>;
+fn TextureView_texel(this_41: TextureView, index_15: u32) -> vec4<f32> {
+    var chosen_20: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_4 = scene_surface[(this_41.first + index_14)];
+    let word_4 = scene_surface[(this_41.first + index_15)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r_3 = (word_4 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -3075,12 +3068,12 @@ fn TextureView_texel(this_41: TextureView, index_14: u32) -> vec4<f32> {
         let _e38 = scene_surface[r_3];
         let _e42 = scene_surface[g];
         let _e46 = scene_surface[b_5];
-        chosen_21 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
+        chosen_20 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_21 = vec4<f32>((f32(r_3) / 255f), (f32(g) / 255f), (f32(b_5) / 255f), alpha_2);
+        chosen_20 = vec4<f32>((f32(r_3) / 255f), (f32(g) / 255f), (f32(b_5) / 255f), alpha_2);
     }
-    let _e60 = chosen_21;
+    let _e60 = chosen_20;
     return _e60;
 }
 
@@ -3154,7 +3147,7 @@ fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_3: u32, textur
 // glimt_render_gpu/src/kernels/material.rs:280
 fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
     var alpha: f32;
-    var chosen_22: f32;
+    var chosen_21: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:281
     let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
@@ -3180,11 +3173,11 @@ fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, ver
     // glimt_render_gpu/src/kernels/material.rs:290
     let _e31 = alpha;
     if (_e31 >= _e23) {
-        chosen_22 = 1f;
+        chosen_21 = 1f;
     } else {
-        chosen_22 = 0f;
+        chosen_21 = 0f;
     }
-    let _e35 = chosen_22;
+    let _e35 = chosen_21;
     return _e35;
 }
 
@@ -3201,23 +3194,23 @@ fn alpha_at(triangle_2: Triangle, u_11: f32, v_4: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:26
-fn passes(key_1: u32, index_15: u32, alpha_1: f32) -> bool {
+fn passes(key_1: u32, index_16: u32, alpha_1: f32) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:27
-    let _e5 = hash2_(key_1, index_15);
+    let _e5 = hash2_(key_1, index_16);
     let _e6 = unit_f32_(_e5);
     return (_e6 >= alpha_1);
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:33
-fn is_passed(index_16: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
+fn is_passed(index_17: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:34
     let _e5 = barycentrics(triangle_3, ray_5);
     // glimt_render_gpu/src/kernels/opacity.rs:35
     let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
     // glimt_render_gpu/src/kernels/opacity.rs:36
-    let _e12 = passes(ray_5.key, index_16, _e9);
+    let _e12 = passes(ray_5.key, index_17, _e9);
     return _e12;
 }
 
@@ -3259,14 +3252,14 @@ fn Triangle_setback(this_46: Triangle, ray_6: Ray, t_1: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_17: u32, triangle_4: Triangle, ray_7: Ray, t_2: f32, no_catcher: bool) -> f32 {
+fn held(index_18: u32, triangle_4: Triangle, ray_7: Ray, t_2: f32, no_catcher: bool) -> f32 {
     var both_1: bool;
 
     // glimt_render_gpu/src/kernels/bvh.rs:195
     let _e7 = Triangle_is_see_through(triangle_4);
     both_1 = _e7;
     if _e7 {
-        let _e9 = is_passed(index_17, triangle_4, ray_7);
+        let _e9 = is_passed(index_18, triangle_4, ray_7);
         both_1 = _e9;
     }
     let _e10 = both_1;
@@ -3532,10 +3525,10 @@ fn any_hit(ray_10: Ray, t_max_1: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:136
-fn Scene_is_lit(point_3: ShadingPoint, direction_8: vec3<f32>, key_2: u32) -> bool {
+fn Scene_is_lit(point_4: ShadingPoint, direction_8: vec3<f32>, key_2: u32) -> bool {
 
     // glimt_render_gpu/src/kernels/scene.rs:137
-    let _e6 = Ray_keyed(point_3.origin, direction_8, key_2);
+    let _e6 = Ray_keyed(point_4.origin, direction_8, key_2);
     // glimt_render_gpu/src/kernels/scene.rs:138
     let _e9 = any_hit(_e6, 0x1.fffffep+127f);
     return !(_e9);
@@ -3544,19 +3537,19 @@ fn Scene_is_lit(point_3: ShadingPoint, direction_8: vec3<f32>, key_2: u32) -> bo
 // glimt_render_gpu/src/kernels/proposal.rs:399
 fn Proposal_open_control(this_47: Proposal, direction_9: vec3<f32>, at_3: CellAt) -> vec3<f32> {
     var self_4: Proposal;
-    var chosen_23: f32;
+    var chosen_22: f32;
 
     self_4 = this_47;
     // glimt_render_gpu/src/kernels/proposal.rs:400
     if at_3.is_full {
         // glimt_render_gpu/src/kernels/proposal.rs:401
         let _e11 = self_4.of_.mean_normal;
-        chosen_23 = dot(_e11, direction_9);
+        chosen_22 = dot(_e11, direction_9);
     } else {
         // glimt_render_gpu/src/kernels/proposal.rs:403
-        chosen_23 = at_3.cosine;
+        chosen_22 = at_3.cosine;
     }
-    let cosine_1 = chosen_23;
+    let cosine_1 = chosen_22;
     // glimt_render_gpu/src/kernels/proposal.rs:405
     let _e19 = self_4.of_.diffuse;
     let kd_2 = (_e19 * 0.31830987f);
@@ -3565,12 +3558,18 @@ fn Proposal_open_control(this_47: Proposal, direction_9: vec3<f32>, at_3: CellAt
     return ((kd_2 * cosine_1) + (_e26 * at_3.lobe));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:272
-fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, threshold_3: f32, group_3: Group, proposal_4: Proposal, look: Look, point_4: ShadingPoint, f: vec3<f32>, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/group_light.rs:274
+fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, threshold_3: f32, group_3: Group, proposal_4: Proposal, look: Look, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
     var proposal_5: Proposal;
-    var own: vec3<f32>;
-    var sum_2: vec3<f32>;
+    var diffuse_1: vec3<f32>;
+    var lobes: f32;
+    var own_diffuse: vec3<f32>;
+    var own_lobe: f32;
     var counter_9: u32;
+    var cosines: array<f32, 4>;
+    var halves: array<f32, 4>;
+    var is_own: array<f32, 4>;
+    var counter_10: u32;
 
     proposal_5 = proposal_4;
     // glimt_render_gpu/src/kernels/group_light.rs:281
@@ -3579,72 +3578,131 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
         return vec3(0f);
     }
     // glimt_render_gpu/src/kernels/group_light.rs:284
-    let _e20 = proposal_5.of_.surface.specular;
-    let has_lobe_1 = (_e20 > 0f);
+    let of_3 = proposal_5.of_;
     // glimt_render_gpu/src/kernels/group_light.rs:285
-    let _e27 = proposal_5.of_.surface.spread;
-    if !((has_lobe_1 || (_e27 > 0.035f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:286
-        let _e35 = proposal_5.of_.mean_normal;
-        let apart_1 = (dot(_e35, look.of_map) - dot(point_4.frame.n, look.direction));
+    let spread_1 = of_3.surface.spread;
+    // glimt_render_gpu/src/kernels/group_light.rs:286
+    let _e27 = proposal_5.lobe_share;
+    let with_lobes = (((of_3.surface.specular > 0f) && !((_e27 > 0f))) && (spread_1 > 0.001f));
+    // glimt_render_gpu/src/kernels/group_light.rs:287
+    if !((with_lobes || (spread_1 > 0.035f))) {
         // glimt_render_gpu/src/kernels/group_light.rs:288
-        let _e46 = proposal_5.of_.diffuse;
-        return (_e46 * (0.31830987f * apart_1));
+        let normal_5 = points[(points_start_6 + look.ray)].normal;
+        // glimt_render_gpu/src/kernels/group_light.rs:289
+        let apart_1 = (dot(of_3.mean_normal, look.of_map) - dot(normal_5, look.direction));
+        // glimt_render_gpu/src/kernels/group_light.rs:290
+        return (of_3.diffuse * (0.31830987f * apart_1));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:290
-    let _e52 = proposal_5.lobe_share;
-    let with_lobes = !((_e52 > 0f));
-    // glimt_render_gpu/src/kernels/group_light.rs:291
-    own = f;
     // glimt_render_gpu/src/kernels/group_light.rs:292
-    if !(with_lobes) {
-        // glimt_render_gpu/src/kernels/group_light.rs:293
-        let cosine_2 = max(dot(point_4.frame.n, look.direction), 0f);
-        // glimt_render_gpu/src/kernels/group_light.rs:294
-        own = (point_4.brdf.diffuse * (0.31830987f * cosine_2));
-    }
+    let half_3 = (look.of_map + of_3.surface.wo);
+    // glimt_render_gpu/src/kernels/group_light.rs:293
+    let _e70 = rotate_z((half_3 / vec3(max(length(half_3), 0.000001f))), env_rotation_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:294
+    diffuse_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:295
+    lobes = 0f;
     // glimt_render_gpu/src/kernels/group_light.rs:296
-    sum_2 = vec3(0f);
+    own_diffuse = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:297
+    own_lobe = 0f;
+    // glimt_render_gpu/src/kernels/group_light.rs:298
+    let _e89 = (group_3.members / 4u);
     counter_9 = 0u;
     loop {
-        let k_4 = counter_9;
-        if (k_4 >= group_3.members) {
+        let quad_10 = counter_9;
+        if (quad_10 >= select(_e89, (_e89 + 1u), ((group_3.members % 4u) != 0u))) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:298
-        let _e84 = Group_ray(group_3, k_4, points_start_6, points_len_6);
         // glimt_render_gpu/src/kernels/group_light.rs:299
-        if with_lobes {
-            // glimt_render_gpu/src/kernels/group_light.rs:300
-            let _e90 = points[(points_start_6 + _e84)];
-            let _e91 = SeenPoint_shading_point(_e90);
-            // glimt_render_gpu/src/kernels/group_light.rs:301
-            let _e95 = ShadingFrame_to_local(_e91.frame, look.direction);
-            let _e96 = reflectance(_e91, _e95);
-            let _e97 = sum_2;
-            sum_2 = (_e97 + _e96);
-        } else {
+        cosines = array<f32, 4>(0f, 0f, 0f, 0f);
+        // glimt_render_gpu/src/kernels/group_light.rs:300
+        halves = array<f32, 4>(0f, 0f, 0f, 0f);
+        // glimt_render_gpu/src/kernels/group_light.rs:301
+        is_own = array<f32, 4>(0f, 0f, 0f, 0f);
+        // glimt_render_gpu/src/kernels/group_light.rs:302
+        counter_10 = 0u;
+        loop {
+            let lane_2 = counter_10;
+            if (lane_2 >= 4u) {
+                break;
+            }
             // glimt_render_gpu/src/kernels/group_light.rs:303
-            let other = points[(points_start_6 + _e84)];
+            let k_4 = ((4u * quad_10) + lane_2);
             // glimt_render_gpu/src/kernels/group_light.rs:304
-            let cosine_3 = max(dot(other.normal, look.direction), 0f);
-            // glimt_render_gpu/src/kernels/group_light.rs:305
-            let _e115 = sum_2;
-            sum_2 = (_e115 + (other.diffuse * (0.31830987f * cosine_3)));
+            if (k_4 < group_3.members) {
+                // glimt_render_gpu/src/kernels/group_light.rs:305
+                let _e125 = Group_ray(group_3, k_4, points_start_6, points_len_6);
+                // glimt_render_gpu/src/kernels/group_light.rs:306
+                let other = points[(points_start_6 + _e125)];
+                // glimt_render_gpu/src/kernels/group_light.rs:307
+                let cosine_2 = max(dot(other.normal, look.direction), 0f);
+                // glimt_render_gpu/src/kernels/group_light.rs:308
+                cosines[lane_2] = cosine_2;
+                // glimt_render_gpu/src/kernels/group_light.rs:309
+                halves[lane_2] = max(dot(other.normal, _e70), 0f);
+                // glimt_render_gpu/src/kernels/group_light.rs:310
+                let _e148 = diffuse_1;
+                diffuse_1 = (_e148 + (other.diffuse * cosine_2));
+                // glimt_render_gpu/src/kernels/group_light.rs:311
+                if (_e125 == look.ray) {
+                    // glimt_render_gpu/src/kernels/group_light.rs:312
+                    own_diffuse = (other.diffuse * cosine_2);
+                    // glimt_render_gpu/src/kernels/group_light.rs:313
+                    is_own[lane_2] = 1f;
+                }
+            }
+            continuing {
+                let _e159 = counter_10;
+                counter_10 = (_e159 + 1u);
+            }
+        }
+        // glimt_render_gpu/src/kernels/group_light.rs:317
+        if with_lobes {
+            // glimt_render_gpu/src/kernels/group_light.rs:318
+            let _e165 = cosines[0];
+            let _e167 = cosines[1];
+            let _e169 = cosines[2];
+            let _e171 = cosines[3];
+            let cosine_3 = vec4<f32>(_e165, _e167, _e169, _e171);
+            // glimt_render_gpu/src/kernels/group_light.rs:319
+            let _e175 = halves[0];
+            let _e177 = halves[1];
+            let _e179 = halves[2];
+            let _e181 = halves[3];
+            let half_4 = vec4<f32>(_e175, _e177, _e179, _e181);
+            // glimt_render_gpu/src/kernels/group_light.rs:320
+            let _e185 = is_own[0];
+            let _e187 = is_own[1];
+            let _e189 = is_own[2];
+            let _e191 = is_own[3];
+            let own_1 = vec4<f32>(_e185, _e187, _e189, _e191);
+            // glimt_render_gpu/src/kernels/group_light.rs:321
+            let _e200 = cosine_power4_((vec4(1f) - (half_4 * half_4)), vec4(of_3.exponent));
+            // glimt_render_gpu/src/kernels/group_light.rs:322
+            let _e202 = (_e200 * cosine_3);
+            let _e210 = lobes;
+            lobes = (_e210 + (((_e202.x + _e202.y) + _e202.z) + _e202.w));
+            // glimt_render_gpu/src/kernels/group_light.rs:323
+            let _e214 = ((_e200 * cosine_3) * own_1);
+            let _e222 = own_lobe;
+            own_lobe = (_e222 + (((_e214.x + _e214.y) + _e214.z) + _e214.w));
         }
         continuing {
-            let _e117 = counter_9;
-            counter_9 = (_e117 + 1u);
+            let _e224 = counter_9;
+            counter_9 = (_e224 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:308
-    let _e121 = sum_2;
-    let _e126 = own;
-    return ((_e121 / vec3(f32(group_3.members))) - _e126);
+    // glimt_render_gpu/src/kernels/group_light.rs:326
+    let share_2 = (1f / f32(group_3.members));
+    // glimt_render_gpu/src/kernels/group_light.rs:327
+    let _e233 = diffuse_1;
+    let _e235 = own_diffuse;
+    let _e241 = lobes;
+    let _e243 = own_lobe;
+    return ((((_e233 * share_2) - _e235) * 0.31830987f) + (of_3.specular * (of_3.peak * ((_e241 * share_2) - _e243))));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:218
+// glimt_render_gpu/src/kernels/group_light.rs:220
 fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, threshold_4: f32, group_4: Group, proposal_6: Proposal, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Reflected {
     var proposal_7: Proposal;
     var pdf_sr: f32;
@@ -3653,86 +3711,86 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     var blocked: vec3<f32>;
 
     proposal_7 = proposal_6;
-    // glimt_render_gpu/src/kernels/group_light.rs:226
+    // glimt_render_gpu/src/kernels/group_light.rs:228
     let _e20 = points[(points_start_7 + look_1.ray)];
     let _e21 = SeenPoint_shading_point(_e20);
-    // glimt_render_gpu/src/kernels/group_light.rs:227
-    let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
-    // glimt_render_gpu/src/kernels/group_light.rs:228
-    let at_8 = look_1.at;
     // glimt_render_gpu/src/kernels/group_light.rs:229
-    let share_2 = proposal_7.lobe_share;
+    let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
     // glimt_render_gpu/src/kernels/group_light.rs:230
-    pdf_sr = 0f;
+    let at_8 = look_1.at;
     // glimt_render_gpu/src/kernels/group_light.rs:231
-    if (share_2 < 1f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:232
+    let share_3 = proposal_7.lobe_share;
+    // glimt_render_gpu/src/kernels/group_light.rs:232
+    pdf_sr = 0f;
+    // glimt_render_gpu/src/kernels/group_light.rs:233
+    if (share_3 < 1f) {
+        // glimt_render_gpu/src/kernels/group_light.rs:234
         let _e38 = proposal_7;
         let _e41 = Proposal_cells_pdf_sr(_e38, look_1.texel, look_1.cell, at_8, cells_size_12, cells_start_12);
-        // glimt_render_gpu/src/kernels/group_light.rs:233
-        pdf_sr = ((1f - share_2) * _e41);
+        // glimt_render_gpu/src/kernels/group_light.rs:235
+        pdf_sr = ((1f - share_3) * _e41);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:235
-    if (share_2 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:236
+    // glimt_render_gpu/src/kernels/group_light.rs:237
+    if (share_3 > 0f) {
+        // glimt_render_gpu/src/kernels/group_light.rs:238
         let _e50 = lobe_of(_e21);
         let _e52 = BlinnPhong_pdf_sr(_e50, _e21.wo, _e25);
         let _e54 = pdf_sr;
-        pdf_sr = (_e54 + (share_2 * _e52));
+        pdf_sr = (_e54 + (share_3 * _e52));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:238
+    // glimt_render_gpu/src/kernels/group_light.rs:240
     let _e57 = pdf_sr;
     if !((_e57 > 0.000000000000000000000000000000000000011754944f)) {
-        // glimt_render_gpu/src/kernels/group_light.rs:239
+        // glimt_render_gpu/src/kernels/group_light.rs:241
         return Reflected(vec3(0f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:241
-    let _e69 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
-    // glimt_render_gpu/src/kernels/group_light.rs:242
-    let _e71 = reflectance(_e21, _e25);
     // glimt_render_gpu/src/kernels/group_light.rs:243
-    let is_seen = ((max(max(_e71.x, _e71.y), _e71.z) > 0f) && (dot(_e21.geometric_normal, look_1.direction) > 0f));
+    let _e69 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
     // glimt_render_gpu/src/kernels/group_light.rs:244
+    let _e71 = reflectance(_e21, _e25);
+    // glimt_render_gpu/src/kernels/group_light.rs:245
+    let is_seen = ((max(max(_e71.x, _e71.y), _e71.z) > 0f) && (dot(_e21.geometric_normal, look_1.direction) > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:246
     both_3 = is_seen;
     if is_seen {
         let _e89 = Scene_is_lit(_e21, look_1.direction, key_3);
         both_3 = _e89;
     }
     let arrives = both_3;
-    // glimt_render_gpu/src/kernels/group_light.rs:245
-    lit = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:246
-    blocked = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:247
+    lit = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:248
+    blocked = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:249
     if arrives {
-        // glimt_render_gpu/src/kernels/group_light.rs:248
+        // glimt_render_gpu/src/kernels/group_light.rs:250
         lit = _e71;
     } else {
         if is_seen {
-            // glimt_render_gpu/src/kernels/group_light.rs:250
+            // glimt_render_gpu/src/kernels/group_light.rs:252
             blocked = _e71;
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:252
+    // glimt_render_gpu/src/kernels/group_light.rs:254
     if false {
-        // glimt_render_gpu/src/kernels/group_light.rs:253
+        // glimt_render_gpu/src/kernels/group_light.rs:255
         let _e105 = proposal_7;
         let _e107 = Proposal_open_control(_e105, look_1.of_map, at_8);
-        // glimt_render_gpu/src/kernels/group_light.rs:254
+        // glimt_render_gpu/src/kernels/group_light.rs:256
         let _e109 = proposal_7;
-        let _e110 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_4, group_4, _e109, look_1, _e21, _e71, points_start_7, points_len_7);
-        // glimt_render_gpu/src/kernels/group_light.rs:255
+        let _e110 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_4, group_4, _e109, look_1, points_start_7, points_len_7);
+        // glimt_render_gpu/src/kernels/group_light.rs:257
         let _e113 = proposal_7.is_catcher;
         if _e113 {
-            // glimt_render_gpu/src/kernels/group_light.rs:256
+            // glimt_render_gpu/src/kernels/group_light.rs:258
             lit = ((_e71 - _e107) + _e110);
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:258
+            // glimt_render_gpu/src/kernels/group_light.rs:260
             let _e121 = lit;
             lit = (_e121 + ((_e110 - _e107) * at_8.visibility));
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:262
+    // glimt_render_gpu/src/kernels/group_light.rs:264
     let _e124 = lit;
     let _e125 = pdf_sr;
     let _e129 = blocked;
@@ -3740,159 +3798,159 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     return Reflected((_e69 * (_e124 / vec3(_e125))), (_e69 * (_e129 / vec3(_e130))));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:91
+// glimt_render_gpu/src/kernels/group_light.rs:94
 fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_size_13: vec2<u32>, cells_start_13: u32, pattern_5: PixelPattern, rays_5: f32, threshold_5: f32, group_5: Group, number: u32, expected_6: Unknown, points_start_8: u32, points_len_8: u32, drawn: ptr<function, Drawn>) -> Reflected {
     var proposal_8: Proposal;
-    var source_2: PatternSource;
+    var source: PatternSource;
     var worth_1: f32;
-    var chosen_24: f32;
+    var chosen_23: f32;
     var lit_1: vec3<f32>;
     var blocked_1: vec3<f32>;
-    var counter_10: u32;
-    var chosen_25: Look;
+    var counter_11: u32;
+    var chosen_24: Look;
 
-    // glimt_render_gpu/src/kernels/group_light.rs:99
-    let _e15 = Group_representative(group_5, points_start_8, points_len_8, env_size_6, env_rotation_6);
-    // glimt_render_gpu/src/kernels/group_light.rs:100
-    let _e18 = Group_ray(group_5, 0u, points_start_8, points_len_8);
-    // glimt_render_gpu/src/kernels/group_light.rs:101
-    let leader_3 = points[(points_start_8 + _e18)];
     // glimt_render_gpu/src/kernels/group_light.rs:102
+    let _e15 = Group_representative(group_5, points_start_8, points_len_8, env_size_6, env_rotation_6);
+    // glimt_render_gpu/src/kernels/group_light.rs:103
+    let _e18 = Group_ray(group_5, 0u, points_start_8, points_len_8);
+    // glimt_render_gpu/src/kernels/group_light.rs:104
+    let leader_3 = points[(points_start_8 + _e18)];
+    // glimt_render_gpu/src/kernels/group_light.rs:105
     let _e25 = SeenPoint_slot(leader_3);
     let _e26 = Unknown_at_slot(expected_6, _e25);
-    // glimt_render_gpu/src/kernels/group_light.rs:103
+    // glimt_render_gpu/src/kernels/group_light.rs:106
     let _e28 = SeenPoint_is_catcher(leader_3);
-    // glimt_render_gpu/src/kernels/group_light.rs:104
+    // glimt_render_gpu/src/kernels/group_light.rs:107
     let _e30 = Proposal_new(_e15, cells_size_13, cells_start_13, _e26, _e28);
     proposal_8 = _e30;
-    // glimt_render_gpu/src/kernels/group_light.rs:105
-    let _e34 = PixelPattern_point(pattern_5, 12u, number);
-    source_2 = _e34;
-    // glimt_render_gpu/src/kernels/group_light.rs:106
-    let _e37 = PatternSource_next_u32_((&source_2));
-    let _e38 = unit_f32_(_e37);
-    // glimt_render_gpu/src/kernels/group_light.rs:107
-    let share_3 = (f32(group_5.members) / f32(pattern_5.rays));
     // glimt_render_gpu/src/kernels/group_light.rs:108
-    worth_1 = (rays_5 * share_3);
+    let _e34 = PixelPattern_point(pattern_5, 12u, number);
+    source = _e34;
     // glimt_render_gpu/src/kernels/group_light.rs:109
+    let _e37 = PatternSource_next_u32_((&source));
+    let _e38 = unit_f32_(_e37);
+    // glimt_render_gpu/src/kernels/group_light.rs:110
+    let share_4 = (f32(group_5.members) / f32(pattern_5.rays));
+    // glimt_render_gpu/src/kernels/group_light.rs:111
+    worth_1 = (rays_5 * share_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:112
     if (threshold_5 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:110
+        // glimt_render_gpu/src/kernels/group_light.rs:113
         let _e53 = proposal_8.total;
         let _e55 = proposal_8.lobe_worth;
-        worth_1 = (((_e53 + _e55) * share_3) / threshold_5);
+        worth_1 = (((_e53 + _e55) * share_4) / threshold_5);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:112
+    // glimt_render_gpu/src/kernels/group_light.rs:115
     let _e60 = proposal_8;
     let _e61 = Proposal_is_sharp(_e60);
     if _e61 {
-        // glimt_render_gpu/src/kernels/group_light.rs:113
+        // glimt_render_gpu/src/kernels/group_light.rs:116
         let _e63 = worth_1;
-        worth_1 = max(_e63, ((0.25f * rays_5) * share_3));
+        worth_1 = max(_e63, ((0.25f * rays_5) * share_4));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:115
+    // glimt_render_gpu/src/kernels/group_light.rs:118
     let _e69 = worth_1;
     worth_1 = clamp(_e69, 0.02f, 256f);
-    // glimt_render_gpu/src/kernels/group_light.rs:116
+    // glimt_render_gpu/src/kernels/group_light.rs:119
     let _e75 = proposal_8.total;
     let _e80 = proposal_8.lobe_share;
     if (!((_e75 > 0f)) && !((_e80 > 0f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:117
+        // glimt_render_gpu/src/kernels/group_light.rs:120
         worth_1 = 0f;
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:119
+    // glimt_render_gpu/src/kernels/group_light.rs:122
     let _e88 = worth_1;
-    let _e89 = PatternSource_next_u32_((&source_2));
+    let _e89 = PatternSource_next_u32_((&source));
     let _e90 = unit_f32_(_e89);
     let count_2 = u32((_e88 + _e90));
-    // glimt_render_gpu/src/kernels/group_light.rs:120
+    // glimt_render_gpu/src/kernels/group_light.rs:123
     let _e95 = worth_1;
     if (_e95 < 1f) {
         let _e98 = worth_1;
-        chosen_24 = _e98;
+        chosen_23 = _e98;
     } else {
-        chosen_24 = f32(count_2);
+        chosen_23 = f32(count_2);
     }
-    let divisor = chosen_24;
-    // glimt_render_gpu/src/kernels/group_light.rs:121
+    let divisor = chosen_23;
+    // glimt_render_gpu/src/kernels/group_light.rs:124
     let _e103 = PixelPattern_ray_key(pattern_5, 9u);
     let _e104 = hash2_(_e103, number);
-    // glimt_render_gpu/src/kernels/group_light.rs:122
+    // glimt_render_gpu/src/kernels/group_light.rs:125
     lit_1 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:123
+    // glimt_render_gpu/src/kernels/group_light.rs:126
     blocked_1 = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:124
-    counter_10 = 0u;
+    // glimt_render_gpu/src/kernels/group_light.rs:127
+    counter_11 = 0u;
     loop {
-        let s_4 = counter_10;
+        let s_4 = counter_11;
         if (s_4 >= count_2) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:125
+        // glimt_render_gpu/src/kernels/group_light.rs:128
         let _e121 = proposal_8.lobe_share;
         let before = u32(((f32(s_4) * _e121) + _e38));
-        // glimt_render_gpu/src/kernels/group_light.rs:126
+        // glimt_render_gpu/src/kernels/group_light.rs:129
         let _e130 = proposal_8.lobe_share;
         let after = u32(((f32((s_4 + 1u)) * _e130) + _e38));
-        // glimt_render_gpu/src/kernels/group_light.rs:127
+        // glimt_render_gpu/src/kernels/group_light.rs:130
         if (after > before) {
-            // glimt_render_gpu/src/kernels/group_light.rs:128
+            // glimt_render_gpu/src/kernels/group_light.rs:131
             let _e140 = (*drawn).lobes;
             (*drawn).lobes = (_e140 + 1u);
-            // glimt_render_gpu/src/kernels/group_light.rs:129
+            // glimt_render_gpu/src/kernels/group_light.rs:132
             let _e143 = proposal_8;
             let _e145 = (*drawn).lobes;
             let _e148 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e143, _e26, (_e145 - 1u), points_start_8, points_len_8);
-            chosen_25 = _e148;
+            chosen_24 = _e148;
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:131
+            // glimt_render_gpu/src/kernels/group_light.rs:134
             let _e152 = (*drawn).cells;
             (*drawn).cells = (_e152 + 1u);
-            // glimt_render_gpu/src/kernels/group_light.rs:132
+            // glimt_render_gpu/src/kernels/group_light.rs:135
             let _e155 = proposal_8;
             let _e157 = (*drawn).cells;
             let _e160 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e155, _e26, (_e157 - 1u), points_start_8, points_len_8);
-            chosen_25 = _e160;
+            chosen_24 = _e160;
         }
-        let look_2 = chosen_25;
-        // glimt_render_gpu/src/kernels/group_light.rs:134
+        let look_2 = chosen_24;
+        // glimt_render_gpu/src/kernels/group_light.rs:137
         if look_2.is_possible {
-            // glimt_render_gpu/src/kernels/group_light.rs:135
+            // glimt_render_gpu/src/kernels/group_light.rs:138
             let own_2 = (_e104 + s_4);
-            // glimt_render_gpu/src/kernels/group_light.rs:136
+            // glimt_render_gpu/src/kernels/group_light.rs:139
             let _e167 = proposal_8;
             let _e168 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e167, look_2, own_2, points_start_8, points_len_8);
-            // glimt_render_gpu/src/kernels/group_light.rs:137
+            // glimt_render_gpu/src/kernels/group_light.rs:140
             let _e171 = lit_1;
             lit_1 = (_e171 + _e168.lit);
-            // glimt_render_gpu/src/kernels/group_light.rs:138
+            // glimt_render_gpu/src/kernels/group_light.rs:141
             let _e175 = blocked_1;
             blocked_1 = (_e175 + _e168.blocked);
         }
         continuing {
-            let _e177 = counter_10;
-            counter_10 = (_e177 + 1u);
+            let _e177 = counter_11;
+            counter_11 = (_e177 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:141
+    // glimt_render_gpu/src/kernels/group_light.rs:144
     if (count_2 > 0u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:142
+        // glimt_render_gpu/src/kernels/group_light.rs:145
         let _e184 = lit_1;
         lit_1 = (_e184 / vec3(divisor));
-        // glimt_render_gpu/src/kernels/group_light.rs:143
+        // glimt_render_gpu/src/kernels/group_light.rs:146
         let _e188 = blocked_1;
         blocked_1 = (_e188 / vec3(divisor));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:145
+    // glimt_render_gpu/src/kernels/group_light.rs:148
     if (false && _e28) {
-        // glimt_render_gpu/src/kernels/group_light.rs:147
+        // glimt_render_gpu/src/kernels/group_light.rs:150
         let _e196 = proposal_8.open_integral;
         let _e197 = lit_1;
         let _e199 = blocked_1;
         let _e201 = blocked_1;
         return Reflected(((_e196 + _e197) - _e199), _e201);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:152
+    // glimt_render_gpu/src/kernels/group_light.rs:155
     let _e205 = proposal_8.integral;
     let _e206 = lit_1;
     let _e208 = blocked_1;
@@ -3906,56 +3964,56 @@ fn Vec4_of_surface(light: Reflected, _is_catcher: bool) -> vec4<f32> {
     return vec4<f32>(light.lit, 1f);
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:213
-fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
+// glimt_render_gpu/src/kernels/pattern.rs:221
+fn permute(index_19: u32, length_: u32, key_4: u32) -> u32 {
     var x_11: u32;
     var round_key: u32;
-    var counter_11: i32;
+    var counter_12: i32;
 
-    // glimt_render_gpu/src/kernels/pattern.rs:214
+    // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
-        // glimt_render_gpu/src/kernels/pattern.rs:215
+        // glimt_render_gpu/src/kernels/pattern.rs:223
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/pattern.rs:217
+    // glimt_render_gpu/src/kernels/pattern.rs:225
     let bits_2 = (32u - countLeadingZeros((length_ - 1u)));
-    // glimt_render_gpu/src/kernels/pattern.rs:218
+    // glimt_render_gpu/src/kernels/pattern.rs:226
     let mask = (4294967295u >> ((32u - bits_2) & 31u));
-    // glimt_render_gpu/src/kernels/pattern.rs:219
-    x_11 = index_18;
-    // glimt_render_gpu/src/kernels/pattern.rs:220
+    // glimt_render_gpu/src/kernels/pattern.rs:227
+    x_11 = index_19;
+    // glimt_render_gpu/src/kernels/pattern.rs:228
     loop {
-        // glimt_render_gpu/src/kernels/pattern.rs:221
+        // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key_4;
-        // glimt_render_gpu/src/kernels/pattern.rs:222
-        counter_11 = 0i;
+        // glimt_render_gpu/src/kernels/pattern.rs:230
+        counter_12 = 0i;
         loop {
-            let _e31 = counter_11;
+            let _e31 = counter_12;
             if (_e31 >= 3i) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pattern.rs:223
+            // glimt_render_gpu/src/kernels/pattern.rs:231
             let _e34 = round_key;
             let _e35 = hash_u32_(_e34);
             round_key = _e35;
-            // glimt_render_gpu/src/kernels/pattern.rs:225
+            // glimt_render_gpu/src/kernels/pattern.rs:233
             let _e37 = x_11;
             let _e38 = round_key;
             x_11 = (((_e37 ^ _e38) * 2654435761u) & mask);
-            // glimt_render_gpu/src/kernels/pattern.rs:226
+            // glimt_render_gpu/src/kernels/pattern.rs:234
             let _e44 = x_11;
             let _e46 = (bits_2 / 2u);
             let _e56 = x_11;
             x_11 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
             continuing {
-                let _e58 = counter_11;
-                counter_11 = (_e58 + 1i);
+                let _e58 = counter_12;
+                counter_12 = (_e58 + 1i);
             }
         }
-        // glimt_render_gpu/src/kernels/pattern.rs:228
+        // glimt_render_gpu/src/kernels/pattern.rs:236
         let _e62 = x_11;
         if (_e62 < length_) {
-            // glimt_render_gpu/src/kernels/pattern.rs:229
+            // glimt_render_gpu/src/kernels/pattern.rs:237
             let _e65 = x_11;
             let _e67 = hash_u32_(~(key_4));
             return ((_e65 + (_e67 % length_)) % length_);
@@ -3964,63 +4022,63 @@ fn permute(index_18: u32, length_: u32, key_4: u32) -> u32 {
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:204
+// glimt_render_gpu/src/kernels/pattern.rs:212
 fn stratum(cell_5: u32, count: u32, jitter: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:205
+    // glimt_render_gpu/src/kernels/pattern.rs:213
     return ((cell_5 * (4294967295u / count)) + (jitter / count));
 }
 
-// glimt_render_gpu/src/kernels/pattern.rs:184
-fn jittered_pair(index_19: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
+// glimt_render_gpu/src/kernels/pattern.rs:192
+fn jittered_pair(index_20: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
 
-    // glimt_render_gpu/src/kernels/pattern.rs:185
+    // glimt_render_gpu/src/kernels/pattern.rs:193
     let columns = max(u32(sqrt(f32(count_1))), 1u);
-    // glimt_render_gpu/src/kernels/pattern.rs:186
+    // glimt_render_gpu/src/kernels/pattern.rs:194
     let _e12 = (count_1 / columns);
     let rows_2 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
-    // glimt_render_gpu/src/kernels/pattern.rs:187
+    // glimt_render_gpu/src/kernels/pattern.rs:195
     let _e21 = hash2_(key_5, 1u);
-    let _e22 = permute(index_19, count_1, _e21);
-    // glimt_render_gpu/src/kernels/pattern.rs:188
+    let _e22 = permute(index_20, count_1, _e21);
+    // glimt_render_gpu/src/kernels/pattern.rs:196
     let _e26 = hash2_(key_5, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
-    // glimt_render_gpu/src/kernels/pattern.rs:189
+    // glimt_render_gpu/src/kernels/pattern.rs:197
     let _e31 = hash2_(key_5, 3u);
     let _e32 = permute((_e22 / columns), rows_2, _e31);
-    // glimt_render_gpu/src/kernels/pattern.rs:190
+    // glimt_render_gpu/src/kernels/pattern.rs:198
     let _e38 = stratum(((_e27 * rows_2) + _e32), (columns * rows_2), jitter_1.x);
     let _e40 = stratum(_e22, count_1, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:67
-fn PixelPattern_pair(this_48: PixelPattern, purpose_5: u32, sample: u32, samples: u32) -> vec2<u32> {
-    var borrowed_4: OwenSobol;
-    var borrowed_5: Xoshiro128PlusPlus;
+fn PixelPattern_pair(this_48: PixelPattern, purpose_6: u32, sample: u32, samples: u32) -> vec2<u32> {
+    var borrowed_2: OwenSobol;
+    var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_21 = ((this_48.ray * samples) + sample);
+    let index_22 = ((this_48.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:69
     if (this_48.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_48, purpose_5, index_21);
-        borrowed_4 = _e14;
-        let _e16 = OwenSobol_next_uvec2_((&borrowed_4));
+        let _e14 = PixelPattern_sobol_point(this_48, purpose_6, index_22);
+        borrowed_2 = _e14;
+        let _e16 = OwenSobol_next_uvec2_((&borrowed_2));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_48, purpose_5, index_21);
-    borrowed_5 = _e18;
-    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_5));
+    let _e18 = PixelPattern_generator(this_48, purpose_6, index_22);
+    borrowed_3 = _e18;
+    let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
     // glimt_render_gpu/src/kernels/pattern.rs:73
     if (this_48.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    let _e29 = PixelPattern_key(this_48, purpose_5);
-    let _e30 = jittered_pair(index_21, (this_48.rays * samples), _e20, _e29);
+    let _e29 = PixelPattern_key(this_48, purpose_6);
+    let _e30 = jittered_pair(index_22, (this_48.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -4049,21 +4107,21 @@ fn FrameParams_direction(this_50: FrameParams, pixel_3: u32, place_1: vec2<f32>)
 
 // glimt_render_gpu/src/kernels/frame.rs:144
 fn FrameParams_camera_ray(this_51: FrameParams, pattern_6: PixelPattern) -> Ray {
-    var chosen_26: vec2<f32>;
+    var chosen_25: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:145
     let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_51.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
     // glimt_render_gpu/src/kernels/frame.rs:149
     if (this_51.filter_ == 1u) {
         // glimt_render_gpu/src/kernels/frame.rs:150
-        chosen_26 = vec2(0.5f);
+        chosen_25 = vec2(0.5f);
     } else {
         // glimt_render_gpu/src/kernels/frame.rs:152
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
-        chosen_26 = _e24;
+        chosen_25 = _e24;
     }
-    let place_4 = chosen_26;
+    let place_4 = chosen_25;
     // glimt_render_gpu/src/kernels/frame.rs:154
     let _e28 = FrameParams_direction(this_51, pattern_6.pixel, place_4);
     // glimt_render_gpu/src/kernels/frame.rs:155
@@ -4088,7 +4146,7 @@ fn bilinear(size_20: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
     // glimt_render_gpu/src/kernels/environment.rs:149
     let next = vec2<u32>((p_1 + vec2(1f)));
     // glimt_render_gpu/src/kernels/environment.rs:150
-    let f_1 = ((p_1 + vec2(1f)) - vec2<f32>(next));
+    let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
     // glimt_render_gpu/src/kernels/environment.rs:151
     let x0_ = (((next.x + size_20.x) - 1u) % size_20.x);
     // glimt_render_gpu/src/kernels/environment.rs:152
@@ -4100,13 +4158,13 @@ fn bilinear(size_20: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
     // glimt_render_gpu/src/kernels/environment.rs:155
     let _e53 = env_texels[(row0_1 + x0_)];
     let _e57 = env_texels[(row0_1 + x1_)];
-    let upper_2 = ((_e53 * (1f - f_1.x)) + (_e57 * f_1.x));
+    let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:156
     let _e68 = env_texels[(row1_1 + x0_)];
     let _e72 = env_texels[(row1_1 + x1_)];
-    let lower_3 = ((_e68 * (1f - f_1.x)) + (_e72 * f_1.x));
+    let lower_3 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:157
-    return ((upper_2 * (1f - f_1.y)) + (lower_3 * f_1.y)).xyz;
+    return ((upper_2 * (1f - f.y)) + (lower_3 * f.y)).xyz;
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:46
@@ -4140,8 +4198,8 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
     var filled: u32;
     var number_1: u32;
     var group_6: Group;
-    var counter_12: u32;
     var counter_13: u32;
+    var counter_14: u32;
 
     // glimt_render_gpu/src/kernels/product.rs:66
     let first_8 = (pixel_4 * frame_3.rays_per_pixel);
@@ -4172,9 +4230,9 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
         let _e46 = GroupLight_reflected(env_size_7, env_rotation_7, _e15.value_size, _e15.value_start, _e18, rays_6, threshold_6, _e44, _e45, expected_7, points_start_9, points_len_9, (&drawn_1));
         // glimt_render_gpu/src/kernels/product.rs:82
         let _e50 = group_6.members;
-        counter_12 = 0u;
+        counter_13 = 0u;
         loop {
-            let k_5 = counter_12;
+            let k_5 = counter_13;
             if (k_5 >= _e50) {
                 break;
             }
@@ -4190,8 +4248,8 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
             let _e70 = Vec4_of_surface(own_3, _e69);
             samples_1[(samples_start + _e56)] = _e70;
             continuing {
-                let _e74 = counter_12;
-                counter_12 = (_e74 + 1u);
+                let _e74 = counter_13;
+                counter_13 = (_e74 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/product.rs:91
@@ -4207,9 +4265,9 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
         group_6 = _e88;
     }
     // glimt_render_gpu/src/kernels/product.rs:95
-    counter_13 = 0u;
+    counter_14 = 0u;
     loop {
-        let ray_13 = counter_13;
+        let ray_13 = counter_14;
         if (ray_13 >= frame_3.rays_per_pixel) {
             break;
         }
@@ -4226,8 +4284,8 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
             samples_1[(samples_start + ray_13)] = _e110;
         }
         continuing {
-            let _e114 = counter_13;
-            counter_13 = (_e114 + 1u);
+            let _e114 = counter_14;
+            counter_14 = (_e114 + 1u);
         }
     }
     return;

@@ -51,6 +51,11 @@ struct Returned_Environment_cells {
     value_start: u32,
 }
 
+struct Tuple_Vec3_Vec3_ {
+    fa: vec3<f32>,
+    fb: vec3<f32>,
+}
+
 struct CellSurface {
     normal: vec3<f32>,
     wo: vec3<f32>,
@@ -67,6 +72,8 @@ struct Representative {
     mean_normal: vec3<f32>,
     diffuse: vec3<f32>,
     specular: vec3<f32>,
+    exponent: f32,
+    peak: f32,
     surface: CellSurface,
 }
 
@@ -170,17 +177,29 @@ fn CellSurface_new(normal: vec3<f32>, wo: vec3<f32>, kd: f32, ks: f32, exponent_
     return CellSurface(normal, wo, (kd * 0.31830987f), ks, widened, _e22, sqrt((2f * (1f - r))), horizon, 1f);
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:83
-fn representative_of(entry: TileEntry, frame: FrameParams, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
+// glimt_render_gpu/src/kernels/groups.rs:47
+fn Representative_alone(normal_1: vec3<f32>, wo_1: vec3<f32>, diffuse: f32, specular: f32, exponent_2: f32, env_size: vec2<u32>, env_rotation: vec2<f32>) -> Representative {
 
+    // glimt_render_gpu/src/kernels/groups.rs:55
+    let _e9 = Environment_to_map(env_size, env_rotation, normal_1);
+    let _e10 = Environment_to_map(env_size, env_rotation, wo_1);
+    let _e11 = Tuple_Vec3_Vec3_(_e9, _e10);
+    let normal_4 = _e11.fa;
+    let wo_2 = _e11.fb;
+    // glimt_render_gpu/src/kernels/groups.rs:56
+    let _e17 = CellSurface_new(normal_4, wo_2, diffuse, specular, exponent_2, 1f, 0f);
+    // glimt_render_gpu/src/kernels/groups.rs:57
+    return Representative(normal_4, vec3(diffuse), vec3(specular), exponent_2, _e17.peak, _e17);
+}
+
+// glimt_render_gpu/src/kernels/expect.rs:82
+fn representative_of(entry: TileEntry, frame: FrameParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Representative {
+
+    // glimt_render_gpu/src/kernels/expect.rs:87
+    let wo_3 = normalize((frame.eye - entry.position));
     // glimt_render_gpu/src/kernels/expect.rs:88
-    let wo_1 = normalize((frame.eye - entry.position));
-    // glimt_render_gpu/src/kernels/expect.rs:89
-    let _e12 = Environment_to_map(env_size, env_rotation, entry.normal);
-    let _e18 = Environment_to_map(env_size, env_rotation, entry.normal);
-    let _e19 = Environment_to_map(env_size, env_rotation, wo_1);
-    let _e25 = CellSurface_new(_e18, _e19, entry.diffuse, entry.specular, entry.exponent, 1f, 0f);
-    return Representative(_e12, vec3(entry.diffuse), vec3(entry.specular), _e25);
+    let _e15 = Representative_alone(entry.normal, wo_3, entry.diffuse, entry.specular, entry.exponent, env_size_1, env_rotation_1);
+    return _e15;
 }
 
 // glimt_light_cells/src/partition.rs:111
@@ -211,14 +230,14 @@ fn sqrt_(x_1: vec4<f32>) -> vec4<f32> {
 }
 
 // glimt_light_cells/src/surface.rs:82
-fn cosine_power4_(sin2_theta: vec4<f32>, exponent_2: vec4<f32>) -> vec4<f32> {
+fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:84
     let s = clamp(sin2_theta, vec4(0f), vec4(1f));
     // glimt_light_cells/src/surface.rs:85
     let log_ = ((s * (vec4(6f) - s)) / (vec4(12f) - (8f * s)));
     // glimt_light_cells/src/surface.rs:86
-    let t_1 = (min((exponent_2 * log_), vec4(40f)) * (1f / 256f));
+    let t_1 = (min((exponent_3 * log_), vec4(40f)) * (1f / 256f));
     // glimt_light_cells/src/surface.rs:88
     let x_2 = (vec4(1f) - (t_1 * (vec4(1f) - (t_1 * (vec4(0.5f) - (t_1 * (1f / 6f)))))));
     // glimt_light_cells/src/surface.rs:89
@@ -339,11 +358,11 @@ fn Expected_quad(first: u32, slot: u32, quad_2: u32) -> vec4<f32> {
 fn CellSurface_shape_variance(this_: CellSurface, terms: CellTerms) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:163
-    let diffuse = (terms.cosine_spread * this_.diffuse);
+    let diffuse_1 = (terms.cosine_spread * this_.diffuse);
     // glimt_light_cells/src/surface.rs:164
     let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_.specular);
     // glimt_light_cells/src/surface.rs:165
-    return ((diffuse * diffuse) + (lobe_1 * lobe_1));
+    return ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
 }
 
 // glimt_light_cells/src/surface.rs:153
@@ -412,7 +431,7 @@ fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibi
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:151
-fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_1: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
+fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_2: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:159
     let list_1 = (4u + (3u * channel));
@@ -420,7 +439,7 @@ fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u3
     let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_3);
     let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_3);
     let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_3);
-    let moment = (((_e14 * normal_1.x) + (_e19 * normal_1.y)) + (_e25 * normal_1.z));
+    let moment = (((_e14 * normal_2.x) + (_e19 * normal_2.y)) + (_e25 * normal_2.z));
     // glimt_render_gpu/src/kernels/proposal.rs:163
     let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_3);
     // glimt_render_gpu/src/kernels/proposal.rs:164
@@ -429,12 +448,12 @@ fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u3
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:169
-fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_2: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
+fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_3: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:170
-    let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_2, full_1, cut_1);
-    let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_2, full_1, cut_1);
-    let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_2, full_1, cut_1);
+    let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_3, full_1, cut_1);
+    let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_3, full_1, cut_1);
+    let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_3, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
@@ -768,34 +787,34 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     return Proposal(_e248, _e249, _e250, _e251, _e252, _e253, _e254, ((kd_1 * _e227) + (_e230 * (_e232 * _e233))), ((kd_1 * _e238) + (_e241 * (_e243 * _e244))), is_catcher_2);
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:107
-fn worth_2(tile: u32, frame_1: FrameParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> f32 {
+// glimt_render_gpu/src/kernels/expect.rs:100
+fn worth_2(tile: u32, frame_1: FrameParams, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> f32 {
     var sum: f32;
     var counter_3: u32;
     var proposal: Proposal;
 
-    // glimt_render_gpu/src/kernels/expect.rs:114
-    let _e6 = Environment_cells(env_size_1, env_rotation_1);
-    // glimt_render_gpu/src/kernels/expect.rs:115
+    // glimt_render_gpu/src/kernels/expect.rs:107
+    let _e6 = Environment_cells(env_size_2, env_rotation_2);
+    // glimt_render_gpu/src/kernels/expect.rs:108
     sum = 0f;
-    // glimt_render_gpu/src/kernels/expect.rs:116
+    // glimt_render_gpu/src/kernels/expect.rs:109
     counter_3 = 0u;
     loop {
         let slot_1 = counter_3;
         if (slot_1 >= 3u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/expect.rs:117
+        // glimt_render_gpu/src/kernels/expect.rs:110
         let entry_2 = entries[((tile * 3u) + slot_1)];
-        // glimt_render_gpu/src/kernels/expect.rs:118
+        // glimt_render_gpu/src/kernels/expect.rs:111
         if (entry_2.surface != 0u) {
-            // glimt_render_gpu/src/kernels/expect.rs:119
-            // glimt_render_gpu/src/kernels/expect.rs:124
-            let _e35 = representative_of(entry_2, frame_1, env_size_1, env_rotation_1);
-            // glimt_render_gpu/src/kernels/expect.rs:125
+            // glimt_render_gpu/src/kernels/expect.rs:112
+            // glimt_render_gpu/src/kernels/expect.rs:117
+            let _e35 = representative_of(entry_2, frame_1, env_size_2, env_rotation_2);
+            // glimt_render_gpu/src/kernels/expect.rs:118
             let _e38 = Proposal_new(_e35, _e6.value_size, _e6.value_start, (tile * 3u), (slot_1 + 1u), false);
             proposal = _e38;
-            // glimt_render_gpu/src/kernels/expect.rs:126
+            // glimt_render_gpu/src/kernels/expect.rs:119
             let _e44 = proposal.total;
             let _e46 = proposal.lobe_worth;
             let _e49 = sum;
@@ -806,7 +825,7 @@ fn worth_2(tile: u32, frame_1: FrameParams, env_size_1: vec2<u32>, env_rotation_
             counter_3 = (_e51 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/expect.rs:129
+    // glimt_render_gpu/src/kernels/expect.rs:122
     let _e55 = sum;
     return _e55;
 }

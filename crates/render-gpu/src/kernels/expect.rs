@@ -1,7 +1,6 @@
 //! Shared file: from counts of rays to what is expected of the visibility of a light's cells, and to what a ray is worth.
 
-use glam::{Vec3, Vec4};
-use glimt_light_cells::CellSurface;
+use glam::Vec4;
 
 use super::cell_state::{
     COUNT_WORDS, ENTRIES, Expected, NOTHING_KNOWN, TileEntry, VISIBILITY_WORDS, bytes_of, pack,
@@ -77,7 +76,7 @@ pub fn expect(
     }
 }
 
-/// What an entry's point is to cells. Of its colours the luminance alone is known.
+/// What an entry's point is to cells.
 #[inline]
 #[must_use]
 pub fn representative_of(
@@ -86,20 +85,14 @@ pub fn representative_of(
     env: Environment<'_>,
 ) -> Representative {
     let wo = (frame.eye - entry.position).normalize();
-    Representative {
-        mean_normal: env.to_map(entry.normal),
-        diffuse: Vec3::splat(entry.diffuse),
-        specular: Vec3::splat(entry.specular),
-        surface: CellSurface::new(
-            env.to_map(entry.normal),
-            env.to_map(wo),
-            entry.diffuse,
-            entry.specular,
-            entry.exponent,
-            1.0,
-            0.0,
-        ),
-    }
+    Representative::alone(
+        entry.normal,
+        wo,
+        entry.diffuse,
+        entry.specular,
+        entry.exponent,
+        env,
+    )
 }
 
 /// What the rays of tile `tile` are worth in all: the sum over its pixels of the standard deviation that the control variate leaves.

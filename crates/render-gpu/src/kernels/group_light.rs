@@ -1,8 +1,8 @@
 //! Shared file: light that a group of a pixel's hits reflects, by one proposal for all of them.
 
-use glam::{UVec2, Vec3};
+use glam::{UVec2, Vec3, Vec4};
 use glimt_brdf::BlinnPhong;
-use glimt_light_cells::LightCells;
+use glimt_light_cells::{LightCells, cosine_power4};
 use glimt_probe::rotate::rotate_z;
 use glimt_sampling::hash::hash2;
 use glimt_sampling::uniform::{UniformSource, unit_f32, unit_vec2};
@@ -21,6 +21,9 @@ const MOST: f32 = 256.0;
 
 /// The least spread of normals, in radians, for which samples of diffuse members are compared with the group's mean: 2°.
 const SPREAD: f32 = 0.035;
+
+/// The same where they have lobes: below it the lobes are as good as one.
+const FLAT: f32 = 1e-3;
 
 /// How many samples of a pixel each technique has drawn. Each counts its own, so that each has all of its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -170,10 +173,9 @@ impl GroupLight<'_> {
         index: u32,
         points: &mut [SeenPoint],
     ) -> Look {
-        let mut source = self.pattern.point(CELLS, index);
-        let u = source.next_uvec2();
-        let ray = self.member(group, source.next_u32(), points);
-        let drawn = proposal.sample_cells(u, &self.cells, expected);
+        let words = self.pattern.point_triple(CELLS, index);
+        let ray = self.member(group, words.z, points);
+        let drawn = proposal.sample_cells(words.truncate(), &self.cells, expected);
         Look {
             of_map: drawn.direction,
             direction: rotate_z(drawn.direction, self.env.rotation),
@@ -194,9 +196,9 @@ impl GroupLight<'_> {
         index: u32,
         points: &mut [SeenPoint],
     ) -> Look {
-        let mut source = self.pattern.point(LOBE, index);
-        let u = unit_vec2(source.next_uvec2());
-        let ray = self.member(group, source.next_u32(), points);
+        let words = self.pattern.point_triple(LOBE, index);
+        let u = unit_vec2(words.truncate());
+        let ray = self.member(group, words.z, points);
         let point = points[ray as usize].shading_point();
         let drawn = lobe_of(&point).sample(point.wo, 0, u);
         let direction = point.frame.to_world(drawn.wi);
@@ -251,7 +253,7 @@ impl GroupLight<'_> {
         }
         if P::CONTROL {
             let control = proposal.open_control(look.of_map, &at);
-            let others = self.of_others(group, proposal, look, &point, f, points);
+            let others = self.of_others(group, proposal, look, points);
             if proposal.is_catcher {
                 lit = f - control + others;
             } else {
@@ -266,45 +268,63 @@ impl GroupLight<'_> {
     }
 
     /// `f̄(ω) − f_k(ω)`: the mean over the members less that of the one that looks. Its mean over the members is 0, so it moves no
-    /// estimate; it takes away the noise of who looks. Where lobes draw samples, which do not cover other members' lobes, it is that of
-    /// the diffuse parts.
+    /// estimate; it takes away the noise of who looks. Any functions f may stand here, so lobes have the group's exponent and eye, and a
+    /// polynomial for a power. Where lobes draw samples, which do not cover other members' lobes, there are the diffuse parts alone.
     #[inline]
     fn of_others(
         &self,
         group: &Group,
         proposal: &Proposal,
         look: &Look,
-        point: &ShadingPoint,
-        f: Vec3,
         points: &mut [SeenPoint],
     ) -> Vec3 {
         if group.members < 2 {
             return Vec3::ZERO;
         }
-        let has_lobe = proposal.of.surface.specular > 0.0;
-        if !(has_lobe || proposal.of.surface.spread > SPREAD) {
-            let apart =
-                proposal.of.mean_normal.dot(look.of_map) - point.frame.n.dot(look.direction);
-            return proposal.of.diffuse * (core::f32::consts::FRAC_1_PI * apart);
+        let of = &proposal.of;
+        let spread = of.surface.spread;
+        let with_lobes = of.surface.specular > 0.0 && !(proposal.lobe_share > 0.0) && spread > FLAT;
+        if !(with_lobes || spread > SPREAD) {
+            let normal = points[look.ray as usize].normal;
+            let apart = of.mean_normal.dot(look.of_map) - normal.dot(look.direction);
+            return of.diffuse * (core::f32::consts::FRAC_1_PI * apart);
         }
-        let with_lobes = !(proposal.lobe_share > 0.0);
-        let mut own = f;
-        if !with_lobes {
-            let cosine = point.frame.n.dot(look.direction).max(0.0);
-            own = point.brdf.diffuse * (core::f32::consts::FRAC_1_PI * cosine);
-        }
-        let mut sum = Vec3::ZERO;
-        for k in 0..group.members {
-            let ray = group.ray(k, points);
+        let half = look.of_map + of.surface.wo;
+        let half = rotate_z(half / half.length().max(1e-6), self.env.rotation);
+        let mut diffuse = Vec3::ZERO;
+        let mut lobes = 0.0;
+        let mut own_diffuse = Vec3::ZERO;
+        let mut own_lobe = 0.0;
+        for quad in 0..group.members.div_ceil(4) {
+            let mut cosines = [0.0; 4];
+            let mut halves = [0.0; 4];
+            let mut is_own = [0.0; 4];
+            for lane in 0..4 {
+                let k = 4 * quad + lane;
+                if k < group.members {
+                    let ray = group.ray(k, points);
+                    let other = points[ray as usize];
+                    let cosine = other.normal.dot(look.direction).max(0.0);
+                    cosines[lane as usize] = cosine;
+                    halves[lane as usize] = other.normal.dot(half).max(0.0);
+                    diffuse += other.diffuse * cosine;
+                    if ray == look.ray {
+                        own_diffuse = other.diffuse * cosine;
+                        is_own[lane as usize] = 1.0;
+                    }
+                }
+            }
             if with_lobes {
-                let other = points[ray as usize].shading_point();
-                sum += reflectance(&other, other.frame.to_local(look.direction));
-            } else {
-                let other = points[ray as usize];
-                let cosine = other.normal.dot(look.direction).max(0.0);
-                sum += other.diffuse * (core::f32::consts::FRAC_1_PI * cosine);
+                let cosine = Vec4::new(cosines[0], cosines[1], cosines[2], cosines[3]);
+                let half = Vec4::new(halves[0], halves[1], halves[2], halves[3]);
+                let own = Vec4::new(is_own[0], is_own[1], is_own[2], is_own[3]);
+                let power = cosine_power4(Vec4::ONE - half * half, Vec4::splat(of.exponent));
+                lobes += (power * cosine).element_sum();
+                own_lobe += (power * cosine * own).element_sum();
             }
         }
-        sum / group.members as f32 - own
+        let share = 1.0 / group.members as f32;
+        (diffuse * share - own_diffuse) * core::f32::consts::FRAC_1_PI
+            + of.specular * (of.peak * (lobes * share - own_lobe))
     }
 }

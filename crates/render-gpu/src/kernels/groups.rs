@@ -1,6 +1,7 @@
 //! Shared file: a pixel's hits in groups that share one proposal.
 
 use glam::Vec3;
+use glimt_brdf::normalisation;
 use glimt_light_cells::CellSurface;
 use glimt_sampling::math::luminance;
 
@@ -31,8 +32,37 @@ pub struct Representative {
     pub diffuse: Vec3,
     /// Mean ks.
     pub specular: Vec3,
+    /// Mean exponent, which nothing has widened.
+    pub exponent: f32,
+    /// `c(e)` of that.
+    pub peak: f32,
     /// What cells see of it.
     pub surface: CellSurface,
+}
+
+impl Representative {
+    /// Of one surface alone, of which nothing else is asked. Of its colours, the luminance is enough.
+    #[inline]
+    #[must_use]
+    pub fn alone(
+        normal: Vec3,
+        wo: Vec3,
+        diffuse: f32,
+        specular: f32,
+        exponent: f32,
+        env: Environment<'_>,
+    ) -> Representative {
+        let (normal, wo) = (env.to_map(normal), env.to_map(wo));
+        let surface = CellSurface::new(normal, wo, diffuse, specular, exponent, 1.0, 0.0);
+        Representative {
+            mean_normal: normal,
+            diffuse: Vec3::splat(diffuse),
+            specular: Vec3::splat(specular),
+            exponent,
+            peak: surface.peak,
+            surface,
+        }
+    }
 }
 
 /// Whether a ray may join a group.
@@ -125,6 +155,8 @@ impl Group {
             mean_normal: env.to_map(normal),
             diffuse,
             specular,
+            exponent: exponent * share,
+            peak: normalisation(exponent * share),
             surface,
         }
     }

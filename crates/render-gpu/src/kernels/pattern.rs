@@ -81,17 +81,11 @@ impl PixelPattern {
     #[must_use]
     pub fn triple(&self, purpose: u32, sample: u32, samples: u32) -> UVec3 {
         let index = self.ray * samples + sample;
-        if self.kind == Pattern::OwenSobol {
-            let mut point = self.sobol_point(purpose, index);
-            let pair = point.next_uvec2();
-            return pair.extend(point.next_u32());
+        let words = self.point_triple(purpose, index);
+        if self.kind != Pattern::Stratified {
+            return words;
         }
-        let mut generator = self.generator(purpose, index);
-        let jitter = generator.next_uvec2();
-        let single = generator.next_u32();
-        if self.kind == Pattern::Independent {
-            return jitter.extend(single);
-        }
+        let (jitter, single) = (words.truncate(), words.z);
         let (count, key) = (self.rays * samples, self.key(purpose));
         jittered_pair(index, count, jitter, key).extend(jittered(index, count, single, key))
     }
@@ -114,6 +108,20 @@ impl PixelPattern {
             point: self.sobol_point(purpose, index),
             generator: self.generator(purpose, index),
         }
+    }
+
+    /// The first three words of [`PixelPattern::point`].
+    #[inline]
+    #[must_use]
+    pub fn point_triple(&self, purpose: u32, index: u32) -> UVec3 {
+        if self.kind == Pattern::OwenSobol {
+            let mut point = self.sobol_point(purpose, index);
+            let pair = point.next_uvec2();
+            return pair.extend(point.next_u32());
+        }
+        let mut generator = self.generator(purpose, index);
+        let pair = generator.next_uvec2();
+        pair.extend(generator.next_u32())
     }
 
     /// The [key](super::ray::Ray::key) of rays for a purpose: of this ray, the number is its own for each ray that it sends out. Keys of

@@ -1,6 +1,5 @@
 //! Shared file: pilot rays, which count what arrives of each cell of the light before a frame is rendered.
 
-use glimt_light_cells::CellSurface;
 use glimt_probe::rotate::rotate_z;
 use glimt_sampling::math::luminance;
 use glimt_sampling::uniform::UniformSource;
@@ -21,25 +20,6 @@ pub const STEP: u32 = 2;
 /// Pixels of a tile that may send some out, rounded up to a power of two, and the bits of their numbers.
 const PLACES: u32 = 64;
 const PLACE_BITS: u32 = 6;
-
-/// What one hit is to cells.
-#[inline]
-fn alone(point: &SeenPoint, env: Environment<'_>) -> Representative {
-    Representative {
-        mean_normal: env.to_map(point.normal),
-        diffuse: point.diffuse,
-        specular: point.specular,
-        surface: CellSurface::new(
-            env.to_map(point.normal),
-            env.to_map(point.wo),
-            luminance(point.diffuse),
-            luminance(point.specular),
-            point.exponent,
-            1.0,
-            0.0,
-        ),
-    }
-}
 
 /// Takes over what the counts of the frame before tell of the entries of tile `tile` of the image, which begins at pixel 0, and adds the
 /// tile's pilot rays to them.
@@ -91,7 +71,14 @@ pub fn pilot(
                 turned: cells.turned,
             };
             let point = seen.shading_point();
-            let of = alone(&seen, env);
+            let of = Representative::alone(
+                seen.normal,
+                seen.wo,
+                luminance(seen.diffuse),
+                luminance(seen.specular),
+                seen.exponent,
+                env,
+            );
             let proposal = Proposal::new(&of, &light, &remembered, seen.is_catcher());
             let key = pattern.ray_key(PILOT_THROUGH);
             let rays = if proposal.total > 0.0 {
