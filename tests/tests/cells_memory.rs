@@ -357,7 +357,7 @@ fn sequences_are_the_same_in_parts_and_in_tiles() {
         image = Some(made.unwrap());
     }
     assert!(image.expect("a frame").linear == whole.linear);
-    // Without a memory no frame is told of another.
+    // Without a memory a frame does not depend on another.
     let alone = several_tiles(Cells {
         memory: false,
         ..Cells::default()

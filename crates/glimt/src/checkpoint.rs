@@ -45,18 +45,18 @@ impl Checkpoint {
         if index >= missing || setup != job.setup.digest {
             return None;
         }
-        // One that is damaged is as good as none.
+        // A damaged state counts as missing.
         let saved = state::read(&self.file).ok()?;
         Some((index, saved))
     }
 
-    /// A frame has been computed: whether it is time to save.
+    /// Counts a frame that was computed; whether it is time to save.
     pub fn is_due(&mut self) -> bool {
         self.since += 1;
         self.since >= EVERY
     }
 
-    /// Saves a state. Where that fails the run goes on without, as it can do with less.
+    /// Saves a state. Where that fails the run warns and continues without it.
     pub fn save(&mut self, job: &Job, saved: &Saved, reporter: &Reporter) {
         self.since = 0;
         let write = || -> Result<()> {
@@ -85,7 +85,7 @@ impl Checkpoint {
         is_too_large
     }
 
-    /// All frames are there: it is of no more use.
+    /// Removes the file: all frames are there.
     pub fn remove(&self) {
         let _ = fs::remove_file(&self.file);
     }

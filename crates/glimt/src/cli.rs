@@ -191,7 +191,7 @@ pub struct RenderFlags {
 /// Flags of methods whose frames continue from one another.
 #[derive(Clone, Debug, Default, Args)]
 pub struct PastFlags {
-    /// With the methods cells and smc, or prt with `render.prt.temporal`: render so many frames before the first, without writing them
+    /// With the methods cells and smc, or prt with `render.prt.temporal`: render W frames before the first, without writing them
     #[arg(
         long,
         value_name = "W",

@@ -151,7 +151,7 @@ fn a_run_that_was_stopped_continues_from_its_own_state() {
             assert!(same(&t, "whole", "out", frame), "{name}, frame {frame}");
         }
         assert!(!state.exists());
-        // What is damaged is as good as none.
+        // A damaged state counts as missing.
         std::fs::remove_file(t.file("out/frame.0034.exr")).expect("a frame");
         std::fs::write(&state, &saved[..saved.len() / 2]).expect("a state");
         t.run(&[&run[..], &["--frames", "1-40"]].concat())

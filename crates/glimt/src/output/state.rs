@@ -9,9 +9,7 @@ use crate::error::{Error, Result};
 use crate::shot::digest::Hash;
 use glam::{Mat4, UVec2, Vec2, Vec3, Vec4};
 use glimt_render_gpu::kernels::camera::CameraView;
-use glimt_render_gpu::kernels::cell_state::{
-    COUNT_WORDS, ENTRIES, TILE_HEIGHT, TILE_WIDTH, TileEntry,
-};
+use glimt_render_gpu::kernels::cell_state::{COUNT_WORDS, TileEntry};
 use glimt_render_gpu::kernels::past::RayState;
 use glimt_render_gpu::methods::{Method, MethodMemory};
 use glimt_render_gpu::prepare::cells_state::{CellsKey, CellsState};
@@ -59,12 +57,6 @@ pub fn bytes(method: &Method, texels: u64, size: UVec2, rays_per_pixel: u32, obj
         _ => 0,
     };
     header + light + method.kept_bytes(size, rays_per_pixel).all
-}
-
-/// Entries of the tiles of an image.
-fn entries(size: UVec2) -> usize {
-    let (across, down) = (size.x.div_ceil(TILE_WIDTH), size.y.div_ceil(TILE_HEIGHT));
-    across as usize * down as usize * ENTRIES as usize
 }
 
 /// A saved state.
@@ -265,16 +257,16 @@ fn memory(key: Key, past: PastFrame, arrays: &[u8]) -> Option<MethodMemory> {
     let objects = past.transforms.len() as u32;
     let (memory, rest) = match key {
         Key::Cells { size, seed } => {
-            let size = UVec2::from(size);
-            let count = entries(size);
+            let key = CellsKey {
+                size: UVec2::from(size),
+                seed,
+                objects,
+            };
+            let count = key.entries();
             let (entries, arrays) = take::<TileEntry>(arrays, count)?;
             let (counts, rest) = take::<u32>(arrays, count * COUNT_WORDS as usize)?;
             let state = CellsState {
-                key: CellsKey {
-                    size,
-                    seed,
-                    objects,
-                },
+                key,
                 past,
                 entries,
                 counts,

@@ -25,14 +25,14 @@ var<storage, read_write> out: array<u32>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/expect.rs:127
+// glimt_render_gpu/src/kernels/expect.rs:124
 fn add_worths_1(part: u32, cells: CellParams, parts: u32) -> u32 {
     var sum: f32;
     var counter: u32;
 
-    // glimt_render_gpu/src/kernels/expect.rs:128
+    // glimt_render_gpu/src/kernels/expect.rs:125
     sum = 0f;
-    // glimt_render_gpu/src/kernels/expect.rs:129
+    // glimt_render_gpu/src/kernels/expect.rs:126
     let _e10 = (cells.tiles / parts);
     counter = 0u;
     loop {
@@ -40,11 +40,11 @@ fn add_worths_1(part: u32, cells: CellParams, parts: u32) -> u32 {
         if (i >= select(_e10, (_e10 + 1u), ((cells.tiles % parts) != 0u))) {
             break;
         }
-        // glimt_render_gpu/src/kernels/expect.rs:130
+        // glimt_render_gpu/src/kernels/expect.rs:127
         let tile = ((i * parts) + part);
-        // glimt_render_gpu/src/kernels/expect.rs:131
+        // glimt_render_gpu/src/kernels/expect.rs:128
         if (tile < cells.tiles) {
-            // glimt_render_gpu/src/kernels/expect.rs:132
+            // glimt_render_gpu/src/kernels/expect.rs:129
             let _e29 = worths[tile];
             let _e30 = sum;
             sum = (_e30 + _e29);
@@ -54,7 +54,7 @@ fn add_worths_1(part: u32, cells: CellParams, parts: u32) -> u32 {
             counter = (_e32 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/expect.rs:135
+    // glimt_render_gpu/src/kernels/expect.rs:132
     let _e36 = sum;
     return bitcast<u32>(_e36);
 }

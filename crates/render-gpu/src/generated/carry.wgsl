@@ -118,6 +118,16 @@ struct CellTerms {
     cosine_spread: vec4<f32>,
 }
 
+struct Tuple_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+}
+
+struct QuadCounts {
+    rays: vec4<f32>,
+    arrived: vec4<f32>,
+}
+
 struct Params {
     first: u32,
     count: u32,
@@ -228,14 +238,14 @@ fn came_from(entry: TileEntry, frame: FrameParams, cells: CellParams, view: Past
     let column = _e65.fa;
     let row = _e65.fb;
     // glimt_render_gpu/src/kernels/carry.rs:77
-    let first_1 = (((row * cells.tiles_across) + column) * 3u);
+    let first_2 = (((row * cells.tiles_across) + column) * 3u);
     // glimt_render_gpu/src/kernels/carry.rs:78
-    let _e76 = slot_of(entry.surface, first_1);
+    let _e76 = slot_of(entry.surface, first_2);
     // glimt_render_gpu/src/kernels/carry.rs:79
     if (_e76 == 0u) {
         chosen = 0u;
     } else {
-        chosen = (first_1 + _e76);
+        chosen = (first_2 + _e76);
     }
     let _e83 = chosen;
     return _e83;
@@ -299,12 +309,12 @@ fn Representative_alone(normal_1: vec3<f32>, wo_1: vec3<f32>, diffuse: f32, spec
     return Representative(normal_2, vec3(diffuse), vec3(specular), exponent_2, _e17.peak, _e17);
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:82
+// glimt_render_gpu/src/kernels/expect.rs:79
 fn representative_of(entry_1: TileEntry, frame_1: FrameParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Representative {
 
-    // glimt_render_gpu/src/kernels/expect.rs:87
+    // glimt_render_gpu/src/kernels/expect.rs:84
     let wo_3 = normalize((frame_1.eye - entry_1.position));
-    // glimt_render_gpu/src/kernels/expect.rs:88
+    // glimt_render_gpu/src/kernels/expect.rs:85
     let _e15 = Representative_alone(entry_1.normal, wo_3, entry_1.diffuse, entry_1.specular, entry_1.exponent, env_size_1, env_rotation_1);
     return _e15;
 }
@@ -437,43 +447,43 @@ fn LightCells_terms(size_4: vec2<u32>, start_1: u32, surface_1: CellSurface, qua
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near), vec4(1f)), cosine_spread);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:129
+// glimt_render_gpu/src/kernels/cell_state.rs:149
 fn remembered(n: u32, s: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:130
+    // glimt_render_gpu/src/kernels/cell_state.rs:150
     if (n <= 64u) {
-        // glimt_render_gpu/src/kernels/cell_state.rs:131
+        // glimt_render_gpu/src/kernels/cell_state.rs:151
         return (n | (s << 8u));
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:133
+    // glimt_render_gpu/src/kernels/cell_state.rs:153
     return (64u | (((((2u * s) * 64u) + n) / (2u * n)) << 8u));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:150
+// glimt_render_gpu/src/kernels/cell_state.rs:170
 fn Remembered_cell(from_: u32, turned: u32, cell: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:151
+    // glimt_render_gpu/src/kernels/cell_state.rs:171
     let column_1 = ((((cell % 32u) + 32u) - turned) % 32u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:152
+    // glimt_render_gpu/src/kernels/cell_state.rs:172
     let was = (((cell / 32u) * 32u) + column_1);
-    // glimt_render_gpu/src/kernels/cell_state.rs:153
+    // glimt_render_gpu/src/kernels/cell_state.rs:173
     let word_2 = past_counts[(((from_ - 1u) * 256u) + (was / 2u))];
-    // glimt_render_gpu/src/kernels/cell_state.rs:154
+    // glimt_render_gpu/src/kernels/cell_state.rs:174
     let own_1 = ((word_2 >> ((16u * (was & 1u)) & 31u)) & 65535u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:155
+    // glimt_render_gpu/src/kernels/cell_state.rs:175
     let _e44 = remembered((own_1 & 255u), (own_1 >> 8u));
     return _e44;
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:161
+// glimt_render_gpu/src/kernels/cell_state.rs:181
 fn Remembered_word(from_1: u32, turned_1: u32, word: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:162
+    // glimt_render_gpu/src/kernels/cell_state.rs:182
     if (from_1 == 0u) {
-        // glimt_render_gpu/src/kernels/cell_state.rs:163
+        // glimt_render_gpu/src/kernels/cell_state.rs:183
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:165
+    // glimt_render_gpu/src/kernels/cell_state.rs:185
     let _e12 = Remembered_cell(from_1, turned_1, (2u * word));
     let _e17 = Remembered_cell(from_1, turned_1, ((2u * word) + 1u));
     return (_e12 | (_e17 << 16u));
@@ -486,21 +496,36 @@ fn bytes_of(word_1: u32) -> vec4<f32> {
     return vec4<f32>(f32((word_1 & 255u)), f32(((word_1 >> 8u) & 255u)), f32(((word_1 >> 16u) & 255u)), f32((word_1 >> 24u)));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:188
-fn Remembered_quad(from_2: u32, turned_2: u32, quad_2: u32) -> vec4<f32> {
+// glimt_render_gpu/src/kernels/cell_state.rs:119
+fn quad_counts(first_1: u32, second: u32) -> QuadCounts {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:189
-    let _e7 = Remembered_word(from_2, turned_2, (2u * quad_2));
-    let _e8 = bytes_of(_e7);
-    // glimt_render_gpu/src/kernels/cell_state.rs:190
-    let _e14 = Remembered_word(from_2, turned_2, ((2u * quad_2) + 1u));
-    let _e15 = bytes_of(_e14);
-    // glimt_render_gpu/src/kernels/cell_state.rs:191
-    let n_2 = vec4<f32>(_e8.x, _e8.z, _e15.x, _e15.z);
+    // glimt_render_gpu/src/kernels/cell_state.rs:120
+    let _e4 = bytes_of(first_1);
+    let _e5 = bytes_of(second);
+    let _e6 = Tuple_Vec4_Vec4_(_e4, _e5);
+    let low = _e6.fa;
+    let high = _e6.fb;
+    // glimt_render_gpu/src/kernels/cell_state.rs:121
+    return QuadCounts(vec4<f32>(low.x, low.z, high.x, high.z), vec4<f32>(low.y, low.w, high.y, high.w));
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:191
+fn Remembered_counts(from_2: u32, turned_2: u32, quad_2: u32) -> QuadCounts {
+
     // glimt_render_gpu/src/kernels/cell_state.rs:192
-    let s_2 = vec4<f32>(_e8.y, _e8.w, _e15.y, _e15.w);
-    // glimt_render_gpu/src/kernels/cell_state.rs:193
-    return ((s_2 + vec4((4f * 0.75f))) / (n_2 + vec4(4f)));
+    let _e7 = Remembered_word(from_2, turned_2, (2u * quad_2));
+    let _e12 = Remembered_word(from_2, turned_2, ((2u * quad_2) + 1u));
+    let _e13 = quad_counts(_e7, _e12);
+    return _e13;
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:219
+fn Remembered_quad(from_3: u32, turned_3: u32, quad_3: u32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:220
+    let _e5 = Remembered_counts(from_3, turned_3, quad_3);
+    // glimt_render_gpu/src/kernels/cell_state.rs:221
+    return ((_e5.arrived + vec4((4f * 0.75f))) / (_e5.rays + vec4(4f)));
 }
 
 // glimt_light_cells/src/surface.rs:162
@@ -527,19 +552,6 @@ fn CellSurface_residual_weights(this_2: CellSurface, terms_1: CellTerms, flux: v
     // glimt_light_cells/src/surface.rs:146
     let _e33 = sqrt_((((reflected * reflected) * by_visibility) + by_shape));
     return ((flux * terms_1.live) * _e33);
-}
-
-// glimt_render_gpu/src/kernels/cell_state.rs:171
-fn Remembered_rays(from_3: u32, turned_3: u32, quad_3: u32) -> vec4<f32> {
-
-    // glimt_render_gpu/src/kernels/cell_state.rs:172
-    let _e7 = Remembered_word(from_3, turned_3, (2u * quad_3));
-    let _e8 = bytes_of(_e7);
-    // glimt_render_gpu/src/kernels/cell_state.rs:173
-    let _e14 = Remembered_word(from_3, turned_3, ((2u * quad_3) + 1u));
-    let _e15 = bytes_of(_e14);
-    // glimt_render_gpu/src/kernels/cell_state.rs:174
-    return vec4<f32>(_e8.x, _e8.z, _e15.x, _e15.z);
 }
 
 // glimt_render_gpu/src/kernels/carry.rs:84
@@ -576,26 +588,26 @@ fn unknown(entry_2: TileEntry, frame_2: FrameParams, env_size_2: vec2<u32>, env_
         let _e42 = all_;
         all_ = (_e42 + (((_e33.x + _e33.y) + _e33.z) + _e33.w));
         // glimt_render_gpu/src/kernels/carry.rs:99
-        let _e45 = Remembered_rays(remembered_from, remembered_turned, quad_4);
-        let _e49 = (_e33 / (_e45 + vec4(1f)));
-        let _e57 = unseen;
-        unseen = (_e57 + (((_e49.x + _e49.y) + _e49.z) + _e49.w));
+        let _e45 = Remembered_counts(remembered_from, remembered_turned, quad_4);
+        let _e50 = (_e33 / (_e45.rays + vec4(1f)));
+        let _e58 = unseen;
+        unseen = (_e58 + (((_e50.x + _e50.y) + _e50.z) + _e50.w));
         continuing {
-            let _e59 = counter_1;
-            counter_1 = (_e59 + 1u);
+            let _e60 = counter_1;
+            counter_1 = (_e60 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/carry.rs:102
-    let _e64 = all_;
-    if (_e64 > 0f) {
-        let _e67 = unseen;
-        let _e68 = all_;
-        chosen_1 = (_e67 / _e68);
+    let _e65 = all_;
+    if (_e65 > 0f) {
+        let _e68 = unseen;
+        let _e69 = all_;
+        chosen_1 = (_e68 / _e69);
     } else {
         chosen_1 = 0f;
     }
-    let _e71 = chosen_1;
-    return _e71;
+    let _e72 = chosen_1;
+    return _e72;
 }
 
 // glimt_render_gpu/src/kernels/carry.rs:23

@@ -3,7 +3,7 @@
 //! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 /// SHA-256, in hexadecimal, of the shaders that the pixels of a rendered frame depend on.
-pub const PIXELS: &str = "278d847a45644761e28887e37375ba9c70ff629388dc8ea0792e642d4b3450b1";
+pub const PIXELS: &str = "9f0fd163efe567177d8609e9ad931bc2951043d4db5c35b62fda3247760e424c";
 
 /// SHA-256, in hexadecimal, of the shaders that precomputed transfer depend on.
 pub const BAKE: &str = "cc4db5aee828b1dcdc8ea3b6acbd42799bc9ec92ddf22686b61bf49327b4bf04";

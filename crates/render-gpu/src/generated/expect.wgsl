@@ -31,6 +31,16 @@ struct Tuple_u32_u32_ {
     fb: u32,
 }
 
+struct Tuple_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+}
+
+struct QuadCounts {
+    rays: vec4<f32>,
+    arrived: vec4<f32>,
+}
+
 struct Params {
     first: u32,
     count: u32,
@@ -54,12 +64,25 @@ fn bytes_of(word: u32) -> vec4<f32> {
     return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:200
+// glimt_render_gpu/src/kernels/cell_state.rs:119
+fn quad_counts(first: u32, second: u32) -> QuadCounts {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:120
+    let _e4 = bytes_of(first);
+    let _e5 = bytes_of(second);
+    let _e6 = Tuple_Vec4_Vec4_(_e4, _e5);
+    let low = _e6.fa;
+    let high = _e6.fb;
+    // glimt_render_gpu/src/kernels/cell_state.rs:121
+    return QuadCounts(vec4<f32>(low.x, low.z, high.x, high.z), vec4<f32>(low.y, low.w, high.y, high.w));
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:228
 fn pack(visibility: vec4<f32>) -> u32 {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:201
+    // glimt_render_gpu/src/kernels/cell_state.rs:229
     let codes = vec4<u32>(((clamp(visibility, vec4(0f), vec4(1f)) * 255f) + vec4(0.5f)));
-    // glimt_render_gpu/src/kernels/cell_state.rs:202
+    // glimt_render_gpu/src/kernels/cell_state.rs:230
     return (((codes.x | (codes.y << 8u)) | (codes.z << 16u)) | (codes.w << 24u));
 }
 
@@ -172,52 +195,46 @@ fn expect_1(tile: u32, cells: CellParams, visibility_start: u32, visibility_len:
                     let at = ((entry * 256u) + (2u * word_1));
                     // glimt_render_gpu/src/kernels/expect.rs:60
                     let _e142 = counts[at];
-                    let _e143 = bytes_of(_e142);
+                    let _e147 = counts[(at + 1u)];
+                    let _e148 = quad_counts(_e142, _e147);
                     // glimt_render_gpu/src/kernels/expect.rs:61
-                    let _e149 = counts[(at + 1u)];
-                    let _e150 = bytes_of(_e149);
+                    let _e151 = all_n;
+                    all_n = (_e151 + _e148.rays);
                     // glimt_render_gpu/src/kernels/expect.rs:62
-                    let own_n = vec4<f32>(_e143.x, _e143.z, _e150.x, _e150.z);
+                    let _e155 = all_s;
+                    all_s = (_e155 + _e148.arrived);
                     // glimt_render_gpu/src/kernels/expect.rs:63
-                    let own_s = vec4<f32>(_e143.y, _e143.w, _e150.y, _e150.w);
-                    // glimt_render_gpu/src/kernels/expect.rs:64
-                    let _e164 = all_n;
-                    all_n = (_e164 + own_n);
-                    // glimt_render_gpu/src/kernels/expect.rs:65
-                    let _e167 = all_s;
-                    all_s = (_e167 + own_s);
-                    // glimt_render_gpu/src/kernels/expect.rs:66
                     if (entry == own) {
-                        // glimt_render_gpu/src/kernels/expect.rs:67
-                        n = own_n;
-                        // glimt_render_gpu/src/kernels/expect.rs:68
-                        s = own_s;
+                        // glimt_render_gpu/src/kernels/expect.rs:64
+                        n = _e148.rays;
+                        // glimt_render_gpu/src/kernels/expect.rs:65
+                        s = _e148.arrived;
                     }
                     continuing {
-                        let _e173 = counter_4;
-                        counter_4 = (_e173 + 1i);
+                        let _e163 = counter_4;
+                        counter_4 = (_e163 + 1i);
                     }
                 }
-                // glimt_render_gpu/src/kernels/expect.rs:71
-                let _e177 = all_s;
-                let _e178 = all_n;
-                let prior = (_e177 / _e178);
-                // glimt_render_gpu/src/kernels/expect.rs:72
-                let _e181 = s;
-                let _e185 = n;
-                let expected = ((_e181 + (prior * 4f)) / (_e185 + vec4(4f)));
-                // glimt_render_gpu/src/kernels/expect.rs:73
-                let _e191 = pack(expected);
-                visibility_1[(visibility_start + ((slot * 128u) + word_1))] = _e191;
+                // glimt_render_gpu/src/kernels/expect.rs:68
+                let _e167 = all_s;
+                let _e168 = all_n;
+                let prior = (_e167 / _e168);
+                // glimt_render_gpu/src/kernels/expect.rs:69
+                let _e171 = s;
+                let _e175 = n;
+                let expected = ((_e171 + (prior * 4f)) / (_e175 + vec4(4f)));
+                // glimt_render_gpu/src/kernels/expect.rs:70
+                let _e181 = pack(expected);
+                visibility_1[(visibility_start + ((slot * 128u) + word_1))] = _e181;
                 continuing {
-                    let _e198 = counter_3;
-                    counter_3 = (_e198 + 1u);
+                    let _e188 = counter_3;
+                    counter_3 = (_e188 + 1u);
                 }
             }
         }
         continuing {
-            let _e201 = counter;
-            counter = (_e201 + 1u);
+            let _e191 = counter;
+            counter = (_e191 + 1u);
         }
     }
     return;

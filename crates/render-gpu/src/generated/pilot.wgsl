@@ -80,6 +80,11 @@ struct CellParams {
     turned: u32,
 }
 
+struct Returned_TileEntry_remembered {
+    value_from: u32,
+    value_turned: u32,
+}
+
 struct Returned_Environment_cells {
     value_size: vec2<u32>,
     value_start: u32,
@@ -245,6 +250,16 @@ struct CellTerms {
     cosine_spread: vec4<f32>,
 }
 
+struct Tuple_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+}
+
+struct QuadCounts {
+    rays: vec4<f32>,
+    arrived: vec4<f32>,
+}
+
 struct Proposal {
     of_: Representative,
     quads: array<f32, 128>,
@@ -329,53 +344,60 @@ var<storage, read_write> counts: array<u32>;
 @group(0) @binding(0) 
 var<uniform> params: Params;
 
-// glimt_render_gpu/src/kernels/cell_state.rs:129
+// glimt_render_gpu/src/kernels/cell_state.rs:200
+fn TileEntry_remembered(this_: TileEntry, turned: u32) -> Returned_TileEntry_remembered {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:201
+    return Returned_TileEntry_remembered(this_.from_, turned);
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:149
 fn remembered(n: u32, s: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:130
+    // glimt_render_gpu/src/kernels/cell_state.rs:150
     if (n <= 64u) {
-        // glimt_render_gpu/src/kernels/cell_state.rs:131
+        // glimt_render_gpu/src/kernels/cell_state.rs:151
         return (n | (s << 8u));
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:133
+    // glimt_render_gpu/src/kernels/cell_state.rs:153
     return (64u | (((((2u * s) * 64u) + n) / (2u * n)) << 8u));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:150
-fn Remembered_cell(from_: u32, turned: u32, cell: u32) -> u32 {
+// glimt_render_gpu/src/kernels/cell_state.rs:170
+fn Remembered_cell(from_: u32, turned_1: u32, cell: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:151
-    let column_1 = ((((cell % 32u) + 32u) - turned) % 32u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:152
+    // glimt_render_gpu/src/kernels/cell_state.rs:171
+    let column_1 = ((((cell % 32u) + 32u) - turned_1) % 32u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:172
     let was = (((cell / 32u) * 32u) + column_1);
-    // glimt_render_gpu/src/kernels/cell_state.rs:153
+    // glimt_render_gpu/src/kernels/cell_state.rs:173
     let word_7 = past_counts[(((from_ - 1u) * 256u) + (was / 2u))];
-    // glimt_render_gpu/src/kernels/cell_state.rs:154
+    // glimt_render_gpu/src/kernels/cell_state.rs:174
     let own = ((word_7 >> ((16u * (was & 1u)) & 31u)) & 65535u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:155
+    // glimt_render_gpu/src/kernels/cell_state.rs:175
     let _e44 = remembered((own & 255u), (own >> 8u));
     return _e44;
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:161
-fn Remembered_word(from_1: u32, turned_1: u32, word: u32) -> u32 {
+// glimt_render_gpu/src/kernels/cell_state.rs:181
+fn Remembered_word(from_1: u32, turned_2: u32, word: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:162
+    // glimt_render_gpu/src/kernels/cell_state.rs:182
     if (from_1 == 0u) {
-        // glimt_render_gpu/src/kernels/cell_state.rs:163
+        // glimt_render_gpu/src/kernels/cell_state.rs:183
         return 0u;
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:165
-    let _e12 = Remembered_cell(from_1, turned_1, (2u * word));
-    let _e17 = Remembered_cell(from_1, turned_1, ((2u * word) + 1u));
+    // glimt_render_gpu/src/kernels/cell_state.rs:185
+    let _e12 = Remembered_cell(from_1, turned_2, (2u * word));
+    let _e17 = Remembered_cell(from_1, turned_2, ((2u * word) + 1u));
     return (_e12 | (_e17 << 16u));
 }
 
 // glimt_render_gpu/src/kernels/scout.rs:37
-fn CellParams_corner(this_: CellParams, tile: u32) -> vec2<u32> {
+fn CellParams_corner(this_1: CellParams, tile: u32) -> vec2<u32> {
 
     // glimt_render_gpu/src/kernels/scout.rs:38
-    return vec2<u32>(((tile % this_.tiles_across) * 16u), ((tile / this_.tiles_across) * 10u));
+    return vec2<u32>(((tile % this_1.tiles_across) * 16u), ((tile / this_1.tiles_across) * 10u));
 }
 
 // glimt_render_gpu/src/kernels/scout.rs:56
@@ -393,10 +415,10 @@ fn Environment_cells(size: vec2<u32>, rotation: vec2<f32>) -> Returned_Environme
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:130
-fn FrameParams_pattern_at(this_1: FrameParams, pixel: u32, ray: u32) -> PixelPattern {
+fn FrameParams_pattern_at(this_2: FrameParams, pixel: u32, ray: u32) -> PixelPattern {
 
     // glimt_render_gpu/src/kernels/frame.rs:131
-    return PixelPattern(this_1.pattern, this_1.seed, this_1.frame, pixel, ray, this_1.rays_per_pixel);
+    return PixelPattern(this_2.pattern, this_2.seed, this_2.frame, pixel, ray, this_2.rays_per_pixel);
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -453,11 +475,11 @@ fn OwenSobol_new(seed: u32, frame_1: u32, pixel_1: u32, sample_index: u32) -> Ow
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:136
-fn PixelPattern_sobol_point(this_2: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
+fn PixelPattern_sobol_point(this_3: PixelPattern, purpose: u32, index: u32) -> OwenSobol {
 
     // glimt_render_gpu/src/kernels/pattern.rs:137
-    let _e6 = hash2_(this_2.seed, purpose);
-    let _e9 = OwenSobol_new(_e6, this_2.frame, this_2.pixel, index);
+    let _e6 = hash2_(this_3.seed, purpose);
+    let _e9 = OwenSobol_new(_e6, this_3.frame, this_3.pixel, index);
     return _e9;
 }
 
@@ -676,18 +698,18 @@ fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_3: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_4: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_3).dimension;
+    let _e4 = (*this_4).dimension;
     let dimension_2 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:192
-    (*this_3).dimension = (dimension_2 + 2u);
+    (*this_4).dimension = (dimension_2 + 2u);
     // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_3).seed;
+    let _e15 = (*this_4).seed;
     let _e18 = hash2_(_e15, (dimension_2 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_3).index;
+    let _e21 = (*this_4).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
     let _e24 = sobol_reversed(_e22, dimension_2);
@@ -808,19 +830,19 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_2: u32, pixel_2: u32) -> Xoshiro
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:141
-fn PixelPattern_generator(this_4: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
+fn PixelPattern_generator(this_5: PixelPattern, purpose_1: u32, index_6: u32) -> Xoshiro128PlusPlus {
 
     // glimt_render_gpu/src/kernels/pattern.rs:142
-    let _e6 = hash3_(this_4.seed, purpose_1, index_6);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_4.frame, this_4.pixel);
+    let _e6 = hash3_(this_5.seed, purpose_1, index_6);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_5.frame, this_5.pixel);
     return _e9;
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_5: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_6: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s_2 = (*this_5).state;
+    let s_2 = (*this_6).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s_2.x + s_2.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s_2.x);
@@ -829,28 +851,28 @@ fn Xoshiro128PlusPlus_next_u32_(this_5: ptr<function, Xoshiro128PlusPlus>) -> u3
     // glimt_sampling/src/xoshiro.rs:60
     let w_1 = (s_2.w ^ s_2.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_5).state = vec4<u32>((s_2.x ^ w_1), (s_2.y ^ z_1), (z_1 ^ (s_2.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
+    (*this_6).state = vec4<u32>((s_2.x ^ w_1), (s_2.y ^ z_1), (z_1 ^ (s_2.y << 9u)), ((w_1 << 11u) | (w_1 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_6: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_7: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_6);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_7);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_6);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_7);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:146
-fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
+fn PixelPattern_key(this_8: PixelPattern, purpose_2: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:147
-    let _e5 = hash2_(this_7.seed, purpose_2);
-    let _e8 = hash3_(_e5, this_7.frame, this_7.pixel);
+    let _e5 = hash2_(this_8.seed, purpose_2);
+    let _e8 = hash3_(_e5, this_8.frame, this_8.pixel);
     return _e8;
 }
 
@@ -943,32 +965,32 @@ fn jittered_pair(index_8: u32, count_1: u32, jitter_1: vec2<u32>, key_1: u32) ->
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:67
-fn PixelPattern_pair(this_8: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
+fn PixelPattern_pair(this_9: PixelPattern, purpose_3: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_18 = ((this_8.ray * samples) + sample);
+    let index_18 = ((this_9.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:69
-    if (this_8.kind == 0u) {
+    if (this_9.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_8, purpose_3, index_18);
+        let _e14 = PixelPattern_sobol_point(this_9, purpose_3, index_18);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_8, purpose_3, index_18);
+    let _e18 = PixelPattern_generator(this_9, purpose_3, index_18);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    if (this_8.kind == 1u) {
+    if (this_9.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    let _e29 = PixelPattern_key(this_8, purpose_3);
-    let _e30 = jittered_pair(index_18, (this_8.rays * samples), _e20, _e29);
+    let _e29 = PixelPattern_key(this_9, purpose_3);
+    let _e30 = jittered_pair(index_18, (this_9.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -989,34 +1011,34 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_9: CameraView, p: vec2<f32>, size_1: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_10: CameraView, p: vec2<f32>, size_1: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
     let x_11 = (((2f * p.x) / f32(size_1.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
     let y_2 = (((2f * p.y) / f32(size_1.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_9.forward + (this_9.right * x_11)) - (this_9.up * y_2)));
+    return normalize(((this_10.forward + (this_10.right * x_11)) - (this_10.up * y_2)));
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:161
-fn FrameParams_direction(this_10: FrameParams, pixel_3: u32, place: vec2<f32>) -> vec3<f32> {
+fn FrameParams_direction(this_11: FrameParams, pixel_3: u32, place: vec2<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/frame.rs:162
-    let corner_1 = vec2<f32>(vec2<u32>((pixel_3 % this_10.width), (pixel_3 / this_10.width)));
+    let corner_1 = vec2<f32>(vec2<u32>((pixel_3 % this_11.width), (pixel_3 / this_11.width)));
     // glimt_render_gpu/src/kernels/frame.rs:163
-    let view = CameraView(this_10.eye, this_10.forward, this_10.right, this_10.up);
+    let view = CameraView(this_11.eye, this_11.forward, this_11.right, this_11.up);
     // glimt_render_gpu/src/kernels/frame.rs:169
-    let _e22 = CameraView_direction(view, (corner_1 + place), vec2<u32>(this_10.width, this_10.height));
+    let _e22 = CameraView_direction(view, (corner_1 + place), vec2<u32>(this_11.width, this_11.height));
     return _e22;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:131
-fn PixelPattern_ray_key(this_11: PixelPattern, purpose_4: u32) -> u32 {
+fn PixelPattern_ray_key(this_12: PixelPattern, purpose_4: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:132
-    let _e4 = PixelPattern_key(this_11, purpose_4);
-    let _e6 = hash2_(_e4, this_11.ray);
+    let _e4 = PixelPattern_key(this_12, purpose_4);
+    let _e6 = hash2_(_e4, this_12.ray);
     return _e6;
 }
 
@@ -1038,13 +1060,13 @@ fn Ray_keyed(origin: vec3<f32>, direction: vec3<f32>, key_2: u32) -> Ray {
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:144
-fn FrameParams_camera_ray(this_12: FrameParams, pattern: PixelPattern) -> Ray {
+fn FrameParams_camera_ray(this_13: FrameParams, pattern: PixelPattern) -> Ray {
     var chosen_2: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:145
-    let film = PixelPattern(pattern.kind, pattern.seed, this_12.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+    let film = PixelPattern(pattern.kind, pattern.seed, this_13.film_frame, pattern.pixel, pattern.ray, pattern.rays);
     // glimt_render_gpu/src/kernels/frame.rs:149
-    if (this_12.filter_ == 1u) {
+    if (this_13.filter_ == 1u) {
         // glimt_render_gpu/src/kernels/frame.rs:150
         chosen_2 = vec2(0.5f);
     } else {
@@ -1055,10 +1077,10 @@ fn FrameParams_camera_ray(this_12: FrameParams, pattern: PixelPattern) -> Ray {
     }
     let place_2 = chosen_2;
     // glimt_render_gpu/src/kernels/frame.rs:154
-    let _e28 = FrameParams_direction(this_12, pattern.pixel, place_2);
+    let _e28 = FrameParams_direction(this_13, pattern.pixel, place_2);
     // glimt_render_gpu/src/kernels/frame.rs:155
     let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_12.eye, _e28, _e32);
+    let _e33 = Ray_keyed(this_13.eye, _e28, _e32);
     return _e33;
 }
 
@@ -1134,10 +1156,10 @@ fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:59
-fn Triangle_is_see_through(this_13: Triangle) -> bool {
+fn Triangle_is_see_through(this_14: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:60
-    return ((this_13.object & 1073741824u) != 0u);
+    return ((this_14.object & 1073741824u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:144
@@ -1192,9 +1214,9 @@ fn Attributes_at(first_1: u32, u_2: f32, v_1: f32) -> Attributes {
 fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
 
     // glimt_render_gpu/src/kernels/material.rs:173
-    let first_5 = (256u + (index_9 * 76u));
+    let first_6 = (256u + (index_9 * 76u));
     // glimt_render_gpu/src/kernels/material.rs:174
-    return Returned_MaterialView_new(first_5, ((first_5 + 76u) - first_5));
+    return Returned_MaterialView_new(first_6, ((first_6 + 76u) - first_6));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:181
@@ -1217,10 +1239,10 @@ fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_2: u32) -> Te
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_14: TextureView) -> bool {
+fn TextureView_exists(this_15: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_14.width > 0u);
+    return (this_15.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -1265,11 +1287,11 @@ fn neighbour(index_10: i32, size_2: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_15: TextureView, index_11: u32) -> vec4<f32> {
+fn TextureView_texel(this_16: TextureView, index_11: u32) -> vec4<f32> {
     var chosen_5: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_8 = scene_surface[(this_15.first + index_11)];
+    let word_8 = scene_surface[(this_16.first + index_11)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r_1 = (word_8 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -1279,7 +1301,7 @@ fn TextureView_texel(this_15: TextureView, index_11: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_8 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_15.flags & 1u) != 0u) {
+    if ((this_16.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r_1];
         let _e42 = scene_surface[g];
@@ -1294,40 +1316,40 @@ fn TextureView_texel(this_15: TextureView, index_11: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_16: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_17: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_16.flags >> 1u) & 3u);
+    let wrap_u = ((this_17.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_16.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_17.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_12 = ((_e21 * f32(this_16.width)) - 0.5f);
+    let x_12 = ((_e21 * f32(this_17.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_3 = ((_e29 * f32(this_16.height)) - 0.5f);
+    let y_3 = ((_e29 * f32(this_17.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e38 = Tuple_f32_f32_(floor(x_12), floor(y_3));
     let left_2 = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left_2), this_16.width, wrap_u);
+    let _e44 = neighbour(i32(left_2), this_17.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left_2) + 1i), this_16.width, wrap_u);
+    let _e50 = neighbour((i32(left_2) + 1i), this_17.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e54 = neighbour(i32(top), this_16.height, wrap_v);
-    let row0_ = (_e54 * this_16.width);
+    let _e54 = neighbour(i32(top), this_17.height, wrap_v);
+    let row0_ = (_e54 * this_17.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e62 = neighbour((i32(top) + 1i), this_16.height, wrap_v);
-    let row1_ = (_e62 * this_16.width);
+    let _e62 = neighbour((i32(top) + 1i), this_17.height, wrap_v);
+    let row1_ = (_e62 * this_17.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e67 = TextureView_texel(this_16, (row0_ + _e44));
-    let _e69 = TextureView_texel(this_16, (row0_ + _e50));
+    let _e67 = TextureView_texel(this_17, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_17, (row0_ + _e50));
     let _e70 = (x_12 - left_2);
     let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e78 = TextureView_texel(this_16, (row1_ + _e44));
-    let _e80 = TextureView_texel(this_16, (row1_ + _e50));
+    let _e78 = TextureView_texel(this_17, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_17, (row1_ + _e50));
     let _e81 = (x_12 - left_2);
     let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -1431,37 +1453,37 @@ fn is_passed(index_13: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:45
-fn Triangle_is_catcher(this_17: Triangle) -> bool {
+fn Triangle_is_catcher(this_18: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:46
-    return ((this_17.object & 2147483648u) != 0u);
+    return ((this_18.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_18: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_19: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_18.v1_ - this_18.v0_), (this_18.v2_ - this_18.v0_));
+    return cross((this_19.v1_ - this_19.v0_), (this_19.v2_ - this_19.v0_));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_19: Triangle) -> f32 {
+fn Triangle_ray_offset(this_20: Triangle) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_19.v0_), abs(this_19.v1_)), abs(this_19.v2_));
+    let extent = max(max(abs(this_20.v0_), abs(this_20.v1_)), abs(this_20.v2_));
     // glimt_render_gpu/src/kernels/triangle.rs:68
     return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_20: Triangle, ray_5: Ray, t: f32) -> f32 {
+fn Triangle_setback(this_21: Triangle, ray_5: Ray, t: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_20);
+    let _e5 = Triangle_area_normal(this_21);
     // glimt_render_gpu/src/kernels/triangle.rs:76
     let across = abs(dot(_e5, ray_5.direction));
     // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_20);
+    let _e12 = Triangle_ray_offset(this_21);
     let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_5.direction, ray_5.direction)))));
     // glimt_render_gpu/src/kernels/triangle.rs:82
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
@@ -1766,13 +1788,13 @@ fn Scene_closest_hit(ray_10: Ray) -> Option_Hit {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:88
-fn Triangle_outward(this_21: Triangle) -> vec3<f32> {
+fn Triangle_outward(this_22: Triangle) -> vec3<f32> {
     var chosen_7: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/triangle.rs:89
-    let _e3 = Triangle_area_normal(this_21);
+    let _e3 = Triangle_area_normal(this_22);
     // glimt_render_gpu/src/kernels/triangle.rs:90
-    if ((this_21.object & 536870912u) != 0u) {
+    if ((this_22.object & 536870912u) != 0u) {
         // glimt_render_gpu/src/kernels/triangle.rs:91
         chosen_7 = -(_e3);
     } else {
@@ -1860,10 +1882,10 @@ fn ShadingFrame_from_normal(n_3: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_22: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_23: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_4, this_22.t), dot(v_4, this_22.b), dot(v_4, this_22.n));
+    return vec3<f32>(dot(v_4, this_23.t), dot(v_4, this_23.b), dot(v_4, this_23.n));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:186
@@ -2008,13 +2030,13 @@ fn Scene_shading_point(ray_11: Ray, hit: Hit) -> ShadingPoint {
     // glimt_render_gpu/src/kernels/scene.rs:89
     let triangle_6 = scene_triangles[hit.triangle];
     // glimt_render_gpu/src/kernels/scene.rs:90
-    let first_6 = (3u * hit.triangle);
+    let first_7 = (3u * hit.triangle);
     // glimt_render_gpu/src/kernels/scene.rs:91
-    let a_6 = scene_corners[first_6];
+    let a_6 = scene_corners[first_7];
     // glimt_render_gpu/src/kernels/scene.rs:92
-    let b_6 = scene_corners[(first_6 + 1u)];
+    let b_6 = scene_corners[(first_7 + 1u)];
     // glimt_render_gpu/src/kernels/scene.rs:93
-    let c_4 = scene_corners[(first_6 + 2u)];
+    let c_4 = scene_corners[(first_7 + 2u)];
     // glimt_render_gpu/src/kernels/scene.rs:94
     let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
     let u_8 = _e33.fa;
@@ -2087,10 +2109,10 @@ fn Scene_shading_point(ray_11: Ray, hit: Hit) -> ShadingPoint {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:52
-fn Triangle_object_index(this_23: Triangle) -> u32 {
+fn Triangle_object_index(this_24: Triangle) -> u32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:53
-    return (this_23.object & 536870911u);
+    return (this_24.object & 536870911u);
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:124
@@ -2166,20 +2188,20 @@ fn slot_of(surface: u32, first_2: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:77
-fn SeenPoint_is_hit(this_24: SeenPoint) -> bool {
+fn SeenPoint_is_hit(this_25: SeenPoint) -> bool {
 
     // glimt_render_gpu/src/kernels/seen.rs:78
-    return (this_24.surface != 0u);
+    return (this_25.surface != 0u);
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:98
-fn SeenPoint_shading_point(this_25: SeenPoint) -> ShadingPoint {
+fn SeenPoint_shading_point(this_26: SeenPoint) -> ShadingPoint {
 
     // glimt_render_gpu/src/kernels/seen.rs:99
-    let _e4 = ShadingFrame_from_normal(this_25.normal);
+    let _e4 = ShadingFrame_from_normal(this_26.normal);
     // glimt_render_gpu/src/kernels/seen.rs:100
-    let _e9 = ShadingFrame_to_local(_e4, this_25.wo);
-    return ShadingPoint(this_25.origin, this_25.geometric_normal, _e4, _e9, BlinnPhong(this_25.diffuse, this_25.specular, this_25.exponent), this_25.emission);
+    let _e9 = ShadingFrame_to_local(_e4, this_26.wo);
+    return ShadingPoint(this_26.origin, this_26.geometric_normal, _e4, _e9, BlinnPhong(this_26.diffuse, this_26.specular, this_26.exponent), this_26.emission);
 }
 
 // glimt_sampling/src/math.rs:16
@@ -2241,10 +2263,10 @@ fn Representative_alone(normal_3: vec3<f32>, wo_1: vec3<f32>, diffuse: f32, spec
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:84
-fn SeenPoint_is_catcher(this_26: SeenPoint) -> bool {
+fn SeenPoint_is_catcher(this_27: SeenPoint) -> bool {
 
     // glimt_render_gpu/src/kernels/seen.rs:85
-    return ((this_26.flags & 2u) != 0u);
+    return ((this_27.flags & 2u) != 0u);
 }
 
 // glimt_light_cells/src/partition.rs:111
@@ -2382,57 +2404,72 @@ fn bytes_of(word_5: u32) -> vec4<f32> {
     return vec4<f32>(f32((word_5 & 255u)), f32(((word_5 >> 8u) & 255u)), f32(((word_5 >> 16u) & 255u)), f32((word_5 >> 24u)));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:188
-fn Remembered_quad(from_2: u32, turned_2: u32, quad_2: u32) -> vec4<f32> {
+// glimt_render_gpu/src/kernels/cell_state.rs:119
+fn quad_counts(first_3: u32, second: u32) -> QuadCounts {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:189
-    let _e7 = Remembered_word(from_2, turned_2, (2u * quad_2));
-    let _e8 = bytes_of(_e7);
-    // glimt_render_gpu/src/kernels/cell_state.rs:190
-    let _e14 = Remembered_word(from_2, turned_2, ((2u * quad_2) + 1u));
-    let _e15 = bytes_of(_e14);
-    // glimt_render_gpu/src/kernels/cell_state.rs:191
-    let n_6 = vec4<f32>(_e8.x, _e8.z, _e15.x, _e15.z);
+    // glimt_render_gpu/src/kernels/cell_state.rs:120
+    let _e4 = bytes_of(first_3);
+    let _e5 = bytes_of(second);
+    let _e6 = Tuple_Vec4_Vec4_(_e4, _e5);
+    let low_1 = _e6.fa;
+    let high_1 = _e6.fb;
+    // glimt_render_gpu/src/kernels/cell_state.rs:121
+    return QuadCounts(vec4<f32>(low_1.x, low_1.z, high_1.x, high_1.z), vec4<f32>(low_1.y, low_1.w, high_1.y, high_1.w));
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:191
+fn Remembered_counts(from_2: u32, turned_3: u32, quad_2: u32) -> QuadCounts {
+
     // glimt_render_gpu/src/kernels/cell_state.rs:192
-    let s_4 = vec4<f32>(_e8.y, _e8.w, _e15.y, _e15.w);
-    // glimt_render_gpu/src/kernels/cell_state.rs:193
-    return ((s_4 + vec4((4f * 0.75f))) / (n_6 + vec4(4f)));
+    let _e7 = Remembered_word(from_2, turned_3, (2u * quad_2));
+    let _e12 = Remembered_word(from_2, turned_3, ((2u * quad_2) + 1u));
+    let _e13 = quad_counts(_e7, _e12);
+    return _e13;
+}
+
+// glimt_render_gpu/src/kernels/cell_state.rs:219
+fn Remembered_quad(from_3: u32, turned_4: u32, quad_3: u32) -> vec4<f32> {
+
+    // glimt_render_gpu/src/kernels/cell_state.rs:220
+    let _e5 = Remembered_counts(from_3, turned_4, quad_3);
+    // glimt_render_gpu/src/kernels/cell_state.rs:221
+    return ((_e5.arrived + vec4((4f * 0.75f))) / (_e5.rays + vec4(4f)));
 }
 
 // glimt_light_cells/src/surface.rs:162
-fn CellSurface_shape_variance(this_27: CellSurface, terms: CellTerms) -> vec4<f32> {
+fn CellSurface_shape_variance(this_28: CellSurface, terms: CellTerms) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:163
-    let diffuse_1 = (terms.cosine_spread * this_27.diffuse);
+    let diffuse_1 = (terms.cosine_spread * this_28.diffuse);
     // glimt_light_cells/src/surface.rs:164
-    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_27.specular);
+    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_28.specular);
     // glimt_light_cells/src/surface.rs:165
     return ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
 }
 
 // glimt_light_cells/src/surface.rs:153
-fn CellSurface_blocked_weights(this_28: CellSurface, terms_1: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+fn CellSurface_blocked_weights(this_29: CellSurface, terms_1: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:154
-    let reflected = ((terms_1.cosine * this_28.diffuse) + (terms_1.lobe * this_28.specular));
+    let reflected = ((terms_1.cosine * this_29.diffuse) + (terms_1.lobe * this_29.specular));
     // glimt_light_cells/src/surface.rs:155
     let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:156
-    let _e22 = CellSurface_shape_variance(this_28, terms_1);
+    let _e22 = CellSurface_shape_variance(this_29, terms_1);
     // glimt_light_cells/src/surface.rs:157
     let _e29 = sqrt_((((reflected * reflected) * blocked) + _e22));
     return ((flux * terms_1.live) * _e29);
 }
 
 // glimt_light_cells/src/surface.rs:142
-fn CellSurface_residual_weights(this_29: CellSurface, terms_2: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+fn CellSurface_residual_weights(this_30: CellSurface, terms_2: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:143
-    let reflected_1 = ((terms_2.cosine * this_29.diffuse) + (terms_2.lobe * this_29.specular));
+    let reflected_1 = ((terms_2.cosine * this_30.diffuse) + (terms_2.lobe * this_30.specular));
     // glimt_light_cells/src/surface.rs:144
     let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:145
-    let _e22 = CellSurface_shape_variance(this_29, terms_2);
+    let _e22 = CellSurface_shape_variance(this_30, terms_2);
     let by_shape = (_e22 * max(visibility_1, vec4(0.02f)));
     // glimt_light_cells/src/surface.rs:146
     let _e33 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape));
@@ -2440,12 +2477,12 @@ fn CellSurface_residual_weights(this_29: CellSurface, terms_2: CellTerms, flux_1
 }
 
 // glimt_light_cells/src/surface.rs:133
-fn CellSurface_product_weights(this_30: CellSurface, terms_3: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
+fn CellSurface_product_weights(this_31: CellSurface, terms_3: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:134
-    let reflected_2 = ((terms_3.cosine * this_30.diffuse) + (terms_3.lobe * this_30.specular));
+    let reflected_2 = ((terms_3.cosine * this_31.diffuse) + (terms_3.lobe * this_31.specular));
     // glimt_light_cells/src/surface.rs:135
-    return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_30.diffuse)));
+    return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_31.diffuse)));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:253
@@ -2476,41 +2513,41 @@ fn weights(surface_2: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibi
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:151
-fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_4: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
+fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_4: u32, channel: u32, normal_4: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:159
     let list_1 = (4u + (3u * channel));
     // glimt_render_gpu/src/kernels/proposal.rs:160
-    let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_3);
-    let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_3);
-    let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_3);
+    let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_4);
+    let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_4);
+    let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_4);
     let moment = (((_e14 * normal_4.x) + (_e19 * normal_4.y)) + (_e25 * normal_4.z));
     // glimt_render_gpu/src/kernels/proposal.rs:163
-    let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_3);
+    let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_4);
     // glimt_render_gpu/src/kernels/proposal.rs:164
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:169
-fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_5: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
+fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_5: u32, normal_5: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:170
-    let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_5, full_1, cut_1);
-    let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_5, full_1, cut_1);
-    let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_5, full_1, cut_1);
+    let _e9 = channel_sum(cells_size_1, cells_start_1, quad_5, 0u, normal_5, full_1, cut_1);
+    let _e11 = channel_sum(cells_size_1, cells_start_1, quad_5, 1u, normal_5, full_1, cut_1);
+    let _e13 = channel_sum(cells_size_1, cells_start_1, quad_5, 2u, normal_5, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:179
-fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
+fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_6: u32, factors: vec4<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/proposal.rs:180
-    let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_5);
+    let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_6);
     let _e8 = (_e7 * factors);
-    let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_5);
+    let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_6);
     let _e20 = (_e19 * factors);
-    let _e31 = LightCells_quad(cells_size_2, cells_start_2, (1u + 2u), quad_5);
+    let _e31 = LightCells_quad(cells_size_2, cells_start_2, (1u + 2u), quad_6);
     let _e32 = (_e31 * factors);
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
@@ -2529,21 +2566,21 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
     // glimt_render_gpu/src/kernels/proposal.rs:211
     counter_3 = 0u;
     loop {
-        let quad_6 = counter_3;
-        if (quad_6 >= 128u) {
+        let quad_7 = counter_3;
+        if (quad_7 >= 128u) {
             break;
         }
         // glimt_render_gpu/src/kernels/proposal.rs:212
-        let _e43 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_6);
+        let _e43 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_7);
         // glimt_render_gpu/src/kernels/proposal.rs:213
-        let _e45 = LightCells_terms(cells_size_3, cells_start_3, surface_3, quad_6);
+        let _e45 = LightCells_terms(cells_size_3, cells_start_3, surface_3, quad_7);
         // glimt_render_gpu/src/kernels/proposal.rs:214
         let _e48 = (_e43 * _e45.live);
         let live = (((_e48.x + _e48.y) + _e48.z) + _e48.w);
         // glimt_render_gpu/src/kernels/proposal.rs:216
         if (live > 0f) {
             // glimt_render_gpu/src/kernels/proposal.rs:217
-            let _e60 = Remembered_quad(expected_from, expected_turned, quad_6);
+            let _e60 = Remembered_quad(expected_from, expected_turned, quad_7);
             // glimt_render_gpu/src/kernels/proposal.rs:218
             let _e62 = weights(surface_3, _e45, _e43, _e60, is_catcher_1);
             // glimt_render_gpu/src/kernels/proposal.rs:219
@@ -2555,7 +2592,7 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
                 // glimt_render_gpu/src/kernels/proposal.rs:222
                 let cut_2 = ((_e60 - full_2) * _e45.cosine);
                 // glimt_render_gpu/src/kernels/proposal.rs:223
-                let _e83 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, full_2, cut_2);
+                let _e83 = diffuse_sum(cells_size_3, cells_start_3, quad_7, of_.mean_normal, full_2, cut_2);
                 let _e84 = t_4.diffuse;
                 t_4.diffuse = (_e84 + _e83);
                 // glimt_render_gpu/src/kernels/proposal.rs:224
@@ -2563,12 +2600,12 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
                     // glimt_render_gpu/src/kernels/proposal.rs:225
                     let cut_3 = ((vec4(1f) - _e45.full) * _e45.cosine);
                     // glimt_render_gpu/src/kernels/proposal.rs:226
-                    let _e97 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, _e45.full, cut_3);
+                    let _e97 = diffuse_sum(cells_size_3, cells_start_3, quad_7, of_.mean_normal, _e45.full, cut_3);
                     // glimt_render_gpu/src/kernels/proposal.rs:227
                     let _e100 = t_4.open_diffuse;
                     t_4.open_diffuse = (_e100 + _e97);
                     // glimt_render_gpu/src/kernels/proposal.rs:228
-                    let _e105 = radiance_sum(cells_size_3, cells_start_3, quad_6, _e45.lobe);
+                    let _e105 = radiance_sum(cells_size_3, cells_start_3, quad_7, _e45.lobe);
                     let _e106 = t_4.open_specular;
                     t_4.open_specular = (_e106 + _e105);
                 }
@@ -2590,27 +2627,27 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
                 let _e149 = t_4.lobe_visible;
                 t_4.lobe_visible = (_e149 + (((_e140.x + _e140.y) + _e140.z) + _e140.w));
                 // glimt_render_gpu/src/kernels/proposal.rs:237
-                let _e154 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_6);
+                let _e154 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_7);
                 let _e155 = (_e45.lobe * _e154);
                 let _e164 = t_4.lobe_square;
                 t_4.lobe_square = (_e164 + (((_e155.x + _e155.y) + _e155.z) + _e155.w));
                 // glimt_render_gpu/src/kernels/proposal.rs:238
-                let _e169 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_6);
+                let _e169 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_7);
                 let _e170 = (_e45.lobe * _e169);
                 let _e179 = t_4.lobe_area;
                 t_4.lobe_area = (_e179 + (((_e170.x + _e170.y) + _e170.z) + _e170.w));
                 // glimt_render_gpu/src/kernels/proposal.rs:239
                 if true {
                     // glimt_render_gpu/src/kernels/proposal.rs:240
-                    let _e187 = radiance_sum(cells_size_3, cells_start_3, quad_6, (_e45.lobe * _e60));
+                    let _e187 = radiance_sum(cells_size_3, cells_start_3, quad_7, (_e45.lobe * _e60));
                     let _e188 = t_4.specular;
                     t_4.specular = (_e188 + _e187);
                 }
             }
             // glimt_render_gpu/src/kernels/proposal.rs:243
-            t_4.quads[quad_6] = weight_1;
+            t_4.quads[quad_7] = weight_1;
             // glimt_render_gpu/src/kernels/proposal.rs:244
-            t_4.lives[quad_6] = live;
+            t_4.lives[quad_7] = live;
             // glimt_render_gpu/src/kernels/proposal.rs:245
             let _e198 = t_4.weight;
             t_4.weight = (_e198 + weight_1);
@@ -2644,7 +2681,7 @@ fn worth(a_3: f32, visible: f32, variance: f32) -> f32 {
 fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_from_1: u32, expected_turned_1: u32, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
-    var first_3: Totals;
+    var first_4: Totals;
     var lobe_worth: f32;
     var least_share: f32;
     var share: f32;
@@ -2665,7 +2702,7 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     sums = _e11;
     // glimt_render_gpu/src/kernels/proposal.rs:292
     let _e14 = sums;
-    first_3 = _e14;
+    first_4 = _e14;
     // glimt_render_gpu/src/kernels/proposal.rs:293
     lobe_worth = 0f;
     // glimt_render_gpu/src/kernels/proposal.rs:294
@@ -2760,17 +2797,17 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
         // glimt_render_gpu/src/kernels/proposal.rs:327
         counter_5 = (row_2 * 8u);
         loop {
-            let quad_7 = counter_5;
-            if (quad_7 >= ((row_2 + 1u) * 8u)) {
+            let quad_8 = counter_5;
+            if (quad_8 >= ((row_2 + 1u) * 8u)) {
                 break;
             }
             // glimt_render_gpu/src/kernels/proposal.rs:328
-            let _e172 = sums.quads[quad_7];
+            let _e172 = sums.quads[quad_8];
             let _e173 = defence;
-            let _e176 = sums.lives[quad_7];
+            let _e176 = sums.lives[quad_8];
             let weight_2 = (_e172 + (_e173 * _e176));
             // glimt_render_gpu/src/kernels/proposal.rs:329
-            quads[quad_7] = weight_2;
+            quads[quad_8] = weight_2;
             // glimt_render_gpu/src/kernels/proposal.rs:330
             let _e182 = of_row;
             of_row = (_e182 + weight_2);
@@ -2814,13 +2851,13 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     let _e222 = of_2.diffuse;
     let kd_1 = (_e222 * 0.31830987f);
     // glimt_render_gpu/src/kernels/proposal.rs:344
-    let _e227 = first_3.diffuse;
+    let _e227 = first_4.diffuse;
     let _e230 = of_2.specular;
-    let _e232 = first_3.specular;
+    let _e232 = first_4.specular;
     let _e233 = share;
-    let _e238 = first_3.open_diffuse;
+    let _e238 = first_4.open_diffuse;
     let _e241 = of_2.specular;
-    let _e243 = first_3.open_specular;
+    let _e243 = first_4.open_specular;
     let _e244 = share;
     let _e248 = of_2;
     let _e249 = quads;
@@ -2833,37 +2870,37 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:105
-fn PixelPattern_point(this_31: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
+fn PixelPattern_point(this_32: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:106
-    let _e8 = PixelPattern_sobol_point(this_31, purpose_5, index_15);
-    let _e9 = PixelPattern_generator(this_31, purpose_5, index_15);
-    return PatternSource((this_31.kind == 0u), _e8, _e9);
+    let _e8 = PixelPattern_sobol_point(this_32, purpose_5, index_15);
+    let _e9 = PixelPattern_generator(this_32, purpose_5, index_15);
+    return PatternSource((this_32.kind == 0u), _e8, _e9);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:180
-fn PatternSource_next_uvec2_(this_32: ptr<function, PatternSource>) -> vec2<u32> {
+fn PatternSource_next_uvec2_(this_33: ptr<function, PatternSource>) -> vec2<u32> {
     var chosen_16: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:181
-    let _e5 = (*this_32).is_sobol;
+    let _e5 = (*this_33).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:182
-        let _e9 = (*this_32).point;
+        let _e9 = (*this_33).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_32).point = _e11;
+        (*this_33).point = _e11;
         chosen_16 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:184
-        let _e15 = (*this_32).generator;
+        let _e15 = (*this_33).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_32).generator = _e17;
+        (*this_33).generator = _e17;
         chosen_16 = _e16;
     }
     let _e18 = chosen_16;
@@ -2878,39 +2915,39 @@ fn Place_new(target_: f32) -> Place {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:492
-fn Place_offer(this_33: ptr<function, Place>, index_16: u32, width: f32) {
+fn Place_offer(this_34: ptr<function, Place>, index_16: u32, width: f32) {
 
     // glimt_render_gpu/src/kernels/proposal.rs:493
-    let _e8 = (*this_33).is_found;
+    let _e8 = (*this_34).is_found;
     if ((width > 0f) && !(_e8)) {
         // glimt_render_gpu/src/kernels/proposal.rs:494
-        (*this_33).index = index_16;
+        (*this_34).index = index_16;
         // glimt_render_gpu/src/kernels/proposal.rs:495
-        let _e15 = (*this_33).sum;
-        (*this_33).first = _e15;
+        let _e15 = (*this_34).sum;
+        (*this_34).first = _e15;
         // glimt_render_gpu/src/kernels/proposal.rs:496
-        (*this_33).width = width;
+        (*this_34).width = width;
     }
     // glimt_render_gpu/src/kernels/proposal.rs:498
-    let _e21 = (*this_33).sum;
-    (*this_33).sum = (_e21 + width);
+    let _e21 = (*this_34).sum;
+    (*this_34).sum = (_e21 + width);
     // glimt_render_gpu/src/kernels/proposal.rs:499
-    let _e25 = (*this_33).is_found;
-    let _e27 = (*this_33).sum;
-    let _e29 = (*this_33).target_;
-    (*this_33).is_found = (_e25 || (_e27 > _e29));
+    let _e25 = (*this_34).is_found;
+    let _e27 = (*this_34).sum;
+    let _e29 = (*this_34).target_;
+    (*this_34).is_found = (_e25 || (_e27 > _e29));
     return;
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:505
-fn Place_word(this_34: Place, whole: f32, fraction: u32) -> u32 {
+fn Place_word(this_35: Place, whole: f32, fraction: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:506
     let unit = (whole * (1f / 16777216f));
     // glimt_render_gpu/src/kernels/proposal.rs:507
-    let fine = ((this_34.target_ - this_34.first) + (unit * (f32(fraction) * (1f / 65536f))));
+    let fine = ((this_35.target_ - this_35.first) + (unit * (f32(fraction) * (1f / 65536f))));
     // glimt_render_gpu/src/kernels/proposal.rs:508
-    let place_3 = clamp((fine / max(this_34.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    let place_3 = clamp((fine / max(this_35.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
     // glimt_render_gpu/src/kernels/proposal.rs:509
     return ((u32((place_3 * 16777216f)) << 8u) | (fraction & 255u));
 }
@@ -2979,12 +3016,12 @@ fn find_bin(start_4: u32, bins: u32, u_4: u32) -> Bin {
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
-    let first_7 = env_tables[_e31];
+    let first_8 = env_tables[_e31];
     // glimt_envmap_cdf/src/search.rs:43
     let _e36 = at;
     let _e38 = at;
     let _e43 = env_tables[(_e38 + 1u)];
-    return Bin((_e36 - start_4), first_7, (_e43 - first_7));
+    return Bin((_e36 - start_4), first_8, (_e43 - first_8));
 }
 
 // glimt_light_cells/src/partition.rs:90
@@ -3030,11 +3067,11 @@ fn LightCells_column_edge(size_9: vec2<u32>, start_5: u32, x_9: u32, y_1: u32) -
 }
 
 // glimt_light_cells/src/partition.rs:207
-fn LightCells_pmf(size_10: vec2<u32>, start_6: u32, row_1: Bin, texel: vec2<u32>, first_4: u32) -> f32 {
+fn LightCells_pmf(size_10: vec2<u32>, start_6: u32, row_1: Bin, texel: vec2<u32>, first_5: u32) -> f32 {
     var chosen_17: u32;
 
     // glimt_light_cells/src/partition.rs:208
-    if (texel.x > first_4) {
+    if (texel.x > first_5) {
         // glimt_light_cells/src/partition.rs:209
         let _e15 = LightCells_column_edge(size_10, start_6, (texel.x - 1u), texel.y);
         chosen_17 = _e15;
@@ -3115,23 +3152,23 @@ fn cos_sin_pi(x_10: f32) -> vec2<f32> {
     // glimt_probe/src/trig.rs:31
     let c_6 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
     // glimt_probe/src/trig.rs:34
-    let s_5 = (y_5 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    let s_4 = (y_5 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
     // glimt_probe/src/trig.rs:37
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_18 = vec2<f32>(c_6, (s_5 + 0f));
+        chosen_18 = vec2<f32>(c_6, (s_4 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_18 = vec2<f32>((0f - s_5), c_6);
+            chosen_18 = vec2<f32>((0f - s_4), c_6);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_18 = vec2<f32>((0f - c_6), (0f - s_5));
+                chosen_18 = vec2<f32>((0f - c_6), (0f - s_4));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_18 = vec2<f32>((s_5 + 0f), (0f - c_6));
+                chosen_18 = vec2<f32>((s_4 + 0f), (0f - c_6));
             }
         }
     }
@@ -3176,16 +3213,16 @@ fn direction_in_texel(texel_1: vec2<u32>, size_12: vec2<u32>, r: vec2<f32>) -> v
     // glimt_probe/src/latlong.rs:152
     let s_upper = (sin_upper * sin_upper);
     // glimt_probe/src/latlong.rs:153
-    let s_6 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
+    let s_5 = (s_upper + (((sin_lower * sin_lower) - s_upper) * r.y));
     // glimt_probe/src/latlong.rs:154
-    let sin_theta = (2f * sqrt(max((s_6 * (1f - s_6)), 0f)));
+    let sin_theta = (2f * sqrt(max((s_5 * (1f - s_5)), 0f)));
     // glimt_probe/src/latlong.rs:155
     if southern {
         // glimt_probe/src/latlong.rs:156
-        chosen_21 = ((2f * s_6) - 1f);
+        chosen_21 = ((2f * s_5) - 1f);
     } else {
         // glimt_probe/src/latlong.rs:158
-        chosen_21 = (1f - (2f * s_6));
+        chosen_21 = (1f - (2f * s_5));
     }
     let cos_theta = chosen_21;
     // glimt_probe/src/latlong.rs:160
@@ -3202,7 +3239,7 @@ fn CellAt_new(lane: u32, weight: vec4<f32>, flux_4: vec4<f32>, terms_5: CellTerm
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:413
-fn Proposal_sample_cells(this_35: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_from_2: u32, expected_turned_2: u32) -> CellDraw {
+fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_from_2: u32, expected_turned_2: u32) -> CellDraw {
     var self_: Proposal;
     var row_place: Place;
     var counter_6: u32;
@@ -3210,7 +3247,7 @@ fn Proposal_sample_cells(this_35: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     var counter_7: u32;
     var cell_place: Place;
 
-    self_ = this_35;
+    self_ = this_36;
     // glimt_render_gpu/src/kernels/proposal.rs:420
     let _e10 = unit_f32_(u_7.y);
     let _e12 = self_.total;
@@ -3233,7 +3270,7 @@ fn Proposal_sample_cells(this_35: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     }
     // glimt_render_gpu/src/kernels/proposal.rs:424
     let _e31 = row_place.index;
-    let first_8 = (_e31 * 8u);
+    let first_9 = (_e31 * 8u);
     // glimt_render_gpu/src/kernels/proposal.rs:425
     let _e36 = unit_f32_(u_7.x);
     let _e38 = row_place.width;
@@ -3242,29 +3279,29 @@ fn Proposal_sample_cells(this_35: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     let _e41 = Place_new(target_1);
     quad_place = _e41;
     // glimt_render_gpu/src/kernels/proposal.rs:427
-    counter_7 = first_8;
+    counter_7 = first_9;
     loop {
-        let quad_8 = counter_7;
-        if (quad_8 >= (first_8 + 8u)) {
+        let quad_9 = counter_7;
+        if (quad_9 >= (first_9 + 8u)) {
             break;
         }
         // glimt_render_gpu/src/kernels/proposal.rs:428
-        let _e52 = self_.quads[quad_8];
-        Place_offer((&quad_place), quad_8, _e52);
+        let _e52 = self_.quads[quad_9];
+        Place_offer((&quad_place), quad_9, _e52);
         continuing {
             let _e53 = counter_7;
             counter_7 = (_e53 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:430
-    let quad_9 = quad_place.index;
+    let quad_10 = quad_place.index;
     // glimt_render_gpu/src/kernels/proposal.rs:431
-    let _e61 = LightCells_quad(cells_size_5, cells_start_5, 0u, quad_9);
+    let _e61 = LightCells_quad(cells_size_5, cells_start_5, 0u, quad_10);
     // glimt_render_gpu/src/kernels/proposal.rs:432
     let _e65 = self_.of_.surface;
-    let _e66 = LightCells_terms(cells_size_5, cells_start_5, _e65, quad_9);
+    let _e66 = LightCells_terms(cells_size_5, cells_start_5, _e65, quad_10);
     // glimt_render_gpu/src/kernels/proposal.rs:433
-    let _e68 = Remembered_quad(expected_from_2, expected_turned_2, quad_9);
+    let _e68 = Remembered_quad(expected_from_2, expected_turned_2, quad_10);
     // glimt_render_gpu/src/kernels/proposal.rs:434
     let surface_4 = self_.of_.surface;
     // glimt_render_gpu/src/kernels/proposal.rs:435
@@ -3288,7 +3325,7 @@ fn Proposal_sample_cells(this_35: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     // glimt_render_gpu/src/kernels/proposal.rs:445
     let lane_1 = cell_place.index;
     // glimt_render_gpu/src/kernels/proposal.rs:446
-    let cell_5 = ((4u * quad_9) + lane_1);
+    let cell_5 = ((4u * quad_10) + lane_1);
     // glimt_render_gpu/src/kernels/proposal.rs:447
     let _e117 = hash2_(u_7.x, u_7.y);
     // glimt_render_gpu/src/kernels/proposal.rs:448
@@ -3333,42 +3370,42 @@ fn Scene_is_lit(point: ShadingPoint, direction_3: vec3<f32>, key_4: u32) -> bool
     return !(_e9);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:109
+// glimt_render_gpu/src/kernels/cell_state.rs:129
 fn counted(n_4: u32, s_1: u32, arrives: u32) -> u32 {
     var chosen_22: u32;
     var chosen_23: u32;
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:110
+    // glimt_render_gpu/src/kernels/cell_state.rs:130
     let is_full = (n_4 >= 255u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:112
+    // glimt_render_gpu/src/kernels/cell_state.rs:132
     if is_full {
         chosen_22 = (n_4 / 2u);
     } else {
         chosen_22 = n_4;
     }
     let _e11 = chosen_22;
-    let n_7 = (_e11 + 1u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:113
+    let n_6 = (_e11 + 1u);
+    // glimt_render_gpu/src/kernels/cell_state.rs:133
     if is_full {
         chosen_23 = (s_1 / 2u);
     } else {
         chosen_23 = s_1;
     }
     let _e18 = chosen_23;
-    let s_7 = (_e18 + arrives);
-    // glimt_render_gpu/src/kernels/cell_state.rs:114
-    return (n_7 | (s_7 << 8u));
+    let s_6 = (_e18 + arrives);
+    // glimt_render_gpu/src/kernels/cell_state.rs:134
+    return (n_6 | (s_6 << 8u));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:120
+// glimt_render_gpu/src/kernels/cell_state.rs:140
 fn count_2(word_6: u32, cell_4: u32, arrives_1: bool) -> u32 {
     var chosen_24: u32;
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:121
+    // glimt_render_gpu/src/kernels/cell_state.rs:141
     let shift = (16u * (cell_4 & 1u));
-    // glimt_render_gpu/src/kernels/cell_state.rs:122
+    // glimt_render_gpu/src/kernels/cell_state.rs:142
     let own_2 = ((word_6 >> (shift & 31u)) & 65535u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:123
+    // glimt_render_gpu/src/kernels/cell_state.rs:143
     if arrives_1 {
         chosen_24 = 1u;
     } else {
@@ -3376,7 +3413,7 @@ fn count_2(word_6: u32, cell_4: u32, arrives_1: bool) -> u32 {
     }
     let _e23 = chosen_24;
     let _e24 = counted((own_2 & 255u), (own_2 >> 8u), _e23);
-    // glimt_render_gpu/src/kernels/cell_state.rs:124
+    // glimt_render_gpu/src/kernels/cell_state.rs:144
     return ((word_6 & ~((65535u << (shift & 31u)))) | (_e24 << (shift & 31u)));
 }
 
@@ -3392,7 +3429,7 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
     var borrowed_4: PatternSource;
 
     // glimt_render_gpu/src/kernels/pilot.rs:38
-    let first_9 = (tile_1 * 3u);
+    let first_10 = (tile_1 * 3u);
     // glimt_render_gpu/src/kernels/pilot.rs:39
     counter_8 = 0u;
     loop {
@@ -3401,139 +3438,141 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
             break;
         }
         // glimt_render_gpu/src/kernels/pilot.rs:40
-        let _e21 = entries[(first_9 + slot_1)].from_;
-        // glimt_render_gpu/src/kernels/pilot.rs:45
+        let _e20 = entries[(first_10 + slot_1)];
+        let _e22 = TileEntry_remembered(_e20, cells.turned);
+        // glimt_render_gpu/src/kernels/pilot.rs:41
         counter_9 = 0u;
         loop {
             let word_9 = counter_9;
             if (word_9 >= 256u) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/pilot.rs:46
-            let _e30 = Remembered_word(_e21, cells.turned, word_9);
-            counts[(counts_start + ((slot_1 * 256u) + word_9))] = _e30;
+            // glimt_render_gpu/src/kernels/pilot.rs:42
+            let _e32 = Remembered_word(_e22.value_from, _e22.value_turned, word_9);
+            counts[(counts_start + ((slot_1 * 256u) + word_9))] = _e32;
             continuing {
-                let _e37 = counter_9;
-                counter_9 = (_e37 + 1u);
+                let _e39 = counter_9;
+                counter_9 = (_e39 + 1u);
             }
         }
         continuing {
-            let _e40 = counter_8;
-            counter_8 = (_e40 + 1u);
+            let _e42 = counter_8;
+            counter_8 = (_e42 + 1u);
         }
     }
+    // glimt_render_gpu/src/kernels/pilot.rs:45
+    let _e46 = CellParams_corner(cells, tile_1);
+    // glimt_render_gpu/src/kernels/pilot.rs:46
+    let _e48 = tile_end(_e46, frame_4);
+    // glimt_render_gpu/src/kernels/pilot.rs:47
+    let _e52 = (_e48.x - _e46.x);
+    let _e54 = (_e52 / 2u);
+    let columns_1 = select(_e54, (_e54 + 1u), ((_e52 % 2u) != 0u));
+    // glimt_render_gpu/src/kernels/pilot.rs:48
+    let _e64 = (_e48.y - _e46.y);
+    let _e66 = (_e64 / 2u);
+    let rows_3 = select(_e66, (_e66 + 1u), ((_e64 % 2u) != 0u));
     // glimt_render_gpu/src/kernels/pilot.rs:49
-    let _e44 = CellParams_corner(cells, tile_1);
+    let _e74 = Environment_cells(env_size_1, env_rotation_1);
     // glimt_render_gpu/src/kernels/pilot.rs:50
-    let _e46 = tile_end(_e44, frame_4);
-    // glimt_render_gpu/src/kernels/pilot.rs:51
-    let _e50 = (_e46.x - _e44.x);
-    let _e52 = (_e50 / 2u);
-    let columns_1 = select(_e52, (_e52 + 1u), ((_e50 % 2u) != 0u));
-    // glimt_render_gpu/src/kernels/pilot.rs:52
-    let _e62 = (_e46.y - _e44.y);
-    let _e64 = (_e62 / 2u);
-    let rows_3 = select(_e64, (_e64 + 1u), ((_e62 % 2u) != 0u));
-    // glimt_render_gpu/src/kernels/pilot.rs:53
-    let _e72 = Environment_cells(env_size_1, env_rotation_1);
-    // glimt_render_gpu/src/kernels/pilot.rs:54
     counter_10 = 0u;
     loop {
         let i_2 = counter_10;
         if (i_2 >= 64u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/pilot.rs:56
+        // glimt_render_gpu/src/kernels/pilot.rs:52
         let place_5 = (reverseBits(i_2) >> ((32u - 6u) & 31u));
-        // glimt_render_gpu/src/kernels/pilot.rs:57
-        let pixel_4 = ((((_e44.y + ((place_5 / columns_1) * 2u)) * frame_4.width) + _e44.x) + ((place_5 % columns_1) * 2u));
-        // glimt_render_gpu/src/kernels/pilot.rs:59
-        let _e105 = FrameParams_pattern_at(frame_4, pixel_4, 0u);
-        // glimt_render_gpu/src/kernels/pilot.rs:60
+        // glimt_render_gpu/src/kernels/pilot.rs:53
+        let pixel_4 = ((((_e46.y + ((place_5 / columns_1) * 2u)) * frame_4.width) + _e46.x) + ((place_5 % columns_1) * 2u));
+        // glimt_render_gpu/src/kernels/pilot.rs:55
+        let _e107 = FrameParams_pattern_at(frame_4, pixel_4, 0u);
+        // glimt_render_gpu/src/kernels/pilot.rs:56
         seen = SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
-        // glimt_render_gpu/src/kernels/pilot.rs:61
+        // glimt_render_gpu/src/kernels/pilot.rs:57
         if (place_5 < (columns_1 * rows_3)) {
-            // glimt_render_gpu/src/kernels/pilot.rs:62
-            let _e134 = see_by(_e105, frame_4);
-            seen = _e134;
+            // glimt_render_gpu/src/kernels/pilot.rs:58
+            let _e136 = see_by(_e107, frame_4);
+            seen = _e136;
         }
-        // glimt_render_gpu/src/kernels/pilot.rs:64
-        let _e137 = seen.surface;
-        let _e138 = slot_of(_e137, first_9);
-        // glimt_render_gpu/src/kernels/pilot.rs:65
-        let _e140 = seen;
-        let _e141 = SeenPoint_is_hit(_e140);
-        if (_e141 && (_e138 > 0u)) {
+        // glimt_render_gpu/src/kernels/pilot.rs:60
+        let _e139 = seen.surface;
+        let _e140 = slot_of(_e139, first_10);
+        // glimt_render_gpu/src/kernels/pilot.rs:61
+        let _e142 = seen;
+        let _e143 = SeenPoint_is_hit(_e142);
+        if (_e143 && (_e140 > 0u)) {
+            // glimt_render_gpu/src/kernels/pilot.rs:62
+            let entry = entries[((first_10 + _e140) - 1u)];
+            // glimt_render_gpu/src/kernels/pilot.rs:63
+            let base_2 = ((_e140 - 1u) * 256u);
+            // glimt_render_gpu/src/kernels/pilot.rs:64
+            let _e161 = TileEntry_remembered(entry, cells.turned);
+            // glimt_render_gpu/src/kernels/pilot.rs:65
+            let _e165 = seen;
+            let _e166 = SeenPoint_shading_point(_e165);
             // glimt_render_gpu/src/kernels/pilot.rs:66
-            let entry = entries[((first_9 + _e138) - 1u)];
-            // glimt_render_gpu/src/kernels/pilot.rs:67
-            let base_2 = ((_e138 - 1u) * 256u);
-            // glimt_render_gpu/src/kernels/pilot.rs:68
-            // glimt_render_gpu/src/kernels/pilot.rs:73
-            let _e161 = seen;
-            let _e162 = SeenPoint_shading_point(_e161);
+            let _e169 = seen.normal;
+            let _e171 = seen.wo;
+            let _e173 = seen.diffuse;
+            let _e174 = luminance(_e173);
+            let _e176 = seen.specular;
+            let _e177 = luminance(_e176);
+            let _e179 = seen.exponent;
+            let _e180 = Representative_alone(_e169, _e171, _e174, _e177, _e179, env_size_1, env_rotation_1);
             // glimt_render_gpu/src/kernels/pilot.rs:74
-            let _e165 = seen.normal;
-            let _e167 = seen.wo;
-            let _e169 = seen.diffuse;
-            let _e170 = luminance(_e169);
-            let _e172 = seen.specular;
-            let _e173 = luminance(_e172);
-            let _e175 = seen.exponent;
-            let _e176 = Representative_alone(_e165, _e167, _e170, _e173, _e175, env_size_1, env_rotation_1);
-            // glimt_render_gpu/src/kernels/pilot.rs:82
-            let _e178 = seen;
-            let _e179 = SeenPoint_is_catcher(_e178);
-            let _e180 = Proposal_new(_e176, _e72.value_size, _e72.value_start, entry.from_, cells.turned, _e179);
-            proposal = _e180;
-            // glimt_render_gpu/src/kernels/pilot.rs:83
-            let _e184 = PixelPattern_ray_key(_e105, 14u);
-            // glimt_render_gpu/src/kernels/pilot.rs:84
-            let _e188 = proposal.total;
-            if (_e188 > 0f) {
-                // glimt_render_gpu/src/kernels/pilot.rs:85
+            let _e182 = seen;
+            let _e183 = SeenPoint_is_catcher(_e182);
+            let _e184 = Proposal_new(_e180, _e74.value_size, _e74.value_start, _e161.value_from, _e161.value_turned, _e183);
+            proposal = _e184;
+            // glimt_render_gpu/src/kernels/pilot.rs:75
+            let _e188 = PixelPattern_ray_key(_e107, 14u);
+            // glimt_render_gpu/src/kernels/pilot.rs:76
+            let _e192 = proposal.total;
+            if (_e192 > 0f) {
+                // glimt_render_gpu/src/kernels/pilot.rs:77
                 chosen_25 = entry.pilots;
             } else {
-                // glimt_render_gpu/src/kernels/pilot.rs:87
+                // glimt_render_gpu/src/kernels/pilot.rs:79
                 chosen_25 = 0u;
             }
             let rays = chosen_25;
-            // glimt_render_gpu/src/kernels/pilot.rs:89
+            // glimt_render_gpu/src/kernels/pilot.rs:81
             counter_11 = 0u;
             loop {
-                let s_8 = counter_11;
-                if (s_8 >= rays) {
+                let s_7 = counter_11;
+                if (s_7 >= rays) {
                     break;
                 }
-                // glimt_render_gpu/src/kernels/pilot.rs:90
-                let _e203 = PixelPattern_point(_e105, 13u, s_8);
-                borrowed_4 = _e203;
-                let _e205 = PatternSource_next_uvec2_((&borrowed_4));
-                // glimt_render_gpu/src/kernels/pilot.rs:91
-                let _e207 = proposal;
-                let _e208 = Proposal_sample_cells(_e207, _e205, _e72.value_size, _e72.value_start, entry.from_, cells.turned);
-                // glimt_render_gpu/src/kernels/pilot.rs:92
-                let _e211 = rotate_z(_e208.direction, env_rotation_1);
-                // glimt_render_gpu/src/kernels/pilot.rs:93
-                if ((dot(_e162.frame.n, _e211) > 0f) && (dot(_e162.geometric_normal, _e211) > 0f)) {
-                    // glimt_render_gpu/src/kernels/pilot.rs:95
-                    let _e225 = Scene_is_lit(_e162, _e211, (_e184 + s_8));
-                    // glimt_render_gpu/src/kernels/pilot.rs:96
-                    let at_5 = (base_2 + (_e208.cell / 2u));
-                    // glimt_render_gpu/src/kernels/pilot.rs:97
-                    let _e235 = counts[(counts_start + at_5)];
-                    let _e237 = count_2(_e235, _e208.cell, _e225);
-                    counts[(counts_start + at_5)] = _e237;
+                // glimt_render_gpu/src/kernels/pilot.rs:82
+                let _e207 = PixelPattern_point(_e107, 13u, s_7);
+                borrowed_4 = _e207;
+                let _e209 = PatternSource_next_uvec2_((&borrowed_4));
+                // glimt_render_gpu/src/kernels/pilot.rs:83
+                let _e211 = proposal;
+                let _e212 = Proposal_sample_cells(_e211, _e209, _e74.value_size, _e74.value_start, _e161.value_from, _e161.value_turned);
+                // glimt_render_gpu/src/kernels/pilot.rs:84
+                let _e215 = rotate_z(_e212.direction, env_rotation_1);
+                // glimt_render_gpu/src/kernels/pilot.rs:85
+                if ((dot(_e166.frame.n, _e215) > 0f) && (dot(_e166.geometric_normal, _e215) > 0f)) {
+                    // glimt_render_gpu/src/kernels/pilot.rs:87
+                    let _e229 = Scene_is_lit(_e166, _e215, (_e188 + s_7));
+                    // glimt_render_gpu/src/kernels/pilot.rs:88
+                    let at_5 = (base_2 + (_e212.cell / 2u));
+                    // glimt_render_gpu/src/kernels/pilot.rs:89
+                    let _e239 = counts[(counts_start + at_5)];
+                    let _e241 = count_2(_e239, _e212.cell, _e229);
+                    counts[(counts_start + at_5)] = _e241;
                 }
                 continuing {
-                    let _e241 = counter_11;
-                    counter_11 = (_e241 + 1u);
+                    let _e245 = counter_11;
+                    counter_11 = (_e245 + 1u);
                 }
             }
         }
         continuing {
-            let _e244 = counter_10;
-            counter_10 = (_e244 + 1u);
+            let _e248 = counter_10;
+            counter_10 = (_e248 + 1u);
         }
     }
     return;

@@ -361,28 +361,28 @@ fn CellParams_tile_of(this_: CellParams, pixel: u32, frame: FrameParams) -> u32 
     return (((y_2 / 10u) * this_.tiles_across) + (x_12 / 16u));
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:141
+// glimt_render_gpu/src/kernels/expect.rs:138
 fn threshold(frame_1: FrameParams, cells: CellParams, parts: u32) -> f32 {
     var sum: f32;
     var counter: u32;
 
-    // glimt_render_gpu/src/kernels/expect.rs:142
+    // glimt_render_gpu/src/kernels/expect.rs:139
     if (cells.is_adaptive == 0u) {
-        // glimt_render_gpu/src/kernels/expect.rs:143
+        // glimt_render_gpu/src/kernels/expect.rs:140
         return 0f;
     }
-    // glimt_render_gpu/src/kernels/expect.rs:145
+    // glimt_render_gpu/src/kernels/expect.rs:142
     let behind = ((cells.tiles * 3u) * 128u);
-    // glimt_render_gpu/src/kernels/expect.rs:146
+    // glimt_render_gpu/src/kernels/expect.rs:143
     sum = 0f;
-    // glimt_render_gpu/src/kernels/expect.rs:147
+    // glimt_render_gpu/src/kernels/expect.rs:144
     counter = 0u;
     loop {
         let part = counter;
         if (part >= parts) {
             break;
         }
-        // glimt_render_gpu/src/kernels/expect.rs:148
+        // glimt_render_gpu/src/kernels/expect.rs:145
         let _e28 = visibility_4[(behind + part)];
         let _e30 = sum;
         sum = (_e30 + bitcast<f32>(_e28));
@@ -391,7 +391,7 @@ fn threshold(frame_1: FrameParams, cells: CellParams, parts: u32) -> f32 {
             counter = (_e32 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/expect.rs:150
+    // glimt_render_gpu/src/kernels/expect.rs:147
     let _e36 = sum;
     return (_e36 / (f32((frame_1.width * frame_1.height)) * cells.rays));
 }
@@ -693,10 +693,10 @@ fn SeenPoint_slot(this_6: SeenPoint) -> u32 {
     return (this_6.flags >> 2u);
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:220
+// glimt_render_gpu/src/kernels/cell_state.rs:248
 fn Expected_at_slot(first_1: u32, slot: u32, slot_1: u32) -> Returned_Expected_at_slot {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:221
+    // glimt_render_gpu/src/kernels/cell_state.rs:249
     return Returned_Expected_at_slot(first_1, slot_1);
 }
 
@@ -842,19 +842,19 @@ fn bytes_of(word: u32) -> vec4<f32> {
     return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:225
+// glimt_render_gpu/src/kernels/cell_state.rs:253
 fn Expected_quad(first_2: u32, slot_2: u32, quad_2: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:226
+    // glimt_render_gpu/src/kernels/cell_state.rs:254
     if (slot_2 == 0u) {
-        // glimt_render_gpu/src/kernels/cell_state.rs:227
+        // glimt_render_gpu/src/kernels/cell_state.rs:255
         return vec4(0.75f);
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:229
+    // glimt_render_gpu/src/kernels/cell_state.rs:257
     let entry = ((first_2 + slot_2) - 1u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:230
+    // glimt_render_gpu/src/kernels/cell_state.rs:258
     let word_5 = visibility_4[((entry * 128u) + quad_2)];
-    // glimt_render_gpu/src/kernels/cell_state.rs:231
+    // glimt_render_gpu/src/kernels/cell_state.rs:259
     let _e22 = bytes_of(word_5);
     return (_e22 * (1f / 255f));
 }

@@ -192,12 +192,12 @@ fn Representative_alone(normal_1: vec3<f32>, wo_1: vec3<f32>, diffuse: f32, spec
     return Representative(normal_4, vec3(diffuse), vec3(specular), exponent_2, _e17.peak, _e17);
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:82
+// glimt_render_gpu/src/kernels/expect.rs:79
 fn representative_of(entry: TileEntry, frame: FrameParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> Representative {
 
-    // glimt_render_gpu/src/kernels/expect.rs:87
+    // glimt_render_gpu/src/kernels/expect.rs:84
     let wo_3 = normalize((frame.eye - entry.position));
-    // glimt_render_gpu/src/kernels/expect.rs:88
+    // glimt_render_gpu/src/kernels/expect.rs:85
     let _e15 = Representative_alone(entry.normal, wo_3, entry.diffuse, entry.specular, entry.exponent, env_size_1, env_rotation_1);
     return _e15;
 }
@@ -337,19 +337,19 @@ fn bytes_of(word: u32) -> vec4<f32> {
     return vec4<f32>(f32((word & 255u)), f32(((word >> 8u) & 255u)), f32(((word >> 16u) & 255u)), f32((word >> 24u)));
 }
 
-// glimt_render_gpu/src/kernels/cell_state.rs:225
+// glimt_render_gpu/src/kernels/cell_state.rs:253
 fn Expected_quad(first: u32, slot: u32, quad_2: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/cell_state.rs:226
+    // glimt_render_gpu/src/kernels/cell_state.rs:254
     if (slot == 0u) {
-        // glimt_render_gpu/src/kernels/cell_state.rs:227
+        // glimt_render_gpu/src/kernels/cell_state.rs:255
         return vec4(0.75f);
     }
-    // glimt_render_gpu/src/kernels/cell_state.rs:229
+    // glimt_render_gpu/src/kernels/cell_state.rs:257
     let entry_1 = ((first + slot) - 1u);
-    // glimt_render_gpu/src/kernels/cell_state.rs:230
+    // glimt_render_gpu/src/kernels/cell_state.rs:258
     let word_1 = visibility_3[((entry_1 * 128u) + quad_2)];
-    // glimt_render_gpu/src/kernels/cell_state.rs:231
+    // glimt_render_gpu/src/kernels/cell_state.rs:259
     let _e22 = bytes_of(word_1);
     return (_e22 * (1f / 255f));
 }
@@ -787,34 +787,34 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     return Proposal(_e248, _e249, _e250, _e251, _e252, _e253, _e254, ((kd_1 * _e227) + (_e230 * (_e232 * _e233))), ((kd_1 * _e238) + (_e241 * (_e243 * _e244))), is_catcher_2);
 }
 
-// glimt_render_gpu/src/kernels/expect.rs:100
+// glimt_render_gpu/src/kernels/expect.rs:97
 fn worth_2(tile: u32, frame_1: FrameParams, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> f32 {
     var sum: f32;
     var counter_3: u32;
     var proposal: Proposal;
 
-    // glimt_render_gpu/src/kernels/expect.rs:107
+    // glimt_render_gpu/src/kernels/expect.rs:104
     let _e6 = Environment_cells(env_size_2, env_rotation_2);
-    // glimt_render_gpu/src/kernels/expect.rs:108
+    // glimt_render_gpu/src/kernels/expect.rs:105
     sum = 0f;
-    // glimt_render_gpu/src/kernels/expect.rs:109
+    // glimt_render_gpu/src/kernels/expect.rs:106
     counter_3 = 0u;
     loop {
         let slot_1 = counter_3;
         if (slot_1 >= 3u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/expect.rs:110
+        // glimt_render_gpu/src/kernels/expect.rs:107
         let entry_2 = entries[((tile * 3u) + slot_1)];
-        // glimt_render_gpu/src/kernels/expect.rs:111
+        // glimt_render_gpu/src/kernels/expect.rs:108
         if (entry_2.surface != 0u) {
-            // glimt_render_gpu/src/kernels/expect.rs:112
-            // glimt_render_gpu/src/kernels/expect.rs:117
+            // glimt_render_gpu/src/kernels/expect.rs:109
+            // glimt_render_gpu/src/kernels/expect.rs:114
             let _e35 = representative_of(entry_2, frame_1, env_size_2, env_rotation_2);
-            // glimt_render_gpu/src/kernels/expect.rs:118
+            // glimt_render_gpu/src/kernels/expect.rs:115
             let _e38 = Proposal_new(_e35, _e6.value_size, _e6.value_start, (tile * 3u), (slot_1 + 1u), false);
             proposal = _e38;
-            // glimt_render_gpu/src/kernels/expect.rs:119
+            // glimt_render_gpu/src/kernels/expect.rs:116
             let _e44 = proposal.total;
             let _e46 = proposal.lobe_worth;
             let _e49 = sum;
@@ -825,7 +825,7 @@ fn worth_2(tile: u32, frame_1: FrameParams, env_size_2: vec2<u32>, env_rotation_
             counter_3 = (_e51 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/expect.rs:122
+    // glimt_render_gpu/src/kernels/expect.rs:119
     let _e55 = sum;
     return _e55;
 }

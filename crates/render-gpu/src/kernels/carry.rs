@@ -96,7 +96,7 @@ fn unknown(
         let terms = light.terms(&surface, quad);
         let weights = surface.residual_weights(&terms, flux, remembered.quad(quad));
         all += weights.element_sum();
-        unseen += (weights / (remembered.rays(quad) + Vec4::ONE)).element_sum();
+        unseen += (weights / (remembered.counts(quad).rays + Vec4::ONE)).element_sum();
     }
     // Where nothing is to be seen nothing is unknown.
     if all > 0.0 { unseen / all } else { 0.0 }

@@ -104,6 +104,26 @@ pub fn bytes_of(word: u32) -> Vec4 {
     )
 }
 
+/// Counts of four cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuadCounts {
+    /// N: the rays that went to each.
+    pub rays: Vec4,
+    /// S: those that arrived.
+    pub arrived: Vec4,
+}
+
+/// The counts in two words: of the first two of the four cells, then of the others.
+#[inline]
+#[must_use]
+pub fn quad_counts(first: u32, second: u32) -> QuadCounts {
+    let (low, high) = (bytes_of(first), bytes_of(second));
+    QuadCounts {
+        rays: Vec4::new(low.x, low.z, high.x, high.z),
+        arrived: Vec4::new(low.y, low.w, high.y, high.w),
+    }
+}
+
 /// N and S of one cell, with one ray more.
 #[inline]
 fn counted(n: u32, s: u32, arrives: u32) -> u32 {
@@ -165,13 +185,24 @@ impl Remembered<'_> {
         self.cell(2 * word) | self.cell(2 * word + 1) << 16
     }
 
-    /// N of cells `4 · quad` on.
+    /// The counts of cells `4 · quad` on.
     #[inline]
     #[must_use]
-    pub fn rays(&self, quad: u32) -> Vec4 {
-        let low = bytes_of(self.word(2 * quad));
-        let high = bytes_of(self.word(2 * quad + 1));
-        Vec4::new(low.x, low.z, high.x, high.z)
+    pub fn counts(&self, quad: u32) -> QuadCounts {
+        quad_counts(self.word(2 * quad), self.word(2 * quad + 1))
+    }
+}
+
+impl TileEntry {
+    /// What the counts of the frame before, all its `words`, tell of it.
+    #[inline]
+    #[must_use]
+    pub fn remembered<'a>(&self, words: &'a [u32], turned: u32) -> Remembered<'a> {
+        Remembered {
+            words,
+            from: self.from,
+            turned,
+        }
     }
 }
 
@@ -186,11 +217,8 @@ impl Expectation for Remembered<'_> {
 
     #[inline]
     fn quad(&self, quad: u32) -> Vec4 {
-        let low = bytes_of(self.word(2 * quad));
-        let high = bytes_of(self.word(2 * quad + 1));
-        let n = Vec4::new(low.x, low.z, high.x, high.z);
-        let s = Vec4::new(low.y, low.w, high.y, high.w);
-        (s + Vec4::splat(PRIOR * NOTHING_KNOWN)) / (n + Vec4::splat(PRIOR))
+        let counts = self.counts(quad);
+        (counts.arrived + Vec4::splat(PRIOR * NOTHING_KNOWN)) / (counts.rays + Vec4::splat(PRIOR))
     }
 }
 
@@ -263,7 +291,7 @@ mod tests {
         let kept = bytes_of(next.word(3));
         assert_eq!((kept.x, kept.z, kept.w), (64.0, 64.0, 0.0));
         assert!((kept.y / kept.x - all.y / all.x).abs() < 0.01);
-        assert_eq!(next.rays(1), Vec4::new(0.0, 0.0, 64.0, 64.0));
+        assert_eq!(next.counts(1).rays, Vec4::new(0.0, 0.0, 64.0, 64.0));
         let expected = next.quad(1);
         assert_eq!(expected.x, NOTHING_KNOWN);
         assert!((expected.w - 3.0 / 68.0).abs() < 1e-6);

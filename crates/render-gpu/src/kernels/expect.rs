@@ -3,7 +3,7 @@
 use glam::Vec4;
 
 use super::cell_state::{
-    COUNT_WORDS, ENTRIES, Expected, NOTHING_KNOWN, TileEntry, VISIBILITY_WORDS, bytes_of, pack,
+    COUNT_WORDS, ENTRIES, Expected, NOTHING_KNOWN, TileEntry, VISIBILITY_WORDS, pack, quad_counts,
 };
 use super::environment::Environment;
 use super::frame::FrameParams;
@@ -57,15 +57,12 @@ pub fn expect(
                 for i in 0..found {
                     let entry = near[i as usize];
                     let at = (entry * COUNT_WORDS + 2 * word) as usize;
-                    let low = bytes_of(counts[at]);
-                    let high = bytes_of(counts[at + 1]);
-                    let own_n = Vec4::new(low.x, low.z, high.x, high.z);
-                    let own_s = Vec4::new(low.y, low.w, high.y, high.w);
-                    all_n += own_n;
-                    all_s += own_s;
+                    let of_entry = quad_counts(counts[at], counts[at + 1]);
+                    all_n += of_entry.rays;
+                    all_s += of_entry.arrived;
                     if entry == own {
-                        n = own_n;
-                        s = own_s;
+                        n = of_entry.rays;
+                        s = of_entry.arrived;
                     }
                 }
                 let prior = all_s / all_n;

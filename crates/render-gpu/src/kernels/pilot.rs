@@ -4,7 +4,7 @@ use glimt_probe::rotate::rotate_z;
 use glimt_sampling::math::luminance;
 use glimt_sampling::uniform::UniformSource;
 
-use super::cell_state::{COUNT_WORDS, ENTRIES, Remembered, TileEntry, count, slot_of};
+use super::cell_state::{COUNT_WORDS, ENTRIES, TileEntry, count, slot_of};
 use super::environment::Environment;
 use super::frame::FrameParams;
 use super::groups::Representative;
@@ -37,11 +37,7 @@ pub fn pilot(
 ) {
     let first = tile * ENTRIES;
     for slot in 0..ENTRIES {
-        let remembered = Remembered {
-            words: past_counts,
-            from: entries[(first + slot) as usize].from,
-            turned: cells.turned,
-        };
+        let remembered = entries[(first + slot) as usize].remembered(past_counts, cells.turned);
         for word in 0..COUNT_WORDS {
             counts[(slot * COUNT_WORDS + word) as usize] = remembered.word(word);
         }
@@ -65,11 +61,7 @@ pub fn pilot(
         if seen.is_hit() && slot > 0 {
             let entry = entries[(first + slot - 1) as usize];
             let base = (slot - 1) * COUNT_WORDS;
-            let remembered = Remembered {
-                words: past_counts,
-                from: entry.from,
-                turned: cells.turned,
-            };
+            let remembered = entry.remembered(past_counts, cells.turned);
             let point = seen.shading_point();
             let of = Representative::alone(
                 seen.normal,

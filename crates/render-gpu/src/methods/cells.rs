@@ -72,10 +72,15 @@ fn tiles(size: UVec2) -> UVec2 {
     UVec2::new(size.x.div_ceil(TILE_WIDTH), size.y.div_ceil(TILE_HEIGHT))
 }
 
+/// Entries of all tiles of an image.
+pub(crate) fn entries(size: UVec2) -> usize {
+    let tiles = tiles(size);
+    tiles.x as usize * tiles.y as usize * ENTRIES as usize
+}
+
 /// What is kept of a frame of this size.
 pub(super) fn kept_bytes(size: UVec2) -> KeptBytes {
-    let tiles = tiles(size);
-    let entries = u64::from(tiles.x) * u64::from(tiles.y) * u64::from(ENTRIES);
+    let entries = entries(size) as u64;
     let counts = entries * u64::from(COUNT_WORDS) * size_of::<u32>() as u64;
     KeptBytes {
         largest: counts,
@@ -83,15 +88,15 @@ pub(super) fn kept_bytes(size: UVec2) -> KeptBytes {
     }
 }
 
-/// By how many columns of cells a light has turned: a cell of one frame's map lies so many columns before the cell of the next frame's
-/// that shows the same direction.
+/// How many columns of cells a light has turned between two frames. Add it to a cell's column in the first map: the second map shows the
+/// same direction there.
 fn turned_columns(before: Vec2, now: Vec2) -> u32 {
     let turn = before.angle_to(now) / std::f32::consts::TAU;
     ((turn * COLUMNS as f32).round() as i32).rem_euclid(COLUMNS as i32) as u32
 }
 
 /// The entries of its passes.
-pub(super) fn entries() -> Vec<&'static Entry> {
+pub(super) fn pass_entries() -> Vec<&'static Entry> {
     vec![
         Scout::<Gpu>::entry(),
         Carry::<Gpu>::entry(),
@@ -152,8 +157,7 @@ impl<M: Memory> Counting<M> {
         before: Counts<M>,
     ) -> Result<Self, D::Error> {
         let params = Cells::default().params(key.size);
-        let tiles = params.tiles as usize;
-        let entries = tiles * ENTRIES as usize;
+        let (tiles, entries) = (params.tiles as usize, key.entries());
         let words = entries * VISIBILITY_WORDS as usize;
         Ok(Self {
             key,
@@ -214,7 +218,7 @@ impl<M: Memory> Counting<M> {
             self.params.turned = turned_columns(past.light_rotation, env.rotation);
         }
         let (cells, tiles) = (&self.params, self.params.tiles);
-        let entries = (tiles * ENTRIES) as usize;
+        let entries = self.key.entries();
         let pass = Scout {
             frame,
             cells,
@@ -283,7 +287,7 @@ impl<M: Memory> Counting<M> {
         past: PastFrame,
     ) -> Result<(), D::Error> {
         if self.past.is_none() {
-            self.before = Counts::new(device, (self.params.tiles * ENTRIES) as usize)?;
+            self.before = Counts::new(device, self.key.entries())?;
         }
         std::mem::swap(&mut self.before, &mut self.now);
         self.past = Some(past);
@@ -298,7 +302,7 @@ impl<M: Memory> Counting<M> {
         let Some(past) = &self.past else {
             return Ok(None);
         };
-        let entries = (self.params.tiles * ENTRIES) as usize;
+        let entries = self.key.entries();
         Ok(Some(CellsState {
             key: self.key,
             past: past.clone(),

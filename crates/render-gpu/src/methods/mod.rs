@@ -450,7 +450,7 @@ macro_rules! memoryless {
                         }
                         list
                     })+
-                    Self::Cells(_) => cells::entries(),
+                    Self::Cells(_) => cells::pass_entries(),
                     Self::Smc(_) => smc::entries(),
                 }
             }

@@ -149,7 +149,7 @@ impl Smc {
         particles.max(size_of::<RayState>() as u64)
     }
 
-    /// What is kept of so many rays.
+    /// What the method keeps of a frame with `rays` rays.
     pub(super) fn kept_bytes(&self, rays: u64) -> KeptBytes {
         let particles = u64::from(self.particles) * size_of::<Particle>() as u64;
         KeptBytes {

@@ -6,6 +6,7 @@ use super::past_frame::PastFrame;
 use super::render::RenderSettings;
 use super::scene_build::SceneBuffers;
 use crate::kernels::cell_state::TileEntry;
+use crate::methods::cells::entries;
 
 /// What two frames must have in common for counts to go from one to the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +34,12 @@ pub struct CellsState {
 }
 
 impl CellsKey {
+    /// Entries of all tiles of the image.
+    #[must_use]
+    pub fn entries(&self) -> usize {
+        entries(self.size)
+    }
+
     /// Of a frame of these settings.
     #[must_use]
     pub fn new(settings: &RenderSettings, scene: &SceneBuffers) -> Self {
